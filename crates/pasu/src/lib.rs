@@ -4,6 +4,8 @@
 
 mod design;
 mod error;
+mod mode;
 
 pub use design::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub use error::{Code, Error, Result};
+pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
