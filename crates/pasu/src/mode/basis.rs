@@ -81,7 +81,7 @@ impl Basis {
         }
     }
 
-    /// The fastest oscillation that can make the boundary matrix singular: that of a pair of imaginary roots.
+    /// The fastest rate of a problem that can have a singular boundary matrix, which takes a pair of imaginary roots; else 0.
     fn oscillation(&self) -> f64 {
         match self {
             Basis::Single(rate) => rate.oscillation(),
@@ -90,7 +90,8 @@ impl Basis {
             Basis::Series(_) => SERIES_RATE,
             Basis::Products { sigma, delta } if sigma.z < 0.0 => sigma.oscillation() + delta.oscillation(),
             Basis::Products { .. } => 0.0,
-            Basis::Separate(first, second) => first.oscillation().max(second.oscillation()),
+            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => libm::sqrt(first.z.abs()),
+            Basis::Separate(..) => 0.0,
         }
     }
 

@@ -19,10 +19,14 @@ impl Pair {
         Pair { first, second, determinant: first[0] * second[1] - first[1] * second[0] }
     }
 
-    /// Refuses a determinant that may be 0. Only oscillating functions can have one.
-    pub(super) fn check(&self, oscillation: f64) -> Result<(), Unsolvable> {
-        let parts = (self.first[0] * self.second[1]).abs() + (self.first[1] * self.second[0]).abs();
-        if oscillation > 0.0 && self.determinant.abs() < RESONANCE * (2.0 + oscillation) * parts {
+    /// Refuses a determinant that may be 0. Only functions that oscillate, at `rate` in total, can have one.
+    ///
+    /// It is held against the sizes of both functions, value and slope taken together as `sqrt(f^2 + (f' / rate)^2)`: where a cosine
+    /// stands still at the end, both products of the determinant vanish, and comparing it with these would see nothing.
+    pub(super) fn check(&self, rate: f64) -> Result<(), Unsolvable> {
+        let size = |f: [f64; 2]| libm::hypot(f[0], f[1] / rate);
+        if rate > 0.0 && self.determinant.abs() < RESONANCE * (2.0 + rate) * rate * size(self.first) * size(self.second)
+        {
             Err(Unsolvable::Resonant)
         } else {
             Ok(())
