@@ -1,0 +1,43 @@
+// The page's side of the service worker (worker.ts): install it, and hear when a new version is ready.
+
+/** A page left open looks for a new version when it is looked at again, at most this often. */
+const CHECK_EVERY_MS = 60 * 60 * 1000;
+
+/**
+ * Makes the site work without a network from the next visit on. `onNewVersion` is called when a newer version than the
+ * one on the screen has been installed; the next load of the page shows it, so all the page has to do is say so.
+ *
+ * Does nothing on the development server, and nothing where the browser or the address (plain http) has no service
+ * workers: the page works all the same, with a network.
+ */
+export function registerOffline(onNewVersion: () => void): void {
+  if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
+  const { serviceWorker } = navigator;
+  serviceWorker.addEventListener("message", (event: MessageEvent<unknown>) => {
+    if (isNewVersion(event.data)) onNewVersion();
+  });
+  // After the first picture: the copy for later must not compete with what is on the screen now.
+  const start = () => void install(serviceWorker);
+  if (document.readyState === "complete") start();
+  else window.addEventListener("load", start, { once: true });
+}
+
+async function install(serviceWorker: ServiceWorkerContainer): Promise<void> {
+  try {
+    const registration = await serviceWorker.register(new URL("sw.js", document.baseURI), { updateViaCache: "none" });
+    let checked = Date.now();
+    document.addEventListener("visibilitychange", () => {
+      if (document.visibilityState !== "visible" || Date.now() - checked < CHECK_EVERY_MS) return;
+      checked = Date.now();
+      registration.update().catch(() => {
+        // No network: ask again next time.
+      });
+    });
+  } catch {
+    // Private windows and locked-down browsers refuse service workers; the page works without.
+  }
+}
+
+function isNewVersion(data: unknown): boolean {
+  return typeof data === "object" && data !== null && "type" in data && data.type === "pasu:new-version";
+}

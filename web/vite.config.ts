@@ -1,0 +1,40 @@
+// How the designer is built: relative addresses so that it runs from any folder of a static host, one chunk per
+// thing that changes at its own pace, a strict Content-Security-Policy and a service worker.
+
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+import { contentSecurityPolicy } from "./build/content-security-policy.ts";
+import { offline } from "./build/offline.ts";
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig({
+  base: "./",
+  // A path that does not exist is an honest 404, in development and preview as on a static host.
+  appType: "mpa",
+  clearScreen: false,
+  resolve: { alias: { pasu: here("../crates/pasu-wasm/pkg/pasu.js") } },
+  server: { fs: { allow: [here("..")] } },
+  worker: { format: "es" },
+  build: {
+    target: "es2022",
+    outDir: "dist",
+    emptyOutDir: true,
+    manifest: true,
+    // Small pictures as data: addresses would escape the offline list and the weight report.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    reportCompressedSize: false,
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            { name: "three", test: /[\\/]node_modules[\\/]three[\\/]/ },
+            { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
+          ],
+        },
+      },
+    },
+  },
+  plugins: [contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
+});
