@@ -122,26 +122,26 @@ vec3 room(float z, float blur) {
 }
 
 vec3 radiance(vec3 d, float roughness) {
-  float blur = 0.035 + 1.9 * roughness;
+  float blur = 0.03 + 1.9 * roughness;
   vec3 light = room(d.z, roughness);
-  light += vec3(7.6, 7.3, 6.9) * lamp(d, vec3(-0.6804, -0.4949, 0.5404), vec3(-0.5882, 0.8087, 0.0), vec2(0.42, 0.56), blur);
-  light += vec3(2.7, 2.85, 3.1) * lamp(d, vec3(0.9129, -0.3043, 0.2722), vec3(0.3162, 0.9487, 0.0), vec2(0.16, 0.85), blur);
-  light += vec3(2.2, 2.3, 2.5) * lamp(d, vec3(0.3939, 0.7878, 0.4735), vec3(-0.8944, 0.4472, 0.0), vec2(0.8, 0.5), blur);
-  light += vec3(1.5, 1.5, 1.5) * lamp(d, vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.8, 0.8), blur + 0.25);
+  light += vec3(6.6, 6.35, 6.0) * (0.75 + 0.45 * d.z) * lamp(d, vec3(-0.6804, -0.4949, 0.5404), vec3(-0.5882, 0.8087, 0.0), vec2(0.40, 0.58), blur);
+  light += vec3(2.3, 2.45, 2.7) * lamp(d, vec3(0.9129, -0.3043, 0.2722), vec3(0.3162, 0.9487, 0.0), vec2(0.13, 0.95), blur + 0.05);
+  light += vec3(1.7, 1.8, 2.0) * lamp(d, vec3(0.3939, 0.7878, 0.4735), vec3(-0.8944, 0.4472, 0.0), vec2(0.8, 0.5), blur + 0.15);
+  light += vec3(0.9) * smoothstep(0.55 - roughness, 1.0, d.z);
   return light;
 }
 
-float lobe(vec3 n, vec3 centre) {
-  float x = max(0.0, dot(n, centre) * 0.78 + 0.22);
-  return x * x * 0.4 + x * 0.6;
+float lobe(vec3 n, vec3 centre, float wrap) {
+  float x = max(0.0, (dot(n, centre) + wrap) / (1.0 + wrap));
+  return x * x * wrap + x * (1.0 - wrap);
 }
 
 vec3 irradiance(vec3 n) {
-  vec3 light = mix(floor_, mix(wall, ceiling, 0.65), 0.5 + 0.5 * n.z) * 0.9;
-  light += vec3(1.72, 1.66, 1.56) * lobe(n, vec3(-0.6804, -0.4949, 0.5404));
-  light += vec3(0.26, 0.28, 0.31) * lobe(n, vec3(0.9129, -0.3043, 0.2722));
-  light += vec3(0.3, 0.31, 0.33) * lobe(n, vec3(0.3939, 0.7878, 0.4735));
-  light += vec3(0.55) * lobe(n, vec3(0.0, 0.0, 1.0));
+  vec3 light = mix(floor_, mix(wall, ceiling, 0.6), 0.5 + 0.5 * n.z) * 0.62;
+  light += vec3(1.02, 0.98, 0.92) * lobe(n, vec3(-0.6804, -0.4949, 0.5404), 0.3);
+  light += vec3(0.13, 0.14, 0.155) * lobe(n, vec3(0.9129, -0.3043, 0.2722), 0.5);
+  light += vec3(0.14, 0.145, 0.155) * lobe(n, vec3(0.3939, 0.7878, 0.4735), 0.4);
+  light += vec3(0.26) * lobe(n, vec3(0.0, 0.0, 1.0), 0.4);
   return light;
 }
 `;
