@@ -58,7 +58,12 @@ void main() {
   vec3 toEye = normalize(eye - vScene);
   bool inside = !gl_FrontFacing;
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
-  if (inside) n = -n;
+  // A sliver of the far wall shows along a silhouette: it must not look like the depth of the pot.
+  float within = 0.0;
+  if (inside) {
+    n = -n;
+    within = smoothstep(0.02, 0.2, dot(n, toEye));
+  }
 
   vec4 broad = cells(vObject * 4.3) - 0.5;
   vec4 fine = cells(vObject * vec3(17.0, 17.0, mix(17.0, 2.2, layer.w))) - 0.5;
@@ -96,9 +101,12 @@ void main() {
   n = normalize(n + mix(rough, waves, coat));
 
   // Light that reaches this place: the inside by its opening, the underside by the table, hollows by their walls.
-  float open = inside ? 1.0 / (1.0 + 1.15 * vWare.w * vWare.w + 0.35 * vWare.w) : 1.0;
+  float depth = min(vWare.w, 100.0);
+  float fromFoot = 2.2 * min(vWare.z, 100.0);
+  float open = max(1.0 / (1.0 + 1.15 * depth * depth + 0.35 * depth), lean.y / (1.0 + fromFoot * fromFoot));
+  open = mix(1.0, open, within);
   float height = max(0.0, vScene.z - table);
-  float ground = 1.0 - 0.75 * exp(-height / 0.16) * (0.55 - 0.45 * n.z);
+  float ground = 1.0 - 0.75 * lean.x * lean.x * exp(-height / 0.16) * (0.55 - 0.45 * n.z);
   float hollow = 1.0 / (1.0 + 0.045 * max(0.0, -bulge));
   float access = open * ground * hollow;
   vec3 matt = vec3(access) / (1.0 - 0.8 * albedo * (1.0 - access));
@@ -138,6 +146,7 @@ export function ceramic(look: StageLook, studio: Studio, shift: IUniform<Vector3
       frame: studio.frame,
       eye: studio.eye,
       turn: studio.turn,
+      lean: studio.lean,
       table: studio.table,
       ceiling: studio.ceiling,
       wall: studio.wall,

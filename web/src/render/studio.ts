@@ -28,9 +28,9 @@ const ROOMS: Readonly<Record<Theme, Room>> = {
     shadow: 0.72,
   },
   dark: {
-    top: new Vector3(0.0125, 0.013, 0.0145),
-    bottom: new Vector3(0.02, 0.0195, 0.0195),
-    glow: new Vector3(0.06, 0.0585, 0.058),
+    top: new Vector3(0.016, 0.0165, 0.0185),
+    bottom: new Vector3(0.05, 0.049, 0.049),
+    glow: new Vector3(0.088, 0.086, 0.085),
     ceiling: new Vector3(0.2, 0.215, 0.24),
     wall: new Vector3(0.1, 0.1, 0.105),
     floor: new Vector3(0.075, 0.07, 0.065),
@@ -46,6 +46,8 @@ export interface Studio {
   eye: IUniform<Vector3>;
   /** Cosine and sine of the turn from scene space to the studio, whose lamps stay with the camera as if the pot stood on a turntable. */
   turn: IUniform<Vector2>;
+  /** Cosine and sine of the lean of the studio, which follows a camera that looks from below. */
+  lean: IUniform<Vector2>;
   /** Height of the table in scene space. */
   table: IUniform<number>;
   ceiling: IUniform<Vector3>;
@@ -63,6 +65,7 @@ export function newStudio(theme: Theme): Studio {
     frame: { value: new Vector4(0, 0, 0, 1) },
     eye: { value: new Vector3() },
     turn: { value: new Vector2(1, 0) },
+    lean: { value: new Vector2(1, 0) },
     table: { value: 0 },
     ceiling: { value: new Vector3() },
     wall: { value: new Vector3() },
@@ -75,6 +78,17 @@ export function newStudio(theme: Theme): Studio {
   };
   furnish(studio, theme);
   return studio;
+}
+
+/** From this polar angle on the studio leans with the camera: nothing below the table would be lit otherwise. */
+const LEAN_FROM = 1.72;
+
+/** Turns the studio to a camera: the lamps stay where the photographer put them, and the pot turns before them. */
+export function face(studio: Studio, azimuth: number, polar: number): void {
+  const turn = -Math.PI / 2 - azimuth;
+  studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+  const lean = Math.max(0, polar - LEAN_FROM);
+  studio.lean.value.set(Math.cos(lean), Math.sin(lean));
 }
 
 /** Sets what the theme decides. */
@@ -95,12 +109,14 @@ export function furnish(studio: Studio, theme: Theme): void {
  */
 export const STUDIO_GLSL = /* glsl */ `
 uniform vec2 turn;
+uniform vec2 lean;
 uniform vec3 ceiling;
 uniform vec3 wall;
 uniform vec3 floor_;
 
 vec3 studioDirection(vec3 d) {
-  return vec3(turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y, d.z);
+  float away = turn.y * d.x + turn.x * d.y;
+  return vec3(turn.x * d.x - turn.y * d.y, lean.x * away + lean.y * d.z, lean.x * d.z - lean.y * away);
 }
 
 float slit(float x, float halfWidth, float blur) {
