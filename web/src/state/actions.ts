@@ -115,6 +115,10 @@ export function toggleOverlay(state: State, name: keyof Overlays): Change {
   return { undo: "none", session: { overlays: { ...overlays, [name]: !overlays[name] } } };
 }
 
+export function toggleExplain(state: State): Change {
+  return { undo: "none", session: { explain: !state.session.explain } };
+}
+
 export function compareWith(order: OrderKind | null): Change {
   return { undo: "none", session: { compare: order } };
 }

@@ -24,6 +24,8 @@ export interface Session {
   readonly overlays: Overlays;
   /** The vector-valued parameters whose `x` and `y` are set apart, by name. */
   readonly unlocked: readonly string[];
+  /** Whether every parameter's help text is on the page instead of in its tooltip. */
+  readonly explain: boolean;
   /** The order shown beside the design. */
   readonly compare: OrderKind | null;
 }
@@ -34,5 +36,6 @@ export const NEW_SESSION: Session = {
   theme: "auto",
   overlays: { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false },
   unlocked: [],
+  explain: false,
   compare: null,
 };

@@ -17,6 +17,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   theme: "browser",
   overlays: "browser",
   unlocked: "browser",
+  explain: "browser",
   compare: "nowhere",
 };
 
@@ -77,6 +78,7 @@ export function readSettings(shelf: Shelf | null): Session {
     tab: oneOf(TABS, kept.tab, NEW_SESSION.tab),
     theme: oneOf<ThemeChoice>(THEMES, kept.theme, NEW_SESSION.theme),
     overlays: overlaysFrom(kept.overlays),
+    explain: kept.explain === true,
     unlocked: Array.isArray(kept.unlocked) ? kept.unlocked.filter((name) => typeof name === "string") : [],
   };
 }
