@@ -1,0 +1,153 @@
+import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial, type Vector3 } from "three";
+import { CLAYS } from "./clay";
+import { GLAZES, type StageLook } from "./glaze";
+import { STUDIO_GLSL, type Studio, TONE_GLSL } from "./studio";
+
+const VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+in vec3 normal;
+in vec4 ware;
+uniform mat4 viewMatrix;
+uniform mat4 projectionMatrix;
+uniform vec4 frame;
+uniform vec3 shift;
+out vec3 vObject;
+out vec3 vScene;
+out vec3 vNormal;
+out vec4 vWare;
+void main() {
+  vObject = (position - frame.xyz) * frame.w;
+  vScene = vObject + shift;
+  vNormal = normal;
+  vWare = vec4(ware.x / frame.w, ware.yz * frame.w, ware.w);
+  gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+precision highp float;
+precision highp sampler3D;
+in vec3 vObject;
+in vec3 vScene;
+in vec3 vNormal;
+in vec4 vWare;
+uniform vec3 eye;
+uniform float table;
+uniform sampler3D noise;
+uniform vec3 clayColour;
+uniform vec3 grainColour;
+uniform vec2 clay;        // grog, roughness
+uniform vec3 tintLog;     // log2 of what a layer lets through
+uniform vec3 body;
+uniform vec3 edgeColour;
+uniform vec4 layer;       // opacity, breaking, mottle, streak
+uniform vec3 surface;     // speckle, roughness, coat
+out vec4 colour;
+${STUDIO_GLSL}
+${TONE_GLSL}
+
+// Smooth between cells: without it the creases of linear interpolation show in reflections.
+vec4 cells(vec3 p) {
+  vec3 i = floor(p);
+  vec3 f = p - i;
+  return texture(noise, (i + f * f * (3.0 - 2.0 * f) + 0.5) / 32.0);
+}
+
+void main() {
+  vec3 toEye = normalize(eye - vScene);
+  bool inside = !gl_FrontFacing;
+  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
+  if (inside) n = -n;
+
+  vec4 broad = cells(vObject * 4.3) - 0.5;
+  vec4 fine = cells(vObject * vec3(17.0, 17.0, mix(17.0, 2.2, layer.w))) - 0.5;
+  vec4 grit = texture(noise, vObject * 2.6) - 0.5;
+
+  // Thickness of the glaze: 1 on a plain wall, less over edges, more in hollows, bare at the foot.
+  float bulge = inside ? -vWare.x : vWare.x;
+  float bend = clamp(0.055 * (bulge - 1.2), -0.7, 0.75);
+  float rim = exp(-max(0.0, vWare.y) / 0.02);
+  float wander = 0.5 * broad.x + 0.25 * fine.y;
+  float footLine = vWare.z - 0.05 - 0.02 * wander;
+  float bead = exp(-max(0.0, footLine) / 0.03);
+  float thick = 1.0 - bend - 0.8 * rim + 0.3 * bead + layer.z * (0.75 * broad.y + 0.55 * fine.x);
+  thick = clamp(thick, 0.05, 1.9);
+  float coat = surface.z * (inside ? 1.0 : smoothstep(-0.004, 0.004, footLine));
+
+  // The clay, with its grains.
+  float grain = clay.x * (smoothstep(0.16, 0.3, grit.x) * 0.7 + 0.25 * fine.z + 0.3 * grit.y);
+  vec3 clayAlbedo = mix(clayColour, grainColour, clamp(grain, 0.0, 1.0));
+
+  // The glaze over it: what the glass lets through of the clay, and what it scatters itself; spots of iron.
+  float cover = 1.0 - exp2(log2(1.0 - 0.995 * layer.x) * thick);
+  vec3 glazed = mix(clayAlbedo * exp2(tintLog * thick), body * (1.0 + 0.25 * layer.z * broad.z), cover);
+  float breaks = layer.y * (1.0 - smoothstep(0.28, 0.85, thick));
+  glazed = mix(glazed, edgeColour, breaks);
+  float spot = surface.x * smoothstep(0.27, 0.36, grit.z);
+  glazed = mix(glazed, glazed * vec3(0.36, 0.27, 0.2), spot);
+  vec3 albedo = mix(clayAlbedo, glazed, coat);
+
+  // A fired surface is never flat.
+  vec3 waves = 0.020 * broad.yzw + 0.010 * fine.yzw;
+  vec3 rough = (0.16 + 0.1 * clay.x) * grit.yzw + 0.06 * fine.xyz;
+  n = normalize(n + mix(rough, waves, coat));
+
+  // Light that reaches this place: the inside by its opening, the underside by the table, hollows by their walls.
+  float open = inside ? 1.0 / (1.0 + 1.15 * vWare.w * vWare.w + 0.35 * vWare.w) : 1.0;
+  float height = max(0.0, vScene.z - table);
+  float ground = 1.0 - 0.75 * exp(-height / 0.16) * (0.55 - 0.45 * n.z);
+  float hollow = 1.0 / (1.0 + 0.045 * max(0.0, -bulge));
+  float access = open * ground * hollow;
+  vec3 matt = vec3(access) / (1.0 - 0.8 * albedo * (1.0 - access));
+
+  vec3 ns = studioDirection(n);
+  float facing = clamp(dot(n, toEye), 0.0, 1.0);
+  float roughness = mix(clay.y, clamp(surface.y + 0.05 * fine.w + 0.25 * rim * surface.y, 0.03, 1.0), coat);
+  float f0 = mix(0.028, 0.05, coat);
+  float grazing = 1.0 - facing;
+  float fresnel = f0 + (max(1.0 - roughness, f0) - f0) * grazing * grazing * grazing * grazing * grazing;
+  vec3 mirrored = radiance(studioDirection(reflect(-toEye, n)), roughness);
+  float mirrorAccess = min(1.0, access * access * 1.2) ;
+
+  vec3 light = albedo * irradiance(ns) * matt * (1.0 - fresnel) + mirrored * fresnel * mirrorAccess;
+  colour = vec4(toScreen(light), 1.0);
+}
+`;
+
+/**
+ * The material of one glaze on one clay: a layered shader of our own rather than a general physical one. It needs no environment map, follows
+ * how glaze lies on a pot (`ware.ts`), and costs a quarter of the general one where the GPU is software.
+ *
+ * @param shift where the pot stands in scene space
+ */
+export function ceramic(look: StageLook, studio: Studio, shift: IUniform<Vector3>): RawShaderMaterial {
+  const clay = CLAYS[look.clay];
+  const glaze = GLAZES[look.glaze];
+  const log2 = (x: number) => Math.log2(Math.max(x, 1e-4));
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    side: DoubleSide,
+    uniforms: {
+      frame: studio.frame,
+      eye: studio.eye,
+      turn: studio.turn,
+      table: studio.table,
+      ceiling: studio.ceiling,
+      wall: studio.wall,
+      floor_: studio.floor,
+      noise: studio.noise,
+      shift,
+      clayColour: { value: clay.colour },
+      grainColour: { value: clay.grain },
+      clay: { value: [clay.grog, clay.roughness] },
+      tintLog: { value: glaze.tint.map(log2) },
+      body: { value: glaze.body },
+      edgeColour: { value: glaze.edge },
+      layer: { value: [glaze.opacity, glaze.breaking, glaze.mottle, glaze.streak] },
+      surface: { value: [glaze.speckle, glaze.roughness, glaze.coat] },
+    },
+  });
+}

@@ -1,0 +1,106 @@
+/** What a gesture asks of the camera; lengths in CSS pixels, right and down. */
+export interface GestureTarget {
+  orbit(dx: number, dy: number): void;
+  pan(dx: number, dy: number): void;
+  zoom(factor: number): void;
+  /** A gesture has begun or ended: pictures may be coarser in between. */
+  gesture(active: boolean): void;
+}
+
+/** One notch of a wheel (100 pixels in most browsers) comes closer by a sixth. */
+const WHEEL_RATE = 0.0015;
+/** A pinch on a trackpad arrives as a wheel with the control key and in much smaller numbers. */
+const PINCH_WHEEL_RATE = 0.01;
+const PIXELS_PER_LINE = 16;
+const PIXELS_PER_PAGE = 400;
+
+/**
+ * Mouse, pen and touch on the stage: one finger or the first button turns, two fingers pinch and move, another button or a modifier
+ * key moves, the wheel zooms, and only over the stage. The keyboard belongs to the page, which calls the stage's methods.
+ */
+export class Gesture {
+  private readonly pointers = new Map<number, { x: number; y: number }>();
+  private moves = false;
+  private readonly listeners = new AbortController();
+
+  constructor(
+    private readonly surface: HTMLElement,
+    private readonly target: GestureTarget,
+  ) {
+    surface.style.touchAction = "none";
+    const { signal } = this.listeners;
+    surface.addEventListener("pointerdown", this.down, { signal });
+    surface.addEventListener("pointermove", this.move, { signal });
+    surface.addEventListener("pointerup", this.up, { signal });
+    surface.addEventListener("pointercancel", this.up, { signal });
+    surface.addEventListener("lostpointercapture", this.up, { signal });
+    surface.addEventListener("wheel", this.wheel, { signal, passive: false });
+    surface.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
+  }
+
+  dispose(): void {
+    this.listeners.abort();
+    this.pointers.clear();
+  }
+
+  private readonly down = (event: PointerEvent): void => {
+    // A third finger has no meaning; a second mouse button during a drag does not restart it.
+    if (this.pointers.size >= 2 || this.pointers.has(event.pointerId)) return;
+    if (this.pointers.size === 0) {
+      this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
+      this.target.gesture(true);
+    }
+    this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    try {
+      this.surface.setPointerCapture(event.pointerId);
+    } catch {
+      // The pointer may be gone already (a synthetic or cancelled one); the gesture then ends with the next event.
+    }
+  };
+
+  private readonly move = (event: PointerEvent): void => {
+    const pointer = this.pointers.get(event.pointerId);
+    if (!pointer) return;
+    const before = this.spread();
+    const dx = event.clientX - pointer.x;
+    const dy = event.clientY - pointer.y;
+    pointer.x = event.clientX;
+    pointer.y = event.clientY;
+    const after = this.spread();
+    if (before !== null && after !== null) {
+      // The middle of two fingers moves by half of what one of them does.
+      this.target.pan(dx / 2, dy / 2);
+      if (before > 1 && after > 1) this.target.zoom(after / before);
+    } else if (this.moves) {
+      this.target.pan(dx, dy);
+    } else {
+      this.target.orbit(dx, dy);
+    }
+  };
+
+  private readonly up = (event: PointerEvent): void => {
+    if (!this.pointers.delete(event.pointerId)) return;
+    // The finger that stays goes on turning, not moving.
+    this.moves = false;
+    if (this.pointers.size === 0) this.target.gesture(false);
+  };
+
+  private readonly wheel = (event: WheelEvent): void => {
+    event.preventDefault();
+    const unit =
+      event.deltaMode === WheelEvent.DOM_DELTA_LINE
+        ? PIXELS_PER_LINE
+        : event.deltaMode === WheelEvent.DOM_DELTA_PAGE
+          ? PIXELS_PER_PAGE
+          : 1;
+    const pixels = Math.min(Math.max(event.deltaY * unit, -PIXELS_PER_PAGE), PIXELS_PER_PAGE);
+    this.target.zoom(Math.exp(-pixels * (event.ctrlKey ? PINCH_WHEEL_RATE : WHEEL_RATE)));
+  };
+
+  /** The distance of two fingers, or null while there are not two. */
+  private spread(): number | null {
+    if (this.pointers.size !== 2) return null;
+    const [a, b] = [...this.pointers.values()];
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : null;
+  }
+}

@@ -1,0 +1,238 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CustomBlending,
+  DoubleSide,
+  FrontSide,
+  GLSL3,
+  LinearFilter,
+  MaxEquation,
+  Mesh,
+  NoBlending,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  OrthographicCamera,
+  RawShaderMaterial,
+  Scene,
+  Vector3,
+  Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from "three";
+import type { Pot } from "./pot";
+import type { Studio } from "./studio";
+
+/** Texels along an edge of the shadow texture: shadows are soft, more would not be seen. */
+const TEXELS = 128;
+
+/** Half the side of the table's shadowed square, in units of what stands on it. */
+const REACH = 2.4;
+
+/** Footprint pass: how strongly each place of the table is covered, near (red) and far (green), seen from below. */
+const COVER_VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+uniform vec4 frame;
+uniform vec3 shift;
+uniform vec4 area;
+uniform float table;
+out float vHeight;
+void main() {
+  vec3 p = (position - frame.xyz) * frame.w + shift;
+  vHeight = (p.z - table) / area.z;
+  gl_Position = vec4((p.xy - area.xy) / area.w, 0.0, 1.0);
+}
+`;
+
+const COVER_FRAGMENT = /* glsl */ `
+precision highp float;
+in float vHeight;
+out vec4 colour;
+void main() {
+  float h = max(0.0, vHeight);
+  colour = vec4(exp(-h / 0.05), exp(-h / 0.7), 0.0, 1.0);
+}
+`;
+
+const SCREEN_VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+out vec2 vUv;
+void main() {
+  vUv = position.xy * 0.5 + 0.5;
+  gl_Position = vec4(position.xy, 0.0, 1.0);
+}
+`;
+
+/** One direction of a separable blur, narrow for the near shadow and wide for the far one. */
+const BLUR_FRAGMENT = /* glsl */ `
+precision highp float;
+in vec2 vUv;
+uniform sampler2D image;
+uniform vec2 direction;
+out vec4 colour;
+void main() {
+  vec2 sum = vec2(0.0);
+  float weights = 0.0;
+  for (int i = -7; i <= 7; i++) {
+    float x = float(i);
+    float weight = exp(-x * x / 18.0);
+    sum.x += weight * texture(image, vUv + direction * x * 0.4).x;
+    sum.y += weight * texture(image, vUv + direction * x * 2.4).y;
+    weights += weight;
+  }
+  colour = vec4(sum / weights, 0.0, 1.0);
+}
+`;
+
+const TABLE_VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+uniform mat4 viewMatrix;
+uniform mat4 projectionMatrix;
+uniform vec4 area;
+uniform float table;
+out vec2 vUv;
+void main() {
+  vUv = position.xy * 0.5 + 0.5;
+  gl_Position = projectionMatrix * viewMatrix * vec4(area.xy + position.xy * area.w, table, 1.0);
+}
+`;
+
+const TABLE_FRAGMENT = /* glsl */ `
+precision highp float;
+in vec2 vUv;
+uniform sampler2D image;
+uniform vec2 turn;
+uniform float shadow;
+out vec4 colour;
+void main() {
+  vec2 near = texture(image, vUv).xy;
+  // The large lamp stands at the left: the far shadow falls to the right, softly.
+  vec2 away = vec2(turn.x * 0.81 + turn.y * 0.59, -turn.y * 0.81 + turn.x * 0.59);
+  float thrown = texture(image, vUv - away * 0.075).y;
+  float dark = 1.0 - (1.0 - 0.85 * near.x) * (1.0 - 0.34 * near.y) * (1.0 - 0.4 * thrown);
+  vec2 edge = abs(vUv * 2.0 - 1.0);
+  float fade = 1.0 - smoothstep(0.55, 1.0, length(edge));
+  colour = vec4(0.0, 0.0, 0.0, shadow * dark * fade);
+}
+`;
+
+/**
+ * The table that the pot stands on, seen only by the shadow on it. The shadow is computed when the mesh changes, not per frame: the
+ * pot is drawn once from below into a small texture, where each place keeps how close the clay comes to it, and blurred.
+ */
+export class Ground {
+  readonly object: Mesh<BufferGeometry, RawShaderMaterial>;
+  /** Centre x, y; size of what stands there; half side of the shadowed square; in scene space. */
+  private readonly area = { value: new Vector4(0, 0, 1, 1) };
+  private readonly targets = [newTarget(), newTarget()] as const;
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera();
+  private readonly screen: BufferGeometry;
+  private readonly cover: RawShaderMaterial;
+  private readonly blur: RawShaderMaterial;
+
+  constructor(studio: Studio) {
+    this.screen = new BufferGeometry();
+    const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
+    this.screen.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
+    this.cover = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: COVER_VERTEX,
+      fragmentShader: COVER_FRAGMENT,
+      uniforms: { frame: studio.frame, table: studio.table, area: this.area, shift: { value: new Vector3() } },
+      side: DoubleSide,
+      depthTest: false,
+      depthWrite: false,
+      blending: CustomBlending,
+      blendEquation: MaxEquation,
+      blendSrc: OneFactor,
+      blendDst: OneFactor,
+    });
+    this.blur = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: SCREEN_VERTEX,
+      fragmentShader: BLUR_FRAGMENT,
+      uniforms: { image: { value: null }, direction: { value: [0, 0] } },
+      depthTest: false,
+      depthWrite: false,
+      blending: NoBlending,
+    });
+    const table = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: TABLE_VERTEX,
+      fragmentShader: TABLE_FRAGMENT,
+      uniforms: {
+        image: { value: this.targets[0].texture },
+        area: this.area,
+        table: studio.table,
+        turn: studio.turn,
+        shadow: studio.shadow,
+      },
+      // From below there is no table: the foot is then in view.
+      side: FrontSide,
+      transparent: true,
+      depthWrite: false,
+      blending: CustomBlending,
+      blendSrc: OneFactor,
+      blendDst: OneMinusSrcAlphaFactor,
+    });
+    this.object = new Mesh(this.screen, table);
+    this.object.frustumCulled = false;
+    this.object.visible = false;
+    this.object.renderOrder = 2;
+  }
+
+  /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. */
+  bake(renderer: WebGLRenderer, pots: readonly Pot[], centre: readonly [number, number], size: number): void {
+    this.object.visible = pots.length > 0;
+    if (pots.length === 0) return;
+    this.area.value.set(centre[0], centre[1], size, size * REACH);
+    const before = renderer.getRenderTarget();
+    const [first, second] = this.targets;
+    renderer.setClearColor(0x000000, 0);
+    renderer.setRenderTarget(first);
+    renderer.clear();
+    for (const pot of pots) {
+      const footprint = new Mesh(pot.object.geometry, this.cover);
+      footprint.frustumCulled = false;
+      (this.cover.uniforms as { shift: { value: Vector3 } }).shift.value = pot.shift.value;
+      this.pass(renderer, footprint, first);
+    }
+    const uniforms = this.blur.uniforms as { image: { value: unknown }; direction: { value: number[] } };
+    const sheet = new Mesh(this.screen, this.blur);
+    sheet.frustumCulled = false;
+    for (const round of [1, 0.5]) {
+      uniforms.image.value = first.texture;
+      uniforms.direction.value = [round / TEXELS, 0];
+      this.pass(renderer, sheet, second);
+      uniforms.image.value = second.texture;
+      uniforms.direction.value = [0, round / TEXELS];
+      this.pass(renderer, sheet, first);
+    }
+    renderer.setRenderTarget(before);
+  }
+
+  dispose(): void {
+    for (const target of this.targets) target.dispose();
+    this.screen.dispose();
+    for (const material of [this.cover, this.blur, this.object.material]) material.dispose();
+  }
+
+  private pass(renderer: WebGLRenderer, object: Mesh, target: WebGLRenderTarget): void {
+    this.scene.add(object);
+    renderer.setRenderTarget(target);
+    renderer.render(this.scene, this.camera);
+    this.scene.remove(object);
+  }
+}
+
+function newTarget(): WebGLRenderTarget {
+  return new WebGLRenderTarget(TEXELS, TEXELS, {
+    depthBuffer: false,
+    minFilter: LinearFilter,
+    magFilter: LinearFilter,
+    generateMipmaps: false,
+  });
+}

@@ -1,0 +1,302 @@
+import { Camera } from "./camera";
+import { GlContext, webgl2Supported } from "./context";
+import { Gesture } from "./gesture";
+import type { StageLook } from "./glaze";
+import { Loop } from "./loop";
+import type { StageMesh } from "./mesh";
+import { drawPicture, toPng } from "./picture";
+import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
+import { Resolution } from "./resolution";
+import type { Theme } from "./studio";
+import { Tableau } from "./tableau";
+
+/** How the stage begins; `theme`, `reducedMotion` and `unit` may change later. */
+export interface StageOptions {
+  theme: Theme;
+  reducedMotion: boolean;
+  unit: "mm" | "cm" | "in";
+  /** The browser took the graphics context away; the picture stands still until it is back. */
+  onContextLost?(): void;
+  onContextRestored?(): void;
+  /** The camera came to rest somewhere else. */
+  onCamera?(camera: CameraPose): void;
+}
+
+/** Turning by the height of the stage turns the pot by half a turn. */
+const TURN_PER_HEIGHT = Math.PI;
+
+/** After the last movement the full resolution is drawn, this many milliseconds later. */
+const REST_DELAY = 140;
+
+/** The clip planes enclose the table's shadow too, which reaches this many radii of the pots. */
+const SURROUNDINGS = 3.6;
+
+/** The 3D view: shows a mesh, turns it, and draws only when something changed. */
+export class Stage {
+  private readonly root: HTMLDivElement;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly context: GlContext;
+  private readonly tableau: Tableau;
+  private readonly camera = new Camera();
+  private readonly loop: Loop;
+  private readonly gesture: Gesture;
+  private readonly resolution = new Resolution();
+  private readonly resizes: ResizeObserver;
+  private size = { width: 0, height: 0, ratio: 0 };
+  private drawn = 0;
+  private placed = false;
+  /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
+  private fitted = false;
+  private gesturing = false;
+  private movedAt = -Infinity;
+  private resting: ReturnType<typeof setTimeout> | undefined;
+  private disposed = false;
+
+  /** Whether the stage can work here: WebGL2 is present. */
+  static supported(): boolean {
+    return webgl2Supported();
+  }
+
+  /** @throws {Error} when there is no WebGL2 */
+  constructor(
+    host: HTMLElement,
+    private readonly options: StageOptions,
+  ) {
+    this.root = document.createElement("div");
+    Object.assign(this.root.style, { position: "absolute", inset: "0", overflow: "hidden" });
+    this.canvas = document.createElement("canvas");
+    Object.assign(this.canvas.style, { display: "block", width: "100%", height: "100%", outline: "none" });
+    this.root.append(this.canvas);
+    if (getComputedStyle(host).position === "static") host.style.position = "relative";
+    host.append(this.root);
+    try {
+      this.context = new GlContext(this.canvas, {
+        lost: () => {
+          this.loop.pause();
+          options.onContextLost?.();
+        },
+        restored: () => {
+          this.tableau.forget();
+          this.size.ratio = 0;
+          this.loop.resume();
+          this.loop.invalidate();
+          options.onContextRestored?.();
+        },
+      });
+    } catch (error) {
+      this.root.remove();
+      throw error;
+    }
+    this.tableau = new Tableau(options.theme);
+    this.camera.reducedMotion = options.reducedMotion;
+    this.loop = new Loop((seconds) => this.draw(seconds));
+    this.gesture = new Gesture(this.canvas, {
+      orbit: (dx, dy) => this.turnByPixels(dx, dy),
+      pan: (dx, dy) => this.pan(dx, dy),
+      zoom: (factor) => this.zoom(factor),
+      gesture: (active) => {
+        this.gesturing = active;
+        this.loop.invalidate();
+      },
+    });
+    this.resizes = new ResizeObserver(() => this.resize());
+    this.resizes.observe(this.root);
+    this.resize();
+  }
+
+  /** Frames drawn so far; it stands still when nothing changes. */
+  get frames(): number {
+    return this.drawn;
+  }
+
+  /** Where the camera is now. */
+  get pose(): CameraPose {
+    return this.camera.pose;
+  }
+
+  /**
+   * Shows a mesh; `looks[part]` is the glaze and clay of each part. Arrays are copied. The camera stays, except that the first pot shown is
+   * fitted into the view.
+   *
+   * @throws {MeshError} for a mesh that cannot be drawn; what was shown stays
+   */
+  show(mesh: StageMesh, looks: StageLook[]): void {
+    this.tableau.show(mesh, looks);
+    if (!this.placed && this.tableau.bounds) {
+      this.placed = true;
+      this.place("three-quarter", true);
+    }
+    this.loop.invalidate();
+  }
+
+  /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
+  compare(other: { mesh: StageMesh; looks: StageLook[] } | null): void {
+    const before = this.tableau.comparing;
+    this.tableau.compare(other);
+    if (before !== this.tableau.comparing) this.fit();
+    this.loop.invalidate();
+  }
+
+  /** Goes to a standard view, fitted. */
+  view(name: ViewName): void {
+    this.place(name, false);
+  }
+
+  /** Moves the camera, in its present direction, so that everything is seen. */
+  fit(): void {
+    this.place(null, false);
+  }
+
+  /** Comes closer by a factor: 2 shows things twice as large. */
+  zoom(factor: number): void {
+    this.camera.zoom(factor);
+    this.touched();
+  }
+
+  /** Turns the view by angles in radians; a positive polar angle goes downwards. */
+  orbit(dAzimuth: number, dPolar: number): void {
+    if (!Number.isFinite(dAzimuth + dPolar)) return;
+    this.camera.orbit(dAzimuth, dPolar);
+    this.touched();
+  }
+
+  /** Moves the picture right and down by CSS pixels. */
+  pan(dx: number, dy: number): void {
+    if (!Number.isFinite(dx + dy)) return;
+    this.camera.pan(dx, dy, this.size.height);
+    this.touched();
+  }
+
+  theme(theme: Theme): void {
+    this.tableau.theme = theme;
+    this.loop.invalidate();
+  }
+
+  reducedMotion(reduced: boolean): void {
+    this.camera.reducedMotion = reduced;
+    if (reduced) this.camera.settle();
+    this.loop.invalidate();
+  }
+
+  /**
+   * The picture as it is seen now, as a PNG of another size, without disturbing the screen.
+   *
+   * @throws {RangeError} for an impossible size
+   */
+  async picture(width: number, height: number, options: { transparent?: boolean } = {}): Promise<Blob> {
+    if (this.context.lost) throw new Error("the graphics context is lost; try again when it is back");
+    const { renderer } = this.context;
+    const { tableau } = this;
+    tableau.prepare(renderer);
+    this.aim(width / height);
+    const { backdrop } = tableau;
+    backdrop.object.visible = !options.transparent;
+    try {
+      const canvas = drawPicture(renderer, tableau.scene, this.camera.view, width, height, (window) => {
+        backdrop.window.value = [...window];
+      });
+      return await toPng(canvas);
+    } finally {
+      backdrop.object.visible = true;
+      backdrop.window.value = [0, 0, 1, 1];
+    }
+  }
+
+  /** Resolves when nothing more is to be drawn: at once at rest. */
+  whenIdle(): Promise<void> {
+    return this.loop.whenIdle();
+  }
+
+  dispose(): void {
+    if (this.disposed) return;
+    this.disposed = true;
+    clearTimeout(this.resting);
+    this.resizes.disconnect();
+    this.gesture.dispose();
+    this.loop.dispose();
+    this.tableau.dispose();
+    this.context.dispose();
+    this.root.remove();
+  }
+
+  private turnByPixels(dx: number, dy: number): void {
+    const rate = TURN_PER_HEIGHT / Math.max(this.size.height, 200);
+    this.orbit(-dx * rate, -dy * rate);
+  }
+
+  private touched(): void {
+    this.fitted = false;
+    this.movedAt = performance.now();
+    this.loop.invalidate();
+  }
+
+  /** Looks at everything from a standard direction, or from the present one. */
+  private place(name: ViewName | null, atOnce: boolean): void {
+    const bounds = this.tableau.bounds;
+    if (!bounds) return;
+    const radius = bounds.radius > 0 ? bounds.radius : 1;
+    this.tableau.reframe({ centre: bounds.centre, radius });
+    this.camera.radius = radius;
+    const { azimuth, polar } = name ? VIEWS[name] : this.camera.goal;
+    const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
+    const fit = fitDistance(this.tableau.outline(), bounds.centre, axesOf(azimuth, polar), aspect);
+    this.camera.travel({ azimuth, polar, distance: fit > 0 ? fit : radius, target: bounds.centre }, atOnce);
+    this.fitted = true;
+    this.loop.invalidate();
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.root;
+    if (width === this.size.width && height === this.size.height) return;
+    this.size.width = width;
+    this.size.height = height;
+    this.size.ratio = 0;
+    if (width === 0 || height === 0) {
+      this.loop.pause();
+      return;
+    }
+    if (!this.context.lost) this.loop.resume();
+    if (this.fitted && !this.camera.moving) this.place(null, true);
+    this.loop.invalidate();
+  }
+
+  private aim(aspect: number): void {
+    const { centre, radius } = this.tableau.frame;
+    const contents = this.tableau.contents();
+    this.camera.aim(centre, radius, aspect, { centre: contents.centre, radius: contents.radius * SURROUNDINGS });
+    const { studio } = this.tableau;
+    studio.eye.value.copy(this.camera.view.position);
+    const turn = -Math.PI / 2 - this.camera.pose.azimuth;
+    studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+  }
+
+  private draw(seconds: number): boolean {
+    if (this.size.width === 0 || this.size.height === 0) return false;
+    const { renderer } = this.context;
+    const wasMoving = this.camera.moving;
+    const moving = this.camera.step(seconds);
+    const busy = moving || this.gesturing || performance.now() - this.movedAt < REST_DELAY;
+    if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
+    const ratio = this.resolution.ratio(globalThis.devicePixelRatio || 1, busy);
+    if (ratio !== this.size.ratio) {
+      this.size.ratio = ratio;
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(this.size.width, this.size.height, false);
+    }
+    this.tableau.prepare(renderer);
+    const aspect = this.size.width / this.size.height;
+    this.aim(aspect);
+    this.tableau.backdrop.aspect.value = aspect;
+    renderer.setRenderTarget(null);
+    renderer.setClearColor(0x000000, 1);
+    renderer.clear();
+    renderer.render(this.tableau.scene, this.camera.view);
+    this.drawn++;
+    if (wasMoving && !moving) this.options.onCamera?.(this.camera.pose);
+    if (busy && ratio < this.resolution.ratio(globalThis.devicePixelRatio || 1, false)) {
+      clearTimeout(this.resting);
+      this.resting = setTimeout(() => this.loop.invalidate(), REST_DELAY);
+    }
+    return moving;
+  }
+}

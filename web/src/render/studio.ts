@@ -1,0 +1,172 @@
+import { type IUniform, Vector2, Vector3, Vector4 } from "three";
+import { noiseTexture } from "./noise";
+
+/** The two appearances of the page. */
+export type Theme = "light" | "dark";
+
+interface Room {
+  /** Backdrop: at the top, at the bottom, and in the glow behind the pot. Linear. */
+  top: Vector3;
+  bottom: Vector3;
+  glow: Vector3;
+  /** What the pot mirrors where there is no lamp: above, at the height of the eye, below. */
+  ceiling: Vector3;
+  wall: Vector3;
+  floor: Vector3;
+  /** Darkness of the shadow on the table, 0 to 1. */
+  shadow: number;
+}
+
+const ROOMS: Readonly<Record<Theme, Room>> = {
+  light: {
+    top: new Vector3(0.71, 0.69, 0.655),
+    bottom: new Vector3(0.62, 0.595, 0.555),
+    glow: new Vector3(0.9, 0.885, 0.855),
+    ceiling: new Vector3(0.62, 0.64, 0.67),
+    wall: new Vector3(0.42, 0.41, 0.4),
+    floor: new Vector3(0.36, 0.34, 0.31),
+    shadow: 0.72,
+  },
+  dark: {
+    top: new Vector3(0.0125, 0.013, 0.0145),
+    bottom: new Vector3(0.02, 0.0195, 0.0195),
+    glow: new Vector3(0.06, 0.0585, 0.058),
+    ceiling: new Vector3(0.2, 0.215, 0.24),
+    wall: new Vector3(0.1, 0.1, 0.105),
+    floor: new Vector3(0.075, 0.07, 0.065),
+    shadow: 0.85,
+  },
+};
+
+/** The uniforms that everything in one picture shares. */
+export interface Studio {
+  /** Model to scene space: centre, and 1 / radius. */
+  frame: IUniform<Vector4>;
+  /** The eye in scene space. */
+  eye: IUniform<Vector3>;
+  /** Cosine and sine of the turn from scene space to the studio, whose lamps stay with the camera as if the pot stood on a turntable. */
+  turn: IUniform<Vector2>;
+  /** Height of the table in scene space. */
+  table: IUniform<number>;
+  ceiling: IUniform<Vector3>;
+  wall: IUniform<Vector3>;
+  floor: IUniform<Vector3>;
+  top: IUniform<Vector3>;
+  bottom: IUniform<Vector3>;
+  glow: IUniform<Vector3>;
+  shadow: IUniform<number>;
+  noise: IUniform<ReturnType<typeof noiseTexture>>;
+}
+
+export function newStudio(theme: Theme): Studio {
+  const studio: Studio = {
+    frame: { value: new Vector4(0, 0, 0, 1) },
+    eye: { value: new Vector3() },
+    turn: { value: new Vector2(1, 0) },
+    table: { value: 0 },
+    ceiling: { value: new Vector3() },
+    wall: { value: new Vector3() },
+    floor: { value: new Vector3() },
+    top: { value: new Vector3() },
+    bottom: { value: new Vector3() },
+    glow: { value: new Vector3() },
+    shadow: { value: 0 },
+    noise: { value: noiseTexture() },
+  };
+  furnish(studio, theme);
+  return studio;
+}
+
+/** Sets what the theme decides. */
+export function furnish(studio: Studio, theme: Theme): void {
+  const { shadow, ...colours } = ROOMS[theme];
+  for (const [name, colour] of Object.entries(colours) as [Exclude<keyof Room, "shadow">, Vector3][]) {
+    studio[name].value.copy(colour);
+  }
+  studio.shadow.value = shadow;
+}
+
+/**
+ * The light of the studio in closed form, so that there is no environment map to make, filter, or lose with the context:
+ * - `radiance(d, roughness)`: what comes from a direction, blurred as a surface of that roughness mirrors it. Lamps are rectangles on planes
+ *   facing the pot; blurring a rectangle is a product of two blurred slits.
+ * - `irradiance(n)`: what a matt surface receives, a cosine lobe per lamp, wrapped because the lamps are wide, and the room.
+ * Directions are in the studio: x right, y away from the camera, z up.
+ */
+export const STUDIO_GLSL = /* glsl */ `
+uniform vec2 turn;
+uniform vec3 ceiling;
+uniform vec3 wall;
+uniform vec3 floor_;
+
+vec3 studioDirection(vec3 d) {
+  return vec3(turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y, d.z);
+}
+
+float slit(float x, float halfWidth, float blur) {
+  vec2 s = clamp(vec2(x + halfWidth, x - halfWidth) / blur + 0.5, 0.0, 1.0);
+  s = s * s * (3.0 - 2.0 * s);
+  return s.x - s.y;
+}
+
+float lamp(vec3 d, vec3 centre, vec3 side, vec2 halfSize, float blur) {
+  float away = dot(d, centre);
+  if (away < 0.05) return 0.0;
+  vec2 p = vec2(dot(d, side), dot(d, cross(centre, side))) / away;
+  return slit(p.x, halfSize.x, blur) * slit(p.y, halfSize.y, blur);
+}
+
+vec3 room(float z, float blur) {
+  float up = smoothstep(-0.12 - blur, 0.12 + blur, z);
+  return mix(floor_, mix(wall, ceiling, smoothstep(0.0, 1.0, z)), up);
+}
+
+vec3 radiance(vec3 d, float roughness) {
+  float blur = 0.035 + 1.9 * roughness;
+  vec3 light = room(d.z, roughness);
+  light += vec3(7.6, 7.3, 6.9) * lamp(d, vec3(-0.6804, -0.4949, 0.5404), vec3(-0.5882, 0.8087, 0.0), vec2(0.42, 0.56), blur);
+  light += vec3(2.7, 2.85, 3.1) * lamp(d, vec3(0.9129, -0.3043, 0.2722), vec3(0.3162, 0.9487, 0.0), vec2(0.16, 0.85), blur);
+  light += vec3(2.2, 2.3, 2.5) * lamp(d, vec3(0.3939, 0.7878, 0.4735), vec3(-0.8944, 0.4472, 0.0), vec2(0.8, 0.5), blur);
+  light += vec3(1.5, 1.5, 1.5) * lamp(d, vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.8, 0.8), blur + 0.25);
+  return light;
+}
+
+float lobe(vec3 n, vec3 centre) {
+  float x = max(0.0, dot(n, centre) * 0.78 + 0.22);
+  return x * x * 0.4 + x * 0.6;
+}
+
+vec3 irradiance(vec3 n) {
+  vec3 light = mix(floor_, mix(wall, ceiling, 0.65), 0.5 + 0.5 * n.z) * 0.9;
+  light += vec3(1.72, 1.66, 1.56) * lobe(n, vec3(-0.6804, -0.4949, 0.5404));
+  light += vec3(0.26, 0.28, 0.31) * lobe(n, vec3(0.9129, -0.3043, 0.2722));
+  light += vec3(0.3, 0.31, 0.33) * lobe(n, vec3(0.3939, 0.7878, 0.4735));
+  light += vec3(0.55) * lobe(n, vec3(0.0, 0.0, 1.0));
+  return light;
+}
+`;
+
+/**
+ * From light to the screen: the Khronos neutral tone mapping, which leaves the colour of a glaze alone and only rolls off its highlights,
+ * the sRGB curve, and half a level of ordered noise so that the backdrop has no bands. It is part of the shaders, not of the
+ * renderer, because pictures drawn into a texture must look the same as the screen.
+ */
+export const TONE_GLSL = /* glsl */ `
+vec3 toScreen(vec3 light) {
+  float dark = min(light.r, min(light.g, light.b));
+  float offset = dark < 0.08 ? dark - 6.25 * dark * dark : 0.04;
+  vec3 c = light - offset;
+  float peak = max(c.r, max(c.g, c.b));
+  const float start = 0.76;
+  if (peak > start) {
+    float d = 1.0 - start;
+    float rolled = 1.0 - d * d / (peak + d - start);
+    c *= rolled / peak;
+    c = mix(c, vec3(rolled), 1.0 - 1.0 / (0.15 * (peak - rolled) + 1.0));
+  }
+  c = max(c, vec3(0.0));
+  vec3 screen = mix(1.055 * pow(c, vec3(0.41666)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
+  float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return screen + (grain - 0.5) / 255.0;
+}
+`;

@@ -1,0 +1,161 @@
+import { Scene, type WebGLRenderer } from "three";
+import { Backdrop } from "./backdrop";
+import type { StageLook } from "./glaze";
+import { Ground } from "./ground";
+import type { Bounds, StageMesh } from "./mesh";
+import { Pot } from "./pot";
+import { furnish, newStudio, type Studio, type Theme } from "./studio";
+import type { Triple } from "./triple";
+
+/** The gap between two pots side by side, as a share of the wider one. */
+const GAP = 0.22;
+
+/** The model's frame of reference: scene space is `(model - centre) / radius`. */
+export interface Frame {
+  centre: Triple;
+  radius: number;
+}
+
+/** What is photographed: one pot or two on a table before a backdrop, in the light of the studio. */
+export class Tableau {
+  readonly scene = new Scene();
+  readonly studio: Studio;
+  readonly backdrop: Backdrop;
+  readonly ground: Ground;
+  readonly main: Pot;
+  frame: Frame = { centre: [0, 0, 0], radius: 1 };
+  private beside: Pot | null = null;
+  private stale = true;
+
+  constructor(theme: Theme) {
+    this.studio = newStudio(theme);
+    this.backdrop = new Backdrop(this.studio);
+    this.ground = new Ground(this.studio);
+    this.main = new Pot(this.studio);
+    this.scene.add(this.main.object, this.backdrop.object, this.ground.object);
+    this.scene.matrixWorldAutoUpdate = false;
+  }
+
+  set theme(theme: Theme) {
+    furnish(this.studio, theme);
+  }
+
+  /** @throws {MeshError} */
+  show(mesh: StageMesh, looks: readonly StageLook[]): void {
+    this.main.update(mesh, looks);
+    this.stale = true;
+  }
+
+  /** Puts a second pot to the right of the first, or takes it away. @throws {MeshError} */
+  compare(other: { mesh: StageMesh; looks: readonly StageLook[] } | null): void {
+    if (other) {
+      if (!this.beside) {
+        const pot = new Pot(this.studio);
+        try {
+          pot.update(other.mesh, other.looks);
+        } catch (error) {
+          pot.dispose();
+          throw error;
+        }
+        this.beside = pot;
+        this.scene.add(pot.object);
+      } else {
+        this.beside.update(other.mesh, other.looks);
+      }
+    } else if (this.beside) {
+      this.scene.remove(this.beside.object);
+      this.beside.dispose();
+      this.beside = null;
+    }
+    this.stale = true;
+  }
+
+  get comparing(): boolean {
+    return this.beside !== null;
+  }
+
+  /** How far the second pot is moved, in model units: to the right of the first, on the same table. */
+  get offset(): Triple {
+    const a = this.main.bounds;
+    const b = this.beside?.bounds;
+    if (!a || !b) return [0, 0, 0];
+    const gap = GAP * Math.max(a.max[0] - a.min[0], b.max[0] - b.min[0]);
+    return [a.max[0] - b.min[0] + gap, a.centre[1] - b.centre[1], a.min[2] - b.min[2]];
+  }
+
+  /** Everything that stands there, in model units; null when there is nothing. */
+  get bounds(): Bounds | null {
+    const a = this.main.bounds;
+    const b = this.beside?.bounds;
+    if (!a || !b) return a ?? b ?? null;
+    const by = this.offset;
+    const min = a.min.map((x, i) => Math.min(x, (b.min[i] as number) + (by[i] as number))) as unknown as Triple;
+    const max = a.max.map((x, i) => Math.max(x, (b.max[i] as number) + (by[i] as number))) as unknown as Triple;
+    const centre: Triple = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+    return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
+  }
+
+  /** Points (xyz, model units) that a fitted view must contain: a few hundred of the vertices. */
+  outline(): number[] {
+    const points: number[] = [];
+    const add = (pot: Pot, by: Triple) => {
+      const p = pot.positions;
+      const vertices = p.length / 3;
+      // An odd stride wanders over the columns of a grid instead of following some of them.
+      const stride = 2 * Math.floor(vertices / 3000) + 1;
+      for (let v = 0; v < vertices; v += stride) {
+        for (let k = 0; k < 3; k++) points.push((p[3 * v + k] as number) + (by[k] as number));
+      }
+    };
+    if (this.main.bounds) add(this.main, [0, 0, 0]);
+    if (this.beside?.bounds) add(this.beside, this.offset);
+    return points;
+  }
+
+  /** The same bounds in scene space. */
+  contents(): Pick<Bounds, "centre" | "radius"> & { min: Triple; max: Triple } {
+    const bounds = this.bounds;
+    const { centre, radius } = this.frame;
+    if (!bounds) return { min: [-1, -1, -1], max: [1, 1, 1], centre: [0, 0, 0], radius: 1 };
+    const toScene = (p: Triple) => p.map((x, i) => (x - (centre[i] as number)) / radius) as unknown as Triple;
+    return {
+      min: toScene(bounds.min),
+      max: toScene(bounds.max),
+      centre: toScene(bounds.centre),
+      radius: Math.max(bounds.radius / radius, 1e-6),
+    };
+  }
+
+  /** Must be called after a change of `frame`. */
+  reframe(frame: Frame): void {
+    this.frame = frame;
+    this.stale = true;
+  }
+
+  /** Forgets what is only on the GPU, after a lost context. */
+  forget(): void {
+    this.stale = true;
+  }
+
+  /** Brings everything that depends on meshes up to date; cheap when nothing changed. */
+  prepare(renderer: WebGLRenderer): void {
+    if (!this.stale) return;
+    this.stale = false;
+    const { centre, radius } = this.frame;
+    this.studio.frame.value.set(...centre, 1 / radius);
+    const offset = this.offset;
+    this.beside?.shift.value.set(offset[0] / radius, offset[1] / radius, offset[2] / radius);
+    const contents = this.contents();
+    this.studio.table.value = contents.min[2];
+    const pots = [this.main, ...(this.beside ? [this.beside] : [])].filter((pot) => pot.bounds);
+    this.ground.bake(renderer, pots, [contents.centre[0], contents.centre[1]], contents.radius);
+  }
+
+  dispose(): void {
+    this.main.dispose();
+    this.beside?.dispose();
+    this.backdrop.dispose();
+    this.ground.dispose();
+    this.studio.noise.value.dispose();
+  }
+}

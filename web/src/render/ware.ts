@@ -1,0 +1,156 @@
+import { type Grid, gridOf, vertexRange } from "./grid";
+import type { StageMesh } from "./mesh";
+import { at } from "./triple";
+
+/** Numbers per vertex of the `ware` attribute. */
+export const WARE_SIZE = 4;
+
+/** A distance to an edge that there is not. */
+const NO_EDGE = 1e9;
+
+/** An end of the profile shorter than this share of the longest ring is a closed one (a pole), not an edge. */
+const POLE_SHARE = 0.02;
+
+/**
+ * What a potter's glaze goes by, for every vertex, in model units, in four numbers:
+ * - the mean curvature, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
+ * - the distance along the profile to the rim;
+ * - the distance along the profile to the foot;
+ * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
+ *
+ * The curvature is half the divergence of the normals, taken exactly for the linear interpolation on each triangle and averaged by area
+ * at the vertices; where triangles vanish it is 0. The rest needs a grid; without one there is no rim and the foot is the lowest point.
+ */
+export function ware(mesh: StageMesh, into: Float32Array): void {
+  curvature(mesh, into);
+  const { groups, indices } = mesh;
+  for (let g = 0; g < groups.length; g += 3) {
+    const { first, end } = vertexRange(indices, at(groups, g), at(groups, g + 1));
+    const grid = gridOf(mesh, first, end);
+    if (grid) {
+      smoothSeam(mesh, grid, into);
+      edges(mesh, grid, into);
+    } else {
+      heights(mesh, first, end, into);
+    }
+  }
+}
+
+function curvature(mesh: StageMesh, into: Float32Array): void {
+  const { positions: p, normals: n, indices } = mesh;
+  const area = new Float32Array(p.length / 3);
+  for (let v = 0; v < area.length; v++) into[WARE_SIZE * v] = 0;
+  for (let i = 0; i < indices.length; i += 3) {
+    const a = 3 * at(indices, i);
+    const b = 3 * at(indices, i + 1);
+    const c = 3 * at(indices, i + 2);
+    // Edges opposite to a and b; the third is minus their sum.
+    const ax = at(p, c) - at(p, b);
+    const ay = at(p, c + 1) - at(p, b + 1);
+    const az = at(p, c + 2) - at(p, b + 2);
+    const bx = at(p, a) - at(p, c);
+    const by = at(p, a + 1) - at(p, c + 1);
+    const bz = at(p, a + 2) - at(p, c + 2);
+    let fx = ay * bz - az * by;
+    let fy = az * bx - ax * bz;
+    let fz = ax * by - ay * bx;
+    const twice = Math.sqrt(fx * fx + fy * fy + fz * fz);
+    if (!(twice > 0)) continue;
+    fx /= twice;
+    fy /= twice;
+    fz /= twice;
+    // Normals relative to that of c, so that the edge of c drops out: div n = sum (n_i - n_c) . (f x e_i) / (2 area).
+    const ux = at(n, a) - at(n, c);
+    const uy = at(n, a + 1) - at(n, c + 1);
+    const uz = at(n, a + 2) - at(n, c + 2);
+    const vx = at(n, b) - at(n, c);
+    const vy = at(n, b + 1) - at(n, c + 1);
+    const vz = at(n, b + 2) - at(n, c + 2);
+    const spread =
+      ux * (fy * az - fz * ay) +
+      uy * (fz * ax - fx * az) +
+      uz * (fx * ay - fy * ax) +
+      vx * (fy * bz - fz * by) +
+      vy * (fz * bx - fx * bz) +
+      vz * (fx * by - fy * bx);
+    for (const corner of [a, b, c]) {
+      const vertex = corner / 3;
+      into[WARE_SIZE * vertex] = at(into, WARE_SIZE * vertex) + spread;
+      area[vertex] = at(area, vertex) + twice;
+    }
+  }
+  for (let v = 0; v < area.length; v++) {
+    const weight = at(area, v);
+    into[WARE_SIZE * v] = weight > 0 ? (0.5 * at(into, WARE_SIZE * v)) / weight : 0;
+  }
+}
+
+/** The first and last column of a closed surface are the same line, seen from one side each: they get the mean of both. */
+function smoothSeam(mesh: StageMesh, grid: Grid, into: Float32Array): void {
+  const { positions: p } = mesh;
+  for (let row = 0; row < grid.rows; row++) {
+    const a = grid.first + row * grid.columns;
+    const b = a + grid.columns - 1;
+    for (let k = 0; k < 3; k++) if (at(p, 3 * a + k) !== at(p, 3 * b + k)) return;
+    const mean = (at(into, WARE_SIZE * a) + at(into, WARE_SIZE * b)) / 2;
+    into[WARE_SIZE * a] = mean;
+    into[WARE_SIZE * b] = mean;
+  }
+}
+
+function edges(mesh: StageMesh, grid: Grid, into: Float32Array): void {
+  const { positions: p } = mesh;
+  const { first, rows, columns } = grid;
+  const top = ring(p, first, columns);
+  const bottom = ring(p, first + (rows - 1) * columns, columns);
+  const middle = ring(p, first + (rows >> 1) * columns, columns);
+  const rimFirst = top.height >= bottom.height;
+  const rim = rimFirst ? top : bottom;
+  const longest = Math.max(top.radius, bottom.radius, middle.radius);
+  const open = rim.radius > POLE_SHARE * longest;
+  const step = rimFirst ? columns : -columns;
+  const start = rimFirst ? first : first + (rows - 1) * columns;
+  for (let column = 0; column < columns; column++) {
+    let length = 0;
+    for (let row = 0, vertex = start + column; row < rows; row++, vertex += step) {
+      if (row > 0) {
+        const a = 3 * vertex;
+        const b = 3 * (vertex - step);
+        length += Math.hypot(at(p, a) - at(p, b), at(p, a + 1) - at(p, b + 1), at(p, a + 2) - at(p, b + 2));
+      }
+      into[WARE_SIZE * vertex + 1] = open ? length : NO_EDGE;
+      into[WARE_SIZE * vertex + 2] = length;
+      const depth = rim.height - at(p, 3 * vertex + 2);
+      into[WARE_SIZE * vertex + 3] = open ? Math.max(0, depth / rim.radius) : NO_EDGE;
+    }
+    for (let row = 0, vertex = start + column; row < rows; row++, vertex += step) {
+      into[WARE_SIZE * vertex + 2] = length - at(into, WARE_SIZE * vertex + 2);
+    }
+  }
+}
+
+function heights(mesh: StageMesh, first: number, end: number, into: Float32Array): void {
+  const { positions: p } = mesh;
+  let lowest = Infinity;
+  for (let v = first; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
+  for (let v = first; v < end; v++) {
+    into[WARE_SIZE * v + 1] = NO_EDGE;
+    into[WARE_SIZE * v + 2] = at(p, 3 * v + 2) - lowest;
+    into[WARE_SIZE * v + 3] = NO_EDGE;
+  }
+}
+
+/** The mean height of a ring of vertices and their mean distance from their middle. */
+function ring(p: Float32Array, first: number, columns: number): { height: number; radius: number } {
+  let [x, y, z] = [0, 0, 0];
+  for (let v = first; v < first + columns; v++) {
+    x += at(p, 3 * v) / columns;
+    y += at(p, 3 * v + 1) / columns;
+    z += at(p, 3 * v + 2) / columns;
+  }
+  let radius = 0;
+  for (let v = first; v < first + columns; v++) {
+    radius += Math.hypot(at(p, 3 * v) - x, at(p, 3 * v + 1) - y) / columns;
+  }
+  return { height: z, radius };
+}
