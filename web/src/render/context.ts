@@ -43,7 +43,7 @@ export class GlContext {
       },
       { signal },
     );
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false, powerPreference: "default" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false });
     // After the renderer's own listener, which makes its state anew: the callback may draw.
     canvas.addEventListener(
       "webglcontextrestored",

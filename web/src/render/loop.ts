@@ -7,6 +7,7 @@ export class Loop {
   private last: number | null = null;
   private paused = false;
   private wanted = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   private waiting: (() => void)[] = [];
 
   /**
@@ -17,12 +18,21 @@ export class Loop {
 
   /** Whether a frame is still to come. */
   get pending(): boolean {
-    return this.wanted;
+    return this.wanted || this.timer !== undefined;
   }
 
   invalidate(): void {
     this.wanted = true;
     if (this.request === 0 && !this.paused) this.request = requestAnimationFrame(this.frame);
+  }
+
+  /** Asks for one frame after a time without any; a call replaces the one before. */
+  later(milliseconds: number): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.timer = undefined;
+      this.invalidate();
+    }, milliseconds);
   }
 
   /** Holds frames back (a lost context, a stage without size); what was asked for is kept. */
@@ -41,12 +51,14 @@ export class Loop {
 
   /** Resolves when nothing more is to be drawn: at once at rest, else after the last frame. */
   whenIdle(): Promise<void> {
-    if (!this.wanted) return Promise.resolve();
+    if (!this.pending) return Promise.resolve();
     return new Promise((resolve) => this.waiting.push(resolve));
   }
 
   dispose(): void {
     this.pause();
+    clearTimeout(this.timer);
+    this.timer = undefined;
     this.wanted = false;
     this.release();
   }
@@ -57,10 +69,9 @@ export class Loop {
     const seconds = this.last === null ? 0 : Math.max(0, (now - this.last) / 1000);
     this.last = now;
     if (this.draw(seconds, now)) this.invalidate();
-    if (!this.wanted) {
-      this.last = null;
-      this.release();
-    }
+    if (this.wanted) return;
+    this.last = null;
+    if (!this.pending) this.release();
   };
 
   private release(): void {

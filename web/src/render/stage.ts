@@ -7,6 +7,7 @@ import type { StageMesh } from "./mesh";
 import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
 import { Resolution } from "./resolution";
+import { Screen } from "./screen";
 import type { Theme } from "./studio";
 import { Tableau } from "./tableau";
 
@@ -26,7 +27,7 @@ export interface StageOptions {
 const TURN_PER_HEIGHT = Math.PI;
 
 /** After the last movement the full resolution is drawn, this many milliseconds later. */
-const REST_DELAY = 140;
+const REST_DELAY = 120;
 
 /** The clip planes enclose the table's shadow too, which reaches this many radii of the pots. */
 const SURROUNDINGS = 3.6;
@@ -42,14 +43,14 @@ export class Stage {
   private readonly gesture: Gesture;
   private readonly resolution = new Resolution();
   private readonly resizes: ResizeObserver;
-  private size = { width: 0, height: 0, ratio: 0 };
+  private readonly screen: Screen;
+  private size = { width: 0, height: 0 };
   private drawn = 0;
   private placed = false;
   /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
   private fitted = false;
   private gesturing = false;
   private movedAt = -Infinity;
-  private resting: ReturnType<typeof setTimeout> | undefined;
   private disposed = false;
 
   /** Whether the stage can work here: WebGL2 is present. */
@@ -77,7 +78,6 @@ export class Stage {
         },
         restored: () => {
           this.tableau.forget();
-          this.size.ratio = 0;
           this.loop.resume();
           this.loop.invalidate();
           options.onContextRestored?.();
@@ -87,6 +87,7 @@ export class Stage {
       this.root.remove();
       throw error;
     }
+    this.screen = new Screen(this.context.renderer);
     this.tableau = new Tableau(options.theme);
     this.camera.reducedMotion = options.reducedMotion;
     this.loop = new Loop((seconds) => this.draw(seconds));
@@ -126,6 +127,7 @@ export class Stage {
       this.placed = true;
       this.place("three-quarter", true);
     }
+    this.movedAt = performance.now();
     this.loop.invalidate();
   }
 
@@ -210,10 +212,10 @@ export class Stage {
   dispose(): void {
     if (this.disposed) return;
     this.disposed = true;
-    clearTimeout(this.resting);
     this.resizes.disconnect();
     this.gesture.dispose();
     this.loop.dispose();
+    this.screen.dispose();
     this.tableau.dispose();
     this.context.dispose();
     this.root.remove();
@@ -250,7 +252,6 @@ export class Stage {
     if (width === this.size.width && height === this.size.height) return;
     this.size.width = width;
     this.size.height = height;
-    this.size.ratio = 0;
     if (width === 0 || height === 0) {
       this.loop.pause();
       return;
@@ -271,32 +272,23 @@ export class Stage {
   }
 
   private draw(seconds: number): boolean {
-    if (this.size.width === 0 || this.size.height === 0) return false;
-    const { renderer } = this.context;
+    const { width, height } = this.size;
+    if (width === 0 || height === 0) return false;
     const wasMoving = this.camera.moving;
     const moving = this.camera.step(seconds);
-    const busy = moving || this.gesturing || performance.now() - this.movedAt < REST_DELAY;
+    const now = performance.now();
+    if (moving || this.gesturing) this.movedAt = now;
+    const busy = now - this.movedAt < REST_DELAY;
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
-    const ratio = this.resolution.ratio(globalThis.devicePixelRatio || 1, busy);
-    if (ratio !== this.size.ratio) {
-      this.size.ratio = ratio;
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(this.size.width, this.size.height, false);
-    }
-    this.tableau.prepare(renderer);
-    const aspect = this.size.width / this.size.height;
-    this.aim(aspect);
-    this.tableau.backdrop.aspect.value = aspect;
-    renderer.setRenderTarget(null);
-    renderer.setClearColor(0x000000, 1);
-    renderer.clear();
-    renderer.render(this.tableau.scene, this.camera.view);
+    this.tableau.prepare(this.context.renderer);
+    this.aim(width / height);
+    this.tableau.backdrop.aspect.value = width / height;
+    const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
+    this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
     this.drawn++;
     if (wasMoving && !moving) this.options.onCamera?.(this.camera.pose);
-    if (busy && ratio < this.resolution.ratio(globalThis.devicePixelRatio || 1, false)) {
-      clearTimeout(this.resting);
-      this.resting = setTimeout(() => this.loop.invalidate(), REST_DELAY);
-    }
+    // What was drawn in haste is drawn again once all is quiet.
+    if (busy && !this.gesturing) this.loop.later(REST_DELAY);
     return moving;
   }
 }
