@@ -27,6 +27,10 @@ export interface Shown {
   readonly solved: Solved;
   /** Whether this is the fine mesh of a finished gesture. */
   readonly settled: boolean;
+  /** Which opened design this is: the camera goes to each once, edits never move it. */
+  readonly framing: number;
+  /** Whether undo or redo led here. */
+  readonly travelled: boolean;
 }
 
 /** The same design in another order, shown beside it. */
@@ -63,6 +67,8 @@ export class Designer {
   readonly #around: Surroundings;
   readonly #listeners = new Set<() => void>();
   #told = false;
+  #framing = 0;
+  #travelled = false;
   #saved: Design;
   #started = false;
   #noticeId = 0;
@@ -112,6 +118,16 @@ export class Designer {
 
   apply(change: Change): void {
     this.store.apply(change);
+  }
+
+  undo(): void {
+    this.#travelled = true;
+    this.store.undo();
+  }
+
+  redo(): void {
+    this.#travelled = true;
+    this.store.redo();
   }
 
   /** Opens what the address asks for, or the work that this browser kept, or the first pot of the gallery. */
@@ -187,6 +203,7 @@ export class Designer {
   /** Replaces the design; undo brings the old one back. */
   open(design: Design): void {
     this.openProblem = null;
+    this.#framing += 1;
     this.apply(actions.openDesign(this.state, design));
     this.#saved = this.state.design;
     this.#tell();
@@ -284,6 +301,8 @@ export class Designer {
       part: session.part,
       settle: !inGesture,
     };
+    const framing = this.#framing;
+    const travelled = this.#travelled;
     void this.solver.solve(design, options).then((outcome) => {
       if (outcome.state === "superseded") return;
       const current = design === this.state.design;
@@ -294,8 +313,9 @@ export class Designer {
         this.#tell();
         return;
       }
-      this.shown = { design, solved: outcome.value, settled: options.settle };
+      this.shown = { design, solved: outcome.value, settled: options.settle, framing, travelled };
       if (current) {
+        this.#travelled = false;
         this.problem = null;
         if (options.settle) {
           this.status = "ready";
