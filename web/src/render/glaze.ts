@@ -146,3 +146,9 @@ export const GLAZE_NAMES: readonly GlazeName[] = [
   "clear",
   "bare",
 ];
+
+/** Whether a look is so dark that what is drawn over it has to be light. */
+export function isDark(look: StageLook): boolean {
+  const dark: readonly GlazeName[] = ["tenmoku", "cobalt", "copper-red"];
+  return dark.includes(look.glaze) || (look.clay === "black" && (look.glaze === "bare" || look.glaze === "clear"));
+}

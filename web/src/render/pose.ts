@@ -77,5 +77,5 @@ export function fitDistance(points: ArrayLike<number>, target: Triple, axes: Cam
 export function clipPlanes(eye: Triple, bounds: Pick<Bounds, "centre" | "radius">): { near: number; far: number } {
   const away = distance(eye, bounds.centre);
   const far = away + bounds.radius;
-  return { near: Math.max(away - bounds.radius, far / 2000), far };
+  return { near: Math.max(away - bounds.radius, far / 400), far };
 }

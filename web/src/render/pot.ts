@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type RawShaderMaterial, Vector3 } from "three";
 import { ceramic } from "./ceramic";
-import type { StageLook } from "./glaze";
+import { isDark, type StageLook } from "./glaze";
 import { type Bounds, boundsOf, checkMesh, type StageMesh } from "./mesh";
 import type { Studio } from "./studio";
 import { at } from "./triple";
@@ -14,6 +14,8 @@ export class Pot {
   /** Where it stands in scene space. */
   readonly shift = { value: new Vector3() };
   bounds: Bounds | null = null;
+  /** Whether its first part is dark. */
+  dark = false;
   private readonly materials = new Map<string, RawShaderMaterial>();
   private used: RawShaderMaterial[] = [];
 
@@ -40,9 +42,9 @@ export class Pot {
   update(mesh: StageMesh, looks: readonly StageLook[]): void {
     checkMesh(mesh);
     let geometry = this.object.geometry;
+    // Indices depend on the grid alone, so equal sizes nearly always mean equal indices; the arrays are only ever replaced as a whole.
     const fits =
-      geometry.getAttribute("position")?.array.length === mesh.positions.length &&
-      geometry.getIndex()?.array.length === mesh.indices.length;
+      geometry.getAttribute("position")?.array.length === mesh.positions.length && equal(this.indices, mesh.indices);
     if (!fits) {
       geometry.dispose();
       geometry = new BufferGeometry();
@@ -51,17 +53,15 @@ export class Pot {
       geometry.setAttribute("position", attribute(3, mesh.positions.length));
       geometry.setAttribute("normal", attribute(3, mesh.normals.length));
       geometry.setAttribute("ware", attribute(WARE_SIZE, (mesh.positions.length / 3) * WARE_SIZE));
-      geometry.setIndex(new BufferAttribute(new Uint32Array(mesh.indices.length), 1));
+      geometry.setIndex(new BufferAttribute(mesh.indices.slice(), 1));
       this.object.geometry = geometry;
     }
     write(geometry.getAttribute("position") as BufferAttribute, mesh.positions);
     write(geometry.getAttribute("normal") as BufferAttribute, mesh.normals);
-    const index = geometry.getIndex();
-    // Indices depend on the grid alone and are the largest of the arrays: uploaded only when they differ.
-    if (index && (!fits || !equal(index.array as Uint32Array, mesh.indices))) write(index, mesh.indices);
     const wares = geometry.getAttribute("ware") as BufferAttribute;
     ware(mesh, wares.array as Float32Array);
     wares.needsUpdate = true;
+    this.dark = isDark(looks[0] ?? DEFAULT_LOOK);
     this.dress(mesh.groups, looks);
     this.bounds = mesh.indices.length > 0 ? boundsOf(mesh.positions) : null;
     this.object.visible = this.bounds !== null;
@@ -107,12 +107,13 @@ export class Pot {
   }
 }
 
-function write(attribute: BufferAttribute, values: Float32Array | Uint32Array): void {
+function write(attribute: BufferAttribute, values: Float32Array): void {
   attribute.array.set(values);
   attribute.needsUpdate = true;
 }
 
 function equal(a: Uint32Array, b: Uint32Array): boolean {
+  if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
   return true;
 }

@@ -2,8 +2,10 @@ import { Camera } from "./camera";
 import { GlContext, webgl2Supported } from "./context";
 import { Gesture } from "./gesture";
 import type { StageLook } from "./glaze";
+import type { Unit } from "./length";
 import { Loop } from "./loop";
 import type { StageMesh } from "./mesh";
+import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
 import { Resolution } from "./resolution";
@@ -15,7 +17,7 @@ import { Tableau } from "./tableau";
 export interface StageOptions {
   theme: Theme;
   reducedMotion: boolean;
-  unit: "mm" | "cm" | "in";
+  unit: Unit;
   /** The browser took the graphics context away; the picture stands still until it is back. */
   onContextLost?(): void;
   onContextRestored?(): void;
@@ -29,9 +31,6 @@ const TURN_PER_HEIGHT = Math.PI;
 /** After the last movement the full resolution is drawn, this many milliseconds later. */
 const REST_DELAY = 120;
 
-/** The clip planes enclose the table's shadow too, which reaches this many radii of the pots. */
-const SURROUNDINGS = 3.6;
-
 /** The 3D view: shows a mesh, turns it, and draws only when something changed. */
 export class Stage {
   private readonly root: HTMLDivElement;
@@ -44,6 +43,7 @@ export class Stage {
   private readonly resolution = new Resolution();
   private readonly resizes: ResizeObserver;
   private readonly screen: Screen;
+  private readonly overlay: Overlays;
   private size = { width: 0, height: 0 };
   private drawn = 0;
   private placed = false;
@@ -89,6 +89,8 @@ export class Stage {
     }
     this.screen = new Screen(this.context.renderer);
     this.tableau = new Tableau(options.theme);
+    this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.unit);
+    this.tableau.scene.add(...this.overlay.objects);
     this.camera.reducedMotion = options.reducedMotion;
     this.loop = new Loop((seconds) => this.draw(seconds));
     this.gesture = new Gesture(this.canvas, {
@@ -123,12 +125,12 @@ export class Stage {
    */
   show(mesh: StageMesh, looks: StageLook[]): void {
     this.tableau.show(mesh, looks);
+    this.overlay.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place("three-quarter", true);
     }
-    this.movedAt = performance.now();
-    this.loop.invalidate();
+    this.changed();
   }
 
   /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
@@ -137,6 +139,22 @@ export class Stage {
     this.tableau.compare(other);
     if (before !== this.tableau.comparing) this.fit();
     this.loop.invalidate();
+  }
+
+  /**
+   * The lines of the present mesh, for the overlays.
+   *
+   * @throws {MeshError} for a coordinate that is not finite
+   */
+  lines(lines: StageLines): void {
+    this.overlay.lines = lines;
+    this.changed();
+  }
+
+  /** Chooses what is drawn over the pot. */
+  overlays(overlays: StageOverlays): void {
+    this.overlay.overlays = overlays;
+    this.changed();
   }
 
   /** Goes to a standard view, fitted. */
@@ -171,7 +189,14 @@ export class Stage {
 
   theme(theme: Theme): void {
     this.tableau.theme = theme;
-    this.loop.invalidate();
+    this.overlay.appearance = theme;
+    this.changed();
+  }
+
+  /** The unit of the dimension labels. */
+  unit(unit: Unit): void {
+    this.overlay.measure = unit;
+    this.changed();
   }
 
   reducedMotion(reduced: boolean): void {
@@ -189,14 +214,18 @@ export class Stage {
     if (this.context.lost) throw new Error("the graphics context is lost; try again when it is back");
     const { renderer } = this.context;
     const { tableau } = this;
-    tableau.prepare(renderer);
-    this.aim(width / height);
+    this.prepare(width / height);
     const { backdrop } = tableau;
+    const scale = height / Math.max(this.size.height, 1);
+    backdrop.aspect.value = width / height;
     backdrop.object.visible = !options.transparent;
     try {
       const canvas = drawPicture(renderer, tableau.scene, this.camera.view, width, height, (window) => {
         backdrop.window.value = [...window];
+        this.overlay.scale(window[2] * width, window[3] * height, scale);
       });
+      const context = canvas.getContext("2d");
+      if (context) this.overlay.paint(context, this.camera.view, width, height, scale);
       return await toPng(canvas);
     } finally {
       backdrop.object.visible = true;
@@ -216,6 +245,7 @@ export class Stage {
     this.gesture.dispose();
     this.loop.dispose();
     this.screen.dispose();
+    this.overlay.dispose();
     this.tableau.dispose();
     this.context.dispose();
     this.root.remove();
@@ -228,6 +258,11 @@ export class Stage {
 
   private touched(): void {
     this.fitted = false;
+    this.changed();
+  }
+
+  /** Something is different: a quick frame now, a fine one when all is quiet. */
+  private changed(): void {
     this.movedAt = performance.now();
     this.loop.invalidate();
   }
@@ -261,14 +296,11 @@ export class Stage {
     this.loop.invalidate();
   }
 
-  private aim(aspect: number): void {
-    const { centre, radius } = this.tableau.frame;
-    const contents = this.tableau.contents();
-    this.camera.aim(centre, radius, aspect, { centre: contents.centre, radius: contents.radius * SURROUNDINGS });
-    const { studio } = this.tableau;
-    studio.eye.value.copy(this.camera.view.position);
-    const turn = -Math.PI / 2 - this.camera.pose.azimuth;
-    studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+  private prepare(aspect: number): void {
+    this.tableau.prepare(this.context.renderer);
+    const { azimuth } = this.camera.pose;
+    this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
+    this.tableau.light(this.camera, aspect);
   }
 
   private draw(seconds: number): boolean {
@@ -280,10 +312,11 @@ export class Stage {
     if (moving || this.gesturing) this.movedAt = now;
     const busy = now - this.movedAt < REST_DELAY;
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
-    this.tableau.prepare(this.context.renderer);
-    this.aim(width / height);
+    this.prepare(width / height);
     this.tableau.backdrop.aspect.value = width / height;
     const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
+    this.overlay.scale(Math.floor(width * fineness.ratio), Math.floor(height * fineness.ratio), fineness.ratio);
+    this.overlay.label(this.camera.view, width, height);
     this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
     this.drawn++;
     if (wasMoving && !moving) this.options.onCamera?.(this.camera.pose);

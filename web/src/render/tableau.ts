@@ -1,5 +1,6 @@
 import { Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
+import type { Camera } from "./camera";
 import type { StageLook } from "./glaze";
 import { Ground } from "./ground";
 import type { Bounds, StageMesh } from "./mesh";
@@ -9,6 +10,9 @@ import type { Triple } from "./triple";
 
 /** The gap between two pots side by side, as a share of the wider one. */
 const GAP = 0.22;
+
+/** The clip planes enclose the shadow on the table too, which reaches this many radii of what stands there. */
+const SURROUNDINGS = 3.6;
 
 /** The model's frame of reference: scene space is `(model - centre) / radius`. */
 export interface Frame {
@@ -149,6 +153,15 @@ export class Tableau {
     this.studio.table.value = contents.min[2];
     const pots = [this.main, ...(this.beside ? [this.beside] : [])].filter((pot) => pot.bounds);
     this.ground.bake(renderer, pots, [contents.centre[0], contents.centre[1]], contents.radius);
+  }
+
+  /** Aims a camera and turns the studio with it: the lamps stay where the photographer put them, and the pot turns. */
+  light(camera: Camera, aspect: number): void {
+    const { centre, radius } = this.contents();
+    camera.aim(this.frame.centre, this.frame.radius, aspect, { centre, radius: radius * SURROUNDINGS });
+    this.studio.eye.value.copy(camera.view.position);
+    const turn = -Math.PI / 2 - camera.pose.azimuth;
+    this.studio.turn.value.set(Math.cos(turn), Math.sin(turn));
   }
 
   dispose(): void {

@@ -13,7 +13,7 @@ const POLE_SHARE = 0.02;
 
 /**
  * What a potter's glaze goes by, for every vertex, in model units, in four numbers:
- * - the mean curvature, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
+ * - the mean curvature beyond that of a plain cylinder of the same girth, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
  * - the distance along the profile to the rim;
  * - the distance along the profile to the foot;
  * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
@@ -29,6 +29,7 @@ export function ware(mesh: StageMesh, into: Float32Array): void {
     const grid = gridOf(mesh, first, end);
     if (grid) {
       smoothSeam(mesh, grid, into);
+      straighten(mesh, grid, into);
       edges(mesh, grid, into);
     } else {
       heights(mesh, first, end, into);
@@ -73,16 +74,19 @@ function curvature(mesh: StageMesh, into: Float32Array): void {
       vx * (fy * bz - fz * by) +
       vy * (fz * bx - fx * bz) +
       vz * (fx * by - fy * bx);
-    for (const corner of [a, b, c]) {
-      const vertex = corner / 3;
-      into[WARE_SIZE * vertex] = at(into, WARE_SIZE * vertex) + spread;
-      area[vertex] = at(area, vertex) + twice;
-    }
+    add(into, area, a / 3, spread, twice);
+    add(into, area, b / 3, spread, twice);
+    add(into, area, c / 3, spread, twice);
   }
   for (let v = 0; v < area.length; v++) {
     const weight = at(area, v);
     into[WARE_SIZE * v] = weight > 0 ? (0.5 * at(into, WARE_SIZE * v)) / weight : 0;
   }
+}
+
+function add(into: Float32Array, area: Float32Array, vertex: number, spread: number, twice: number): void {
+  into[WARE_SIZE * vertex] = at(into, WARE_SIZE * vertex) + spread;
+  area[vertex] = at(area, vertex) + twice;
 }
 
 /** The first and last column of a closed surface are the same line, seen from one side each: they get the mean of both. */
@@ -95,6 +99,22 @@ function smoothSeam(mesh: StageMesh, grid: Grid, into: Float32Array): void {
     const mean = (at(into, WARE_SIZE * a) + at(into, WARE_SIZE * b)) / 2;
     into[WARE_SIZE * a] = mean;
     into[WARE_SIZE * b] = mean;
+  }
+}
+
+/** Rings smaller than this share of the largest are taken as that large: towards a pole the girth goes to nothing. */
+const LEAST_GIRTH = 0.2;
+
+/** Takes off the curvature that a row has only because it goes round: a slender neck is no edge. */
+function straighten(mesh: StageMesh, grid: Grid, into: Float32Array): void {
+  const { first, rows, columns } = grid;
+  const radii = Array.from({ length: rows }, (_, row) => ring(mesh.positions, first + row * columns, columns).radius);
+  const least = LEAST_GIRTH * radii.reduce((a, b) => Math.max(a, b), 0);
+  if (!(least > 0)) return;
+  for (const [row, radius] of radii.entries()) {
+    const start = first + row * columns;
+    const plain = 0.5 / Math.max(radius, least);
+    for (let v = start; v < start + columns; v++) into[WARE_SIZE * v] = at(into, WARE_SIZE * v) - plain;
   }
 }
 

@@ -1,0 +1,218 @@
+import { type Camera, type Object3D, Vector2, Vector3 } from "three";
+import { lengthText, type Unit } from "../length";
+import { type Bounds, checkFinite, MeshError } from "../mesh";
+import type { Pot } from "../pot";
+import type { Studio, Theme } from "../studio";
+import type { Triple } from "../triple";
+import { type Dimension, dimensionsOf } from "./dimensions";
+import { Label, paint, type Spot } from "./label";
+import { ofArrows, ofPolylines } from "./segments";
+import { type Pen, Stroke, type StrokeStyle } from "./stroke";
+import { Wireframe } from "./wireframe";
+
+/** Lines on the surface, computed by the solver: xyz polylines in model units. */
+export interface StageLines {
+  iso_u: Float32Array[];
+  iso_v: Float32Array[];
+  rim: Float32Array | null;
+  foot: Float32Array | null;
+  /** Slopes at the boundary: where, and the derivative there. */
+  tangents: { at: Float32Array; along: Float32Array }[];
+}
+
+/** Which overlays are seen. */
+export interface StageOverlays {
+  isoU: boolean;
+  isoV: boolean;
+  wireframe: boolean;
+  boundary: boolean;
+  axes: boolean;
+}
+
+export const NO_LINES: StageLines = { iso_u: [], iso_v: [], rim: null, foot: null, tangents: [] };
+
+const WHITE = [1, 1, 1] as const;
+const INK = [0.06, 0.06, 0.075] as const;
+
+/**
+ * Colours that are told apart with every kind of colour vision (after Okabe and Ito), each with a border of the opposite lightness so that it
+ * is seen on white and on black glaze alike.
+ */
+const STYLES = {
+  isoU: { width: 1.9, colour: [0, 0.4, 0.72], border: WHITE, borderWidth: 0.9, opacity: 1, hidden: 0 },
+  isoV: { width: 1.9, colour: [0.97, 0.66, 0.02], border: INK, borderWidth: 0.8, opacity: 1, hidden: 0 },
+  rim: { width: 3.2, colour: [0.86, 0.33, 0], border: WHITE, borderWidth: 1.1, opacity: 1, hidden: 0.28 },
+  foot: { width: 3.2, colour: [0, 0.55, 0.4], border: WHITE, borderWidth: 1.1, opacity: 1, hidden: 0.28 },
+  tangents: { width: 2.4, colour: [0.75, 0.36, 0.62], border: WHITE, borderWidth: 1, opacity: 1, hidden: 0.28 },
+  axes: { width: 1.6, colour: INK, border: WHITE, borderWidth: 0.6, opacity: 0.9, hidden: 0.3 },
+} as const satisfies Record<string, StrokeStyle>;
+
+/** Length of the arrows as a share of the radius of the pot. */
+const ARROW = 0.3;
+
+/** Room for a label in CSS pixels. */
+const LABEL_WIDTH = 84;
+const LABEL_HEIGHT = 28;
+
+function within(x: number, margin: number, size: number): number {
+  return size > 2 * margin ? Math.min(Math.max(x, margin), size - margin) : size / 2;
+}
+
+type StrokeName = keyof typeof STYLES;
+
+/** Everything that is drawn over the pot to explain it. */
+export class Overlays {
+  readonly objects: Object3D[] = [];
+  private readonly pen: Pen = { viewport: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
+  private readonly wireframe: Wireframe;
+  private readonly strokes: Record<StrokeName, Stroke>;
+  private readonly labels: [Label, Label, Label];
+  private given: StageLines = NO_LINES;
+  private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
+  private dimensions: Dimension[] = [];
+  private stale = true;
+  /** Which sides of the pot face the eye: the dimension lines change their place with it. */
+  private side = "";
+  private readonly spot = new Vector3();
+
+  constructor(
+    private readonly studio: Studio,
+    host: HTMLElement,
+    private theme: Theme,
+    private unit: Unit,
+  ) {
+    const stroke = (name: StrokeName, order: number) => {
+      const made = new Stroke(studio, this.pen, STYLES[name], order);
+      this.objects.push(...made.objects);
+      return made;
+    };
+    this.strokes = {
+      isoU: stroke("isoU", 20),
+      isoV: stroke("isoV", 30),
+      rim: stroke("rim", 40),
+      foot: stroke("foot", 42),
+      tangents: stroke("tangents", 44),
+      axes: stroke("axes", 50),
+    };
+    this.wireframe = new Wireframe(studio, 10);
+    this.objects.push(this.wireframe.object);
+    this.labels = [new Label(host), new Label(host), new Label(host)];
+    for (const label of this.labels) label.theme = theme;
+  }
+
+  /** @throws {MeshError} for a coordinate that is not finite */
+  set lines(lines: StageLines) {
+    for (const [i, line] of lines.iso_u.entries()) checkFinite(`iso_u[${i}]`, line);
+    for (const [i, line] of lines.iso_v.entries()) checkFinite(`iso_v[${i}]`, line);
+    if (lines.rim) checkFinite("rim", lines.rim);
+    if (lines.foot) checkFinite("foot", lines.foot);
+    for (const [i, { at, along }] of lines.tangents.entries()) {
+      if (at.length < 3 || along.length < 3) throw new MeshError(`tangents[${i}] has less than three coordinates`);
+      checkFinite(`tangents[${i}].at`, at);
+      checkFinite(`tangents[${i}].along`, along);
+    }
+    this.given = lines;
+    this.stale = true;
+  }
+
+  set overlays(overlays: StageOverlays) {
+    this.shown = { ...overlays };
+    this.stale = true;
+  }
+
+  set appearance(theme: Theme) {
+    this.theme = theme;
+    for (const label of this.labels) label.theme = theme;
+  }
+
+  set measure(unit: Unit) {
+    this.unit = unit;
+  }
+
+  /** Must be called when the mesh changed. */
+  forget(): void {
+    this.stale = true;
+  }
+
+  /** Brings the lines up to date with the pot; only those that are seen cost anything. */
+  prepare(pot: Pot, towards: readonly [number, number]): void {
+    const bounds = pot.bounds;
+    const side = `${towards[0] >= 0}${towards[1] >= 0}`;
+    if (this.shown.axes && bounds && (this.stale || side !== this.side)) this.measureUp(bounds, towards);
+    this.side = side;
+    if (!this.stale) return;
+    this.stale = false;
+    const { shown, strokes, given } = this;
+    for (const [name, stroke] of Object.entries(strokes) as [StrokeName, Stroke][]) {
+      stroke.visible =
+        bounds !== null && shown[name === "rim" || name === "foot" || name === "tangents" ? "boundary" : name];
+    }
+    this.wireframe.object.visible = bounds !== null && shown.wireframe;
+    if (!bounds) return;
+    if (shown.wireframe) this.wireframe.update(pot);
+    if (shown.isoU) strokes.isoU.segments = ofPolylines(given.iso_u);
+    if (shown.isoV) strokes.isoV.segments = ofPolylines(given.iso_v);
+    if (shown.boundary) {
+      strokes.rim.segments = ofPolylines(given.rim ? [given.rim] : []);
+      strokes.foot.segments = ofPolylines(given.foot ? [given.foot] : []);
+      strokes.tangents.segments = ofArrows(given.tangents, ARROW * bounds.radius);
+    }
+  }
+
+  /** Sets the size of what is drawn next, in device pixels, and device pixels per CSS pixel. */
+  scale(width: number, height: number, ratio: number): void {
+    this.pen.viewport.value.set(width, height);
+    this.pen.ratio.value = ratio;
+  }
+
+  /** Moves the labels to where their lines are on a screen of so many CSS pixels. */
+  label(camera: Camera, width: number, height: number): void {
+    const words = this.words(camera, width, height);
+    this.labels.forEach((label, i) => {
+      const word = words[i];
+      label.place(word?.text ?? "", word?.spot ?? null);
+    });
+  }
+
+  /** Writes the labels on a picture. */
+  paint(context: CanvasRenderingContext2D, camera: Camera, width: number, height: number, scale: number): void {
+    for (const { text, spot } of this.words(camera, width / scale, height / scale)) {
+      paint(context, text, { x: spot.x * scale, y: spot.y * scale }, this.theme, scale);
+    }
+  }
+
+  dispose(): void {
+    for (const stroke of Object.values(this.strokes)) stroke.dispose();
+    this.wireframe.dispose();
+    for (const label of this.labels) label.dispose();
+  }
+
+  private measureUp(bounds: Bounds, towards: readonly [number, number]): void {
+    this.dimensions = dimensionsOf(bounds, towards);
+    this.strokes.axes.segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
+  }
+
+  private words(camera: Camera, width: number, height: number): { text: string; spot: Spot }[] {
+    if (!this.shown.axes) return [];
+    const words: { text: string; spot: Spot }[] = [];
+    for (const { label, length } of this.dimensions) {
+      const at = this.toScene(label).applyMatrix4(camera.matrixWorldInverse);
+      if (at.z >= 0) continue;
+      at.applyMatrix4(camera.projectionMatrix);
+      words.push({
+        text: lengthText(length, this.unit),
+        // A label stays on the stage when the middle of its line leaves it.
+        spot: {
+          x: within((at.x * 0.5 + 0.5) * width, LABEL_WIDTH / 2, width),
+          y: within((0.5 - at.y * 0.5) * height, LABEL_HEIGHT / 2, height),
+        },
+      });
+    }
+    return words;
+  }
+
+  private toScene(point: Triple): Vector3 {
+    const { x, y, z, w } = this.studio.frame.value;
+    return this.spot.set((point[0] - x) * w, (point[1] - y) * w, (point[2] - z) * w);
+  }
+}

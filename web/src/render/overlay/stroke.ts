@@ -1,0 +1,198 @@
+import {
+  BufferAttribute,
+  type BufferGeometry,
+  CustomBlending,
+  GLSL3,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  type IUniform,
+  Mesh,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  RawShaderMaterial,
+  type Vector2,
+} from "three";
+import type { Studio } from "../studio";
+
+type Colour = readonly [number, number, number];
+
+/** How a line looks; widths in CSS pixels, colours in sRGB, 0 to 1. */
+export interface StrokeStyle {
+  width: number;
+  colour: Colour;
+  /** The thin border that keeps the line apart from a ground of its own colour. */
+  border: Colour;
+  borderWidth: number;
+  opacity: number;
+  /** Opacity where the pot hides the line. */
+  hidden: number;
+}
+
+/** What all lines of a picture share: size of the picture in device pixels, and device pixels per CSS pixel. */
+export interface Pen {
+  viewport: IUniform<Vector2>;
+  ratio: IUniform<number>;
+}
+
+const VERTEX = /* glsl */ `
+precision highp float;
+in vec3 position;
+in vec3 start;
+in vec3 end;
+uniform mat4 viewMatrix;
+uniform mat4 projectionMatrix;
+uniform vec4 frame;
+uniform vec2 viewport;
+uniform float ratio;
+uniform float halfWidth;
+uniform float nearer;
+uniform float caps;
+out vec2 vAt;
+flat out float vLength;
+void main() {
+  vec4 a = viewMatrix * vec4((start - frame.xyz) * frame.w, 1.0);
+  vec4 b = viewMatrix * vec4((end - frame.xyz) * frame.w, 1.0);
+  // A line that begins behind the eye is cut just before it: there is no direction on the screen behind it.
+  float near = -1e-3;
+  if (a.z > near && b.z > near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
+  if (a.z > near) a.xyz = mix(b.xyz, a.xyz, (near - b.z) / (a.z - b.z));
+  if (b.z > near) b.xyz = mix(a.xyz, b.xyz, (near - a.z) / (b.z - a.z));
+  // Towards the eye: the place on the screen stays, and the line comes before the surface that it lies on.
+  a.xyz *= nearer;
+  b.xyz *= nearer;
+  vec4 ca = projectionMatrix * a;
+  vec4 cb = projectionMatrix * b;
+  vec2 pa = ca.xy / ca.w * viewport * 0.5;
+  vec2 pb = cb.xy / cb.w * viewport * 0.5;
+  vec2 way = pb - pa;
+  float size = length(way);
+  way = size > 1e-4 ? way / size : vec2(1.0, 0.0);
+  // One pixel more all round for the soft edge; the ends are round, which joins the segments of a polyline.
+  float reach = halfWidth * ratio + 1.0;
+  float cap = caps * reach;
+  vec2 at = vec2(position.x > 0.0 ? size + cap : -cap, position.y * reach);
+  vec2 p = pa + way * at.x + vec2(-way.y, way.x) * at.y;
+  vec4 c = position.x > 0.0 ? cb : ca;
+  vAt = at;
+  vLength = size;
+  gl_Position = vec4(p / (viewport * 0.5) * c.w, c.z, c.w);
+}
+`;
+
+const FRAGMENT = /* glsl */ `
+precision highp float;
+in vec2 vAt;
+flat in float vLength;
+uniform float ratio;
+uniform float halfWidth;
+uniform vec3 lineColour;
+uniform float opacity;
+out vec4 colour;
+void main() {
+  float past = vAt.x < 0.0 ? -vAt.x : max(0.0, vAt.x - vLength);
+  float off = length(vec2(past, vAt.y));
+  float all = clamp(halfWidth * ratio + 0.5 - off, 0.0, 1.0) * opacity;
+  if (all < 0.004) discard;
+  colour = vec4(lineColour * all, all);
+}
+`;
+
+/** A line on a surface is drawn at this share of its distance from the eye. */
+export const NEARER = 0.9975;
+
+const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]);
+
+/**
+ * Lines of a width in CSS pixels: a rectangle per segment, widened on the screen. WebGL's own lines are one device pixel wide, whatever is
+ * asked. Where `hidden` is not 0 the lines are drawn a second time, faintly, without regard to what is before them.
+ */
+export class Stroke {
+  readonly objects: Mesh<InstancedBufferGeometry, RawShaderMaterial>[] = [];
+  private geometry = newGeometry(0);
+
+  constructor(
+    private readonly studio: Studio,
+    private readonly pen: Pen,
+    style: StrokeStyle,
+    order: number,
+  ) {
+    const { width, colour, border, borderWidth, opacity, hidden } = style;
+    if (hidden > 0) this.add(width / 2, colour, order, false, hidden);
+    // All of the border before any of the line: at a joint the one would cover the other.
+    if (borderWidth > 0) this.add(width / 2 + borderWidth, border, order + 1, true, opacity);
+    this.add(width / 2, colour, order + 2, true, opacity);
+    this.visible = false;
+  }
+
+  /** @param segments start and end of each, in model units: six numbers a segment */
+  set segments(segments: Float32Array) {
+    const count = segments.length / 6;
+    const attribute = this.geometry.getAttribute("start");
+    if (attribute && attribute.count === count) {
+      fill(this.geometry, segments);
+    } else {
+      this.geometry.dispose();
+      this.geometry = newGeometry(count);
+      fill(this.geometry, segments);
+      for (const object of this.objects) object.geometry = this.geometry;
+    }
+  }
+
+  set visible(visible: boolean) {
+    for (const object of this.objects) object.visible = visible;
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    for (const object of this.objects) object.material.dispose();
+  }
+
+  private add(half: number, colour: Colour, order: number, depthTest: boolean, opacity: number): void {
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: {
+        frame: this.studio.frame,
+        viewport: this.pen.viewport,
+        ratio: this.pen.ratio,
+        halfWidth: { value: half },
+        nearer: { value: NEARER },
+        // Round ends join the segments of a line; where the line is seen through they would show as beads.
+        caps: { value: opacity === 1 ? 1 : 0 },
+        lineColour: { value: colour },
+        opacity: { value: opacity },
+      },
+      transparent: true,
+      depthTest,
+      depthWrite: false,
+      blending: CustomBlending,
+      blendSrc: OneFactor,
+      blendDst: OneMinusSrcAlphaFactor,
+    });
+    const mesh = new Mesh(this.geometry, material);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = order;
+    this.objects.push(mesh);
+  }
+}
+
+function newGeometry(count: number): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  geometry.setAttribute("start", new InstancedBufferAttribute(new Float32Array(3 * count), 3));
+  geometry.setAttribute("end", new InstancedBufferAttribute(new Float32Array(3 * count), 3));
+  geometry.instanceCount = count;
+  return geometry;
+}
+
+function fill(geometry: BufferGeometry, segments: Float32Array): void {
+  const start = geometry.getAttribute("start") as InstancedBufferAttribute;
+  const end = geometry.getAttribute("end") as InstancedBufferAttribute;
+  for (let i = 0, k = 0; i < segments.length; i += 6, k += 3) {
+    start.array.set(segments.subarray(i, i + 3), k);
+    end.array.set(segments.subarray(i + 3, i + 6), k);
+  }
+  start.needsUpdate = true;
+  end.needsUpdate = true;
+}
