@@ -94,9 +94,6 @@ export class PasuDialog extends LitElement {
         gap: 8px;
         padding: 0 22px;
       }
-      footer:has(::slotted(*)) {
-        padding-bottom: 18px;
-      }
       ::slotted([slot="actions"]) {
         margin-bottom: 18px;
       }

@@ -3,8 +3,8 @@
 import { html, type TemplateResult } from "lit";
 
 const PATHS = {
-  undo: "M9 7H15a5 5 0 0 1 0 10H8M9 7l3-3M9 7l3 3",
-  redo: "M15 7H9a5 5 0 0 0 0 10h7M15 7l-3-3M15 7l-3 3",
+  undo: "M4 9h10.5a5.5 5.5 0 0 1 0 11H11M8.5 4.5 4 9l4.5 4.5",
+  redo: "M20 9H9.5a5.5 5.5 0 0 0 0 11H13M15.5 4.5 20 9l-4.5 4.5",
   add: "M12 5v14M5 12h14",
   less: "M5 12h14",
   gallery: "M4 4h6v6H4zM14 4h6v6h-6zM4 14h6v6H4zM14 14h6v6h-6z",

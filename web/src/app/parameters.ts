@@ -14,6 +14,7 @@ import {
   GROUPS,
   type Row,
   rowsOf,
+  sizeFactor,
 } from "../document/schema";
 import type { Shape } from "../document/types";
 import { resetFields, setFields, setLock, toggleExplain } from "../state/actions";
@@ -28,6 +29,16 @@ const NEVER = 1e-12;
 
 @customElement("pasu-parameters")
 export class PasuParameters extends DesignerElement {
+  /** The slider's ranges stand still under the hand. */
+  private factor = 1;
+
+  override willUpdate(): void {
+    const { state, store } = this.designer;
+    const shape = state.design.parts[state.session.part]?.shape;
+    const family = shape ? familyOf(shape.kind) : null;
+    if (shape && family && !store.inGesture) this.factor = sizeFactor(family, shape);
+  }
+
   override render() {
     const { state } = this.designer;
     const part = state.design.parts[state.session.part];
@@ -38,7 +49,7 @@ export class PasuParameters extends DesignerElement {
       <div class="intro">
         <p>${family.name} <span>${family.source}</span></p>
         <button
-          class="button"
+          class="button outlined"
           type="button"
           aria-pressed=${state.session.explain ? "true" : "false"}
           @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
@@ -97,6 +108,7 @@ export class PasuParameters extends DesignerElement {
     const [field] = fields;
     if (!field) return nothing;
     const { designer } = this;
+    const factor = field.length ? this.factor : 1;
     const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
     return html`<pasu-number
       data-field=${field.path.join("-")}
@@ -107,9 +119,9 @@ export class PasuParameters extends DesignerElement {
       .help=${field.help}
       .problem=${this.problemOf(fields)}
       .value=${fieldValue(shape, field)}
-      .min=${field.min}
-      .max=${field.max}
-      .step=${field.step}
+      .min=${factor * field.min}
+      .max=${factor * field.max}
+      .step=${factor * field.step}
       .explain=${designer.state.session.explain}
       resettable
       data-family=${family.kind}

@@ -27,7 +27,7 @@ export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | "new" | "gallery" | "help" | "picture" | "link" = "none";
   @state() private address = "";
   @state() private dropping = false;
-  @state() private spoken = "";
+  private spoken = "";
   @query("pasu-stage") private readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
   private noticeTimer: ReturnType<typeof setTimeout> | undefined;
@@ -149,6 +149,11 @@ export class PasuApp extends DesignerElement {
     }
   }
 
+  override willUpdate(): void {
+    const { description, shown, state, status } = this.designer;
+    if (status === "ready" && shown?.settled && shown.design === state.design) this.spoken = description;
+  }
+
   override updated(): void {
     const { designer } = this;
     const { shown, status } = designer;
@@ -160,7 +165,6 @@ export class PasuApp extends DesignerElement {
     this.dataset.state = status === "starting" ? "solving" : status;
     this.dataset.fingerprint = settled ? shown.solved.fingerprint : "";
     this.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
-    if (settled && status === "ready") this.spoken = designer.description;
     const notice = designer.notice;
     if (notice && notice.id !== this.noticed) {
       this.noticed = notice.id;

@@ -421,15 +421,21 @@ export class PasuStage extends DesignerElement {
       }
       @media (max-width: 859px) {
         .foot {
-          padding: 8px;
-          gap: 8px;
+          inset: 0;
+          flex-direction: column;
+          align-items: stretch;
+          padding: 6px 8px 22px;
         }
         #description {
-          font-size: 0.82rem;
-          line-height: 1.3;
-          padding: 5px 9px;
+          align-self: center;
+          max-width: none;
+          padding: 2px 9px;
+          font-size: 0.8rem;
+          line-height: 1.35;
+          text-align: center;
         }
         .tools {
+          align-self: center;
           padding: 2px;
         }
       }

@@ -191,9 +191,9 @@ export function describe(shape: Facts, unit: Unit): string {
 function noun(shape: Facts, across: number): string {
   const slenderness = across > 0 ? shape.height / across : 1;
   if (slenderness < 0.3) return "a plate";
-  if (slenderness < 0.85) return "a bowl";
+  if (slenderness < 0.85 && shape.mouth > 0.7) return "a bowl";
   if (shape.mouth < 0.45 && slenderness > 1.2) return "a bottle";
-  if (slenderness < 1.35 && shape.mouth < 0.9) return "a jar";
+  if (slenderness < 1.35 && shape.mouth < 0.85) return "a jar";
   return "a vase";
 }
 

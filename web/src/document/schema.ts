@@ -111,3 +111,23 @@ export function rowsOf(family: Family, group: Group): readonly Row[] {
   }
   return rows;
 }
+
+const NICE = [1, 2, 5];
+
+/**
+ * How much longer than the papers' pots this one is, as 1, 2 or 5 times a power of ten: the sliders of lengths are made
+ * for that size, so that a vase of 20 cm is as easy to shape as one of 3.6.
+ */
+export function sizeFactor(family: Family, shape: Shape): number {
+  let most = 0;
+  for (const field of family.fields) {
+    if (field.length && field.min >= 0) {
+      most = Math.max(most, Math.abs(fieldValue(shape, field)) / field.max);
+    }
+  }
+  if (!Number.isFinite(most) || most === 0) return 1;
+  const power = 10 ** Math.floor(Math.log10(most));
+  const nice = NICE.find((step) => step * power >= most) ?? 10;
+  const factor = Number((nice * power).toPrecision(1));
+  return factor >= 0.2 && factor <= 1 ? 1 : factor;
+}
