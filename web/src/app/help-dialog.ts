@@ -5,6 +5,8 @@ import { customElement } from "lit/decorators.js";
 import "./dialog";
 import { base } from "./styles";
 
+const APPLE = /Mac|iPhone|iPad/.test(navigator.userAgent);
+
 const KEYS: readonly (readonly [string, readonly (readonly [string, string])[]])[] = [
   [
     "Anywhere",
@@ -53,7 +55,7 @@ export class PasuHelp extends LitElement {
         ([title, keys]) => html`<section>
           <h3>${title}</h3>
           <dl>
-            ${keys.map(([key, what]) => html`<div><dt><kbd>${key}</kbd></dt><dd>${what}</dd></div>`)}
+            ${keys.map(([key, what]) => html`<div><dt><kbd>${APPLE ? key.replaceAll("Ctrl", "⌘") : key}</kbd></dt><dd>${what}</dd></div>`)}
           </dl>
         </section>`,
       )}

@@ -57,7 +57,7 @@ export class PasuLook extends DesignerElement {
         >
           ${entries<Unit>(UNITS).map(
             ([unit, label]) =>
-              html`<option value=${unit} ?selected=${unitOf(design) === unit}>${label.toLowerCase().replace(/e?s$/, "")} (${unit})</option>`,
+              html`<option value=${unit} ?selected=${unitOf(design) === unit}>${label} (${unit})</option>`,
           )}
         </select>
       </label>

@@ -235,7 +235,7 @@ export class PasuModes extends DesignerElement {
       .line,
       .equation {
         display: grid;
-        grid-template-columns: repeat(4, 1fr);
+        grid-template-columns: repeat(4, minmax(0, 1fr));
         gap: 8px;
         align-items: end;
         padding: 4px 0 8px;
@@ -312,7 +312,7 @@ export class PasuModes extends DesignerElement {
       }
       fieldset {
         display: grid;
-        grid-template-columns: 1fr 1fr;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
         gap: 6px 8px;
         margin: 4px 0 0;
         padding: 0;

@@ -218,6 +218,7 @@ export class PasuNumber extends LitElement {
     css`
       :host {
         display: block;
+        min-width: 0;
         padding: 5px 0;
       }
       .row {
@@ -341,7 +342,10 @@ export class PasuNumber extends LitElement {
         background: var(--accent);
       }
       .compact {
-        grid-template-columns: 1fr;
+        grid-template-columns: minmax(0, 1fr);
+      }
+      .compact label {
+        position: absolute;
       }
       .compact .typed {
         grid-column: 1;

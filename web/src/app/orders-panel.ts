@@ -66,10 +66,10 @@ export class PasuOrders extends DesignerElement {
                 aria-pressed=${compared ? "true" : "false"}
                 @click=${() => designer.apply(compareWith(compared ? null : kind))}
               >
-                ${compared ? "Stop comparing" : "Show side by side"}<span class="spoken"> with ${note.title}</span>
+                <span>${compared ? "Stop comparing" : "Show side by side"}<span class="spoken"> with ${note.title}</span></span>
               </button>
               <button class="button outlined" type="button" @click=${() => designer.apply(switchOrder(designer.state, kind))}>
-                Switch<span class="spoken"> to ${note.title}</span>
+                <span>Switch<span class="spoken"> to ${note.title}</span></span>
               </button>
             </div>`
       }

@@ -16,6 +16,7 @@ const MARGIN = 40;
 /** How much of a slope is drawn: the arrow is `X_u` shortened to this. */
 const SLOPE_SHARE = 0.1;
 const COARSE = 10;
+const DUST = 1e-9;
 
 interface Point {
   readonly x: number;
@@ -329,7 +330,9 @@ function reading(id: HandleId, section: Section, rim: 0 | 1, unit: string): stri
   const end = id.startsWith("rim") ? rim : 1 - rim;
   const slope = id.endsWith("slope");
   const { x, z } = slope ? slopeOf(section, end) : endOf(section, end);
-  const number = (value: number) => `${formatNumber(value, 4)} ${unit}`;
+  const size = Math.hypot(...section.slopes);
+  // What is nothing beside the pot is dust of the arithmetic.
+  const number = (value: number) => `${formatNumber(Math.abs(value) < DUST * size ? 0 : value, 4)} ${unit}`;
   return slope ? `Lean ${number(x)}, rise ${number(z)}` : `Radius ${number(x)}, height ${number(z)}`;
 }
 

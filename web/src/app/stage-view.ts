@@ -313,7 +313,6 @@ export class PasuStage extends DesignerElement {
         background: color-mix(in srgb, var(--sheet) 82%, transparent);
         color: var(--soft);
         font-size: 0.9rem;
-        text-wrap: balance;
       }
       #description:empty {
         visibility: hidden;

@@ -124,7 +124,7 @@ function planarOf(shape: Shape, outline: Outline, lost: string[]): Omit<SecondOr
     r: [outline.rim, 0, outline.foot, 0],
     height: outline.height,
     s: [1, 1],
-    t: tension === null ? [0.1, 0.1] : [neat(tension[0] / TAU ** 2), neat(tension[1] / TAU ** 2)],
+    t: tension === null ? [0.1, 0.1] : [regained(tension[0] / TAU ** 2), regained(tension[1] / TAU ** 2)],
   };
 }
 
@@ -243,4 +243,9 @@ function outlineOfFourth(shape: FourthOrder): Outline {
 function neat(value: number): number {
   const short = Number(value.toPrecision(12));
   return short === 0 ? 0 : short;
+}
+
+/** A pull that went through fourth order at twelve digits and back: the last two are rounding. */
+function regained(value: number): number {
+  return Number(value.toPrecision(10));
 }

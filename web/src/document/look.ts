@@ -21,9 +21,9 @@ export const CLAYS: Readonly<Record<ClayName, string>> = {
 };
 
 export const UNITS: Readonly<Record<Unit, string>> = {
-  mm: "Millimetres",
-  cm: "Centimetres",
-  in: "Inches",
+  mm: "millimetre",
+  cm: "centimetre",
+  in: "inch",
 };
 
 /** Both names of a part's look, defaults included. */

@@ -5,7 +5,7 @@ import type { Family } from "../schema";
 export const BLOOR_WILSON: Family = {
   kind: "bloor-wilson",
   name: "Bloor–Wilson",
-  source: "Ishak and Ali, equations 15 to 18",
+  source: "Ishak and Ali, eqs 15 to 18",
   fields: [
     {
       path: ["r", 0],

@@ -19,7 +19,7 @@ function both(
 export const FOURTH_ORDER: Family = {
   kind: "fourth-order",
   name: "Fourth order",
-  source: "Zhang and You 2001, equations 13 to 17",
+  source: "Zhang and You 2001, eqs 13 to 17",
   fields: [
     {
       path: ["r1"],

@@ -6,7 +6,7 @@ import { PLANAR_FIELDS, PLANAR_OMITTED } from "./second-order";
 export const MIXED_ORDER: Family = {
   kind: "mixed-order",
   name: "Mixed order",
-  source: "Zhang and You 2001, equations 9 to 12",
+  source: "Zhang and You 2001, eqs 9 to 12",
   fields: [
     ...PLANAR_FIELDS,
     {

@@ -19,7 +19,7 @@ export const PLANAR_FIELDS: readonly Field[] = [
   {
     path: ["r", 1],
     symbol: "r_2",
-    name: "Rim petals, depth",
+    name: "Rim petal depth",
     group: "Rim",
     length: true,
     min: -0.5,
@@ -41,7 +41,7 @@ export const PLANAR_FIELDS: readonly Field[] = [
   {
     path: ["r", 3],
     symbol: "r_4",
-    name: "Foot petals, depth",
+    name: "Foot petal depth",
     group: "Foot",
     length: true,
     min: -0.5,
@@ -165,7 +165,7 @@ export const PLANAR_OMITTED: Omit<SecondOrder, "kind" | "r"> = {
 export const SECOND_ORDER: Family = {
   kind: "second-order",
   name: "Second order",
-  source: "Zhang and You 2001, equations 1 to 8",
+  source: "Zhang and You 2001, eqs 1 to 8",
   fields: PLANAR_FIELDS,
   reset: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] },
   omitted: { ...PLANAR_OMITTED },
