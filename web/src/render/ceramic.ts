@@ -58,33 +58,40 @@ void main() {
   vec3 toEye = normalize(eye - vScene);
   bool inside = !gl_FrontFacing;
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
-  if (inside) n = -n;
+  // A sliver of the far wall shows along a silhouette: it must not look like the depth of the pot.
+  float within = 0.0;
+  if (inside) {
+    n = -n;
+    within = smoothstep(0.02, 0.2, dot(n, toEye));
+  }
 
   vec4 broad = cells(vObject * 4.3) - 0.5;
   vec4 fine = cells(vObject * vec3(17.0, 17.0, mix(17.0, 2.2, layer.w))) - 0.5;
-  vec4 grit = texture(noise, vObject * 2.6) - 0.5;
+  vec4 grit = cells(vObject * 71.0) - 0.5;
 
   // Thickness of the glaze: 1 on a plain wall, less over edges, more in hollows, bare at the foot.
   float bulge = inside ? -vWare.x : vWare.x;
-  float bend = clamp(0.055 * (bulge - 1.2), -0.7, 0.75);
+  float bend = clamp(0.06 * (bulge - 0.6), -0.7, 0.75);
   float rim = exp(-max(0.0, vWare.y) / 0.02);
   float wander = 0.5 * broad.x + 0.25 * fine.y;
   float footLine = vWare.z - 0.05 - 0.02 * wander;
   float bead = exp(-max(0.0, footLine) / 0.03);
-  float thick = 1.0 - bend - 0.8 * rim + 0.3 * bead + layer.z * (0.75 * broad.y + 0.55 * fine.x);
+  float thick = 1.0 - bend - 0.8 * rim + 0.3 * bead + layer.z * (1.0 * broad.y + 0.8 * fine.x);
+  // It runs down while it melts.
+  thick += 0.22 * layer.w * clamp(0.4 - vObject.z, -1.0, 1.0);
   thick = clamp(thick, 0.05, 1.9);
   float coat = surface.z * (inside ? 1.0 : smoothstep(-0.004, 0.004, footLine));
 
   // The clay, with its grains.
-  float grain = clay.x * (smoothstep(0.16, 0.3, grit.x) * 0.7 + 0.25 * fine.z + 0.3 * grit.y);
+  float grain = clay.x * (smoothstep(0.2, 0.4, grit.x) * 0.8 + 0.25 * fine.z + 0.25 * grit.y);
   vec3 clayAlbedo = mix(clayColour, grainColour, clamp(grain, 0.0, 1.0));
 
   // The glaze over it: what the glass lets through of the clay, and what it scatters itself; spots of iron.
   float cover = 1.0 - exp2(log2(1.0 - 0.995 * layer.x) * thick);
-  vec3 glazed = mix(clayAlbedo * exp2(tintLog * thick), body * (1.0 + 0.25 * layer.z * broad.z), cover);
+  vec3 glazed = mix(clayAlbedo * exp2(tintLog * thick), body * (1.45 - 0.45 * thick + 0.25 * layer.z * broad.z), cover);
   float breaks = layer.y * (1.0 - smoothstep(0.28, 0.85, thick));
   glazed = mix(glazed, edgeColour, breaks);
-  float spot = surface.x * smoothstep(0.27, 0.36, grit.z);
+  float spot = surface.x * smoothstep(0.3, 0.42, grit.z);
   glazed = mix(glazed, glazed * vec3(0.36, 0.27, 0.2), spot);
   vec3 albedo = mix(clayAlbedo, glazed, coat);
 
@@ -94,13 +101,18 @@ void main() {
   n = normalize(n + mix(rough, waves, coat));
 
   // Light that reaches this place: the inside by its opening, the underside by the table, hollows by their walls.
-  float open = inside ? 1.0 / (1.0 + 1.15 * vWare.w * vWare.w + 0.35 * vWare.w) : 1.0;
+  float depth = min(vWare.w, 100.0);
+  float fromFoot = 2.2 * min(vWare.z, 100.0);
+  float open = max(1.0 / (1.0 + 1.15 * depth * depth + 0.35 * depth), lean.y / (1.0 + fromFoot * fromFoot));
+  open = mix(1.0, open, within);
   float height = max(0.0, vScene.z - table);
-  float ground = 1.0 - 0.75 * exp(-height / 0.16) * (0.55 - 0.45 * n.z);
+  float ground = 1.0 - 0.75 * lean.x * lean.x * exp(-height / 0.16) * (0.55 - 0.45 * n.z);
   float hollow = 1.0 / (1.0 + 0.045 * max(0.0, -bulge));
   float access = open * ground * hollow;
   vec3 matt = vec3(access) / (1.0 - 0.8 * albedo * (1.0 - access));
 
+  // Interpolated normals turn away from the eye at the silhouette; mirrored there they would see through the pot.
+  n = normalize(n + toEye * max(0.0, 0.03 - dot(n, toEye)));
   vec3 ns = studioDirection(n);
   float facing = clamp(dot(n, toEye), 0.0, 1.0);
   float roughness = mix(clay.y, clamp(surface.y + 0.05 * fine.w + 0.25 * rim * surface.y, 0.03, 1.0), coat);
@@ -134,6 +146,7 @@ export function ceramic(look: StageLook, studio: Studio, shift: IUniform<Vector3
       frame: studio.frame,
       eye: studio.eye,
       turn: studio.turn,
+      lean: studio.lean,
       table: studio.table,
       ceiling: studio.ceiling,
       wall: studio.wall,

@@ -23,7 +23,7 @@ import type { Pot } from "./pot";
 import type { Studio } from "./studio";
 
 /** Texels along an edge of the shadow texture: shadows are soft, more would not be seen. */
-const TEXELS = 128;
+const TEXELS = 96;
 
 /** Half the side of the table's shadowed square, in units of what stands on it. */
 const REACH = 2.4;
@@ -74,11 +74,12 @@ out vec4 colour;
 void main() {
   vec2 sum = vec2(0.0);
   float weights = 0.0;
-  for (int i = -7; i <= 7; i++) {
+  for (int i = -4; i <= 4; i++) {
     float x = float(i);
-    float weight = exp(-x * x / 18.0);
-    sum.x += weight * texture(image, vUv + direction * x * 0.4).x;
-    sum.y += weight * texture(image, vUv + direction * x * 2.4).y;
+    float weight = 1.0 - x * x / 25.0;
+    weight *= weight;
+    sum.x += weight * texture(image, vUv + direction * x * 0.5).x;
+    sum.y += weight * texture(image, vUv + direction * x * 3.0).y;
     weights += weight;
   }
   colour = vec4(sum / weights, 0.0, 1.0);
@@ -110,7 +111,7 @@ void main() {
   vec2 near = texture(image, vUv).xy;
   // The large lamp stands at the left: the far shadow falls to the right, softly.
   vec2 away = vec2(turn.x * 0.81 + turn.y * 0.59, -turn.y * 0.81 + turn.x * 0.59);
-  float thrown = texture(image, vUv - away * 0.075).y;
+  float thrown = texture(image, vUv - away * 0.07).y;
   float dark = 1.0 - (1.0 - 0.85 * near.x) * (1.0 - 0.34 * near.y) * (1.0 - 0.4 * thrown);
   vec2 edge = abs(vUv * 2.0 - 1.0);
   float fade = 1.0 - smoothstep(0.55, 1.0, length(edge));
@@ -203,7 +204,7 @@ export class Ground {
     const uniforms = this.blur.uniforms as { image: { value: unknown }; direction: { value: number[] } };
     const sheet = new Mesh(this.screen, this.blur);
     sheet.frustumCulled = false;
-    for (const round of [1, 0.5]) {
+    for (const round of [1, 0.55]) {
       uniforms.image.value = first.texture;
       uniforms.direction.value = [round / TEXELS, 0];
       this.pass(renderer, sheet, second);

@@ -28,9 +28,9 @@ const ROOMS: Readonly<Record<Theme, Room>> = {
     shadow: 0.72,
   },
   dark: {
-    top: new Vector3(0.0125, 0.013, 0.0145),
-    bottom: new Vector3(0.02, 0.0195, 0.0195),
-    glow: new Vector3(0.06, 0.0585, 0.058),
+    top: new Vector3(0.016, 0.0165, 0.0185),
+    bottom: new Vector3(0.05, 0.049, 0.049),
+    glow: new Vector3(0.088, 0.086, 0.085),
     ceiling: new Vector3(0.2, 0.215, 0.24),
     wall: new Vector3(0.1, 0.1, 0.105),
     floor: new Vector3(0.075, 0.07, 0.065),
@@ -46,6 +46,8 @@ export interface Studio {
   eye: IUniform<Vector3>;
   /** Cosine and sine of the turn from scene space to the studio, whose lamps stay with the camera as if the pot stood on a turntable. */
   turn: IUniform<Vector2>;
+  /** Cosine and sine of the lean of the studio, which follows a camera that looks from below. */
+  lean: IUniform<Vector2>;
   /** Height of the table in scene space. */
   table: IUniform<number>;
   ceiling: IUniform<Vector3>;
@@ -63,6 +65,7 @@ export function newStudio(theme: Theme): Studio {
     frame: { value: new Vector4(0, 0, 0, 1) },
     eye: { value: new Vector3() },
     turn: { value: new Vector2(1, 0) },
+    lean: { value: new Vector2(1, 0) },
     table: { value: 0 },
     ceiling: { value: new Vector3() },
     wall: { value: new Vector3() },
@@ -75,6 +78,17 @@ export function newStudio(theme: Theme): Studio {
   };
   furnish(studio, theme);
   return studio;
+}
+
+/** From this polar angle on the studio leans with the camera: nothing below the table would be lit otherwise. */
+const LEAN_FROM = 1.72;
+
+/** Turns the studio to a camera: the lamps stay where the photographer put them, and the pot turns before them. */
+export function face(studio: Studio, azimuth: number, polar: number): void {
+  const turn = -Math.PI / 2 - azimuth;
+  studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+  const lean = Math.max(0, polar - LEAN_FROM);
+  studio.lean.value.set(Math.cos(lean), Math.sin(lean));
 }
 
 /** Sets what the theme decides. */
@@ -95,12 +109,14 @@ export function furnish(studio: Studio, theme: Theme): void {
  */
 export const STUDIO_GLSL = /* glsl */ `
 uniform vec2 turn;
+uniform vec2 lean;
 uniform vec3 ceiling;
 uniform vec3 wall;
 uniform vec3 floor_;
 
 vec3 studioDirection(vec3 d) {
-  return vec3(turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y, d.z);
+  float away = turn.y * d.x + turn.x * d.y;
+  return vec3(turn.x * d.x - turn.y * d.y, lean.x * away + lean.y * d.z, lean.x * d.z - lean.y * away);
 }
 
 float slit(float x, float halfWidth, float blur) {
@@ -122,26 +138,26 @@ vec3 room(float z, float blur) {
 }
 
 vec3 radiance(vec3 d, float roughness) {
-  float blur = 0.035 + 1.9 * roughness;
+  float blur = 0.03 + 1.9 * roughness;
   vec3 light = room(d.z, roughness);
-  light += vec3(7.6, 7.3, 6.9) * lamp(d, vec3(-0.6804, -0.4949, 0.5404), vec3(-0.5882, 0.8087, 0.0), vec2(0.42, 0.56), blur);
-  light += vec3(2.7, 2.85, 3.1) * lamp(d, vec3(0.9129, -0.3043, 0.2722), vec3(0.3162, 0.9487, 0.0), vec2(0.16, 0.85), blur);
-  light += vec3(2.2, 2.3, 2.5) * lamp(d, vec3(0.3939, 0.7878, 0.4735), vec3(-0.8944, 0.4472, 0.0), vec2(0.8, 0.5), blur);
-  light += vec3(1.5, 1.5, 1.5) * lamp(d, vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.8, 0.8), blur + 0.25);
+  light += vec3(6.6, 6.35, 6.0) * (0.75 + 0.45 * d.z) * lamp(d, vec3(-0.6804, -0.4949, 0.5404), vec3(-0.5882, 0.8087, 0.0), vec2(0.40, 0.58), blur);
+  light += vec3(2.3, 2.45, 2.7) * lamp(d, vec3(0.9129, -0.3043, 0.2722), vec3(0.3162, 0.9487, 0.0), vec2(0.13, 0.95), blur + 0.05);
+  light += vec3(1.7, 1.8, 2.0) * lamp(d, vec3(0.3939, 0.7878, 0.4735), vec3(-0.8944, 0.4472, 0.0), vec2(0.8, 0.5), blur + 0.15);
+  light += vec3(0.9) * smoothstep(0.55 - roughness, 1.0, d.z);
   return light;
 }
 
-float lobe(vec3 n, vec3 centre) {
-  float x = max(0.0, dot(n, centre) * 0.78 + 0.22);
-  return x * x * 0.4 + x * 0.6;
+float lobe(vec3 n, vec3 centre, float wrap) {
+  float x = max(0.0, (dot(n, centre) + wrap) / (1.0 + wrap));
+  return x * x * wrap + x * (1.0 - wrap);
 }
 
 vec3 irradiance(vec3 n) {
-  vec3 light = mix(floor_, mix(wall, ceiling, 0.65), 0.5 + 0.5 * n.z) * 0.9;
-  light += vec3(1.72, 1.66, 1.56) * lobe(n, vec3(-0.6804, -0.4949, 0.5404));
-  light += vec3(0.26, 0.28, 0.31) * lobe(n, vec3(0.9129, -0.3043, 0.2722));
-  light += vec3(0.3, 0.31, 0.33) * lobe(n, vec3(0.3939, 0.7878, 0.4735));
-  light += vec3(0.55) * lobe(n, vec3(0.0, 0.0, 1.0));
+  vec3 light = mix(floor_, mix(wall, ceiling, 0.6), 0.5 + 0.5 * n.z) * 0.62;
+  light += vec3(1.02, 0.98, 0.92) * lobe(n, vec3(-0.6804, -0.4949, 0.5404), 0.3);
+  light += vec3(0.13, 0.14, 0.155) * lobe(n, vec3(0.9129, -0.3043, 0.2722), 0.5);
+  light += vec3(0.14, 0.145, 0.155) * lobe(n, vec3(0.3939, 0.7878, 0.4735), 0.4);
+  light += vec3(0.26) * lobe(n, vec3(0.0, 0.0, 1.0), 0.4);
   return light;
 }
 `;

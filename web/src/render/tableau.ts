@@ -5,7 +5,7 @@ import type { StageLook } from "./glaze";
 import { Ground } from "./ground";
 import type { Bounds, StageMesh } from "./mesh";
 import { Pot } from "./pot";
-import { furnish, newStudio, type Studio, type Theme } from "./studio";
+import { face, furnish, newStudio, type Studio, type Theme } from "./studio";
 import type { Triple } from "./triple";
 
 /** The gap between two pots side by side, as a share of the wider one. */
@@ -155,13 +155,12 @@ export class Tableau {
     this.ground.bake(renderer, pots, [contents.centre[0], contents.centre[1]], contents.radius);
   }
 
-  /** Aims a camera and turns the studio with it: the lamps stay where the photographer put them, and the pot turns. */
+  /** Aims a camera and turns the studio to it. */
   light(camera: Camera, aspect: number): void {
     const { centre, radius } = this.contents();
     camera.aim(this.frame.centre, this.frame.radius, aspect, { centre, radius: radius * SURROUNDINGS });
     this.studio.eye.value.copy(camera.view.position);
-    const turn = -Math.PI / 2 - camera.pose.azimuth;
-    this.studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+    face(this.studio, camera.pose.azimuth, camera.pose.polar);
   }
 
   dispose(): void {

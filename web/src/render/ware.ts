@@ -15,7 +15,7 @@ const POLE_SHARE = 0.02;
  * What a potter's glaze goes by, for every vertex, in model units, in four numbers:
  * - the mean curvature beyond that of a plain cylinder of the same girth, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
  * - the distance along the profile to the rim;
- * - the distance along the profile to the foot;
+ * - the distance along the profile to the foot, or the height above the lowest point when the bottom is closed;
  * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
  *
  * The curvature is half the divergence of the normals, taken exactly for the linear interpolation on each triangle and averaged by area
@@ -127,7 +127,10 @@ function edges(mesh: StageMesh, grid: Grid, into: Float32Array): void {
   const rimFirst = top.height >= bottom.height;
   const rim = rimFirst ? top : bottom;
   const longest = Math.max(top.radius, bottom.radius, middle.radius);
+  const foot = rimFirst ? bottom : top;
   const open = rim.radius > POLE_SHARE * longest;
+  const closedFoot = foot.radius <= POLE_SHARE * longest;
+  const lowest = closedFoot ? lowestOf(p, first, first + rows * columns) : 0;
   const step = rimFirst ? columns : -columns;
   const start = rimFirst ? first : first + (rows - 1) * columns;
   for (let column = 0; column < columns; column++) {
@@ -144,20 +147,27 @@ function edges(mesh: StageMesh, grid: Grid, into: Float32Array): void {
       into[WARE_SIZE * vertex + 3] = open ? Math.max(0, depth / rim.radius) : NO_EDGE;
     }
     for (let row = 0, vertex = start + column; row < rows; row++, vertex += step) {
-      into[WARE_SIZE * vertex + 2] = length - at(into, WARE_SIZE * vertex + 2);
+      into[WARE_SIZE * vertex + 2] = closedFoot
+        ? at(p, 3 * vertex + 2) - lowest
+        : length - at(into, WARE_SIZE * vertex + 2);
     }
   }
 }
 
 function heights(mesh: StageMesh, first: number, end: number, into: Float32Array): void {
   const { positions: p } = mesh;
-  let lowest = Infinity;
-  for (let v = first; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
+  const lowest = lowestOf(p, first, end);
   for (let v = first; v < end; v++) {
     into[WARE_SIZE * v + 1] = NO_EDGE;
     into[WARE_SIZE * v + 2] = at(p, 3 * v + 2) - lowest;
     into[WARE_SIZE * v + 3] = NO_EDGE;
   }
+}
+
+function lowestOf(p: Float32Array, first: number, end: number): number {
+  let lowest = Infinity;
+  for (let v = first; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
+  return lowest;
 }
 
 /** The mean height of a ring of vertices and their mean distance from their middle. */

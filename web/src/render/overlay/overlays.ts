@@ -44,7 +44,7 @@ const STYLES = {
   rim: { width: 3.2, colour: [0.86, 0.33, 0], border: WHITE, borderWidth: 1.1, opacity: 1, hidden: 0.28 },
   foot: { width: 3.2, colour: [0, 0.55, 0.4], border: WHITE, borderWidth: 1.1, opacity: 1, hidden: 0.28 },
   tangents: { width: 2.4, colour: [0.75, 0.36, 0.62], border: WHITE, borderWidth: 1, opacity: 1, hidden: 0.28 },
-  axes: { width: 1.6, colour: INK, border: WHITE, borderWidth: 0.6, opacity: 0.9, hidden: 0.3 },
+  axes: { width: 1.6, colour: INK, border: WHITE, borderWidth: 0.6, opacity: 1, hidden: 0.3 },
 } as const satisfies Record<string, StrokeStyle>;
 
 /** Length of the arrows as a share of the radius of the pot. */
@@ -97,7 +97,7 @@ export class Overlays {
     this.wireframe = new Wireframe(studio, 10);
     this.objects.push(this.wireframe.object);
     this.labels = [new Label(host), new Label(host), new Label(host)];
-    for (const label of this.labels) label.theme = theme;
+    this.appearance = theme;
   }
 
   /** @throws {MeshError} for a coordinate that is not finite */
@@ -123,6 +123,8 @@ export class Overlays {
   set appearance(theme: Theme) {
     this.theme = theme;
     for (const label of this.labels) label.theme = theme;
+    if (theme === "light") this.strokes.axes.recolour(INK, WHITE);
+    else this.strokes.axes.recolour(WHITE, INK);
   }
 
   set measure(unit: Unit) {

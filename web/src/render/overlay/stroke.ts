@@ -108,6 +108,7 @@ const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0
  */
 export class Stroke {
   readonly objects: Mesh<InstancedBufferGeometry, RawShaderMaterial>[] = [];
+  private readonly inks: { core: boolean; material: RawShaderMaterial }[] = [];
   private geometry = newGeometry(0);
 
   constructor(
@@ -117,10 +118,10 @@ export class Stroke {
     order: number,
   ) {
     const { width, colour, border, borderWidth, opacity, hidden } = style;
-    if (hidden > 0) this.add(width / 2, colour, order, false, hidden);
+    if (hidden > 0) this.add(width / 2, colour, order, false, hidden, true);
     // All of the border before any of the line: at a joint the one would cover the other.
-    if (borderWidth > 0) this.add(width / 2 + borderWidth, border, order + 1, true, opacity);
-    this.add(width / 2, colour, order + 2, true, opacity);
+    if (borderWidth > 0) this.add(width / 2 + borderWidth, border, order + 1, true, opacity, false);
+    this.add(width / 2, colour, order + 2, true, opacity, true);
     this.visible = false;
   }
 
@@ -138,6 +139,12 @@ export class Stroke {
     }
   }
 
+  /** Exchanges line and border colours for others. */
+  recolour(colour: Colour, border: Colour): void {
+    for (const { core, material } of this.inks)
+      (material.uniforms as { lineColour: IUniform }).lineColour.value = core ? colour : border;
+  }
+
   set visible(visible: boolean) {
     for (const object of this.objects) object.visible = visible;
   }
@@ -147,7 +154,7 @@ export class Stroke {
     for (const object of this.objects) object.material.dispose();
   }
 
-  private add(half: number, colour: Colour, order: number, depthTest: boolean, opacity: number): void {
+  private add(half: number, colour: Colour, order: number, depthTest: boolean, opacity: number, core: boolean): void {
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: VERTEX,
@@ -170,6 +177,7 @@ export class Stroke {
       blendSrc: OneFactor,
       blendDst: OneMinusSrcAlphaFactor,
     });
+    this.inks.push({ core, material });
     const mesh = new Mesh(this.geometry, material);
     mesh.frustumCulled = false;
     mesh.renderOrder = order;

@@ -22,7 +22,7 @@ const FRAGMENT = /* glsl */ `
 precision highp float;
 uniform vec3 ink;
 out vec4 colour;
-void main() { colour = vec4(ink, 1.0); }
+void main() { colour = vec4(ink, 0.45); }
 `;
 
 const DARK_INK = [0.05, 0.06, 0.09];
