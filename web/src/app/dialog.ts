@@ -1,6 +1,6 @@
 /** A modal dialogue with a heading and a close button, on the browser's own `<dialog>`: focus kept, Escape closes. */
 
-import { css, html, LitElement } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import { icon } from "./icons";
 import { base, buttons } from "./styles";
@@ -10,6 +10,8 @@ export class PasuDialog extends LitElement {
   @property() heading = "";
   /** As wide as the page allows, for the gallery. */
   @property({ type: Boolean, reflect: true }) wide = false;
+  /** All text and nothing to press: the text itself takes the focus, so that keys can scroll it. */
+  @property({ type: Boolean }) reading = false;
   @query("dialog") private readonly dialog!: HTMLDialogElement;
 
   override firstUpdated(): void {
@@ -24,11 +26,11 @@ export class PasuDialog extends LitElement {
   override render() {
     return html`
       <dialog aria-labelledby="heading" @close=${this.closed} @click=${this.clicked}>
-        <header>
+        <div class="head">
           <h2 id="heading">${this.heading}</h2>
           <button class="button bare" type="button" aria-label="Close" @click=${this.close}>${icon("close")}</button>
-        </header>
-        <div class="body"><slot></slot></div>
+        </div>
+        <div class="body" tabindex=${this.reading ? 0 : nothing}><slot></slot></div>
         <footer><slot name="actions"></slot></footer>
       </dialog>
     `;
@@ -72,7 +74,7 @@ export class PasuDialog extends LitElement {
       dialog::backdrop {
         background: var(--veil);
       }
-      header {
+      .head {
         display: flex;
         align-items: center;
         justify-content: space-between;

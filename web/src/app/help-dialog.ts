@@ -42,7 +42,7 @@ const KEYS: readonly (readonly [string, readonly (readonly [string, string])[]])
 @customElement("pasu-help")
 export class PasuHelp extends LitElement {
   override render() {
-    return html`<pasu-dialog heading="Help" @dialog-closed=${() => this.dispatchEvent(new Event("help-closed"))}>
+    return html`<pasu-dialog reading heading="Help" @dialog-closed=${() => this.dispatchEvent(new Event("help-closed"))}>
       <p>
         Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an
         equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.

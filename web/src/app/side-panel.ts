@@ -41,6 +41,7 @@ export class PasuPanel extends DesignerElement {
         )}
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
+        <h2 class="spoken">${TAB_NAMES[tab]}</h2>
         ${this.parts()} ${this.content(tab)}
       </div>
     `;

@@ -310,7 +310,7 @@ export class PasuStage extends DesignerElement {
         max-width: 46ch;
         padding: 6px 11px;
         border-radius: 9px;
-        background: color-mix(in srgb, var(--sheet) 82%, transparent);
+        background: var(--sheet);
         color: var(--soft);
         font-size: 0.9rem;
       }
