@@ -17,13 +17,12 @@ export function offline(options: { worker: string }): Plugin {
     configResolved(resolved) {
       config = resolved;
     },
-    closeBundle: {
+    writeBundle: {
       order: "post",
       sequential: true,
       async handler() {
         const folder = join(config.root, config.build.outDir);
         const files = await cachedFiles(folder);
-        if (!files.includes("index.html")) return; // the build failed before it wrote a page
         const precache = files.map((file) => (file === "index.html" ? "./" : `./${file}`));
         const version = await contentHash(folder, files);
         const source = await readFile(options.worker, "utf8");

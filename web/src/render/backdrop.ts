@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, GLSL3, Mesh, RawShaderMaterial } from "three";
-import { type Studio, TONE_GLSL } from "./studio";
+import { GRAIN_GLSL, type Studio } from "./studio";
 
 const VERTEX = /* glsl */ `
 precision highp float;
@@ -20,11 +20,12 @@ uniform vec3 bottom;
 uniform vec3 glow;
 uniform float aspect;
 out vec4 colour;
-${TONE_GLSL}
+${GRAIN_GLSL}
 void main() {
   vec2 p = (vScreen - vec2(0.5, 0.47)) * vec2(min(aspect, 1.6), 1.0);
-  float near = exp(-dot(p, p) * 3.6);
-  colour = vec4(toScreen(mix(mix(bottom, top, smoothstep(0.0, 1.0, vScreen.y)), glow, near)), 1.0);
+  float near = 1.0 / (1.0 + 2.1 * dot(p, p));
+  near *= near;
+  colour = vec4(mix(mix(bottom, top, vScreen.y), glow, near) + grain(), 1.0);
 }
 `;
 
@@ -57,7 +58,8 @@ export class Backdrop {
     this.object.renderOrder = 1;
   }
 
-  dispose(): void {
+  /** Gives up everything on the GPU. */
+  release(): void {
     this.object.geometry.dispose();
     (this.object.material as RawShaderMaterial).dispose();
   }

@@ -6,15 +6,15 @@ import { along, type Triple } from "./triple";
 
 /** Time constants in seconds: a drag is followed closely, a change of view is seen as a movement. */
 const FOLLOW_LAG = 0.045;
-const TRAVEL_LAG = 0.16;
+const TRAVEL_LAG = 0.11;
 
 /** How far from the pot, in its radii, the camera may be. */
 const NEAREST = 0.05;
 const FARTHEST = 60;
 
-/** An angle is settled below a twentieth of a pixel on a large screen. */
-const SETTLED_ANGLE = 2e-5;
-const SETTLED_SHARE = 2e-5;
+/** What is left of a motion when it ends: a tenth of a pixel on a large screen. */
+const SETTLED_ANGLE = 2e-4;
+const SETTLED_SHARE = 2e-4;
 
 /**
  * The camera of the stage: a pose that follows its goal, in model units, and the three.js camera that looks from there in scene

@@ -83,8 +83,8 @@ void main() {
   float coat = surface.z * (inside ? 1.0 : smoothstep(-0.004, 0.004, footLine));
 
   // The clay, with its grains.
-  float grain = clay.x * (smoothstep(0.2, 0.4, grit.x) * 0.8 + 0.25 * fine.z + 0.25 * grit.y);
-  vec3 clayAlbedo = mix(clayColour, grainColour, clamp(grain, 0.0, 1.0));
+  float grains = clay.x * (smoothstep(0.2, 0.4, grit.x) * 0.8 + 0.25 * fine.z + 0.25 * grit.y);
+  vec3 clayAlbedo = mix(clayColour, grainColour, clamp(grains, 0.0, 1.0));
 
   // The glaze over it: what the glass lets through of the clay, and what it scatters itself; spots of iron.
   float cover = 1.0 - exp2(log2(1.0 - 0.995 * layer.x) * thick);

@@ -21,11 +21,18 @@ export function webgl2Supported(): boolean {
 /** Renderers that are on a page, newest last: whoever needs one for a moment borrows it instead of opening another context. */
 const living: GlContext[] = [];
 
+/** Something with resources in a context. */
+export interface Tenant {
+  /** Gives up what it has on the GPU; it comes back from memory when it is next drawn. */
+  release(): void;
+}
+
 /** One WebGL context with its renderer, and what happens when the browser takes it away. */
 export class GlContext {
   readonly renderer: WebGLRenderer;
   lost = false;
   private readonly listeners = new AbortController();
+  private readonly tenants = new Set<Tenant>();
 
   /** @throws {Error} when there is no WebGL2 or the browser refuses another context */
   constructor(
@@ -39,6 +46,8 @@ export class GlContext {
         // Without this the browser never gives the context back.
         event.preventDefault();
         this.lost = true;
+        // Now, because objects of a context that is gone can be deleted without complaint, and not once it is back.
+        this.evict();
         this.events.lost?.();
       },
       { signal },
@@ -63,7 +72,24 @@ export class GlContext {
     return living.findLast((context) => !context.lost) ?? null;
   }
 
+  /** Tells a tenant when the context goes. */
+  admit(tenant: Tenant): void {
+    this.tenants.add(tenant);
+  }
+
+  /** Forgets a tenant that moves out of every context. */
+  static dismiss(tenant: Tenant): void {
+    for (const context of living) context.tenants.delete(tenant);
+    tenant.release();
+  }
+
+  private evict(): void {
+    for (const tenant of this.tenants) tenant.release();
+  }
+
   dispose(): void {
+    this.evict();
+    this.tenants.clear();
     const index = living.indexOf(this);
     if (index >= 0) living.splice(index, 1);
     this.listeners.abort();

@@ -215,7 +215,8 @@ export class Ground {
     renderer.setRenderTarget(before);
   }
 
-  dispose(): void {
+  /** Gives up everything on the GPU; the shadow has to be baked again. */
+  release(): void {
     for (const target of this.targets) target.dispose();
     this.screen.dispose();
     for (const material of [this.cover, this.blur, this.object.material]) material.dispose();

@@ -67,11 +67,10 @@ export class Pot {
     this.object.visible = this.bounds !== null;
   }
 
-  dispose(): void {
+  /** Gives up everything on the GPU; the arrays stay in memory. */
+  release(): void {
     this.object.geometry.dispose();
     for (const material of this.materials.values()) material.dispose();
-    this.materials.clear();
-    this.used = [];
   }
 
   /** One draw call per run of parts that look the same. */

@@ -13,6 +13,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
+import type { Tenant } from "./context";
 import type { Fineness } from "./resolution";
 
 const VERTEX = /* glsl */ `
@@ -32,7 +33,7 @@ void main() { colour = texelFetch(image, ivec2(gl_FragCoord.xy), 0); }
  * The way of a scene to the screen. Smooth edges are a matter of the frame, not of the context: with several samples it is drawn into a
  * target of its own and copied, with none straight to the screen, which is more than twice as fast where the GPU is software.
  */
-export class Screen {
+export class Screen implements Tenant {
   private target: WebGLRenderTarget | null = null;
   private size = { width: 0, height: 0, ratio: 0 };
   private readonly sheet: Mesh<BufferGeometry, RawShaderMaterial>;
@@ -89,8 +90,10 @@ export class Screen {
     renderer.render(this.scene, this.camera);
   }
 
-  dispose(): void {
+  /** Gives up everything on the GPU. */
+  release(): void {
     this.target?.dispose();
+    this.target = null;
     this.sheet.geometry.dispose();
     this.sheet.material.dispose();
   }

@@ -77,7 +77,6 @@ export class Stage {
           options.onContextLost?.();
         },
         restored: () => {
-          this.tableau.forget();
           this.loop.resume();
           this.loop.invalidate();
           options.onContextRestored?.();
@@ -91,6 +90,7 @@ export class Stage {
     this.tableau = new Tableau(options.theme);
     this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.unit);
     this.tableau.scene.add(...this.overlay.objects);
+    for (const tenant of [this.screen, this.tableau, this.overlay]) this.context.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
     this.loop = new Loop((seconds) => this.draw(seconds));
     this.gesture = new Gesture(this.canvas, {
@@ -244,9 +244,7 @@ export class Stage {
     this.resizes.disconnect();
     this.gesture.dispose();
     this.loop.dispose();
-    this.screen.dispose();
     this.overlay.dispose();
-    this.tableau.dispose();
     this.context.dispose();
     this.root.remove();
   }
@@ -276,7 +274,8 @@ export class Stage {
     this.camera.radius = radius;
     const { azimuth, polar } = name ? VIEWS[name] : this.camera.goal;
     const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
-    const fit = fitDistance(this.tableau.outline(), bounds.centre, axesOf(azimuth, polar), aspect);
+    const points = [...this.tableau.outline(), ...this.overlay.outline(bounds, azimuth)];
+    const fit = fitDistance(points, bounds.centre, axesOf(azimuth, polar), aspect);
     this.camera.travel({ azimuth, polar, distance: fit > 0 ? fit : radius, target: bounds.centre }, atOnce);
     this.fitted = true;
     this.loop.invalidate();

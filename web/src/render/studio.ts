@@ -5,7 +5,7 @@ import { noiseTexture } from "./noise";
 export type Theme = "light" | "dark";
 
 interface Room {
-  /** Backdrop: at the top, at the bottom, and in the glow behind the pot. Linear. */
+  /** Backdrop: at the top, at the bottom, and in the glow behind the pot. These are of the screen (sRGB), all others linear. */
   top: Vector3;
   bottom: Vector3;
   glow: Vector3;
@@ -19,18 +19,18 @@ interface Room {
 
 const ROOMS: Readonly<Record<Theme, Room>> = {
   light: {
-    top: new Vector3(0.71, 0.69, 0.655),
-    bottom: new Vector3(0.62, 0.595, 0.555),
-    glow: new Vector3(0.9, 0.885, 0.855),
+    top: new Vector3(0.838, 0.827, 0.807),
+    bottom: new Vector3(0.786, 0.77, 0.745),
+    glow: new Vector3(0.921, 0.914, 0.9),
     ceiling: new Vector3(0.62, 0.64, 0.67),
     wall: new Vector3(0.42, 0.41, 0.4),
     floor: new Vector3(0.36, 0.34, 0.31),
     shadow: 0.72,
   },
   dark: {
-    top: new Vector3(0.016, 0.0165, 0.0185),
-    bottom: new Vector3(0.05, 0.049, 0.049),
-    glow: new Vector3(0.088, 0.086, 0.085),
+    top: new Vector3(0.021, 0.027, 0.052),
+    bottom: new Vector3(0.133, 0.128, 0.128),
+    glow: new Vector3(0.243, 0.237, 0.235),
     ceiling: new Vector3(0.2, 0.215, 0.24),
     wall: new Vector3(0.1, 0.1, 0.105),
     floor: new Vector3(0.075, 0.07, 0.065),
@@ -162,12 +162,20 @@ vec3 irradiance(vec3 n) {
 }
 `;
 
+/** Half a level of ordered noise, so that soft gradients have no bands. */
+export const GRAIN_GLSL = /* glsl */ `
+float grain() {
+  return (fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5) / 255.0;
+}
+`;
+
 /**
  * From light to the screen: the Khronos neutral tone mapping, which leaves the colour of a glaze alone and only rolls off its highlights,
- * the sRGB curve, and half a level of ordered noise so that the backdrop has no bands. It is part of the shaders, not of the
+ * and the sRGB curve. It is part of the shaders, not of the
  * renderer, because pictures drawn into a texture must look the same as the screen.
  */
 export const TONE_GLSL = /* glsl */ `
+${GRAIN_GLSL}
 vec3 toScreen(vec3 light) {
   float dark = min(light.r, min(light.g, light.b));
   float offset = dark < 0.08 ? dark - 6.25 * dark * dark : 0.04;
@@ -182,7 +190,6 @@ vec3 toScreen(vec3 light) {
   }
   c = max(c, vec3(0.0));
   vec3 screen = mix(1.055 * pow(c, vec3(0.41666)) - 0.055, 12.92 * c, vec3(lessThan(c, vec3(0.0031308))));
-  float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-  return screen + (grain - 0.5) / 255.0;
+  return screen + grain();
 }
 `;

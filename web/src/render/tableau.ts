@@ -1,6 +1,7 @@
 import { Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
 import type { Camera } from "./camera";
+import type { Tenant } from "./context";
 import type { StageLook } from "./glaze";
 import { Ground } from "./ground";
 import type { Bounds, StageMesh } from "./mesh";
@@ -21,7 +22,7 @@ export interface Frame {
 }
 
 /** What is photographed: one pot or two on a table before a backdrop, in the light of the studio. */
-export class Tableau {
+export class Tableau implements Tenant {
   readonly scene = new Scene();
   readonly studio: Studio;
   readonly backdrop: Backdrop;
@@ -58,7 +59,7 @@ export class Tableau {
         try {
           pot.update(other.mesh, other.looks);
         } catch (error) {
-          pot.dispose();
+          pot.release();
           throw error;
         }
         this.beside = pot;
@@ -68,7 +69,7 @@ export class Tableau {
       }
     } else if (this.beside) {
       this.scene.remove(this.beside.object);
-      this.beside.dispose();
+      this.beside.release();
       this.beside = null;
     }
     this.stale = true;
@@ -136,9 +137,11 @@ export class Tableau {
     this.stale = true;
   }
 
-  /** Forgets what is only on the GPU, after a lost context. */
-  forget(): void {
+  /** Gives up everything on the GPU, and computes again what is only there when it is next drawn. */
+  release(): void {
     this.stale = true;
+    for (const part of [this.main, this.beside, this.backdrop, this.ground]) part?.release();
+    this.studio.noise.value.dispose();
   }
 
   /** Brings everything that depends on meshes up to date; cheap when nothing changed. */
@@ -161,13 +164,5 @@ export class Tableau {
     camera.aim(this.frame.centre, this.frame.radius, aspect, { centre, radius: radius * SURROUNDINGS });
     this.studio.eye.value.copy(camera.view.position);
     face(this.studio, camera.pose.azimuth, camera.pose.polar);
-  }
-
-  dispose(): void {
-    this.main.dispose();
-    this.beside?.dispose();
-    this.backdrop.dispose();
-    this.ground.dispose();
-    this.studio.noise.value.dispose();
   }
 }

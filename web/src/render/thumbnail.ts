@@ -35,6 +35,7 @@ export function thumbnails(): Thumbnails {
       context = own = new GlContext(document.createElement("canvas"));
     }
     tableau ??= new Tableau("light");
+    context.admit(tableau);
     tableau.backdrop.object.visible = false;
     const parts = Math.max(1, mesh.groups.length / 3);
     tableau.show(mesh, new Array<StageLook>(parts).fill(look));
@@ -65,7 +66,7 @@ export function thumbnails(): Thumbnails {
       return done;
     },
     dispose() {
-      tableau?.dispose();
+      if (tableau) GlContext.dismiss(tableau);
       tableau = null;
       own?.dispose();
       own = null;

@@ -1,4 +1,5 @@
 import { type Camera, type Object3D, Vector2, Vector3 } from "three";
+import type { Tenant } from "../context";
 import { lengthText, type Unit } from "../length";
 import { type Bounds, checkFinite, MeshError } from "../mesh";
 import type { Pot } from "../pot";
@@ -61,7 +62,7 @@ function within(x: number, margin: number, size: number): number {
 type StrokeName = keyof typeof STYLES;
 
 /** Everything that is drawn over the pot to explain it. */
-export class Overlays {
+export class Overlays implements Tenant {
   readonly objects: Object3D[] = [];
   private readonly pen: Pen = { viewport: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
   private readonly wireframe: Wireframe;
@@ -161,6 +162,12 @@ export class Overlays {
     }
   }
 
+  /** Points (xyz, model units) that a fitted view must contain besides the pot: the dimension lines, when they are seen. */
+  outline(bounds: Bounds, azimuth: number): number[] {
+    if (!this.shown.axes) return [];
+    return dimensionsOf(bounds, [Math.cos(azimuth), Math.sin(azimuth)]).flatMap((dimension) => dimension.segments);
+  }
+
   /** Sets the size of what is drawn next, in device pixels, and device pixels per CSS pixel. */
   scale(width: number, height: number, ratio: number): void {
     this.pen.viewport.value.set(width, height);
@@ -183,9 +190,14 @@ export class Overlays {
     }
   }
 
+  /** Gives up everything on the GPU. */
+  release(): void {
+    this.stale = true;
+    for (const stroke of Object.values(this.strokes)) stroke.release();
+    this.wireframe.release();
+  }
+
   dispose(): void {
-    for (const stroke of Object.values(this.strokes)) stroke.dispose();
-    this.wireframe.dispose();
     for (const label of this.labels) label.dispose();
   }
 

@@ -149,7 +149,8 @@ export class Stroke {
     for (const object of this.objects) object.visible = visible;
   }
 
-  dispose(): void {
+  /** Gives up everything on the GPU. */
+  release(): void {
     this.geometry.dispose();
     for (const object of this.objects) object.material.dispose();
   }

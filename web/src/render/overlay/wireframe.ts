@@ -58,7 +58,7 @@ export class Wireframe {
     const { indices } = pot;
     if (this.of !== indices) {
       this.of = indices;
-      this.release(geometry);
+      this.drop(geometry);
       this.object.geometry = new BufferGeometry();
       this.object.geometry.setIndex(new BufferAttribute(edgesOf(indices), 1));
     }
@@ -67,13 +67,15 @@ export class Wireframe {
     this.ink.value = pot.dark ? LIGHT_INK : DARK_INK;
   }
 
-  dispose(): void {
-    this.release(this.object.geometry);
+  /** Gives up everything on the GPU. */
+  release(): void {
+    this.drop(this.object.geometry);
     this.object.material.dispose();
+    this.of = null;
   }
 
   /** The positions belong to the pot: disposing of a geometry that still has them would delete its buffer. */
-  private release(geometry: BufferGeometry): void {
+  private drop(geometry: BufferGeometry): void {
     geometry.deleteAttribute("position");
     geometry.dispose();
   }

@@ -1,0 +1,84 @@
+//! A Chromium for the browser tests.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+
+use crate::workspace::Workspace;
+use crate::{command, node};
+
+/// The variable that names a browser to use.
+pub(crate) const VARIABLE: &str = "PASU_BROWSER";
+
+const NAMES: [&str; 7] = [
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+    "chrome",
+    "microsoft-edge",
+    "microsoft-edge-stable",
+];
+
+/// Where browsers live that are not on the path.
+const PLACES: [&str; 6] = [
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+    "/Applications/Chromium.app/Contents/MacOS/Chromium",
+    "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
+    r"C:\Program Files\Google\Chrome\Application\chrome.exe",
+    r"C:\Program Files (x86)\Google\Chrome\Application\chrome.exe",
+    r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
+];
+
+/// A browser that is installed, else Debian's, else the one that Playwright downloads.
+pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
+    if let Some(named) = std::env::var_os(VARIABLE) {
+        let named = PathBuf::from(named);
+        if named.is_file() {
+            return Ok(named);
+        }
+        bail!("{VARIABLE} names {}, which is not there", named.display());
+    }
+    if let Some(found) = installed() {
+        return Ok(found);
+    }
+    if Path::new("/etc/debian_version").exists() && is_root() {
+        println!("installing Debian's chromium");
+        let apt = |arguments: &[&str]| {
+            command::run(Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
+        };
+        let done =
+            apt(&["update", "-q"]).and_then(|()| apt(&["install", "-y", "-q", "--no-install-recommends", "chromium"]));
+        match (done, installed()) {
+            (Ok(()), Some(found)) => return Ok(found),
+            (Err(error), _) => println!("that did not work: {error:#}"),
+            (Ok(()), None) => println!("that did not bring a browser"),
+        }
+    }
+    println!("installing Playwright's chromium");
+    command::run(node::script(workspace, "playwright-core/cli.js").args(["install", "--no-shell", "chromium"]))
+        .ok()
+        .and_then(|()| downloaded(workspace))
+        .context(
+            "no browser was found for the browser tests; install Chromium or Google Chrome, or set PASU_BROWSER to one, \
+             or leave these tests out with `cargo xtask test --fast`",
+        )
+}
+
+fn installed() -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let on_path = std::env::split_paths(&path).flat_map(|folder| NAMES.map(|name| folder.join(name)));
+    on_path.chain(PLACES.iter().map(PathBuf::from)).find(|candidate| candidate.is_file())
+}
+
+/// Where Playwright puts its own.
+fn downloaded(workspace: &Workspace) -> Option<PathBuf> {
+    const ASK: &str = "process.stdout.write(require('playwright-core').chromium.executablePath())";
+    let path = command::read(Command::new("node").args(["-e", ASK]).current_dir(workspace.web())).ok()?;
+    Some(PathBuf::from(path)).filter(|path| path.is_file())
+}
+
+fn is_root() -> bool {
+    command::read(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
+}

@@ -1,0 +1,104 @@
+//! `cargo xtask test`: every check there is.
+
+use std::process::Command;
+
+use anyhow::{Result, bail};
+
+use crate::report::{Report, cargo_count, node_count, vitest_count};
+use crate::wasm_package::{self, Care};
+use crate::workspace::{Workspace, cargo};
+use crate::{browser, command, node, site, tidy, wasm_target, weight};
+
+const HELP: &str = "\
+cargo xtask test [--fast]
+
+Runs, and goes on after a failure: the rules of the house, the formatter, clippy, the tests of the
+mathematics, the WebAssembly tests in Node, the TypeScript check, the linter, the tests of the front
+end and of the library as it is published, and the browser tests.
+
+  --fast   leave out what needs a browser";
+
+pub(crate) fn main(arguments: &[String]) -> Result<()> {
+    let fast = match arguments {
+        [] => false,
+        [word] if word == "--fast" => true,
+        [word] if word == "--help" || word == "-h" => {
+            println!("{HELP}");
+            return Ok(());
+        }
+        _ => bail!("not understood: {}\n\n{HELP}", arguments.join(" ")),
+    };
+    let workspace = Workspace::find()?;
+    wasm_target::ensure(&workspace)?;
+    node::ensure(&workspace)?;
+
+    let mut report = Report::default();
+    rust(&mut report, &workspace);
+    report.check("library package", || wasm_package::build(&workspace, Care::Release));
+    front_end(&mut report, &workspace);
+    report.check("site and its weight", || {
+        site::build(&workspace, Care::Release)?;
+        weight::check(&workspace)
+    });
+    if !fast {
+        report.tests("browser tests", vitest_count, || {
+            let mut vitest = node::script(&workspace, "vitest/vitest.mjs");
+            vitest.args(["run", "--config", "vitest.e2e.config.ts"]);
+            vitest.env(browser::VARIABLE, browser::ensure(&workspace)?);
+            Ok(vitest)
+        });
+    }
+    report.close()
+}
+
+fn rust(report: &mut Report, workspace: &Workspace) {
+    let cargo = |arguments: &[&str]| {
+        let mut command = Command::new(cargo());
+        command.args(arguments).current_dir(workspace.root());
+        command
+    };
+    report.check("rules of the house", || tidy::check(workspace.root()));
+    report.check("rustfmt", || command::run(&mut cargo(&["fmt", "--all", "--check"])));
+    report.check("clippy", || {
+        command::run(&mut cargo(&["clippy", "--all-targets", "--all-features", "--", "-D", "warnings"]))
+    });
+    report.check("clippy for WebAssembly", || {
+        let target = ["--target", wasm_target::TRIPLE];
+        command::run(
+            cargo(&["clippy", "--package", "pasu-wasm", "--all-targets"]).args(target).args(["--", "-D", "warnings"]),
+        )
+    });
+    report.check("documentation", || {
+        command::run(cargo(&["doc", "--no-deps", "--package", "pasu", "--quiet"]).env("RUSTDOCFLAGS", "-D warnings"))
+    });
+    report.tests("native tests", cargo_count, || Ok(cargo(&["test", "--no-fail-fast"])));
+    report.tests("WebAssembly tests in Node", cargo_count, || {
+        command::run(&mut cargo(&["build", "--package", "wasm-test-runner"]))?;
+        let runner = workspace.target().join("debug").join(format!("wasm-test-runner{}", std::env::consts::EXE_SUFFIX));
+        let mut tests = cargo(&["test", "--package", "pasu-wasm", "--no-fail-fast", "--target", wasm_target::TRIPLE]);
+        tests.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER", runner);
+        // The runner's own backtrace says nothing about a test that failed.
+        tests.env("RUST_BACKTRACE", "0");
+        Ok(tests)
+    });
+}
+
+fn front_end(report: &mut Report, workspace: &Workspace) {
+    report.check("TypeScript", || {
+        for project in ["tsconfig.json", "src/sw/tsconfig.json", "../tests/tsconfig.json"] {
+            command::run(node::script(workspace, "typescript/bin/tsc").args(["--project", project]))?;
+        }
+        Ok(())
+    });
+    report.check("Biome", || command::run(node::script(workspace, "@biomejs/biome/bin/biome").args(["ci", ".."])));
+    report.tests("library in Node", node_count, || {
+        let mut tests = Command::new("node");
+        tests.args(["--test", "--test-reporter=tap", "tests/package/"]).current_dir(workspace.root());
+        Ok(tests)
+    });
+    report.tests("front-end unit tests", vitest_count, || {
+        let mut vitest = node::script(workspace, "vitest/vitest.mjs");
+        vitest.arg("run");
+        Ok(vitest)
+    });
+}

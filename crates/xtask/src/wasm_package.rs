@@ -1,0 +1,146 @@
+//! The npm package: Rust to WebAssembly, bindings, optimisation, and the files around them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::stamp::Stamp;
+use crate::workspace::{Workspace, cargo};
+use crate::{command, node, wasm_target};
+
+/// How carefully the module is compiled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Care {
+    /// For working: recompiled in a second or two.
+    Fast,
+    /// For shipping: optimised as a whole, then by wasm-opt.
+    Release,
+}
+
+impl Care {
+    /// The profile in Cargo.toml.
+    fn profile(self) -> &'static str {
+        match self {
+            Care::Fast => "wasm-fast",
+            Care::Release => "wasm",
+        }
+    }
+}
+
+/// Files that are copied into the package as they are.
+const COPIED: [(&str, &str); 6] = [
+    ("crates/pasu-wasm/js/pasu.js", "pasu.js"),
+    ("crates/pasu-wasm/js/node.js", "node.js"),
+    ("crates/pasu-wasm/js/pasu.d.ts", "pasu.d.ts"),
+    ("crates/pasu-wasm/js/README.md", "README.md"),
+    ("LICENSE-MIT", "LICENSE-MIT"),
+    ("LICENSE-APACHE", "LICENSE-APACHE"),
+];
+
+/// What wasm-opt may assume: the features that rustc compiles for by default, present in every browser since 2022.
+const WASM_OPT: [&str; 9] = [
+    "-O3",
+    "--enable-bulk-memory",
+    "--enable-bulk-memory-opt",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+    "--enable-simd",
+];
+
+/// Builds the package into `crates/pasu-wasm/pkg`; unchanged inputs rebuild nothing.
+pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
+    wasm_target::ensure(workspace)?;
+    let compiled = compile(workspace, care)?;
+    let mut inputs = vec![compiled.clone(), workspace.bindings().join("js"), workspace.root().join("Cargo.toml")];
+    inputs.extend(COPIED.iter().map(|(from, _)| workspace.root().join(from)));
+    // This program's own text decides too: it holds the options of the steps below.
+    inputs.push(workspace.root().join("crates/xtask/src/wasm_package.rs"));
+    let stamp = Stamp::of(workspace, "package", &format!("{care:?}"), &inputs)?;
+    if stamp.is_fresh() && workspace.package().join("package.json").is_file() {
+        return Ok(());
+    }
+    stamp.clear();
+    println!("writing the package crates/pasu-wasm/pkg");
+    let package = workspace.package();
+    fs::create_dir_all(&package)?;
+    bind(workspace, &compiled, care)?;
+    for (from, to) in COPIED {
+        let from = workspace.root().join(from);
+        write(&package.join(to), &fs::read(&from).with_context(|| format!("cannot read {}", from.display()))?)?;
+    }
+    write(&package.join("package.json"), manifest(workspace)?.as_bytes())?;
+    stamp.save()
+}
+
+/// Compiles the bindings and returns the module.
+fn compile(workspace: &Workspace, care: Care) -> Result<PathBuf> {
+    command::run(
+        Command::new(cargo())
+            .args(["build", "--package", "pasu-wasm", "--lib", "--target", wasm_target::TRIPLE])
+            .args(["--profile", care.profile()])
+            .current_dir(workspace.root()),
+    )?;
+    Ok(workspace.target().join(wasm_target::TRIPLE).join(care.profile()).join("pasu_wasm.wasm"))
+}
+
+/// Turns the module into `bindings.js` and `pasu_bg.wasm`.
+fn bind(workspace: &Workspace, compiled: &Path, care: Care) -> Result<()> {
+    let scratch = workspace.target().join("xtask").join("bindgen");
+    fs::create_dir_all(&scratch)?;
+    Bindgen::new()
+        .input_path(compiled)
+        .web(true)?
+        .out_name("pasu")
+        .typescript(false)
+        // Without this, `init()` would demand an argument and bundlers would not see the module.
+        .omit_default_module_path(false)
+        .reset_state_function(true)
+        .remove_producers_section(true)
+        .remove_name_section(care == Care::Release)
+        .generate(&scratch)?;
+    let module = scratch.join("pasu_bg.wasm");
+    if care == Care::Release {
+        optimise(workspace, &module)?;
+    }
+    let package = workspace.package();
+    write(&package.join("pasu_bg.wasm"), &fs::read(&module)?)?;
+    write(&package.join("bindings.js"), &fs::read(scratch.join("pasu.js"))?)
+}
+
+/// Runs npm's wasm-opt. A wasm-opt of the operating system may be years older and break the module in silence.
+fn optimise(workspace: &Workspace, module: &Path) -> Result<()> {
+    node::ensure(workspace)?;
+    let optimised = module.with_extension("opt.wasm");
+    command::run(
+        node::script(workspace, "binaryen/bin/wasm-opt").args(WASM_OPT).arg(module).arg("-o").arg(&optimised),
+    )?;
+    fs::rename(&optimised, module)?;
+    Ok(())
+}
+
+/// The package's own package.json: ours, with the version of the workspace.
+fn manifest(workspace: &Workspace) -> Result<String> {
+    let path = workspace.bindings().join("js/package.json");
+    let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let placeholder = "\"0.0.0\"";
+    if !text.contains(placeholder) {
+        bail!("{} has no version {placeholder} to fill in", path.display());
+    }
+    Ok(text.replace(placeholder, concat!("\"", env!("CARGO_PKG_VERSION"), "\"")))
+}
+
+/// Replaces a file in one move, and only when it changes: a development server may be watching.
+fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    if fs::read(path).is_ok_and(|old| old == bytes) {
+        return Ok(());
+    }
+    let fresh = path.with_extension("fresh");
+    fs::write(&fresh, bytes).with_context(|| format!("cannot write {}", fresh.display()))?;
+    fs::rename(&fresh, path).with_context(|| format!("cannot write {}", path.display()))
+}

@@ -1,0 +1,116 @@
+//! What the designer weighs: the bytes that travel before the first picture.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+use flate2::{Compression, write::GzEncoder};
+use serde_json::Value;
+
+use crate::stamp::sorted_entries;
+use crate::workspace::Workspace;
+
+/// Prints the parts and refuses a site above the budget of `web/weight.json`.
+///
+/// Counted are the page, its styles, every script that it loads by itself (also those that it imports while it starts),
+/// the worker and the WebAssembly module, each as gzip. Not counted are modules listed there as `later`, which are
+/// loaded by a gesture, and the icons, manifest and service worker, which the first picture does not wait for.
+pub(crate) fn check(workspace: &Workspace) -> Result<()> {
+    let rules = read_json(&workspace.web().join("weight.json"))?;
+    let budget = rules["budget"].as_u64().context("web/weight.json has no budget in bytes")?;
+    let later: Vec<&str> = rules["later"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+
+    let dist = workspace.dist();
+    let manifest = read_json(&dist.join(".vite/manifest.json"))?;
+    for module in &later {
+        if manifest.get(module).is_none() {
+            bail!("web/weight.json lists {module} as loaded later, but the site has no such chunk");
+        }
+    }
+    let mut files = first_files(&manifest, &later);
+    files.insert("index.html".into());
+    files.extend(unlisted_assets(&dist, &manifest)?);
+
+    let mut total = 0;
+    println!("weight to the first picture (gzip)");
+    for file in &files {
+        let bytes = fs::read(dist.join(file)).with_context(|| format!("web/dist/{file} is missing"))?;
+        let size = gzip_size(&bytes)?;
+        total += size;
+        println!("  {:>8.1} kB  {file}", size as f64 / 1000.0);
+    }
+    println!("  {:>8.1} kB  of {:.0} kB", total as f64 / 1000.0, budget as f64 / 1000.0);
+    if total as u64 > budget {
+        bail!("the designer weighs {total} bytes, more than its budget of {budget} (web/weight.json)");
+    }
+    Ok(())
+}
+
+/// The scripts and styles of the page and of everything it imports, except what is loaded later.
+fn first_files(manifest: &Value, later: &[&str]) -> BTreeSet<String> {
+    let mut files = BTreeSet::new();
+    let mut seen = BTreeSet::new();
+    let mut waiting: Vec<&str> = manifest
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter(|(_, chunk)| chunk["isEntry"].as_bool() == Some(true))
+        .map(|(key, _)| key.as_str())
+        .collect();
+    while let Some(key) = waiting.pop() {
+        if later.contains(&key) || !seen.insert(key) {
+            continue;
+        }
+        let chunk = &manifest[key];
+        files.extend(chunk["file"].as_str().map(str::to_owned));
+        files.extend(chunk["css"].as_array().into_iter().flatten().filter_map(Value::as_str).map(str::to_owned));
+        for list in ["imports", "dynamicImports"] {
+            waiting.extend(chunk[list].as_array().into_iter().flatten().filter_map(Value::as_str));
+        }
+    }
+    files
+}
+
+/// Workers and WebAssembly modules: vite's manifest does not list them, and the first picture needs them all.
+fn unlisted_assets(dist: &Path, manifest: &Value) -> Result<Vec<String>> {
+    let listed: BTreeSet<&str> =
+        manifest.as_object().into_iter().flatten().filter_map(|(_, chunk)| chunk["file"].as_str()).collect();
+    let names = sorted_entries(&dist.join("assets"))?;
+    Ok(names
+        .iter()
+        .filter(|path| path.extension().is_some_and(|extension| extension == "js" || extension == "wasm"))
+        .filter_map(|path| Some(format!("assets/{}", path.file_name()?.to_str()?)))
+        .filter(|name| !listed.contains(name.as_str()) || name.ends_with(".wasm"))
+        .collect())
+}
+
+fn gzip_size(bytes: &[u8]) -> Result<usize> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::new(9));
+    encoder.write_all(bytes)?;
+    Ok(encoder.finish()?.len())
+}
+
+fn read_json(path: &Path) -> Result<Value> {
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    serde_json::from_str(&text).with_context(|| format!("{} is not JSON", path.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::first_files;
+
+    #[test]
+    fn what_is_loaded_later_is_not_counted_and_cycles_end() {
+        let manifest = serde_json::json!({
+            "index.html": { "file": "a.js", "isEntry": true, "css": ["a.css"], "imports": ["_b"], "dynamicImports": ["c.ts", "d.ts"] },
+            "_b": { "file": "b.js", "imports": ["index.html"] },
+            "c.ts": { "file": "c.js" },
+            "d.ts": { "file": "d.js", "imports": ["e.ts"] },
+            "e.ts": { "file": "e.js" },
+        });
+        let files: Vec<String> = first_files(&manifest, &["d.ts"]).into_iter().collect();
+        assert_eq!(files, ["a.css", "a.js", "b.js", "c.js"]);
+    }
+}

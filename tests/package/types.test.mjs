@@ -1,0 +1,90 @@
+// The types of the package, seen by a strict TypeScript project with and without a bundler.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { inFreshProject, ROOT } from "./install.mjs";
+
+const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
+
+const CONSUMER = `
+import init, {
+  type Derivatives, type Design, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse, PasuError, type PasuErrorCode,
+} from "pasu";
+
+const ready: Promise<void> = init(new URL("https://example.org/pasu_bg.wasm"));
+await ready;
+const design: Design = parse({ pasu: 1, parts: [] });
+for (const part of design.parts) {
+  const { shape } = part;
+  switch (shape.kind) {
+    case "second-order": { const r: number = shape.r[3]; void r; break; }
+    case "mixed-order": { const rise: number = shape.rise; void rise; break; }
+    case "fourth-order": { const rm: number = shape.rm; void rm; break; }
+    case "bloor-wilson": { const a: number = shape.a; void a; break; }
+    case "boundary-value": { const span: number | "2pi" = shape.span; void span; break; }
+    default: { const none: never = shape; void none; }
+  }
+}
+const text: string = link(design) + fingerprint(text_of(design));
+const made: Mesh = mesh(design, { rows: 3, columns: undefined });
+const numbers: Float32Array = made.positions;
+const indices: Uint32Array = made.indices;
+const at: Float64Array = evaluate(design, 0, [0, 0]);
+const slopes: Derivatives = derivatives(design, 0, at);
+try { parse("#1"); } catch (error) {
+  if (error instanceof PasuError) { const code: PasuErrorCode = error.code; const path: string = error.path; void code; void path; }
+}
+function text_of(design: Design): string { return JSON.stringify(design); }
+void text; void numbers; void indices; void slopes;
+
+// @ts-expect-error a part is named by its index
+evaluate(design, "0", at);
+// @ts-expect-error there is no such option
+mesh(design, { row: 3 });
+// @ts-expect-error a design has a unit of length
+const wrong: Design = { pasu: 1, unit: "furlong", parts: [] };
+// @ts-expect-error there is no such kind
+const teapot: Design["parts"][number]["shape"] = { kind: "teapot" };
+void wrong; void teapot;
+`;
+
+for (const [module, moduleResolution] of [
+  ["ESNext", "Bundler"],
+  ["NodeNext", "NodeNext"],
+]) {
+  test(`a strict project compiles against the types (${moduleResolution})`, async () => {
+    await inFreshProject((project) => {
+      writeFileSync(join(project, "consumer.mts"), CONSUMER);
+      const compilerOptions = {
+        target: "ES2022",
+        lib: ["ES2022", "DOM"],
+        types: [],
+        module,
+        moduleResolution,
+        strict: true,
+        exactOptionalPropertyTypes: true,
+        noUncheckedIndexedAccess: true,
+        noEmit: true,
+        skipLibCheck: false,
+      };
+      writeFileSync(join(project, "tsconfig.json"), JSON.stringify({ compilerOptions, include: ["consumer.mts"] }));
+      try {
+        execFileSync(process.execPath, [TSC, "--project", project], { encoding: "utf8" });
+      } catch (error) {
+        assert.fail(error.stdout);
+      }
+    });
+  });
+}
+
+test("the types list exactly the error codes that Rust can give", () => {
+  const words = (path, pattern) =>
+    [...readFileSync(join(ROOT, path), "utf8").matchAll(pattern)].map((match) => match[1]);
+  const rust = words("crates/pasu/src/error.rs", /Code::\w+ => "([a-z-]+)"/g);
+  const types = words("crates/pasu-wasm/js/pasu.d.ts", /^ {2}\| "([a-z-]+)"/gm);
+  assert.ok(rust.length > 10);
+  assert.deepEqual(types.toSorted(), [...rust, "not-ready", "bug"].toSorted());
+});

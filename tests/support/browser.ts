@@ -1,0 +1,28 @@
+// A headless Chromium with WebGL in software, the one that `cargo xtask test` found.
+
+import { existsSync } from "node:fs";
+import { type Browser, chromium } from "playwright-core";
+
+/** Where a test run by hand looks when PASU_BROWSER is not set. */
+const USUAL = [
+  "/usr/bin/chromium",
+  "/usr/bin/chromium-browser",
+  "/usr/bin/google-chrome",
+  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+];
+
+/** Starts a browser. Every test opens its own context, which is a fresh profile. */
+export async function launch(): Promise<Browser> {
+  const executablePath = process.env.PASU_BROWSER ?? USUAL.find(existsSync);
+  return await chromium.launch({
+    ...(executablePath === undefined ? {} : { executablePath }),
+    args: [
+      "--no-sandbox",
+      "--enable-unsafe-swiftshader",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "--disable-sync",
+      "--no-first-run",
+    ],
+  });
+}
