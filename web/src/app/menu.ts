@@ -1,0 +1,103 @@
+/** A button that opens a small panel of controls above or below itself. Escape and a press elsewhere close it. */
+
+import { css, html, LitElement, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import { type IconName, icon } from "./icons";
+import { base, buttons } from "./styles";
+
+@customElement("pasu-menu")
+export class PasuMenu extends LitElement {
+  @property() label = "";
+  @property() icon: IconName = "more";
+  /** Show the icon alone; the label is then spoken only. */
+  @property({ type: Boolean }) bare = false;
+  /** Which way the panel opens. */
+  @property({ reflect: true }) side: "up" | "down" = "down";
+  /** Whether a choice inside closes the panel. */
+  @property({ type: Boolean }) once = false;
+  @state() private open = false;
+  @query("button") private readonly button!: HTMLButtonElement;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    document.addEventListener("pointerdown", this.pressed, true);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    document.removeEventListener("pointerdown", this.pressed, true);
+  }
+
+  override render() {
+    return html`
+      <button
+        class="button ${this.bare ? "bare" : ""}"
+        type="button"
+        aria-expanded=${this.open ? "true" : "false"}
+        aria-controls="panel"
+        aria-label=${this.bare ? this.label : nothing}
+        title=${this.bare ? this.label : nothing}
+        @click=${() => {
+          this.open = !this.open;
+        }}
+      >
+        ${icon(this.icon)}${this.bare ? nothing : html`<span>${this.label}</span>`}
+      </button>
+      <div id="panel" ?hidden=${!this.open} @click=${this.chosen} @keydown=${this.key}><slot></slot></div>
+    `;
+  }
+
+  private readonly pressed = (event: Event): void => {
+    if (this.open && !event.composedPath().includes(this)) this.open = false;
+  };
+
+  private readonly chosen = (): void => {
+    if (!this.once) return;
+    this.open = false;
+    this.button.focus();
+  };
+
+  private readonly key = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    this.open = false;
+    this.button.focus();
+  };
+
+  static override readonly styles = [
+    base,
+    buttons,
+    css`
+      :host {
+        position: relative;
+        display: inline-block;
+      }
+      #panel {
+        position: absolute;
+        z-index: 30;
+        right: 0;
+        top: calc(100% + 6px);
+        min-width: 210px;
+        padding: 6px;
+        border: 1px solid var(--line);
+        border-radius: 12px;
+        background: var(--sheet);
+        box-shadow: 0 12px 40px var(--shadow);
+      }
+      :host([side="up"]) #panel {
+        top: auto;
+        bottom: calc(100% + 6px);
+      }
+      ::slotted(*) {
+        display: flex !important;
+        width: 100%;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-menu": PasuMenu;
+  }
+}

@@ -1,0 +1,443 @@
+/** The page: bar, stage and panel, the keys that work everywhere, what is dropped on it, and its dialogues. */
+
+import { css, html, nothing } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import type { Refusal } from "../document/types";
+import "./dialog";
+import { DesignerElement } from "./element";
+import { fileName, pickFile, saveBlob } from "./files";
+import "./gallery-dialog";
+import "./help-dialog";
+import { icon } from "./icons";
+import "./new-dialog";
+import "./picture-dialog";
+import type { PictureSize } from "./picture-dialog";
+import "./side-panel";
+import "./stage-view";
+import type { PasuPanel } from "./side-panel";
+import type { PasuStage } from "./stage-view";
+import { base, buttons, fields } from "./styles";
+import "./top-bar";
+import type { Command, CommandEvent } from "./top-bar";
+
+const NOTICE_MS = 6000;
+
+@customElement("pasu-app")
+export class PasuApp extends DesignerElement {
+  @state() private dialog: "none" | "new" | "gallery" | "help" | "picture" | "link" = "none";
+  @state() private address = "";
+  @state() private dropping = false;
+  private spoken = "";
+  @query("pasu-stage") private readonly stage!: PasuStage;
+  @query("pasu-panel") private readonly panel!: PasuPanel;
+  private noticeTimer: ReturnType<typeof setTimeout> | undefined;
+  private noticed = 0;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("keydown", this.key);
+    window.addEventListener("dragover", this.dragOver);
+    window.addEventListener("dragleave", this.dragLeave);
+    window.addEventListener("drop", this.drop);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("keydown", this.key);
+    window.removeEventListener("dragover", this.dragOver);
+    window.removeEventListener("dragleave", this.dragLeave);
+    window.removeEventListener("drop", this.drop);
+  }
+
+  override render() {
+    const { designer } = this;
+    return html`
+      <button class="skip" type="button" @click=${() => this.panel.focus()}>Skip to the parameters</button>
+      <header>
+        <pasu-top-bar .designer=${designer} @command-chosen=${(event: CommandEvent) => void this.perform(event.command)}></pasu-top-bar>
+      </header>
+      <main aria-label="The pot">
+        <pasu-stage .designer=${designer}></pasu-stage>
+        <div class="banners">${this.banners()}</div>
+        ${this.dropping ? html`<div class="drop"><p>Drop to open</p></div>` : nothing}
+      </main>
+      <aside aria-label="Parameters">
+        <pasu-panel .designer=${designer}></pasu-panel>
+      </aside>
+      <p class="spoken" role="status">${this.spoken}</p>
+      <div class="toasts" role="status">
+        ${designer.notice ? html`<p class="toast">${icon("check")}<span>${designer.notice.text}</span></p>` : nothing}
+      </div>
+      ${this.dialogues()}
+    `;
+  }
+
+  private banners() {
+    const { designer } = this;
+    const { problem, openProblem } = designer;
+    return html`
+      ${
+        openProblem
+          ? html`<div class="banner" role="alert">
+              ${icon("warn")} ${explain(openProblem)}
+              <button class="button bare" type="button" aria-label="Dismiss" @click=${() => designer.dismissOpenProblem()}>
+                ${icon("close")}
+              </button>
+            </div>`
+          : nothing
+      }
+      ${
+        problem
+          ? html`<div class="banner" role="alert">
+              ${icon("warn")} ${explain(problem)}
+              ${
+                designer.store.canUndo
+                  ? html`<button class="button outlined" type="button" @click=${() => designer.undo()}>Undo</button>`
+                  : nothing
+              }
+            </div>`
+          : nothing
+      }
+      ${
+        designer.newVersion
+          ? html`<div class="banner calm" role="status">
+              <p>A new version of Pasu is ready. Your pot is kept.</p>
+              <button class="button outlined" type="button" @click=${() => location.reload()}>Reload</button>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  private dialogues() {
+    const { designer } = this;
+    const close = () => {
+      this.dialog = "none";
+    };
+    if (designer.conflict) {
+      return html`<pasu-dialog heading="Open this link?" @dialog-closed=${() => designer.settleConflict("mine")}>
+        <p>
+          This link differs from your unsaved work${designer.state.design.title ? html` “${designer.state.design.title}”` : nothing}. Opening it
+          can be undone as long as this page stays open.
+        </p>
+        <button slot="actions" class="button outlined" type="button" @click=${() => designer.settleConflict("mine")}>Keep mine</button>
+        <button slot="actions" class="button primary" type="button" @click=${() => designer.settleConflict("theirs")}>Open the link</button>
+      </pasu-dialog>`;
+    }
+    switch (this.dialog) {
+      case "none":
+        return nothing;
+      case "new":
+        return html`<pasu-new .designer=${designer} @new-closed=${close}></pasu-new>`;
+      case "gallery":
+        return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
+      case "help":
+        return html`<pasu-help @help-closed=${close}></pasu-help>`;
+      case "picture":
+        return html`<pasu-picture .save=${this.savePicture} @picture-closed=${close}></pasu-picture>`;
+      case "link":
+        return html`<pasu-dialog heading="The link of this pot" @dialog-closed=${close}>
+          <p>Your browser did not let the page copy it. Copy it from here:</p>
+          <input
+            class="field address"
+            aria-label="Link"
+            readonly
+            .value=${this.address}
+            @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
+          />
+        </pasu-dialog>`;
+    }
+  }
+
+  override willUpdate(): void {
+    const { description, shown, state, status } = this.designer;
+    if (status === "ready" && shown?.settled && shown.design === state.design) this.spoken = description;
+  }
+
+  override updated(): void {
+    const { designer } = this;
+    const { shown, status } = designer;
+    const { design, session } = designer.state;
+    document.title = design.title ? `${design.title} · Pasu` : "Pasu";
+    if (session.theme === "auto") delete document.documentElement.dataset.theme;
+    else document.documentElement.dataset.theme = session.theme;
+    const settled = shown?.settled === true && shown.design === design;
+    this.dataset.state = status === "starting" ? "solving" : status;
+    this.dataset.fingerprint = settled ? shown.solved.fingerprint : "";
+    this.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
+    const notice = designer.notice;
+    if (notice && notice.id !== this.noticed) {
+      this.noticed = notice.id;
+      clearTimeout(this.noticeTimer);
+      this.noticeTimer = setTimeout(() => designer.dismissNotice(notice.id), NOTICE_MS);
+    }
+  }
+
+  private async perform(command: Command): Promise<void> {
+    switch (command) {
+      case "new":
+      case "gallery":
+      case "help":
+      case "picture":
+        this.dialog = command;
+        return;
+      case "open": {
+        const file = await pickFile(".json,application/json");
+        if (file) await this.designer.openFile(file);
+        return;
+      }
+      case "save":
+        await this.designer.save();
+        return;
+      case "link":
+        await this.copyLink();
+        return;
+      case "share":
+        await this.share();
+        return;
+    }
+  }
+
+  private async copyLink(): Promise<void> {
+    const address = await this.linkOrSay();
+    if (address === null) return;
+    try {
+      await navigator.clipboard.writeText(address);
+      this.designer.say("Link copied. Whoever opens it sees this very pot.");
+    } catch {
+      this.address = address;
+      this.dialog = "link";
+    }
+    this.designer.markShared();
+  }
+
+  private async share(): Promise<void> {
+    const url = await this.linkOrSay();
+    if (url === null) return;
+    try {
+      await navigator.share({ title: this.designer.state.design.title ?? "A pot", url });
+      this.designer.markShared();
+    } catch (error) {
+      // Closing the share sheet is not a failure.
+      if (!(error instanceof DOMException && error.name === "AbortError"))
+        this.designer.say("Sharing did not work here.");
+    }
+  }
+
+  private async linkOrSay(): Promise<string | null> {
+    const address = await this.designer.address();
+    if (address === null) this.designer.say("There is no link yet: the design has a value that the solver cannot use.");
+    return address;
+  }
+
+  private readonly savePicture = async ({ width, height, transparent }: PictureSize): Promise<string | null> => {
+    try {
+      const blob = await this.stage.picture(width, height, transparent);
+      if (!blob) return "Pictures need WebGL2, which this browser does not have.";
+      const name = fileName(this.designer.state.design.title, "png");
+      saveBlob(blob, name);
+      this.designer.say(`Saved as “${name}”.`);
+      return null;
+    } catch {
+      return "The graphics card could not draw a picture of this size. Try a smaller one.";
+    }
+  };
+
+  private readonly key = (event: KeyboardEvent): void => {
+    if (event.defaultPrevented || this.designer.conflict || this.dialog !== "none") return;
+    const typing = isText(event.composedPath()[0]);
+    const command = event.ctrlKey || event.metaKey;
+    const key = event.key.toLowerCase();
+    if (command && !event.altKey) {
+      if (key === "s") void this.perform("save");
+      else if (key === "o") void this.perform("open");
+      else if (typing) return;
+      else if (key === "z" && event.shiftKey) this.designer.redo();
+      else if (key === "z") this.designer.undo();
+      else if (key === "y") this.designer.redo();
+      else return;
+    } else if (event.key === "?" && !typing) {
+      this.dialog = "help";
+    } else return;
+    event.preventDefault();
+  };
+
+  private readonly dragOver = (event: DragEvent): void => {
+    const types = event.dataTransfer?.types ?? [];
+    if (!types.includes("Files") && !types.includes("text/uri-list") && !types.includes("text/plain")) return;
+    if (!types.includes("Files") && isText(event.composedPath()[0])) return;
+    event.preventDefault();
+    this.dropping = true;
+  };
+
+  private readonly dragLeave = (event: DragEvent): void => {
+    if (event.relatedTarget === null) this.dropping = false;
+  };
+
+  private readonly drop = (event: DragEvent): void => {
+    this.dropping = false;
+    const data = event.dataTransfer;
+    const file = data?.files[0];
+    const text = data?.getData("text/uri-list") || data?.getData("text/plain") || "";
+    if (!file && (text === "" || isText(event.composedPath()[0]))) return;
+    event.preventDefault();
+    void (file ? this.designer.openFile(file) : this.designer.openText(text));
+  };
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    css`
+      :host {
+        display: grid;
+        grid: 60px minmax(0, 1fr) / minmax(0, 1fr) min(392px, 34vw);
+        height: 100dvh;
+        background: var(--paper);
+      }
+      header {
+        grid-column: 1 / -1;
+        display: grid;
+        position: relative;
+        z-index: 20;
+      }
+      main {
+        position: relative;
+        display: grid;
+        min-width: 0;
+        min-height: 0;
+      }
+      aside {
+        display: grid;
+        min-height: 0;
+        border-left: 1px solid var(--line);
+      }
+      .skip {
+        position: fixed;
+        z-index: 100;
+        top: 8px;
+        left: 8px;
+        min-height: 44px;
+        padding: 0 16px;
+        border: 0;
+        border-radius: var(--radius);
+        background: var(--accent);
+        color: var(--on-accent);
+        translate: 0 -80px;
+      }
+      .skip:focus {
+        translate: 0;
+      }
+      .banners {
+        position: absolute;
+        z-index: 6;
+        inset: 14px 14px auto;
+        display: grid;
+        justify-items: center;
+        gap: 8px;
+        pointer-events: none;
+      }
+      .banner {
+        display: flex;
+        align-items: center;
+        gap: 12px;
+        max-width: 620px;
+        padding: 10px 10px 10px 16px;
+        border: 1px solid var(--warn);
+        border-radius: 13px;
+        background: var(--warn-wash);
+        box-shadow: 0 8px 26px var(--shadow);
+        pointer-events: auto;
+      }
+      .banner > .icon {
+        color: var(--warn);
+      }
+      .banner small {
+        display: block;
+        color: var(--soft);
+        font-size: 0.82rem;
+        overflow-wrap: anywhere;
+      }
+      .calm {
+        border-color: var(--line);
+        background: var(--sheet);
+      }
+      .drop {
+        position: absolute;
+        z-index: 8;
+        inset: 12px;
+        display: grid;
+        place-items: center;
+        border: 2px dashed var(--accent);
+        border-radius: 18px;
+        background: color-mix(in srgb, var(--accent-wash) 80%, transparent);
+        font-size: 1.2rem;
+        pointer-events: none;
+      }
+      .toasts {
+        position: fixed;
+        z-index: 60;
+        inset: auto 0 76px;
+        display: grid;
+        justify-items: center;
+        pointer-events: none;
+      }
+      .toast {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        max-width: calc(100vw - 32px);
+        padding: 11px 18px;
+        border-radius: 13px;
+        background: var(--ink);
+        color: var(--paper);
+        box-shadow: 0 10px 34px var(--shadow);
+      }
+      .address {
+        width: 100%;
+        margin-top: 10px;
+      }
+      @media (max-width: 859px) {
+        :host {
+          grid: 56px minmax(0, 46fr) minmax(0, 54fr) / minmax(0, 1fr);
+        }
+        aside {
+          border-left: 0;
+          border-top: 1px solid var(--line);
+          border-radius: 18px 18px 0 0;
+          overflow: hidden;
+          box-shadow: 0 -6px 24px var(--shadow);
+          z-index: 5;
+          margin-top: -14px;
+        }
+      }
+      @media (max-height: 520px) and (max-width: 979px) and (orientation: landscape) {
+        :host {
+          grid: 52px minmax(0, 1fr) / minmax(0, 1fr) 46vw;
+        }
+        aside {
+          margin-top: 0;
+          border-radius: 0;
+        }
+      }
+    `,
+  ];
+}
+
+function explain(problem: Refusal) {
+  return html`<p>${problem.message}${problem.path === "" ? nothing : html`<small>${problem.path}</small>`}</p>`;
+}
+
+const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);
+
+/** Whether keys pressed there are for the text in it. */
+function isText(target: EventTarget | undefined): boolean {
+  if (target instanceof HTMLInputElement) return TEXT_TYPES.has(target.type);
+  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-app": PasuApp;
+  }
+}

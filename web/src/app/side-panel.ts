@@ -1,0 +1,174 @@
+/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders and the look. */
+
+import { css, html, nothing } from "lit";
+import { customElement, query } from "lit/decorators.js";
+import { selectPart, selectTab } from "../state/actions";
+import { TABS, type Tab } from "../state/session";
+import { DesignerElement } from "./element";
+import "./look-panel";
+import "./orders-panel";
+import "./parameters";
+import "./profile-editor";
+import { base, fields } from "./styles";
+
+const TAB_NAMES: Readonly<Record<Tab, string>> = { shape: "Shape", profile: "Profile", order: "Order", look: "Look" };
+
+@customElement("pasu-panel")
+export class PasuPanel extends DesignerElement {
+  @query("[aria-selected=true]") private readonly selected!: HTMLButtonElement;
+  @query(".body") private readonly body!: HTMLElement;
+
+  override focus(options?: FocusOptions): void {
+    this.selected.focus(options);
+  }
+
+  override render() {
+    const { tab } = this.designer.state.session;
+    return html`
+      <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.key}>
+        ${TABS.map(
+          (name) => html`<button
+            type="button"
+            role="tab"
+            id="tab-${name}"
+            aria-controls="body"
+            aria-selected=${tab === name ? "true" : "false"}
+            tabindex=${tab === name ? 0 : -1}
+            @click=${() => this.select(name)}
+          >
+            ${TAB_NAMES[name]}
+          </button>`,
+        )}
+      </div>
+      <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
+        <h2 class="spoken">${TAB_NAMES[tab]}</h2>
+        ${this.parts()} ${this.content(tab)}
+      </div>
+    `;
+  }
+
+  private content(tab: Tab) {
+    const { designer } = this;
+    switch (tab) {
+      case "shape":
+        return html`<pasu-parameters .designer=${designer}></pasu-parameters>`;
+      case "profile":
+        return html`<pasu-profile .designer=${designer}></pasu-profile>`;
+      case "order":
+        return html`<pasu-orders .designer=${designer}></pasu-orders>`;
+      case "look":
+        return html`<pasu-look .designer=${designer}></pasu-look>`;
+    }
+  }
+
+  private parts() {
+    const { design, session } = this.designer.state;
+    if (design.parts.length < 2) return nothing;
+    return html`<label class="part">
+      <span>Part</span>
+      <select
+        class="field"
+        @change=${(event: Event) =>
+          this.designer.apply(selectPart(this.designer.state, Number((event.target as HTMLSelectElement).value)))}
+      >
+        ${design.parts.map(
+          (part, index) =>
+            html`<option value=${index} ?selected=${index === session.part}>${part.name ?? `Part ${index + 1}`}</option>`,
+        )}
+      </select>
+    </label>`;
+  }
+
+  private select(tab: Tab): void {
+    this.designer.apply(selectTab(tab));
+    this.body.scrollTop = 0;
+  }
+
+  private readonly key = (event: KeyboardEvent): void => {
+    const now = TABS.indexOf(this.designer.state.session.tab);
+    const to =
+      event.key === "ArrowRight"
+        ? now + 1
+        : event.key === "ArrowLeft"
+          ? now - 1
+          : event.key === "Home"
+            ? 0
+            : event.key === "End"
+              ? TABS.length - 1
+              : null;
+    const tab = to === null ? undefined : TABS[(to + TABS.length) % TABS.length];
+    if (!tab) return;
+    event.preventDefault();
+    this.select(tab);
+    void this.updateComplete.then(() => this.selected.focus());
+  };
+
+  static override readonly styles = [
+    base,
+    fields,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto 1fr;
+        min-height: 0;
+        min-width: 0;
+        background: var(--sheet);
+      }
+      .tabs {
+        display: flex;
+        padding: 0 14px;
+        border-bottom: 1px solid var(--line);
+      }
+      [role="tab"] {
+        flex: 1;
+        min-height: 46px;
+        padding: 0 6px;
+        border: 0;
+        border-bottom: 2.5px solid transparent;
+        border-top: 2.5px solid transparent;
+        background: none;
+        color: var(--soft);
+        cursor: pointer;
+      }
+      [role="tab"]:hover {
+        color: var(--ink);
+      }
+      [role="tab"]:focus-visible {
+        outline-offset: -4px;
+      }
+      [role="tab"][aria-selected="true"] {
+        border-bottom-color: var(--accent);
+        color: var(--ink);
+        font-weight: 600;
+      }
+      .body {
+        padding: 14px 20px 28px;
+        overflow-y: auto;
+        overscroll-behavior: contain;
+        scrollbar-gutter: stable;
+        outline-offset: -3px;
+      }
+      .part {
+        display: flex;
+        align-items: center;
+        gap: 12px;
+        padding-bottom: 12px;
+      }
+      .part .field {
+        flex: 1;
+      }
+      @media (max-width: 859px) {
+        .body {
+          padding: 10px 16px calc(24px + env(safe-area-inset-bottom));
+          scrollbar-gutter: auto;
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-panel": PasuPanel;
+  }
+}

@@ -1,0 +1,100 @@
+/** The pot without WebGL2: triangles painted from back to front into a plain 2D canvas, with one soft light. */
+
+import type { MeshArrays } from "../solver/messages";
+
+/** Turned a little and seen from above, like the stage's three-quarter view. */
+const TURN = Math.PI / 5;
+const TILT = 0.38;
+const LIGHT = [-0.45, -0.55, 0.7] as const;
+const MARGIN = 0.86;
+
+type Rgb = readonly [number, number, number];
+
+interface Face {
+  readonly depth: number;
+  readonly shade: number;
+  readonly corners: readonly number[];
+}
+
+/** Draws the mesh to fill the canvas; the canvas keeps its size in pixels. */
+export function drawStill(mesh: MeshArrays, canvas: HTMLCanvasElement, colour: Rgb): void {
+  const context = canvas.getContext("2d");
+  if (!context) return;
+  const { width, height } = canvas;
+  context.clearRect(0, 0, width, height);
+  const points = project(mesh.positions);
+  const scale = frameOf(points, width, height);
+  const faces = facesOf(mesh, points);
+  faces.sort((a, b) => a.depth - b.depth);
+  for (const { corners, shade } of faces) {
+    context.beginPath();
+    for (let i = 0; i < corners.length; i += 2) {
+      const x = scale.x + scale.k * (corners[i] ?? 0);
+      const y = scale.y - scale.k * (corners[i + 1] ?? 0);
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    }
+    context.closePath();
+    const paint = `rgb(${colour.map((channel) => Math.round(255 * Math.min(1, channel * shade))).join(" ")})`;
+    context.fillStyle = paint;
+    // A hairline in the same paint closes the gaps that antialiasing leaves between neighbours.
+    context.strokeStyle = paint;
+    context.lineWidth = 0.7;
+    context.fill();
+    context.stroke();
+  }
+}
+
+/** Right, up and towards the eye, for every vertex. */
+function project(positions: Float32Array): Float32Array {
+  const out = new Float32Array(positions.length);
+  const [ct, st, cp, sp] = [Math.cos(TURN), Math.sin(TURN), Math.cos(TILT), Math.sin(TILT)];
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = (positions[i] ?? 0) * ct - (positions[i + 1] ?? 0) * st;
+    const y = (positions[i] ?? 0) * st + (positions[i + 1] ?? 0) * ct;
+    const z = positions[i + 2] ?? 0;
+    out[i] = x;
+    out[i + 1] = z * cp + y * sp;
+    out[i + 2] = z * sp - y * cp;
+  }
+  return out;
+}
+
+function frameOf(points: Float32Array, width: number, height: number): { x: number; y: number; k: number } {
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let i = 0; i < points.length; i += 3) {
+    left = Math.min(left, points[i] ?? 0);
+    right = Math.max(right, points[i] ?? 0);
+    low = Math.min(low, points[i + 1] ?? 0);
+    high = Math.max(high, points[i + 1] ?? 0);
+  }
+  const k = MARGIN * Math.min(width / Math.max(right - left, 1e-9), height / Math.max(high - low, 1e-9));
+  return { k, x: width / 2 - (k * (left + right)) / 2, y: height / 2 + (k * (low + high)) / 2 };
+}
+
+/** The triangles with their mean depth and the light that falls on them. */
+function facesOf(mesh: MeshArrays, points: Float32Array): Face[] {
+  const { indices, normals } = mesh;
+  const faces: Face[] = [];
+  for (let i = 0; i + 2 < indices.length; i += 3) {
+    const [a, b, c] = [indices[i] ?? 0, indices[i + 1] ?? 0, indices[i + 2] ?? 0];
+    const corners: number[] = [];
+    let depth = 0;
+    for (const corner of [a, b, c]) {
+      corners.push(points[3 * corner] ?? 0, points[3 * corner + 1] ?? 0);
+      depth += points[3 * corner + 2] ?? 0;
+    }
+    faces.push({ depth, corners, shade: shadeOf(normals, a) });
+  }
+  return faces;
+}
+
+function shadeOf(normals: Float32Array, vertex: number): number {
+  const x = normals[3 * vertex] ?? 0;
+  const y = normals[3 * vertex + 1] ?? 0;
+  const z = normals[3 * vertex + 2] ?? 0;
+  const size = Math.hypot(...LIGHT);
+  const towards = (x * LIGHT[0] + y * LIGHT[1] + z * LIGHT[2]) / size;
+  // The inside is lit too: by its own back, a little less.
+  return 0.42 + 0.68 * (towards >= 0 ? towards : -0.35 * towards);
+}

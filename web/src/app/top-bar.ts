@@ -1,0 +1,231 @@
+/** The bar across the top: the title, undo and redo, opening and saving, the link. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
+import { THEMES, type ThemeChoice } from "../state/session";
+import { DesignerElement } from "./element";
+import { type IconName, icon } from "./icons";
+import "./menu";
+import { base, buttons } from "./styles";
+
+export type Command = "new" | "gallery" | "open" | "save" | "link" | "share" | "picture" | "help";
+
+/** The person asked for something that the page as a whole does. */
+export class CommandEvent extends Event {
+  readonly command: Command;
+  constructor(command: Command) {
+    super("command-chosen", { bubbles: true, composed: true });
+    this.command = command;
+  }
+}
+
+interface Item {
+  readonly command: Command;
+  readonly label: string;
+  readonly icon: IconName;
+}
+
+const FILE_ITEMS: readonly Item[] = [
+  { command: "new", label: "New", icon: "add" },
+  { command: "open", label: "Open", icon: "open" },
+  { command: "save", label: "Save", icon: "save" },
+  { command: "picture", label: "Picture", icon: "picture" },
+];
+
+const THEME_NAMES: Readonly<Record<ThemeChoice, string>> = {
+  auto: "Colours follow the system",
+  light: "Light colours",
+  dark: "Dark colours",
+};
+const THEME_ICONS: Readonly<Record<ThemeChoice, IconName>> = { auto: "auto", light: "sun", dark: "moon" };
+
+@customElement("pasu-top-bar")
+export class PasuTopBar extends DesignerElement {
+  override render() {
+    const { designer } = this;
+    const { state, store } = designer;
+    const sharing = typeof navigator.share === "function";
+    return html`
+      <div class="brand">
+        <h1>Pasu</h1>
+        <input
+          class="title"
+          type="text"
+          aria-label="Title"
+          placeholder="Untitled pot"
+          maxlength=${MAX_TITLE}
+          autocomplete="off"
+          .value=${state.design.title ?? ""}
+          @input=${(event: Event) => designer.apply(setTitle(designer.state, (event.target as HTMLInputElement).value))}
+          @change=${() => store.endGesture()}
+          @blur=${() => store.endGesture()}
+          @keydown=${(event: KeyboardEvent) => {
+            if (event.key === "Enter") (event.target as HTMLInputElement).blur();
+          }}
+        />
+        ${designer.unsaved ? html`<span class="unsaved" title="Changed since it was opened or saved">Edited</span>` : nothing}
+      </div>
+      <div class="history">
+        ${this.plain("Undo", "undo", "Undo (Ctrl Z)", !store.canUndo, () => designer.undo())}
+        ${this.plain("Redo", "redo", "Redo (Ctrl Shift Z)", !store.canRedo, () => designer.redo())}
+      </div>
+      <div class="wide files">
+        ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
+      </div>
+      <div class="sharing">
+        <button class="button primary" type="button" aria-label="Copy link" @click=${() => this.ask("link")}>
+          ${icon("link")}<span class="text">Copy link</span>
+        </button>
+        ${sharing ? html`<span class="wide">${this.bare({ command: "share", label: "Share", icon: "share" })}</span>` : nothing}
+      </div>
+      <div class="wide page">
+        ${this.theme(true)} ${this.bare({ command: "help", label: "Help", icon: "help" })}
+      </div>
+      <pasu-menu class="narrow" label="More" icon="more" bare once>
+        ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
+        ${sharing ? this.item({ command: "share", label: "Share", icon: "share" }) : nothing} ${this.theme(false)}
+        ${this.item({ command: "help", label: "Help", icon: "help" })}
+      </pasu-menu>
+    `;
+  }
+
+  private ask(command: Command): void {
+    this.dispatchEvent(new CommandEvent(command));
+  }
+
+  private item({ command, label, icon: name }: Item) {
+    return html`<button class="button item" type="button" @click=${() => this.ask(command)}>
+      ${icon(name)}<span>${label}</span>
+    </button>`;
+  }
+
+  private bare({ command, label, icon: name }: Item) {
+    return this.plain(label, name, label, false, () => this.ask(command));
+  }
+
+  private plain(label: string, name: IconName, title: string, disabled: boolean, act: () => void) {
+    return html`<button class="button bare" type="button" aria-label=${label} title=${title} ?disabled=${disabled} @click=${act}>
+      ${icon(name)}
+    </button>`;
+  }
+
+  private theme(bare: boolean) {
+    const now = this.designer.state.session.theme;
+    const next = THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "auto";
+    const act = () => this.designer.apply(setTheme(next));
+    if (bare)
+      return this.plain(THEME_NAMES[now], THEME_ICONS[now], `${THEME_NAMES[now]} (press to change)`, false, act);
+    return html`<button class="button item" type="button" @click=${act}>
+      ${icon(THEME_ICONS[now])}<span>${THEME_NAMES[now]}</span>
+    </button>`;
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        padding: 0 14px 0 20px;
+        background: var(--sheet);
+        border-bottom: 1px solid var(--line);
+        min-width: 0;
+      }
+      .brand {
+        display: flex;
+        align-items: center;
+        gap: 12px;
+        flex: 1 1 200px;
+        min-width: 0;
+      }
+      h1 {
+        font: italic 600 1.5rem / 1 var(--font-brand);
+        color: var(--accent);
+        letter-spacing: 0.01em;
+      }
+      .title {
+        flex: 0 1 300px;
+        min-width: 60px;
+        min-height: var(--touch);
+        padding: 0 10px;
+        border: 1px solid transparent;
+        border-radius: 8px;
+        background: transparent;
+        font-weight: 550;
+        text-overflow: ellipsis;
+      }
+      .title:hover {
+        border-color: var(--line);
+      }
+      .title::placeholder {
+        color: var(--soft);
+        opacity: 1;
+      }
+      .unsaved {
+        color: var(--soft);
+        font-size: 0.86rem;
+      }
+      .history,
+      .files,
+      .sharing,
+      .page {
+        display: flex;
+        align-items: center;
+        gap: 2px;
+        flex: none;
+      }
+      .files {
+        padding: 0 6px;
+      }
+      .item {
+        padding: 0 10px;
+      }
+      pasu-menu .item {
+        justify-content: flex-start;
+        gap: 12px;
+      }
+      .narrow {
+        display: none;
+      }
+      @media (max-width: 1079px) {
+        .wide {
+          display: none;
+        }
+        .narrow {
+          display: inline-block;
+        }
+      }
+      @media (max-width: 560px) {
+        :host {
+          padding: 0 6px 0 12px;
+          gap: 2px;
+        }
+        .brand {
+          gap: 4px;
+        }
+        h1 {
+          font-size: 1.3rem;
+        }
+        .title {
+          padding: 0 6px;
+        }
+        .unsaved,
+        .text {
+          display: none;
+        }
+        .sharing .primary {
+          padding: 0;
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-top-bar": PasuTopBar;
+  }
+}

@@ -1,0 +1,92 @@
+/** Editing free boundary data: the modes of each component, each with the data of its cosine and its sine. */
+
+import type { Path } from "./path";
+import { setPath } from "./path";
+import type { BoundaryValue, Component, Datum, Mode } from "./types";
+
+export type Axis = "x" | "y" | "z";
+export const AXES: readonly Axis[] = ["x", "y", "z"];
+export const MAX_MODES = 4096;
+
+export type DatumName = "start" | "end" | "start_u" | "end_u";
+
+export const DATUM_NAMES: Readonly<Record<DatumName, string>> = {
+  start: "Value at u = 0",
+  end: "Value at u = 1",
+  start_u: "Slope at u = 0",
+  end_u: "Slope at u = 1",
+};
+
+/** The data that an order can prescribe. */
+export function datumNames(order: 2 | 4): readonly DatumName[] {
+  return order === 2 ? ["start", "end"] : ["start", "end", "start_u", "end_u"];
+}
+
+export function hasSine(mode: Mode): boolean {
+  return mode.n !== 0;
+}
+
+/** The first whole frequency that the component does not use yet. */
+export function nextFrequency(component: Component): number {
+  let n = 0;
+  while (component.modes.some((mode) => mode.n === n)) n += 1;
+  return n;
+}
+
+export function withMode(shape: BoundaryValue, axis: Axis): BoundaryValue {
+  const component = shape[axis];
+  const mode: Mode = { n: nextFrequency(component), cos: {} };
+  return {
+    ...shape,
+    [axis]: { ...component, modes: [...component.modes, mode] },
+  };
+}
+
+export function withoutMode(shape: BoundaryValue, axis: Axis, index: number): BoundaryValue {
+  const component = shape[axis];
+  if (component.modes[index] === undefined) return shape;
+  return {
+    ...shape,
+    [axis]: {
+      ...component,
+      modes: component.modes.filter((_, i) => i !== index),
+    },
+  };
+}
+
+/** The component in the other order. Slopes and `w` mean nothing to order 2 and are left out there. */
+export function withOrder(shape: BoundaryValue, axis: Axis, order: 2 | 4): BoundaryValue {
+  const component = shape[axis];
+  if (component.order === order) return shape;
+  if (order === 4) return { ...shape, [axis]: { ...component, order, w: component.w ?? 0 } };
+  const { w: _w, ...rest } = component;
+  const modes = component.modes.map((mode) => ({
+    n: mode.n,
+    ...(mode.cos && { cos: withoutSlopes(mode.cos) }),
+    ...(mode.sin && { sin: withoutSlopes(mode.sin) }),
+  }));
+  return { ...shape, [axis]: { ...rest, order, modes } };
+}
+
+function withoutSlopes(datum: Datum): Datum {
+  const { start_u: _start, end_u: _end, ...rest } = datum;
+  return rest;
+}
+
+/** Where the table keeps a number, inside the shape. */
+export function datumPath(axis: Axis, index: number, wave: "cos" | "sin", name: DatumName): Path {
+  return [axis, "modes", index, wave, name];
+}
+
+/** The force of one harmonic, trailing zeros dropped. */
+export function withForce(
+  shape: BoundaryValue,
+  axis: Axis,
+  index: number,
+  wave: "cos" | "sin",
+  force: readonly number[],
+): BoundaryValue {
+  let length = force.length;
+  while (length > 0 && force[length - 1] === 0) length -= 1;
+  return setPath(shape, [axis, "modes", index, wave, "force"], length === 0 ? undefined : force.slice(0, length));
+}

@@ -1,0 +1,61 @@
+import { expect, describe as group, test } from "vitest";
+import { describe, type Facts, facts, type Grid } from "./describe";
+
+/** A pot from its radius, height and ripple; `u = 0` is the rim. */
+function pot(radius: (u: number, v: number) => number, height: (u: number, v: number) => number, turn = 1): Grid {
+  const [rows, columns] = [33, 121];
+  const positions = new Float32Array(3 * rows * columns);
+  for (let i = 0; i < rows; i += 1) {
+    for (let j = 0; j < columns; j += 1) {
+      const u = i / (rows - 1);
+      const v = (turn * 2 * Math.PI * j) / (columns - 1);
+      const r = radius(u, v);
+      positions.set([r * Math.cos(v), r * Math.sin(v), height(u, v)], 3 * (i * columns + j));
+    }
+  }
+  return { positions, first: 0, rows, columns };
+}
+
+const words = (grid: Grid) => describe(facts([grid]) as Facts, "cm");
+const up = (height: number) => (u: number) => height * (1 - u);
+
+group("a pot in words", () => {
+  test("a flared vase", () => {
+    expect(words(pot((u) => 1.1 - 0.6 * u, up(3.6)))).toBe("A vase 3.6 cm high and 2.2 cm wide, widest at the rim.");
+  });
+  test("petals are counted as the eye counts them", () => {
+    const text = words(pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(8 * v), up(3)));
+    expect(text).toContain("with 8 petals");
+  });
+  test("petals at the foot alone", () => {
+    const text = words(pot((u, v) => 1 + 0.1 * u * Math.cos(5 * v), up(3)));
+    expect(text).toContain("5 petals at the foot");
+  });
+  test("a bowl, a bottle, a jar, a plate", () => {
+    expect(words(pot((u) => 2 - u, up(2)))).toMatch(/^A bowl/);
+    expect(words(pot((u) => 0.3 + 0.9 * Math.sin(Math.PI * Math.min(1, 1.1 * u)), up(4)))).toMatch(/^A bottle/);
+    expect(words(pot((u) => 0.6 + 0.7 * Math.sin(Math.PI * u), up(2.4)))).toMatch(/^A jar.*in the middle/);
+    expect(words(pot((u) => 3 - 2 * u, up(0.5)))).toMatch(/^A plate/);
+  });
+  test("waves in the rim", () => {
+    const wavy = (n: number) =>
+      pot(
+        () => 1,
+        (u, v) => (1 - u) * (3 + 0.3 * Math.sin(n * v)),
+      );
+    expect(words(wavy(5))).toContain("5 waves in the rim");
+    expect(words(wavy(2))).toContain("a saddle-shaped rim");
+    expect(words(wavy(1))).toContain("a slanting rim");
+  });
+  test("an open wall", () => {
+    expect(words(pot(() => 1, up(3), 0.8))).toContain("The wall does not close.");
+  });
+  test("several parts", () => {
+    const grid = pot(() => 1, up(3));
+    expect(describe(facts([grid, grid]) as Facts, "mm")).toContain("It is made of two parts.");
+  });
+});
+
+test("nothing is said of nothing", () => {
+  expect(facts([])).toBeNull();
+});

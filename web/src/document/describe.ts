@@ -1,0 +1,214 @@
+/** The shape in words: what someone who cannot see the pot should know about it. */
+
+import { formatNumber } from "./number";
+import type { Unit } from "./types";
+
+/** The vertices of one part as a grid, row by row from `u = 0` to `u = 1`. */
+export interface Grid {
+  readonly positions: Float32Array;
+  /** Index of the part's first vertex. */
+  readonly first: number;
+  readonly rows: number;
+  readonly columns: number;
+}
+
+/** What the description is made of; lengths in model units. */
+export interface Facts {
+  readonly parts: number;
+  readonly height: number;
+  readonly width: number;
+  readonly depth: number;
+  /** Height of the widest place, 0 at the bottom, 1 at the top. */
+  readonly widestAt: number;
+  /** Width of the mouth as a share of the widest width. */
+  readonly mouth: number;
+  /** How many times the outline swings out, and where. */
+  readonly petals: number;
+  readonly petalsAt: "rim" | "foot";
+  /** How many times the rim rises. */
+  readonly waves: number;
+  readonly closed: boolean;
+}
+
+/** A ripple smaller than this share of the mean radius (or of the height) is not spoken of. */
+const VISIBLE = 0.015;
+const NUMBER_WORDS = [
+  "no",
+  "one",
+  "two",
+  "three",
+  "four",
+  "five",
+  "six",
+  "seven",
+  "eight",
+  "nine",
+  "ten",
+  "eleven",
+  "twelve",
+];
+
+interface Ring {
+  readonly radii: readonly number[];
+  readonly heights: readonly number[];
+  readonly radius: number;
+  readonly height: number;
+}
+
+/** Measures the placed mesh. `grids` has at least one part; the outline is read from the first. */
+export function facts(grids: readonly Grid[]): Facts | null {
+  const body = grids[0];
+  if (!body || body.rows < 2 || body.columns < 3) return null;
+  const { low, high } = bounds(grids);
+  const rings = Array.from({ length: body.rows }, (_, row) => ringOf(body, row));
+  const start = rings[0];
+  const end = rings[rings.length - 1];
+  if (!start || !end) return null;
+  const [rim, foot] = start.height >= end.height ? [start, end] : [end, start];
+  const widest = rings.reduce((best, ring) => (ring.radius > best.radius * 1.0005 ? ring : best), rim);
+  const height = high[2] - low[2];
+  const rimPetals = peaks(rim.radii, VISIBLE * rim.radius);
+  const footPetals = peaks(foot.radii, VISIBLE * foot.radius);
+  return {
+    parts: grids.length,
+    height,
+    width: high[0] - low[0],
+    depth: high[1] - low[1],
+    widestAt: height > 0 ? (widest.height - low[2]) / height : 0,
+    mouth: widest.radius > 0 ? rim.radius / widest.radius : 0,
+    petals: rimPetals > 1 ? rimPetals : footPetals,
+    petalsAt: rimPetals > 1 || footPetals <= 1 ? "rim" : "foot",
+    waves: peaks(rim.heights, VISIBLE * height),
+    closed: grids.every(isClosed),
+  };
+}
+
+function bounds(grids: readonly Grid[]): {
+  low: [number, number, number];
+  high: [number, number, number];
+} {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (const { positions, first, rows, columns } of grids) {
+    for (let i = 3 * first; i < 3 * (first + rows * columns); i += 3) {
+      for (let axis = 0; axis < 3; axis += 1) {
+        const value = positions[i + axis] ?? 0;
+        if (value < (low[axis] ?? 0)) low[axis] = value;
+        if (value > (high[axis] ?? 0)) high[axis] = value;
+      }
+    }
+  }
+  return { low, high };
+}
+
+function ringOf(grid: Grid, row: number): Ring {
+  const { positions, first, columns } = grid;
+  const count = columns - 1;
+  const at = (column: number, axis: number) => positions[3 * (first + row * columns + column) + axis] ?? 0;
+  let x = 0;
+  let y = 0;
+  let height = 0;
+  for (let column = 0; column < count; column += 1) {
+    x += at(column, 0) / count;
+    y += at(column, 1) / count;
+    height += at(column, 2) / count;
+  }
+  const radii: number[] = [];
+  const heights: number[] = [];
+  let radius = 0;
+  for (let column = 0; column < count; column += 1) {
+    const r = Math.hypot(at(column, 0) - x, at(column, 1) - y);
+    radii.push(r);
+    heights.push(at(column, 2));
+    radius += r / count;
+  }
+  return { radii, heights, radius, height };
+}
+
+/** How many hills a closed line of values has that rise at least `visible` above the valleys beside them. */
+function peaks(values: readonly number[], visible: number): number {
+  const lowest = values.reduce((best, value, i) => (value < (values[best] ?? 0) ? i : best), 0);
+  let count = 0;
+  let valley = values[lowest] ?? 0;
+  let hill = valley;
+  let climbing = true;
+  for (let i = 1; i <= values.length; i += 1) {
+    const value = values[(lowest + i) % values.length] ?? 0;
+    if (climbing) {
+      if (value > hill) hill = value;
+      if (value < valley) valley = value;
+      if (hill - valley > visible && hill - value > visible / 2) {
+        count += 1;
+        climbing = false;
+        valley = value;
+      }
+    } else {
+      if (value < valley) valley = value;
+      if (value - valley > visible / 2) {
+        climbing = true;
+        hill = value;
+      }
+    }
+  }
+  return count;
+}
+
+function isClosed(grid: Grid): boolean {
+  const { positions, first, rows, columns } = grid;
+  for (let row = 0; row < rows; row += Math.max(1, rows - 1)) {
+    const a = 3 * (first + row * columns);
+    const b = a + 3 * (columns - 1);
+    for (let axis = 0; axis < 3; axis += 1) {
+      const size = Math.max(
+        1e-12,
+        Math.abs(positions[a] ?? 0),
+        Math.abs(positions[a + 1] ?? 0),
+        Math.abs(positions[a + 2] ?? 0),
+      );
+      if (Math.abs((positions[a + axis] ?? 0) - (positions[b + axis] ?? 0)) > 1e-4 * size) return false;
+    }
+  }
+  return true;
+}
+
+/** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." */
+export function describe(shape: Facts, unit: Unit): string {
+  const across = Math.max(shape.width, shape.depth);
+  const size = `${length(shape.height)} ${unit} high and ${length(across)} ${unit} wide`;
+  const clauses = [`${capital(noun(shape, across))} ${size}`, `widest ${place(shape.widestAt)}`];
+  const marks: string[] = [];
+  if (shape.petals === 2) marks.push(`an oval ${shape.petalsAt}`);
+  if (shape.petals > 2) marks.push(`${shape.petals} petals${shape.petalsAt === "foot" ? " at the foot" : ""}`);
+  if (shape.waves === 1) marks.push("a slanting rim");
+  if (shape.waves === 2) marks.push("a saddle-shaped rim");
+  if (shape.waves > 2) marks.push(`${shape.waves} waves in the rim`);
+  if (marks.length > 0) clauses.push(`with ${marks.join(" and ")}`);
+  const open = shape.closed ? "" : " The wall does not close.";
+  const parts = shape.parts > 1 ? ` It is made of ${NUMBER_WORDS[shape.parts] ?? shape.parts} parts.` : "";
+  return `${clauses.join(", ")}.${open}${parts}`;
+}
+
+function noun(shape: Facts, across: number): string {
+  const slenderness = across > 0 ? shape.height / across : 1;
+  if (slenderness < 0.3) return "a plate";
+  if (slenderness < 0.85 && shape.mouth > 0.7) return "a bowl";
+  if (shape.mouth < 0.45 && slenderness > 1.2) return "a bottle";
+  if (slenderness < 1.35 && shape.mouth < 0.85) return "a jar";
+  return "a vase";
+}
+
+function place(at: number): string {
+  if (at > 0.93) return "at the rim";
+  if (at > 0.62) return "at the shoulder";
+  if (at > 0.38) return "in the middle";
+  if (at > 0.07) return "low down";
+  return "at the foot";
+}
+
+function length(value: number): string {
+  return formatNumber(value, 3);
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}

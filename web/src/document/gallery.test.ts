@@ -1,0 +1,39 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { designOf, SHELVES } from "./gallery";
+import { OWN } from "./gallery/own";
+import { PAPERS } from "./gallery/papers";
+
+interface Case {
+  readonly name: string;
+  readonly family?: unknown;
+}
+
+const reference = JSON.parse(
+  readFileSync(new URL("../../../tests/reference/surfaces.json", import.meta.url), "utf8"),
+) as Case[];
+
+test("the papers' figures are those of the reference, all of them", () => {
+  const figures = reference.filter((each) => each.family !== undefined);
+  expect(PAPERS.map(({ id, shape }) => ({ id, shape }))).toEqual(
+    figures.map(({ name, family }) => ({ id: name, shape: family })),
+  );
+  expect(PAPERS.length).toBe(26);
+});
+
+test("every exhibit is on one shelf, under a title and a note of its own", () => {
+  const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
+  expect(shown.length).toBe(PAPERS.length + OWN.length);
+  expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
+  expect(new Set(shown.map((exhibit) => exhibit.title)).size).toBe(shown.length);
+  for (const exhibit of shown) expect(exhibit.note.length).toBeGreaterThan(10);
+});
+
+test("an exhibit opens as a document of its own", () => {
+  const [first] = PAPERS;
+  expect(first && designOf(first)).toEqual({
+    pasu: 1,
+    title: "Zhang and You 2001, figure 1a",
+    parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], s: [1, 1], t: [0.5, 0.5] } }],
+  });
+});

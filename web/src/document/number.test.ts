@@ -1,0 +1,66 @@
+import { describe, expect, test } from "vitest";
+import { formatNumber, parseNumber, stepped } from "./number";
+
+const value = (text: string) => {
+  const typed = parseNumber(text);
+  return "value" in typed ? typed.value : typed.problem;
+};
+
+describe("typed numbers", () => {
+  test.each([
+    ["1.5", 1.5],
+    ["1,5", 1.5],
+    ["  0,06 ", 0.06],
+    ["−3", -3],
+    ["–3,25", -3.25],
+    ["+2", 2],
+    [".5", 0.5],
+    [",5", 0.5],
+    ["5.", 5],
+    ["1e-3", 0.001],
+    ["1.5E3", 1500],
+    ["1,5 × 10^−3", 0.0015],
+    ["1 234,5", 1234.5],
+    ["1\u202f234.5", 1234.5],
+    ["1.234,5", 1234.5],
+    ["1,234.5", 1234.5],
+    ["12'000", 12000],
+    ["-0", 0],
+  ])("%j is %d", (text, expected) => {
+    expect(value(text)).toBe(expected);
+  });
+
+  test.each(["", "   ", "abc", "1.2.3", "1,2,3", "--1", "1e", "0x10", "Infinity", "NaN", "1e999", "5 cm", "1;2"])(
+    "%j is refused in words",
+    (text) => {
+      const typed = parseNumber(text);
+      expect("problem" in typed && typed.problem.length > 5).toBe(true);
+    },
+  );
+});
+
+describe("shown numbers", () => {
+  test.each([
+    [0.1 + 0.2, "0.3"],
+    [-0.75, "−0.75"],
+    [0, "0"],
+    [-0, "0"],
+    [1e-9, "1e−9"],
+    [123456.7, "123457"],
+    [1e12, "1e12"],
+  ])("%d is shown as %j", (number, expected) => {
+    expect(formatNumber(number)).toBe(expected);
+  });
+
+  test("what is shown can be typed again", () => {
+    for (const number of [0, -1.25, 1e-12, -3e20, 0.000123456, 98765.4]) {
+      expect(value(formatNumber(number, 15))).toBe(number);
+    }
+  });
+});
+
+test("steps leave no dust", () => {
+  expect(stepped(0.1, 0.1, 2)).toBe(0.3);
+  expect(stepped(0.3, 0.005, -60)).toBe(0);
+  expect(stepped(1.23456, 0.01, 1)).toBeCloseTo(1.2446, 4);
+});

@@ -1,0 +1,21 @@
+/** Starts the page: the shell at once, the solver and the renderer beside each other. */
+
+import "./app/pasu-app";
+import { Designer } from "./app/designer";
+import { SolverClient, startWorker } from "./solver/client";
+import { browserShelf } from "./state/storage";
+import { registerOffline } from "./sw/register";
+
+const designer = new Designer(new SolverClient(startWorker), {
+  shelf: browserShelf(),
+  address: () => location.href.replace(/#.*$/s, ""),
+  fragment: () => (location.hash.length > 1 ? location.hash : ""),
+  writeFragment: (link) => history.replaceState(null, "", `#${link}`),
+});
+const app = document.createElement("pasu-app");
+app.designer = designer;
+document.querySelector(".skeleton")?.remove();
+document.body.append(app);
+void designer.start();
+window.addEventListener("hashchange", () => void designer.addressChanged());
+registerOffline(() => designer.announceNewVersion());

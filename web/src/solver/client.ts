@@ -1,0 +1,146 @@
+/**
+ * The page's side of the solver. Each lane has at most one request under way and one waiting: a newer request takes the
+ * place of the waiting one, which then resolves as "superseded". A worker whose module trapped is replaced by a new one.
+ */
+
+import type { Design, Refusal } from "../document/types";
+import type { Answers, Ask, MeshArrays, Parsed, Reply, Request, Solved, SolveOptions } from "./messages";
+
+export type Outcome<T> =
+  | { readonly state: "done"; readonly value: T }
+  | { readonly state: "refused"; readonly refusal: Refusal }
+  | { readonly state: "superseded" };
+
+/** The part of the Worker interface that is used, so that tests need no browser. */
+export interface Port {
+  postMessage(message: Request): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+interface Job {
+  readonly ask: Ask;
+  readonly settle: (outcome: Outcome<Answers[Ask["kind"]]>) => void;
+}
+
+interface Lane {
+  busy: boolean;
+  waiting: Job | null;
+}
+
+const CRASHED: Refusal = {
+  code: "solver-stopped",
+  path: "",
+  message: "The solver stopped on this design and was started again. Undo the last change, or go on.",
+};
+
+export class SolverClient {
+  readonly #start: () => Port;
+  readonly #lanes = new Map<string, Lane>();
+  readonly #sent = new Map<number, { readonly job: Job; readonly lane: string }>();
+  #port: Port | null = null;
+  #nextId = 1;
+
+  constructor(start: () => Port) {
+    this.#start = start;
+  }
+
+  /** Starts the worker before it is first asked, so that it loads while the page does. */
+  warm(): void {
+    this.#connect();
+  }
+
+  solve(design: Design, options: SolveOptions): Promise<Outcome<Solved>> {
+    return this.#ask("solve", { kind: "solve", design, options }) as Promise<Outcome<Solved>>;
+  }
+
+  /** A mesh alone. Requests of the same lane supersede each other; give each thumbnail a lane of its own. */
+  mesh(lane: string, design: Design, rows: number, columns: number): Promise<Outcome<MeshArrays>> {
+    return this.#ask(lane, { kind: "mesh", design, rows, columns }) as Promise<Outcome<MeshArrays>>;
+  }
+
+  /** Reads JSON text or a link. Never superseded. */
+  parse(text: string): Promise<Outcome<Parsed>> {
+    return this.#ask(`parse ${this.#nextId}`, { kind: "parse", text }) as Promise<Outcome<Parsed>>;
+  }
+
+  dispose(): void {
+    this.#port?.terminate();
+    this.#port = null;
+    for (const { job } of this.#sent.values()) job.settle({ state: "superseded" });
+    for (const lane of this.#lanes.values()) lane.waiting?.settle({ state: "superseded" });
+    this.#sent.clear();
+    this.#lanes.clear();
+  }
+
+  #ask(name: string, ask: Ask): Promise<Outcome<Answers[Ask["kind"]]>> {
+    return new Promise((settle) => {
+      const lane = this.#lanes.get(name) ?? { busy: false, waiting: null };
+      this.#lanes.set(name, lane);
+      const job: Job = { ask, settle };
+      if (!lane.busy) {
+        this.#send(name, lane, job);
+        return;
+      }
+      lane.waiting?.settle({ state: "superseded" });
+      lane.waiting = job;
+    });
+  }
+
+  #send(name: string, lane: Lane, job: Job): void {
+    lane.busy = true;
+    const id = this.#nextId;
+    this.#nextId += 1;
+    this.#sent.set(id, { job, lane: name });
+    this.#connect().postMessage({ id, ask: job.ask });
+  }
+
+  #connect(): Port {
+    if (this.#port) return this.#port;
+    const port = this.#start();
+    port.onmessage = (event) => this.#receive(event.data);
+    port.onerror = () => this.#restart();
+    this.#port = port;
+    return port;
+  }
+
+  #receive(reply: Reply): void {
+    const sent = this.#sent.get(reply.id);
+    if (!sent) return;
+    if (!reply.ok && reply.broken) {
+      this.#restart();
+      return;
+    }
+    this.#sent.delete(reply.id);
+    this.#release(sent.lane);
+    sent.job.settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
+  }
+
+  #release(name: string): void {
+    const lane = this.#lanes.get(name);
+    if (!lane) return;
+    const next = lane.waiting;
+    lane.waiting = null;
+    lane.busy = false;
+    if (next) this.#send(name, lane, next);
+    else this.#lanes.delete(name);
+  }
+
+  /** The first request under way is to blame; the others are asked again of the new worker. */
+  #restart(): void {
+    this.#port?.terminate();
+    this.#port = null;
+    const [blamed, ...others] = [...this.#sent.values()];
+    this.#sent.clear();
+    for (const { job, lane } of others) this.#send(lane, this.#lanes.get(lane) ?? { busy: true, waiting: null }, job);
+    if (!blamed) return;
+    this.#release(blamed.lane);
+    blamed.job.settle({ state: "refused", refusal: CRASHED });
+  }
+}
+
+/** The real worker, in a file of its own that the bundler finds by this very expression. */
+export function startWorker(): Port {
+  return new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+}

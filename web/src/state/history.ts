@@ -1,0 +1,51 @@
+/** Undo and redo over whole frozen documents, which share all that did not change. */
+
+import type { Design } from "../document/types";
+
+export interface History {
+  readonly past: readonly Design[];
+  readonly future: readonly Design[];
+  /** The key of the gesture whose changes join one step; null between gestures. */
+  readonly merging: string | null;
+}
+
+export const EMPTY: History = { past: [], future: [], merging: null };
+
+/** Documents are a few kilobytes and share structure: this many steps cost nothing that anyone would notice. */
+const MAX_STEPS = 500;
+
+/** The history after `before` was replaced. */
+export function record(
+  history: History,
+  before: Design,
+  change: { readonly undo: "step" | "merge" | "none"; readonly key?: string },
+): History {
+  if (change.undo === "none") return history;
+  const key = change.undo === "merge" ? (change.key ?? "") : null;
+  if (key !== null && key === history.merging) return { ...history, future: [] };
+  return { past: [...history.past, before].slice(-MAX_STEPS), future: [], merging: key };
+}
+
+export function endMerge(history: History): History {
+  return history.merging === null ? history : { ...history, merging: null };
+}
+
+export function canUndo(history: History): boolean {
+  return history.past.length > 0;
+}
+
+export function canRedo(history: History): boolean {
+  return history.future.length > 0;
+}
+
+export function undo(history: History, now: Design): { history: History; design: Design } | null {
+  const design = history.past.at(-1);
+  if (!design) return null;
+  return { design, history: { past: history.past.slice(0, -1), future: [now, ...history.future], merging: null } };
+}
+
+export function redo(history: History, now: Design): { history: History; design: Design } | null {
+  const [design, ...future] = history.future;
+  if (!design) return null;
+  return { design, history: { past: [...history.past, now], future, merging: null } };
+}

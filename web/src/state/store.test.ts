@@ -1,0 +1,155 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import { getPath } from "../document/path";
+import { type Field, familyOf } from "../document/schema";
+import type { Design } from "../document/types";
+import * as actions from "./actions";
+import { NEW_SESSION } from "./session";
+import { Store } from "./store";
+
+const family = familyOf("second-order");
+const named = (symbol: string) => family?.fields.find((field) => field.symbol === symbol) as Field;
+const RIM = named("r_1");
+const PULL = [named("t_x"), named("t_y")] as const;
+
+const START: Design = { pasu: 1, title: "Start", parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] } }] };
+
+let store: Store;
+beforeEach(() => {
+  store = new Store(START, NEW_SESSION);
+});
+
+const rim = () => getPath(store.state.design, ["parts", 0, "shape", "r", 0]);
+const set = (value: number, gesture: boolean) => store.apply(actions.setFields(store.state, [RIM], value, gesture));
+
+/** A slider drag, as the page makes it. */
+function drag(...values: number[]): void {
+  for (const value of values) set(value, true);
+  store.endGesture();
+}
+
+describe("undo", () => {
+  test("one drag is one step", () => {
+    drag(1.1, 1.2, 1.3);
+    expect(rim()).toBe(1.3);
+    store.undo();
+    expect(rim()).toBe(1);
+    expect(store.canUndo).toBe(false);
+    store.redo();
+    expect(rim()).toBe(1.3);
+  });
+
+  test("two drags of the same slider are two steps", () => {
+    drag(1.1, 1.2);
+    drag(1.3);
+    store.undo();
+    expect(rim()).toBe(1.2);
+  });
+
+  test("a gesture that changes hands is two steps", () => {
+    set(1.1, true);
+    store.apply(actions.dragHandle(store.state, "rim", 0.2, 0));
+    store.undo();
+    expect(rim()).toBe(1.1);
+  });
+
+  test("a new step forgets what was undone", () => {
+    drag(1.1);
+    store.undo();
+    drag(1.5);
+    expect(store.canRedo).toBe(false);
+  });
+
+  test("going back ends the gesture", () => {
+    set(1.1, true);
+    store.undo();
+    expect(store.inGesture).toBe(false);
+    set(1.2, true);
+    store.undo();
+    expect(rim()).toBe(1);
+  });
+
+  test("an opened design can be left again", () => {
+    store.apply(actions.openDesign(store.state, { pasu: 1, parts: START.parts }));
+    store.undo();
+    expect(store.state.design.title).toBe("Start");
+  });
+
+  test("hundreds of steps are kept, not all", () => {
+    for (let i = 0; i < 700; i += 1) set(2 + i, false);
+    let steps = 0;
+    while (store.canUndo) {
+      store.undo();
+      steps += 1;
+    }
+    expect(steps).toBe(500);
+  });
+});
+
+describe("actions", () => {
+  test("nothing changed is nothing done", () => {
+    const before = store.state;
+    set(1, true);
+    store.apply(actions.setTitle(store.state, "Start"));
+    store.apply(actions.setUnit(store.state, "cm"));
+    store.apply(actions.selectPart(store.state, 9));
+    expect(store.state.design).toBe(before.design);
+    expect(store.canUndo).toBe(false);
+  });
+
+  test("a locked parameter sets x and y in one step", () => {
+    store.apply(actions.setFields(store.state, PULL, 0.2, false));
+    expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.2, 0.2] });
+    store.undo();
+    expect(store.canUndo).toBe(false);
+  });
+
+  test("unlocking changes no number, locking again takes x", () => {
+    store.apply(actions.setLock(store.state, PULL, false));
+    expect(store.state.session.unlocked).toEqual(["t"]);
+    expect(store.canUndo).toBe(false);
+    store.apply(actions.setFields(store.state, [PULL[0]], 0.3, false));
+    expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.3, 0.5] });
+    store.apply(actions.setLock(store.state, PULL, true));
+    expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.3, 0.3] });
+    expect(store.state.session.unlocked).toEqual([]);
+  });
+
+  test("reset goes back to what the family starts with", () => {
+    drag(2.5);
+    store.apply(actions.resetFields(store.state, [RIM]));
+    expect(rim()).toBe(1);
+  });
+
+  test("a title is at most 200 characters and one line", () => {
+    store.apply(actions.setTitle(store.state, `  a\nb${"🏺".repeat(300)}`));
+    expect([...(store.state.design.title ?? "")].length).toBe(200);
+    expect(store.state.design.title).toMatch(/^a b🏺/u);
+    store.apply(actions.setTitle(store.state, ""));
+    expect("title" in store.state.design).toBe(false);
+  });
+
+  test("switching the order is one step and ends a comparison", () => {
+    store.apply(actions.compareWith("fourth-order"));
+    store.apply(actions.switchOrder(store.state, "fourth-order"));
+    expect(store.state.design.parts[0]?.shape.kind).toBe("fourth-order");
+    expect(store.state.session.compare).toBeNull();
+    store.undo();
+    expect(store.state.design).toBe(store.state.design);
+    expect(store.state.design.parts[0]?.shape.kind).toBe("second-order");
+  });
+
+  test("a document cannot be changed behind the history's back", () => {
+    expect(Object.isFrozen(store.state.design.parts[0]?.shape)).toBe(true);
+  });
+});
+
+test("listeners hear of changes and of the end of a gesture, and stop when they leave", () => {
+  const heard: boolean[] = [];
+  const leave = store.subscribe(() => heard.push(store.inGesture));
+  set(1.1, true);
+  store.endGesture();
+  store.endGesture();
+  leave();
+  set(1.2, false);
+  expect(heard).toEqual([true, false]);
+});
