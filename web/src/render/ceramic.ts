@@ -128,8 +128,8 @@ void main() {
 `;
 
 /**
- * The material of one glaze on one clay: a layered shader of our own rather than a general physical one. It needs no environment map, follows
- * how glaze lies on a pot (`ware.ts`), and costs a quarter of the general one where the GPU is software.
+ * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
+ * on a pot (`ware.ts`) and needs no environment map to be made before the first picture.
  *
  * @param shift where the pot stands in scene space
  */
