@@ -434,8 +434,14 @@ export class PasuStage extends DesignerElement {
           text-align: center;
         }
         .tools {
-          align-self: center;
-          padding: 2px;
+          flex-direction: column;
+          align-self: end;
+          margin: auto 0;
+          padding: 1px;
+        }
+        .tools pasu-menu {
+          --menu-right: calc(100% + 8px);
+          --menu-bottom: -44px;
         }
       }
     `,
