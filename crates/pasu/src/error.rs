@@ -83,6 +83,11 @@ impl Error {
         Error { code, path: path.into(), message: message.into() }
     }
 
+    /// The same error at another path.
+    pub(crate) fn at(self, path: impl Into<String>) -> Self {
+        Error { path: path.into(), ..self }
+    }
+
     /// The stable kebab-case word for the cause.
     pub fn code(&self) -> &'static str {
         self.code.as_str()

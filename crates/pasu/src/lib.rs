@@ -4,6 +4,19 @@
 
 mod design;
 mod error;
+mod evaluate;
+mod fingerprint;
+mod mesh;
+mod mode;
+mod surface;
 
-pub use design::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
+pub use design::{
+    Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
+    Order, Part, Placement, SecondOrder, Shape, Span, Unit, Value, Wall,
+};
 pub use error::{Code, Error, Result};
+pub use evaluate::{Derivatives, derivatives, evaluate};
+pub use fingerprint::fingerprint;
+pub use mesh::{Mesh, MeshOptions, VERTEX_LIMIT, mesh};
+pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
+pub use surface::{Surface, SurfaceJet};

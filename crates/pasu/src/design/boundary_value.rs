@@ -1,9 +1,7 @@
 //! The general two-sided shape: Fourier boundary data for a second or fourth order equation, component by component.
 
-use serde::Serialize;
-
 /// A surface `X(u, v)`, `u` in [0, 1], `v` in [0, `span`], of which each component solves its own equation (ZY01 eqs 1, 9, 13; IA eq 1).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryValue {
     /// The length of the parameter interval round the axis.
     pub span: Span,
@@ -16,13 +14,11 @@ pub struct BoundaryValue {
 }
 
 /// The length of the `v` interval. [`Span::Tau`] is exactly `2 pi`, where `k_n = n` holds without rounding.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Span {
     /// `"2pi"`.
-    #[serde(rename = "2pi")]
     Tau,
     /// A positive number.
-    #[serde(untagged)]
     Length(f64),
 }
 
@@ -38,8 +34,7 @@ pub enum Axis {
 }
 
 /// The order of the partial differential equation of one component.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(into = "u8")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
     /// `s X_uu + t X_vv = p`.
     Second,
@@ -47,17 +42,8 @@ pub enum Order {
     Fourth,
 }
 
-impl From<Order> for u8 {
-    fn from(order: Order) -> u8 {
-        match order {
-            Order::Second => 2,
-            Order::Fourth => 4,
-        }
-    }
-}
-
 /// The equation and the boundary data of one component.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Component {
     /// The order of the equation.
     pub order: Order,
@@ -72,7 +58,7 @@ pub struct Component {
 }
 
 /// The data of `cos(k_n v)` and `sin(k_n v)`, `k_n = 2 pi n / span`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
     /// Any real; the surface closes only when every `n` in use is whole.
     pub n: f64,
@@ -83,7 +69,7 @@ pub struct Mode {
 }
 
 /// Boundary values and force of one scalar mode problem; what is left out is 0.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Datum {
     /// Value at `u = 0`.
     pub start: f64,

@@ -1,5 +1,31 @@
 //! The design document: what a person has chosen, as data.
 
 mod boundary_value;
+mod document;
+mod family;
+mod fields;
+mod json;
+mod limits;
+mod look;
+mod modes;
+mod names;
+mod number;
+mod part;
+mod path;
+mod placement;
+mod reader;
+mod shape;
+mod unit;
+mod value;
+mod wall;
 
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
+pub use document::Design;
+pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+pub use look::{Clay, Glaze, Look};
+pub use part::Part;
+pub use placement::Placement;
+pub use shape::Shape;
+pub use unit::Unit;
+pub use value::Value;
+pub use wall::Wall;

@@ -1,0 +1,163 @@
+//! The whole design: checked, canonical, and never anything else.
+
+use std::collections::HashMap;
+
+use serde::ser::{Serialize, Serializer};
+
+use super::limits::{BYTES, MODES, PARTS, VERSION};
+use super::part::Part;
+use super::path::Path;
+use super::reader::{self, Record};
+use super::unit::Unit;
+use super::value::Value;
+use super::{json, limits};
+use crate::error::{Code, Result};
+
+/// A design: what a person has chosen, from which everything else is computed.
+///
+/// A `Design` can only be made by reading one. It is therefore always within the stated limits and always in
+/// canonical form: numbers of twelve significant digits, placements in their unique form, defaults dropped when it is
+/// written. Two equal designs have equal documents and equal links, byte for byte.
+///
+/// ```
+/// use pasu::Design;
+///
+/// let design = Design::parse(
+///     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "height": 3.6 } }] }"#,
+/// )?;
+/// assert_eq!(
+///     design.to_json(),
+///     r#"{"pasu":1,"parts":[{"shape":{"kind":"second-order","r":[1,0.1,0.6,0.06]}}]}"#
+/// );
+/// # Ok::<(), pasu::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    title: Option<String>,
+    unit: Unit,
+    parts: Vec<Part>,
+}
+
+pub(crate) const DESIGN: [&str; 4] = ["pasu", "title", "unit", "parts"];
+
+impl Design {
+    /// Reads a design from a JSON document.
+    ///
+    /// # Errors
+    /// As [`Design::from_value`], and `not-json` when the text is not JSON.
+    pub fn parse(text: &str) -> Result<Design> {
+        Design::from_value(&json::read(text)?)
+    }
+
+    /// Reads a design from any tree of plain data. A field that is null counts as absent: that is how a JavaScript
+    /// field arrives that is `undefined`.
+    ///
+    /// # Errors
+    /// Every refusal names the path, the value and what was expected: `unknown-field`, `missing-field`, `duplicate`,
+    /// `wrong-type`, `not-finite`, `out-of-range`, `unknown-name`, `unknown-version`, `unsupported-shape`,
+    /// `too-large`, and `overflow` when parameters are so large that their products cannot be held.
+    pub fn from_value(value: &Value) -> Result<Design> {
+        let record = Record::open(value, Path::Start(""), "a design")?;
+        check_version(&record)?;
+        let record = record.only(&DESIGN)?;
+        let title = match record.get("title") {
+            Some(value) => reader::label(value, &record.path.field("title"))?,
+            None => None,
+        };
+        let unit = Unit::read(&record, "unit")?;
+        let parts = read_parts(&record)?;
+        let design = Design { title, unit, parts };
+        let length = design.to_json().len();
+        if length > BYTES {
+            let message = format!("expected a design of at most {BYTES} bytes of JSON, found {length}");
+            return Err(record.path.error(Code::TooLarge, message));
+        }
+        Ok(design)
+    }
+
+    /// The canonical document, on one line.
+    pub fn to_json(&self) -> String {
+        json::write(&self.to_value())
+    }
+
+    /// The canonical document as a tree.
+    pub fn to_value(&self) -> Value {
+        let mut into = vec![("pasu".to_owned(), Value::Number(f64::from(VERSION)))];
+        if let Some(title) = &self.title {
+            into.push(("title".to_owned(), Value::Text(title.clone())));
+        }
+        self.unit.write("unit", &mut into);
+        into.push(("parts".to_owned(), Value::List(self.parts.iter().map(Part::value).collect())));
+        Value::Record(into)
+    }
+
+    /// The title, if it has one.
+    pub fn title(&self) -> Option<&str> {
+        self.title.as_deref()
+    }
+
+    /// What 1 means.
+    pub fn unit(&self) -> Unit {
+        self.unit
+    }
+
+    /// The parts, in the order of the document; at least one.
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+}
+
+/// As the canonical document.
+impl Serialize for Design {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        self.to_value().serialize(serializer)
+    }
+}
+
+/// Comes before every other check: a newer document may differ in any way.
+fn check_version(record: &Record) -> Result<()> {
+    let path = record.path.field("pasu");
+    let current = f64::from(VERSION);
+    match record.require("pasu", &format!("{VERSION}, the version of the format"))? {
+        Value::Number(version) if *version == current => Ok(()),
+        Value::Number(version) if *version > current => {
+            Err(path.error(Code::UnknownVersion, limits::newer("design", &super::number::plain(*version))))
+        }
+        value => {
+            let message = format!("expected {VERSION}, the version of the format, found {}", value.described());
+            Err(path.error(Code::UnknownVersion, message))
+        }
+    }
+}
+
+fn read_parts(record: &Record) -> Result<Vec<Part>> {
+    let list = record.path.field("parts");
+    let expected = format!("a list of 1 to {PARTS} parts");
+    let items = reader::list(record.require("parts", &expected)?, &list, &expected)?;
+    if items.is_empty() {
+        return Err(list.error(Code::OutOfRange, format!("expected {expected}, found an empty list")));
+    }
+    if items.len() > PARTS {
+        return Err(list.error(Code::TooLarge, format!("expected at most {PARTS} parts, found {}", items.len())));
+    }
+    let mut parts = Vec::with_capacity(items.len());
+    let mut names = HashMap::new();
+    let mut n_modes = 0;
+    for (index, item) in items.iter().enumerate() {
+        let path = list.item(index);
+        let part = Part::read(item, path)?;
+        n_modes += part.shape.boundary_value().n_modes();
+        if n_modes > MODES {
+            let message = format!("expected at most {MODES} modes in the whole design; this part exceeds them");
+            return Err(path.field("shape").error(Code::TooLarge, message));
+        }
+        if let Some(name) = &part.name
+            && let Some(earlier) = names.insert(name.clone(), index)
+        {
+            let message = format!("expected a name of its own, found {name:?}, the name of parts[{earlier}]");
+            return Err(path.field("name").error(Code::Duplicate, message));
+        }
+        parts.push(part.canonical(&path)?);
+    }
+    Ok(parts)
+}

@@ -1,0 +1,39 @@
+//! ZY01 equations 9 to 12: the second order vase with a fourth order height.
+
+use super::second_order::walls;
+use super::{cos, datum, fourth, second};
+use crate::design::boundary_value::{BoundaryValue, Span};
+use crate::design::fields::fields;
+
+fields! {
+    /// The mixed order vase of ZY01 eqs 9-12: as [`SecondOrder`](crate::SecondOrder), but `z` solves the fourth order
+    /// equation with `z(0) = height`, `z_u(0) = rise`, `z(1) = 0`, `z_u(1) = 0`. A link starts from figure 4a.
+    pub struct MixedOrder {
+        /// Radius and petals of the rim, radius and petals of the foot: r1, r2, r3, r4.
+        r: [f64; 4] = [1.0, 0.1, 0.6, 0.06], Required, Any;
+        /// How often the outline and its petals go round: n1, n2. The surface closes when both are whole.
+        n: [f64; 2] = [1.0, 8.0], Optional, Any;
+        /// The height of the rim above the foot.
+        height: f64 = 3.6, Optional, Any;
+        /// Shape control parameters of the second derivative along the profile, for x and for y.
+        s: [f64; 2] = [1.0, 1.0], Optional, NotZero;
+        /// Shape control parameters of the second derivative round the pot, for x and for y.
+        t: [f64; 2] = [0.5, 0.5], Optional, Any;
+        /// Sculpting force on the outline: p0 + p1 u.
+        force: [f64; 2] = [0.0, 0.0], Optional, Any;
+        /// The slope of the height at the rim: h0'.
+        rise: f64 = -10.0, Required, Any;
+    }
+}
+
+impl MixedOrder {
+    pub(crate) fn boundary_value(&self) -> BoundaryValue {
+        let [x, y] = walls(self.r, self.n, self.force);
+        BoundaryValue {
+            span: Span::Length(1.0),
+            x: second(self.s[0], self.t[0], x),
+            y: second(self.s[1], self.t[1], y),
+            z: fourth([1.0; 3], vec![cos(0.0, datum((self.height, self.rise), (0.0, 0.0)))]),
+        }
+    }
+}

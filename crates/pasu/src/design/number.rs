@@ -1,0 +1,153 @@
+//! Numbers as documents and links hold them: twelve significant digits, one way of writing each.
+
+/// The nearest number of twelve significant decimal digits; negative zero becomes zero.
+///
+/// Twelve digits are a hundred times finer than any result of the solver is promised, and coarse enough that sums and
+/// products that differ only in their last bits (`0.1 + 0.2`) are written alike. Idempotent.
+pub(crate) fn rounded(x: f64) -> f64 {
+    let near = format!("{x:.11e}").parse().unwrap_or(x);
+    if near == 0.0 { 0.0 } else { near }
+}
+
+/// Twelve decimal places: for the components of unit vectors, where noise next to 1 must become 0.
+pub(crate) fn rounded_in_unit(x: f64) -> f64 {
+    let near = format!("{x:.12}").parse().unwrap_or(x);
+    if near == 0.0 { 0.0 } else { near }
+}
+
+/// The shortest decimal digits that read back as `x`, and the power of ten of the last of them: `x = digits * 10^power`.
+struct Decimal {
+    negative: bool,
+    digits: String,
+    power: i32,
+}
+
+impl Decimal {
+    /// `None` when `x` is not finite.
+    fn new(x: f64) -> Option<Decimal> {
+        // Rust writes the shortest digits that read back exactly: `-1.25e-3`.
+        let text = format!("{x:e}");
+        let (mantissa, exponent) = text.split_once('e')?;
+        let unsigned = mantissa.strip_prefix('-').unwrap_or(mantissa);
+        let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+        let power = exponent.parse::<i32>().ok()? - i32::try_from(fraction.len()).ok()?;
+        Some(Decimal { negative: x < 0.0, digits: format!("{whole}{fraction}"), power })
+    }
+
+    fn sign(&self) -> &'static str {
+        if self.negative { "-" } else { "" }
+    }
+
+    /// Without an exponent; `zero` is what stands before a leading point.
+    fn plain(&self, zero: &str) -> String {
+        let (sign, digits) = (self.sign(), &self.digits);
+        if self.power >= 0 {
+            return format!("{sign}{digits}{}", "0".repeat(self.power as usize));
+        }
+        let places = self.power.unsigned_abs() as usize;
+        match digits.len().checked_sub(places) {
+            Some(0) | None => format!("{sign}{zero}.{}{digits}", "0".repeat(places - digits.len())),
+            Some(point) => format!("{sign}{}.{}", &digits[..point], &digits[point..]),
+        }
+    }
+}
+
+/// As JavaScript writes it: `100000`, `0.000001`, `1e-7`, `1e+21`, `NaN`, `-Infinity`.
+///
+/// The same text as `JSON.stringify` gives, so that a document saved by a page and one written by this crate are equal.
+pub(crate) fn plain(x: f64) -> String {
+    let Some(decimal) = Decimal::new(x) else {
+        return if x.is_nan() { "NaN".into() } else { format!("{}Infinity", if x < 0.0 { "-" } else { "" }) };
+    };
+    let leading = decimal.power + decimal.digits.len() as i32 - 1;
+    if (-6..21).contains(&leading) {
+        return decimal.plain("0");
+    }
+    let (first, rest) = decimal.digits.split_at(1);
+    let point = if rest.is_empty() { "" } else { "." };
+    let plus = if leading > 0 { "+" } else { "" };
+    format!("{}{first}{point}{rest}e{plus}{leading}", decimal.sign())
+}
+
+/// The shortest text that reads back as `x`, for links: `.2`, `-12.5`, `1e5`, `15e-8`. `x` is finite.
+pub(crate) fn shortest(x: f64) -> String {
+    let Some(decimal) = Decimal::new(x) else { return plain(x) };
+    let plain = decimal.plain("");
+    if decimal.power == 0 {
+        return plain;
+    }
+    let scientific = format!("{}{}e{}", decimal.sign(), decimal.digits, decimal.power);
+    if scientific.len() < plain.len() { scientific } else { plain }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_javascript_does() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (-0.5, "-0.5"),
+            (100000.0, "100000"),
+            (1e20, "100000000000000000000"),
+            (1e21, "1e+21"),
+            (1.5e300, "1.5e+300"),
+            (0.000001, "0.000001"),
+            (-1.25e-7, "-1.25e-7"),
+            (123.456, "123.456"),
+            (f64::MAX, "1.7976931348623157e+308"),
+            (5e-324, "5e-324"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(plain(x), text);
+        }
+    }
+
+    #[test]
+    fn links_write_the_shorter_form() {
+        let cases = [
+            (0.2, ".2"),
+            (-0.5, "-.5"),
+            (0.0, "0"),
+            (8.0, "8"),
+            (1200.0, "1200"),
+            (100000.0, "1e5"),
+            (0.001, ".001"),
+            (0.00001, "1e-5"),
+            (1.5e-7, "15e-8"),
+            (-3.25e20, "-325e18"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(shortest(x), text);
+        }
+    }
+
+    #[test]
+    fn rounding_keeps_twelve_digits() {
+        assert_eq!(rounded(0.1 + 0.2), 0.3);
+        assert_eq!(rounded(1.0 / 3.0), 0.333333333333);
+        assert_eq!(rounded(-0.0).to_bits(), 0.0f64.to_bits());
+        assert!(rounded(f64::MAX).is_finite());
+        assert_eq!(rounded(5e-324), 5e-324);
+        assert_eq!(rounded_in_unit(1e-17), 0.0);
+        assert_eq!(rounded_in_unit(-1e-17).to_bits(), 0.0f64.to_bits());
+    }
+
+    proptest! {
+        #[test]
+        fn every_number_reads_back(bits in any::<u64>()) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite());
+            prop_assert_eq!(plain(x).parse::<f64>().unwrap(), x);
+            prop_assert_eq!(shortest(x).parse::<f64>().unwrap(), x);
+            let once = rounded(x);
+            prop_assert_eq!(rounded(once).to_bits(), once.to_bits());
+            prop_assert!((once - x).abs() <= 5.1e-12 * x.abs());
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! One placed surface of a design.
+
+use super::fields::{self, Fields};
+use super::look::Look;
+use super::path::Path;
+use super::placement::Placement;
+use super::reader::{self, Record};
+use super::shape::Shape;
+use super::value::Value;
+use super::wall::Wall;
+use crate::error::Result;
+
+/// A part of a [`Design`](crate::Design).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Part {
+    /// Its name, different from that of every other part.
+    pub name: Option<String>,
+    /// The discrete object that it is glued into.
+    pub object: u32,
+    /// Its surface, before placement.
+    pub shape: Shape,
+    /// Where it stands.
+    pub place: Placement,
+    /// The wall that makes its surface a pot.
+    pub wall: Option<Wall>,
+    /// Its clay and glaze.
+    pub look: Look,
+}
+
+pub(crate) const PART: [&str; 6] = ["name", "object", "shape", "place", "wall", "look"];
+
+impl Part {
+    pub(crate) fn read(value: &Value, path: Path) -> Result<Self> {
+        let record = Record::open(value, path, "a part")?.only(&PART)?;
+        let path = |name| record.path.field(name);
+        Ok(Part {
+            name: match record.get("name") {
+                Some(value) => reader::label(value, &path("name"))?,
+                None => None,
+            },
+            object: match record.get("object") {
+                Some(value) => reader::whole(value, &path("object"))?,
+                None => 0,
+            },
+            shape: Shape::read(record.require("shape", "a shape")?, path("shape"))?,
+            place: match record.get("place") {
+                Some(value) => fields::read_record(value, path("place"), "a placement")?,
+                None => Placement::default(),
+            },
+            wall: match record.get("wall") {
+                Some(value) => Some(fields::read_record(value, path("wall"), "a wall with thickness and base")?),
+                None => None,
+            },
+            look: match record.get("look") {
+                Some(value) => Look::read(value, path("look"))?,
+                None => Look::default(),
+            },
+        })
+    }
+
+    pub(crate) fn canonical(self, path: &Path) -> Result<Self> {
+        Ok(Part {
+            shape: self.shape.canonical(&path.field("shape"))?,
+            place: self.place.canonical(&path.field("place"))?,
+            wall: self.wall.map(|mut wall| {
+                wall.round();
+                wall
+            }),
+            ..self
+        })
+    }
+
+    pub(crate) fn value(&self) -> Value {
+        let mut into = Vec::new();
+        if let Some(name) = &self.name {
+            into.push(("name".to_owned(), Value::Text(name.clone())));
+        }
+        if self.object != 0 {
+            into.push(("object".to_owned(), Value::Number(f64::from(self.object))));
+        }
+        into.push(("shape".to_owned(), self.shape.value()));
+        let mut group = |name: &str, write: &dyn Fn(&mut Vec<(String, Value)>)| {
+            let mut fields = Vec::new();
+            write(&mut fields);
+            if !fields.is_empty() {
+                into.push((name.to_owned(), Value::Record(fields)));
+            }
+        };
+        group("place", &|fields| self.place.write(fields));
+        if let Some(wall) = &self.wall {
+            group("wall", &|fields| wall.write(fields));
+        }
+        group("look", &|fields| self.look.write(fields));
+        Value::Record(into)
+    }
+}

@@ -1,0 +1,158 @@
+//! The shape of one part: a named family, or the general boundary-value shape into which each family expands.
+
+use super::boundary_value::BoundaryValue;
+use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+use super::fields::{self, Fields};
+use super::modes;
+use super::path::Path;
+use super::reader::{self, Record};
+use super::value::Value;
+use crate::error::{Code, Result};
+
+/// A surface as the document describes it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// `second-order`, ZY01 eqs 1-8.
+    SecondOrder(SecondOrder),
+    /// `mixed-order`, ZY01 eqs 9-12.
+    MixedOrder(MixedOrder),
+    /// `fourth-order`, ZY01 eqs 13-17.
+    FourthOrder(FourthOrder),
+    /// `bloor-wilson`, IA eqs 15-18.
+    BloorWilson(BloorWilson),
+    /// `boundary-value`: any Fourier boundary data.
+    BoundaryValue(BoundaryValue),
+}
+
+/// The word in a document's `kind`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    SecondOrder,
+    MixedOrder,
+    FourthOrder,
+    BloorWilson,
+    BoundaryValue,
+}
+
+impl Kind {
+    /// In the order of [`Kind::NAMES`].
+    const ALL: [Kind; 5] =
+        [Kind::SecondOrder, Kind::MixedOrder, Kind::FourthOrder, Kind::BloorWilson, Kind::BoundaryValue];
+    const NAMES: [&str; 5] = ["second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value"];
+    /// Kinds of the format that this version cannot compute.
+    const LATER: [&str; 3] = ["vertex-frame", "blend", "octant"];
+
+    pub(crate) fn name(self) -> &'static str {
+        Kind::NAMES[self as usize]
+    }
+
+    fn read(record: &Record) -> Result<Self> {
+        let path = record.path.field("kind");
+        let value = record.require("kind", &reader::alternatives(&Kind::NAMES))?;
+        if let Value::Text(text) = value
+            && let Some(later) = Kind::LATER.iter().find(|name| *name == text)
+        {
+            let message = format!(
+                "{later:?} is a kind of shape that this version of Pasu cannot compute yet; it knows {}",
+                reader::alternatives(&Kind::NAMES)
+            );
+            return Err(path.error(Code::UnsupportedShape, message));
+        }
+        Ok(Kind::ALL[reader::name(value, &path, &Kind::NAMES)?])
+    }
+}
+
+impl Shape {
+    /// Reads and checks a bare shape; `path` is put before the path of an error.
+    ///
+    /// The shape is as given. Only a whole [`Design`](crate::Design) is brought into canonical form.
+    ///
+    /// ```
+    /// use pasu::{Shape, Value};
+    ///
+    /// let value: Value = serde_json::from_str(r#"{ "kind": "second-order", "r": [1, 0.1, 0.6] }"#).unwrap();
+    /// let error = Shape::from_value(&value, "shape").unwrap_err();
+    /// assert_eq!(error.to_string(), "shape.r: expected a list of 4 numbers, found a list of 3");
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Design::from_value`](crate::Design::from_value).
+    pub fn from_value(value: &Value, path: &str) -> Result<Shape> {
+        Shape::read(value, Path::Start(path))
+    }
+
+    pub(crate) fn read(value: &Value, path: Path) -> Result<Shape> {
+        let record = Record::open(value, path, "a shape")?;
+        let shape = match Kind::read(&record)? {
+            Kind::SecondOrder => Shape::SecondOrder(family(record)?),
+            Kind::MixedOrder => Shape::MixedOrder(family(record)?),
+            Kind::FourthOrder => Shape::FourthOrder(family(record)?),
+            Kind::BloorWilson => Shape::BloorWilson(family(record)?),
+            Kind::BoundaryValue => Shape::BoundaryValue(BoundaryValue::read(&record.only(&modes::SHAPE)?)?),
+        };
+        shape.finite(&path)
+    }
+
+    /// The boundary-value problem of this shape: the one place where families expand.
+    pub fn boundary_value(&self) -> BoundaryValue {
+        match self {
+            Shape::SecondOrder(family) => family.boundary_value(),
+            Shape::MixedOrder(family) => family.boundary_value(),
+            Shape::FourthOrder(family) => family.boundary_value(),
+            Shape::BloorWilson(family) => family.boundary_value(),
+            Shape::BoundaryValue(general) => general.clone(),
+        }
+    }
+
+    pub(crate) fn kind(&self) -> Kind {
+        match self {
+            Shape::SecondOrder(_) => Kind::SecondOrder,
+            Shape::MixedOrder(_) => Kind::MixedOrder,
+            Shape::FourthOrder(_) => Kind::FourthOrder,
+            Shape::BloorWilson(_) => Kind::BloorWilson,
+            Shape::BoundaryValue(_) => Kind::BoundaryValue,
+        }
+    }
+
+    /// The one way of writing this surface to twelve significant digits.
+    pub(crate) fn canonical(mut self, path: &Path) -> Result<Shape> {
+        match &mut self {
+            Shape::SecondOrder(family) => family.round(),
+            Shape::MixedOrder(family) => family.round(),
+            Shape::FourthOrder(family) => family.round(),
+            Shape::BloorWilson(family) => family.round(),
+            Shape::BoundaryValue(_) => {}
+        }
+        match self {
+            Shape::BoundaryValue(general) => Ok(Shape::BoundaryValue(general.canonical(path)?)),
+            family => family.finite(path),
+        }
+    }
+
+    /// Parameters within the range of numbers may multiply beyond it.
+    fn finite(self, path: &Path) -> Result<Shape> {
+        if self.boundary_value().is_finite() {
+            return Ok(self);
+        }
+        Err(path.error(Code::Overflow, "these numbers are so large that their products cannot be computed"))
+    }
+
+    pub(crate) fn value(&self) -> Value {
+        let mut into = vec![("kind".to_owned(), Value::Text(self.kind().name().into()))];
+        match self {
+            Shape::SecondOrder(family) => family.write(&mut into),
+            Shape::MixedOrder(family) => family.write(&mut into),
+            Shape::FourthOrder(family) => family.write(&mut into),
+            Shape::BloorWilson(family) => family.write(&mut into),
+            Shape::BoundaryValue(general) => general.write(&mut into),
+        }
+        Value::Record(into)
+    }
+}
+
+fn family<T: Fields>(record: Record) -> Result<T> {
+    let mut known = vec!["kind"];
+    known.extend(fields::names::<T>());
+    T::read(&record.only(&known)?)
+}

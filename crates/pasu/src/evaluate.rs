@@ -1,0 +1,88 @@
+//! Points of a design in double precision.
+
+use crate::design::{Design, Part};
+use crate::error::{Code, Error, Result};
+use crate::surface::{Surface, SurfaceJet};
+
+/// Derivatives at the points asked for, three numbers each.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Derivatives {
+    /// `X_u`.
+    pub du: Vec<f64>,
+    /// `X_v`.
+    pub dv: Vec<f64>,
+}
+
+/// Positions, before placement, of part `part` at pairs `(u, v)`: `u` in [0, 1], `v` any number in the units of the shape's span.
+///
+/// # Errors
+/// `no-such-point` for a part that does not exist, an odd number of coordinates, or a point outside the surface; what [`Surface::solve`] refuses; `overflow`.
+pub fn evaluate(design: &Design, part: usize, at: &[f64]) -> Result<Vec<f64>> {
+    let mut positions = Vec::with_capacity(at.len() / 2 * 3);
+    for_each_point(design, part, at, |jet| positions.extend(jet.position.to_array()))?;
+    finite(part, &positions)?;
+    Ok(positions)
+}
+
+/// `X_u` and `X_v`, before placement, of part `part` at pairs `(u, v)`.
+///
+/// # Errors
+/// As [`evaluate`].
+pub fn derivatives(design: &Design, part: usize, at: &[f64]) -> Result<Derivatives> {
+    let mut derivatives = Derivatives::default();
+    for_each_point(design, part, at, |jet| {
+        derivatives.du.extend(jet.du.to_array());
+        derivatives.dv.extend(jet.dv.to_array());
+    })?;
+    finite(part, &derivatives.du)?;
+    finite(part, &derivatives.dv)?;
+    Ok(derivatives)
+}
+
+fn for_each_point(design: &Design, part: usize, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) -> Result<()> {
+    let parts = design.parts();
+    let Some(chosen) = parts.get(part) else {
+        let message = format!("expected a part from 0 to {}, found {part}", parts.len() - 1);
+        return Err(Error::new(Code::NoSuchPoint, "part", message));
+    };
+    if !at.len().is_multiple_of(2) {
+        let message = format!("expected pairs (u, v), found {} numbers", at.len());
+        return Err(Error::new(Code::NoSuchPoint, "at", message));
+    }
+    let surface = Surface::of_part(chosen, part)?;
+    for (i, point) in at.chunks_exact(2).enumerate() {
+        let (u, v) = (point[0], point[1]);
+        if !(0.0..=1.0).contains(&u) {
+            let message = format!("expected u from 0 to 1, found {u}");
+            return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i), message));
+        }
+        if !v.is_finite() {
+            let message = format!("expected a finite v, found {v}");
+            return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message));
+        }
+        visit(&surface.at(u, v));
+    }
+    Ok(())
+}
+
+fn finite(part: usize, numbers: &[f64]) -> Result<()> {
+    if numbers.iter().all(|x| x.is_finite()) {
+        Ok(())
+    } else {
+        Err(Error::new(Code::Overflow, format!("parts[{part}]"), "the surface leaves the range of numbers"))
+    }
+}
+
+impl Surface {
+    /// Solves the shape of part number `index` of a design.
+    ///
+    /// # Errors
+    /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape.
+    pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
+        let path = format!("parts[{index}].shape");
+        let shape = part.shape.boundary_value();
+        Surface::solve(&shape, &path).map_err(|error| {
+            if !matches!(part.shape, crate::design::Shape::BoundaryValue(_)) { error.at(path) } else { error }
+        })
+    }
+}

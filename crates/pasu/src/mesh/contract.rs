@@ -1,0 +1,90 @@
+//! What a mesh is, and how it is asked for.
+
+/// Triangles of a whole design, in model units, after placement.
+///
+/// Every part is one grid of `rows x columns` vertices, row by row: row `i` is the curve of constant `u_i = i / (rows - 1)`, column `j` that of constant
+/// `v_j = j span / (columns - 1)`. The last column of a closed surface repeats the first, bit for bit in position and normal, so that `uvs` can run from 0 to 1.
+///
+/// - `positions`: `x, y, z` per vertex. Rounded once, from the exact solution in `f64`.
+/// - `normals`: unit vectors, `X_u x X_v` normalised and turned to point out of the pot; at a pole or a cusp the limit from the inside of the surface.
+/// - `uvs`: `u`, `v / span` per vertex, both in [0, 1].
+/// - `indices`: three per triangle, counter-clockwise seen from outside. Where a row shrinks to a point its triangles have no area.
+/// - `groups`: triples (first index, number of indices, part).
+///
+/// Every number is finite.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    /// `x, y, z` per vertex.
+    pub positions: Vec<f32>,
+    /// Unit normals, three numbers per vertex.
+    pub normals: Vec<f32>,
+    /// `u`, `v / span` per vertex.
+    pub uvs: Vec<f32>,
+    /// Three vertex numbers per triangle.
+    pub indices: Vec<u32>,
+    /// (first index, number of indices, part) per part.
+    pub groups: Vec<u32>,
+}
+
+/// How finely to sample a design.
+///
+/// `rows` and `columns` count vertices (2 to 16 million, whose product over all parts is at most 16 million). What is not given
+/// is chosen from `tolerance`; when that is not given either, from one two-thousandth of each part's size.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MeshOptions {
+    /// The largest distance between the triangles and the true surface, in model units; positive. It holds for what is chosen from it: with
+    /// `rows` and `columns` both given it has no effect.
+    pub tolerance: Option<f64>,
+    /// Number of vertices along the profile.
+    pub rows: Option<usize>,
+    /// Number of vertices round the axis, the repeated one of a closed surface included.
+    pub columns: Option<usize>,
+}
+
+impl Mesh {
+    /// Number of vertices.
+    pub fn n_vertices(&self) -> usize {
+        self.positions.len() / 3
+    }
+
+    /// Number of triangles.
+    pub fn n_triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// Checks the contract above; the message says what is broken. Used by tests and by whoever edits a mesh.
+    ///
+    /// # Errors
+    /// The first violation found, in words.
+    pub fn validate(&self) -> Result<(), String> {
+        let n = self.n_vertices();
+        if self.positions.len() != 3 * n || self.normals.len() != 3 * n || self.uvs.len() != 2 * n {
+            return Err(format!(
+                "arrays of {} positions, {} normals, {} uvs",
+                self.positions.len(),
+                self.normals.len(),
+                self.uvs.len()
+            ));
+        }
+        if let Some(i) = self.positions.iter().chain(&self.normals).chain(&self.uvs).position(|x| !x.is_finite()) {
+            return Err(format!("number {i} is not finite"));
+        }
+        for (i, normal) in self.normals.chunks_exact(3).enumerate() {
+            let length = normal.iter().map(|x| f64::from(*x) * f64::from(*x)).sum::<f64>();
+            if (length - 1.0).abs() > 1e-6 {
+                return Err(format!("normal {i} has squared length {length}"));
+            }
+        }
+        if !self.indices.len().is_multiple_of(3) || self.indices.iter().any(|&i| i as usize >= n) {
+            return Err("an index is out of range".to_owned());
+        }
+        let mut next = 0;
+        for group in self.groups.chunks(3) {
+            match *group {
+                [first, count, _] if first == next && count % 3 == 0 => next += count,
+                _ => return Err(format!("group {group:?} does not follow on from index {next}")),
+            }
+        }
+        if next as usize == self.indices.len() { Ok(()) } else { Err("groups do not cover the indices".to_owned()) }
+    }
+}

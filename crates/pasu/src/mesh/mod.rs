@@ -1,0 +1,11 @@
+//! From the closed form to triangles.
+
+mod contract;
+mod grid;
+mod normal;
+mod orientation;
+mod sample;
+mod tolerance;
+
+pub use contract::{Mesh, MeshOptions};
+pub use sample::{VERTEX_LIMIT, mesh};

@@ -1,0 +1,158 @@
+//! Functions that span the solutions of a mode's equation and stay independent in its regime.
+
+use super::Unsolvable;
+use super::equation::{largest_rate, squared_roots};
+use super::pair::Pair;
+use super::rate::Rate;
+use super::series::{self, continue_series};
+use crate::design::Order;
+
+/// Below this rate an order 4 equation is solved by power series about the middle: at 4 the series of the four fundamental solutions
+/// reach e^2 at the ends, so they lose less than one digit, and above it every other form below is as good.
+const SERIES_RATE: f64 = 4.0;
+
+/// Half the difference of two real rates above which the roots are taken by themselves. Products of half sum and half difference would have to
+/// write `exp(-rho_2 u)` with factors of size `exp(delta)`; the roots by themselves have a determinant of relative size `delta / sigma`.
+const SEPARATION: f64 = 1.0;
+
+/// Two even and two odd solutions of the homogeneous equation about `x = u - 1/2 = 0` (for order 2, one of each).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Basis {
+    /// Order 2: `C`, `S` of the one rate.
+    Single(Rate),
+    /// Rates at most [`SERIES_RATE`], of any regime: the power series with initial data 1, `x`, `x^2 / 2`, `x^3 / 6`, which is what
+    /// they are when all rates vanish.
+    Series(Box<[Vec<f64>; 4]>),
+    /// Roots `+-sigma +-delta` near each other, double, or complex (then `delta^2 < 0`): `C C`, `S S`, `S C`, `C S` of both. The squares
+    /// `(b +- 2 sqrt(c)) / 4` are real for every `c > 0`, so that no regime needs complex numbers and the double root nothing at all.
+    Products { sigma: Rate, delta: Rate },
+    /// Real squared roots that are well apart, of any sign: `C_1`, `C_2`, `S_1`, `S_2`.
+    Separate(Rate, Rate),
+}
+
+impl Basis {
+    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`.
+    pub(super) fn of(order: Order, b: f64, c: f64) -> Result<Self, Unsolvable> {
+        let basis = match order {
+            Order::Second => Basis::Single(Rate::new(b)),
+            Order::Fourth if largest_rate(order, b, c) <= SERIES_RATE => {
+                let feedback = [(2, b), (0, -c)];
+                let unit = |start: [f64; 4]| continue_series(&start, &feedback, &[]);
+                Basis::Series(Box::new([
+                    unit([1.0, 0.0, 0.0, 0.0]),
+                    unit([0.0, 0.0, 0.5, 0.0]),
+                    unit([0.0, 1.0, 0.0, 0.0]),
+                    unit([0.0, 0.0, 0.0, 1.0 / 6.0]),
+                ]))
+            }
+            Order::Fourth => {
+                let sigma_squared = 0.25 * (b + 2.0 * libm::sqrt(c.max(0.0)));
+                let delta_squared = 0.25 * (b - 2.0 * libm::sqrt(c.max(0.0)));
+                match squared_roots(b, c) {
+                    Some((z1, z2)) if c <= 0.0 || Self::are_apart(sigma_squared, delta_squared) => {
+                        Basis::Separate(Rate::new(z1), Rate::new(z2))
+                    }
+                    _ => Basis::Products { sigma: Rate::new(sigma_squared), delta: Rate::new(delta_squared) },
+                }
+            }
+        };
+        let oscillation = basis.oscillation();
+        if let Basis::Single(rate) = basis {
+            let (c, s) = rate.at(1.0);
+            // The odd function is compared as sin, whose size is 1.
+            for value in [c, s * oscillation.max(1.0)] {
+                if oscillation > 0.0 && value.abs() < 1e-6 * (2.0 + oscillation) {
+                    return Err(Unsolvable::Resonant);
+                }
+            }
+        } else {
+            basis.even_pair().check(oscillation)?;
+            basis.odd_pair().check(oscillation)?;
+        }
+        Ok(basis)
+    }
+
+    fn are_apart(sigma_squared: f64, delta_squared: f64) -> bool {
+        if sigma_squared < 0.0 {
+            // Both roots oscillate, and nothing decays: they are apart when the slower is below a third of the faster.
+            delta_squared.abs() > 0.25 * sigma_squared.abs() && sigma_squared.abs() > 0.25 * delta_squared.abs()
+        } else {
+            delta_squared > SEPARATION * SEPARATION
+        }
+    }
+
+    /// The fastest rate of a problem that can have a singular boundary matrix, which takes a pair of imaginary roots; else 0.
+    fn oscillation(&self) -> f64 {
+        match self {
+            Basis::Single(rate) => rate.oscillation(),
+            // Within the series' reach only roots beyond i pi resonate; 4 > pi, so the check is needed. The series do not know their
+            // roots, and a decaying problem never comes near the threshold.
+            Basis::Series(_) => SERIES_RATE,
+            Basis::Products { sigma, delta } if sigma.z < 0.0 => sigma.oscillation() + delta.oscillation(),
+            Basis::Products { .. } => 0.0,
+            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => libm::sqrt(first.z.abs()),
+            Basis::Separate(..) => 0.0,
+        }
+    }
+
+    pub(super) fn even_pair(&self) -> Pair {
+        let [first, second, ..] = self.jets::<2>(1.0);
+        let pair = Pair::by_subtraction(first, second);
+        match self {
+            Basis::Products { sigma, delta } => {
+                let ((c, s), (c_delta, s_delta)) = (sigma.at(1.0), delta.at(1.0));
+                Pair { determinant: s * c * delta.scale() + s_delta * c_delta * sigma.scale(), ..pair }
+            }
+            _ => pair,
+        }
+    }
+
+    pub(super) fn odd_pair(&self) -> Pair {
+        let [.., first, second] = self.jets::<2>(1.0);
+        let pair = Pair::by_subtraction(first, second);
+        match self {
+            Basis::Products { sigma, delta } => {
+                let ((c, s), (c_delta, s_delta)) = (sigma.at(1.0), delta.at(1.0));
+                Pair { determinant: s * c * delta.scale() - s_delta * c_delta * sigma.scale(), ..pair }
+            }
+            _ => pair,
+        }
+    }
+
+    /// The functions (two even, two odd; order 2 leaves the second of each 0) at `u` with their derivatives up to order `N - 1`.
+    pub(super) fn jets<const N: usize>(&self, u: f64) -> [[f64; N]; 4] {
+        match self {
+            Basis::Single(rate) => {
+                let (even, odd) = rate.jets(u);
+                [even, [0.0; N], odd, [0.0; N]]
+            }
+            Basis::Series(functions) => [
+                series::jet(&functions[0], u),
+                series::jet(&functions[1], u),
+                series::jet(&functions[2], u),
+                series::jet(&functions[3], u),
+            ],
+            Basis::Products { sigma, delta } => {
+                let ((c, s), (c_delta, s_delta)) = (sigma.jets(u), delta.jets(u));
+                [product(&c, &c_delta), product(&s, &s_delta), product(&s, &c_delta), product(&c, &s_delta)]
+            }
+            Basis::Separate(first, second) => {
+                let ((c1, s1), (c2, s2)) = (first.jets(u), second.jets(u));
+                [c1, c2, s1, s2]
+            }
+        }
+    }
+}
+
+/// The derivatives of a product, by Leibniz' rule.
+fn product<const N: usize>(f: &[f64; N], g: &[f64; N]) -> [f64; N] {
+    let mut jet = [0.0; N];
+    for (order, value) in jet.iter_mut().enumerate() {
+        let mut binomial = 1.0;
+        for i in 0..=order {
+            *value += binomial * f[i] * g[order - i];
+            binomial = binomial * (order - i) as f64 / (i + 1) as f64;
+        }
+    }
+    jet
+}

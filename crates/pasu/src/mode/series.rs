@@ -1,0 +1,98 @@
+//! Polynomials and power series in `x = u - 1/2`, lowest power first.
+
+/// Terms that no longer change a sum of doubles on |x| <= 1/2.
+const NEGLIGIBLE: f64 = 1e-19;
+
+/// More than any series here needs: rates are at most 30, half of that at the ends, and 15^m / m! < 1e-19 from m = 70 on;
+/// a force adds its own degree.
+const MAX_TERMS: usize = 400;
+
+/// Solves `q^(order) = sum_j feedback_j q^(j) + force` for the power series of `q` from its first `order` coefficients.
+///
+/// `feedback` holds pairs `(j, factor)` with `j < order`. Stops when the terms at `|x| = 1/2` have become negligible against the largest.
+pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &[f64]) -> Vec<f64> {
+    let order = start.len();
+    let mut terms = start.to_vec();
+    let mut largest = terms.iter().enumerate().fold(0.0f64, |m, (i, a)| m.max(a.abs() * power_of_half(i)));
+    let mut quiet = 0;
+    while terms.len() < MAX_TERMS && !(quiet >= order && terms.len() >= force.len() + order) {
+        let m = terms.len() - order;
+        let mut sum = force.get(m).copied().unwrap_or(0.0);
+        for &(j, factor) in feedback {
+            sum += factor * falling(m + j, j) * terms[m + j];
+        }
+        let next = sum / falling(m + order, order);
+        let size = next.abs() * power_of_half(m + order);
+        largest = largest.max(size);
+        quiet = if size <= NEGLIGIBLE * largest { quiet + 1 } else { 0 };
+        terms.push(next);
+    }
+    while terms.last() == Some(&0.0) {
+        terms.pop();
+    }
+    terms
+}
+
+/// `n (n - 1) .. (n - j + 1)`, the factor of the `j`-th derivative of `x^n`.
+pub(super) fn falling(n: usize, j: usize) -> f64 {
+    (0..j).fold(1.0, |product, i| product * (n as f64 - i as f64))
+}
+
+fn power_of_half(n: usize) -> f64 {
+    libm::ldexp(1.0, -(n as i32))
+}
+
+/// The polynomial in `x` that equals the polynomial `in_u` of `u = x + 1/2`.
+pub(super) fn about_the_middle(in_u: &[f64]) -> Vec<f64> {
+    let mut shifted = in_u.to_vec();
+    for first in 0..shifted.len() {
+        for i in (first..shifted.len().saturating_sub(1)).rev() {
+            shifted[i] += 0.5 * shifted[i + 1];
+        }
+    }
+    shifted
+}
+
+/// The polynomial at `u` with its derivatives up to order `N - 1`, by Horner's rule.
+pub(super) fn jet<const N: usize>(polynomial: &[f64], u: f64) -> [f64; N] {
+    let x = u - 0.5;
+    let mut jet = [0.0; N];
+    for &coefficient in polynomial.iter().rev() {
+        for order in (1..N).rev() {
+            jet[order] = jet[order] * x + jet[order - 1];
+        }
+        jet[0] = jet[0] * x + coefficient;
+    }
+    let mut factorial = 1.0;
+    for (order, value) in jet.iter_mut().enumerate().skip(2) {
+        factorial *= order as f64;
+        *value *= factorial;
+    }
+    jet
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shifting_keeps_the_values() {
+        let in_u = [0.3, -2.0, 0.0, 5.0, 1.0];
+        let about = about_the_middle(&in_u);
+        for u in [0.0, 0.2, 0.5, 1.0] {
+            let direct: f64 = in_u.iter().rev().fold(0.0, |sum, c| sum * u + c);
+            assert!((jet::<1>(&about, u)[0] - direct).abs() < 1e-14);
+        }
+        assert!(about_the_middle(&[]).is_empty());
+    }
+
+    #[test]
+    fn jet_gives_the_derivatives() {
+        assert_eq!(jet::<5>(&[7.0, 0.0, 0.0, 0.0, 1.0], 1.5), [8.0, 4.0, 12.0, 24.0, 24.0]);
+    }
+
+    #[test]
+    fn a_series_that_ends_is_exact() {
+        assert_eq!(continue_series(&[1.0, 2.0], &[(0, 0.0)], &[6.0]), [1.0, 2.0, 3.0]);
+    }
+}

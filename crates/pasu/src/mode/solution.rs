@@ -1,0 +1,85 @@
+//! The closed form of one mode.
+
+use super::series;
+use super::{Equation, Unsolvable};
+use crate::design::{Datum, Order};
+
+/// Boundary values and force of a mode problem. Slopes are not used by order 2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModeData<'a> {
+    /// `q(0)`.
+    pub start: f64,
+    /// `q'(0)`.
+    pub start_u: f64,
+    /// `q(1)`.
+    pub end: f64,
+    /// `q'(1)`.
+    pub end_u: f64,
+    /// Polynomial force in ascending powers of `u`.
+    pub force: &'a [f64],
+}
+
+impl<'a> From<&'a Datum> for ModeData<'a> {
+    fn from(datum: &'a Datum) -> Self {
+        let &Datum { start, end, start_u, end_u, ref force } = datum;
+        ModeData { start, start_u, end, end_u, force }
+    }
+}
+
+/// `q(u)`: factors of the equation's basis plus a polynomial in `u - 1/2`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeSolution {
+    factors: [f64; 4],
+    particular: Vec<f64>,
+}
+
+impl ModeSolution {
+    /// Adds to a particular solution the homogeneous one that meets the boundary data.
+    pub(super) fn meeting(equation: &Equation, data: &ModeData, particular: Vec<f64>) -> Result<Self, Unsolvable> {
+        let [p0, p0_u] = series::jet::<2>(&particular, 0.0);
+        let [p1, p1_u] = series::jet::<2>(&particular, 1.0);
+        let (q0, q1) = (data.start - p0, data.end - p1);
+        let (even, odd) = (0.5 * q0 + 0.5 * q1, 0.5 * q1 - 0.5 * q0);
+        let factors = match equation.order {
+            Order::Second => {
+                let [c, _, s, _] = equation.basis.jets::<1>(1.0);
+                [even / c[0], 0.0, odd / s[0], 0.0]
+            }
+            Order::Fourth => {
+                let (q0_u, q1_u) = (data.start_u - p0_u, data.end_u - p1_u);
+                let [a, b] = equation.basis.even_pair().meet(even, 0.5 * q1_u - 0.5 * q0_u);
+                let [c, d] = equation.basis.odd_pair().meet(odd, 0.5 * q0_u + 0.5 * q1_u);
+                [a, b, c, d]
+            }
+        };
+        if factors.iter().chain(&particular).all(|f| f.is_finite()) {
+            Ok(ModeSolution { factors, particular })
+        } else {
+            Err(Unsolvable::Overflow)
+        }
+    }
+
+    /// Whether `q` is 0 everywhere.
+    pub fn is_zero(&self) -> bool {
+        self.particular.is_empty() && self.factors == [0.0; 4]
+    }
+}
+
+impl Equation {
+    /// The solutions at `u` in [0, 1], each with its derivatives up to order `N - 1`. They share the transcendental functions.
+    pub fn jets<const N: usize, const M: usize>(&self, solutions: [&ModeSolution; M], u: f64) -> [[f64; N]; M] {
+        let basis = self.basis.jets::<N>(u);
+        solutions.map(|solution| {
+            let mut jet = series::jet::<N>(&solution.particular, u);
+            for (factor, function) in solution.factors.iter().zip(&basis) {
+                // A factor 0 marks a function that is absent, and may stand beside an infinite derivative.
+                if *factor != 0.0 {
+                    for (sum, value) in jet.iter_mut().zip(function) {
+                        *sum += factor * value;
+                    }
+                }
+            }
+            jet
+        })
+    }
+}

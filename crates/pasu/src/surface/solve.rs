@@ -1,0 +1,146 @@
+//! The closed form of a two-sided surface.
+
+use core::f64::consts::TAU;
+
+use super::circle;
+use super::jet::SurfaceJet;
+use crate::design::{Axis, BoundaryValue, Component, Span};
+use crate::error::{Code, Error, Result};
+use crate::mode::{Equation, ModeData, ModeSolution, Unsolvable};
+
+/// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
+///
+/// The closed form holds for every `u` in [0, 1] and every `v`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    components: [Vec<Term>; 3],
+    span: Span,
+}
+
+/// One `n` of one component.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Term {
+    pub(super) n: f64,
+    pub(super) k: f64,
+    pub(super) equation: Equation,
+    pub(super) cos: ModeSolution,
+    pub(super) sin: ModeSolution,
+}
+
+impl Span {
+    /// The length of the `v` interval.
+    pub fn length(self) -> f64 {
+        match self {
+            Span::Tau => TAU,
+            Span::Length(length) => length,
+        }
+    }
+
+    /// The angular frequency `k_n = 2 pi n / span`; exactly `n` for a span of `2 pi`.
+    fn frequency(self, n: f64) -> f64 {
+        match self {
+            Span::Tau => n,
+            Span::Length(length) => TAU * n / length,
+        }
+    }
+}
+
+impl Surface {
+    /// Solves every mode problem of a shape. `path` is where the shape stands in its design, for the error.
+    ///
+    /// # Errors
+    /// `resonant-problem`, naming component and mode, where oscillating solutions leave no unique answer; `out-of-range` where `s` is 0;
+    /// `overflow` where the solution leaves the range of doubles.
+    pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
+        let component = |axis: Axis, component: &Component| {
+            let mut terms = Vec::with_capacity(component.modes.len());
+            for (index, mode) in component.modes.iter().enumerate() {
+                let k = shape.span.frequency(mode.n);
+                let solved =
+                    Equation::new(component.order, component.s, component.t, component.w, k).and_then(|equation| {
+                        let cos = equation.solve(&ModeData::from(&mode.cos))?;
+                        let sin = equation.solve(&ModeData::from(&mode.sin))?;
+                        Ok(Term { n: mode.n, k, equation, cos, sin })
+                    });
+                let term = solved.map_err(|why| unsolvable(why, component, axis, mode.n, index, path))?;
+                if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
+                    terms.push(term);
+                }
+            }
+            Ok(terms)
+        };
+        let components = [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
+        Ok(Surface { components, span: shape.span })
+    }
+
+    /// The length of the `v` interval.
+    pub fn span(&self) -> f64 {
+        self.span.length()
+    }
+
+    /// Whether the surface meets itself at `v = 0` and `v = span`: every `n` in use is whole.
+    pub fn is_closed(&self) -> bool {
+        self.components.iter().flatten().all(|term| term.n == libm::trunc(term.n))
+    }
+
+    pub(super) fn components(&self) -> &[Vec<Term>; 3] {
+        &self.components
+    }
+
+    /// Position and derivatives at `(u, v)`, `u` in [0, 1], `v` in the units of the span.
+    pub fn at(&self, u: f64, v: f64) -> SurfaceJet {
+        let mut jet = SurfaceJet::default();
+        for (axis, terms) in self.components.iter().enumerate() {
+            for term in terms {
+                let [a, b] = term.equation.jets::<3, 2>([&term.cos, &term.sin], u);
+                let (c, s) = self.angle(term.n, v);
+                let k = term.k;
+                jet.position[axis] += a[0] * c + b[0] * s;
+                jet.du[axis] += a[1] * c + b[1] * s;
+                jet.duu[axis] += a[2] * c + b[2] * s;
+                jet.dv[axis] += k * (b[0] * c - a[0] * s);
+                jet.duv[axis] += k * (b[1] * c - a[1] * s);
+                jet.dvv[axis] -= k * k * (a[0] * c + b[0] * s);
+            }
+        }
+        jet
+    }
+
+    /// `(cos, sin)` of `k_n v`.
+    fn angle(&self, n: f64, v: f64) -> (f64, f64) {
+        match self.span {
+            Span::Tau => (libm::cos(n * v), libm::sin(n * v)),
+            Span::Length(length) => circle::of_turns(n * (v / length)),
+        }
+    }
+}
+
+fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index: usize, path: &str) -> Error {
+    let name = match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+        Axis::Z => "z",
+    };
+    let Component { s, t, w, .. } = component;
+    let path = format!("{path}.{name}.modes[{index}]");
+    match why {
+        Unsolvable::NoHighestDerivative => {
+            Error::new(Code::OutOfRange, path, format!("the equation of {name} needs an s that is not 0, found {s}"))
+        }
+        Unsolvable::Resonant => Error::new(
+            Code::ResonantProblem,
+            path,
+            format!(
+                "component {name}, mode n = {n} is in resonance: with s = {s}, t = {t}, w = {w} the equation oscillates between the two \
+                 boundaries by itself, so the boundary curves do not decide the surface; change s, t, w or n a little"
+            ),
+        ),
+        Unsolvable::Overflow => Error::new(
+            Code::Overflow,
+            path,
+            format!(
+                "component {name}, mode n = {n} is too large to compute: with s = {s}, t = {t}, w = {w} its solution leaves the range of numbers"
+            ),
+        ),
+    }
+}

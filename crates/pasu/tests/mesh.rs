@@ -1,0 +1,285 @@
+//! The mesh contract, orientation, poles and tolerance.
+
+mod support;
+
+use std::collections::HashMap;
+
+use glam::{DVec3, Vec3};
+use pasu::{Design, Mesh, MeshOptions, Surface, mesh};
+use support::{corpus, design, design_of, design_of_case};
+
+fn grid(rows: usize, columns: usize) -> MeshOptions {
+    MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None }
+}
+
+fn vertex(mesh: &Mesh, i: u32) -> DVec3 {
+    Vec3::from_slice(&mesh.positions[3 * i as usize..]).as_dvec3()
+}
+
+fn normal(mesh: &Mesh, i: u32) -> DVec3 {
+    Vec3::from_slice(&mesh.normals[3 * i as usize..]).as_dvec3()
+}
+
+/// A wall of order 2 through circles of two radii, heights 0 and 2, `u` from foot to rim or from rim to foot.
+fn lathe(start: f64, end: f64, heights: [f64; 2]) -> String {
+    let circle = |part: &str| {
+        format!(
+            r#"{{ "order": 2, "s": 1, "t": 0, "modes": [{{ "n": 1, "{part}": {{ "start": {start}, "end": {end} }} }}] }}"#
+        )
+    };
+    format!(
+        r#"{{ "kind": "boundary-value", "span": "2pi", "x": {}, "y": {},
+              "z": {{ "order": 2, "s": 1, "t": 0, "modes": [{{ "n": 0, "cos": {{ "start": {}, "end": {} }} }}] }} }}"#,
+        circle("cos"),
+        circle("sin"),
+        heights[0],
+        heights[1]
+    )
+}
+
+#[test]
+fn every_figure_keeps_the_contract() {
+    for case in corpus() {
+        let design = design_of_case(&case);
+        for options in [grid(2, 4), grid(17, 31), MeshOptions::default()] {
+            let mesh = mesh(&design, &options).unwrap_or_else(|e| panic!("{}: {e}", case.name));
+            mesh.validate().unwrap_or_else(|e| panic!("{}: {e}", case.name));
+        }
+    }
+}
+
+#[test]
+fn positions_are_the_surface_rounded_once() {
+    for case in corpus() {
+        let design = design_of_case(&case);
+        let surface = Surface::of_part(&design.parts()[0], 0).unwrap();
+        let (rows, columns) = (9, 14);
+        let mesh = mesh(&design, &grid(rows, columns)).unwrap();
+        for i in 0..rows {
+            for j in 0..columns {
+                let (u, v) = (i as f64 / (rows - 1) as f64, surface.span() * j as f64 / (columns - 1) as f64);
+                let exact = surface.at(u, v).position;
+                let found = vertex(&mesh, (i * columns + j) as u32);
+                assert!(
+                    (found - exact).length() <= 1.2e-7 * exact.abs().max_element() + 1e-12 * case.scale,
+                    "{} row {i} column {j}",
+                    case.name
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_seam_has_the_same_bits() {
+    for case in corpus() {
+        let design = design_of_case(&case);
+        assert!(Surface::of_part(&design.parts()[0], 0).unwrap().is_closed());
+        let columns = 37;
+        let mesh = mesh(&design, &grid(11, columns)).unwrap();
+        for i in 0..11 {
+            let (a, b) = (3 * i * columns, 3 * (i * columns + columns - 1));
+            assert_eq!(mesh.positions[a..a + 3], mesh.positions[b..b + 3], "{} row {i}", case.name);
+            assert_eq!(mesh.normals[a..a + 3], mesh.normals[b..b + 3], "{} row {i}", case.name);
+        }
+    }
+}
+
+#[test]
+fn welded_at_the_seam_a_wall_is_a_cylinder() {
+    let mesh = mesh(&design_of(&lathe(1.0, 0.5, [0.0, 2.0])), &grid(12, 25)).unwrap();
+    let mut vertices = HashMap::new();
+    let mut welded = Vec::new();
+    for i in 0..mesh.n_vertices() {
+        let key: Vec<u32> = mesh.positions[3 * i..3 * i + 3].iter().map(|x| x.to_bits()).collect();
+        let next = vertices.len();
+        welded.push(*vertices.entry(key).or_insert(next));
+    }
+    let mut edges: HashMap<(usize, usize), i32> = HashMap::new();
+    for triangle in mesh.indices.chunks_exact(3) {
+        for k in 0..3 {
+            let (a, b) = (welded[triangle[k] as usize], welded[triangle[(k + 1) % 3] as usize]);
+            *edges.entry((a.min(b), a.max(b))).or_default() += if a < b { 1 } else { -1 };
+        }
+    }
+    let characteristic = vertices.len() as i64 - edges.len() as i64 + mesh.n_triangles() as i64;
+    assert_eq!(characteristic, 0, "an annulus");
+    // Edges inside the wall are walked once each way; 24 at rim and 24 at foot are walked once.
+    assert_eq!(edges.values().filter(|&&n| n != 0).count(), 48);
+}
+
+#[test]
+fn outside_is_outside() {
+    let out = |design: &Design, what: &str| {
+        let mesh = mesh(design, &grid(9, 40)).unwrap();
+        for triangle in mesh.indices.chunks_exact(3) {
+            let [a, b, c] = [0, 1, 2].map(|k| vertex(&mesh, triangle[k]));
+            let facing = (b - a).cross(c - a);
+            for &corner in triangle {
+                assert!(facing.dot(normal(&mesh, corner)) > 0.0, "{what}: winding against the normal");
+            }
+            let arm = (a + b + c) / 3.0;
+            assert!(facing.x * arm.x + facing.y * arm.y > 0.0, "{what}: inward");
+        }
+    };
+    for (name, shape) in [
+        ("foot first", lathe(1.0, 1.5, [0.0, 2.0])),
+        ("rim first", lathe(1.5, 1.0, [2.0, 0.0])),
+        ("negative radius", lathe(-1.5, -1.0, [2.0, 0.0])),
+    ] {
+        out(&design_of(&shape), name);
+        let mirrored =
+            format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "place": {{ "scale": [1, -2, 3] }} }}] }}"#);
+        out(&design(&mirrored), &format!("{name}, mirrored"));
+    }
+}
+
+#[test]
+fn normals_are_exact() {
+    // Cone: the normal leans by the slope of the wall.
+    let mesh = mesh(&design_of(&lathe(1.0, 2.0, [0.0, 2.0])), &grid(5, 33)).unwrap();
+    for i in 0..mesh.n_vertices() as u32 {
+        let (position, normal) = (vertex(&mesh, i), normal(&mesh, i));
+        let radius = position.truncate().length();
+        let expected = DVec3::new(2.0 * position.x / radius, 2.0 * position.y / radius, -1.0).normalize();
+        assert!((normal - expected).length() < 1e-6, "{normal} {expected}");
+    }
+}
+
+#[test]
+fn poles_and_cusps_have_normals() {
+    // A cone closed in a point: the limit of each meridian.
+    let cone = mesh(&design_of(&lathe(0.0, 1.0, [0.0, 1.0])), &grid(4, 9)).unwrap();
+    for j in 0..9 {
+        let turn = std::f64::consts::TAU * f64::from(j) / 8.0;
+        let expected = DVec3::new(turn.cos(), turn.sin(), -1.0) / 2f64.sqrt();
+        assert!((normal(&cone, j) - expected).length() < 1e-6);
+    }
+    // A bowl with a smooth bottom: the wall leaves the pole level.
+    let bowl = r#"{ "kind": "boundary-value", "span": "2pi",
+        "x": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 1, "cos": { "start": 0, "start_u": 1, "end": 1, "end_u": 1 } }] },
+        "y": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 1, "sin": { "start": 0, "start_u": 1, "end": 1, "end_u": 1 } }] },
+        "z": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 0, "cos": { "start": 0, "start_u": 0, "end": 1, "end_u": 2 } }] } }"#;
+    let bowl = mesh(&design_of(bowl), &grid(4, 9)).unwrap();
+    for j in 0..9 {
+        assert!((normal(&bowl, j) + DVec3::Z).length() < 1e-6, "{}", normal(&bowl, j));
+    }
+    // A cusp: the wall stands still at the rim (X_u = 0), and the normal is that of the wall below it.
+    let cusp = bowl_with_cusp();
+    let cusp = mesh(&design_of(&cusp), &grid(4, 9)).unwrap();
+    cusp.validate().unwrap();
+    for j in 0..9 {
+        let at = vertex(&cusp, j).truncate();
+        assert!(normal(&cusp, j).truncate().dot(at) > 0.9, "{}", normal(&cusp, j));
+    }
+    // Nothing but a point, and nothing but a circle.
+    for shape in [lathe(0.0, 0.0, [1.0, 1.0]), lathe(1.0, 1.0, [1.0, 1.0]), lathe(0.0, 0.0, [0.0, 1.0])] {
+        mesh(&design_of(&shape), &grid(4, 9)).unwrap().validate().unwrap();
+    }
+}
+
+fn bowl_with_cusp() -> String {
+    let wall = |part: &str| {
+        format!(
+            r#"{{ "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{{ "n": 1, "{part}": {{ "start": 1, "end": 1 }} }}] }}"#
+        )
+    };
+    format!(
+        r#"{{ "kind": "boundary-value", "span": "2pi", "x": {}, "y": {},
+              "z": {{ "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{{ "n": 0, "cos": {{ "start": 2 }} }}] }} }}"#,
+        wall("cos"),
+        wall("sin")
+    )
+}
+
+/// The largest distance, over a dense sample, between a point of the surface and the point of its triangle with the same parameters.
+fn deviation(design: &Design, mesh: &Mesh) -> f64 {
+    let surface = Surface::of_part(&design.parts()[0], 0).unwrap();
+    let columns = 1 + mesh.uvs.chunks_exact(2).position(|uv| uv[1] == 1.0).unwrap();
+    let rows = mesh.n_vertices() / columns;
+    let (mut worst, dense) = (0.0f64, 4);
+    for i in 0..rows - 1 {
+        for j in 0..columns - 1 {
+            let corner = |di: usize, dj: usize| vertex(mesh, ((i + di) * columns + j + dj) as u32);
+            for a in 0..=dense {
+                for b in 0..=dense {
+                    let (p, q) = (f64::from(a) / f64::from(dense), f64::from(b) / f64::from(dense));
+                    // The diagonal runs from the cell's first corner to its last.
+                    let flat = if p >= q {
+                        corner(0, 0) * (1.0 - p) + corner(1, 0) * (p - q) + corner(1, 1) * q
+                    } else {
+                        corner(0, 0) * (1.0 - q) + corner(0, 1) * (q - p) + corner(1, 1) * p
+                    };
+                    let u = (i as f64 + p) / (rows - 1) as f64;
+                    let v = surface.span() * (j as f64 + q) / (columns - 1) as f64;
+                    worst = worst.max((surface.at(u, v).position - flat).length());
+                }
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn the_tolerance_is_held() {
+    for case in
+        corpus().iter().filter(|case| case.family.is_some() || case.name.contains("k=60") || case.name.contains("w<0"))
+    {
+        let design = design_of_case(case);
+        for tolerance in [0.2, 0.02] {
+            let tolerance = tolerance * case.scale / 3.0;
+            let mesh = mesh(&design, &MeshOptions { tolerance: Some(tolerance), ..MeshOptions::default() }).unwrap();
+            let found = deviation(&design, &mesh);
+            assert!(found <= tolerance, "{}: {found} is more than {tolerance}", case.name);
+        }
+    }
+}
+
+#[test]
+fn the_tolerance_is_not_wasted() {
+    // A cylinder of radius 1: the sagitta of a chord over the angle a is a^2 / 8.
+    let mesh = mesh(
+        &design_of(&lathe(1.0, 1.0, [0.0, 2.0])),
+        &MeshOptions { tolerance: Some(1e-4), ..MeshOptions::default() },
+    )
+    .unwrap();
+    let least = (std::f64::consts::TAU / (8.0f64 * 1e-4).sqrt()).ceil() as usize + 1;
+    assert_eq!(mesh.n_vertices() / 2, mesh.n_vertices().div_ceil(2), "two rows");
+    assert!(
+        (2 * least..=3 * least).contains(&mesh.n_vertices()),
+        "{} vertices, {least} columns are enough",
+        mesh.n_vertices()
+    );
+}
+
+#[test]
+fn options_out_of_range_are_refused() {
+    let design = design_of(&lathe(1.0, 1.5, [0.0, 2.0]));
+    let refused = |options: MeshOptions| {
+        let error = mesh(&design, &options).expect_err("refused");
+        (error.code(), error.path().to_owned(), error.message().to_owned())
+    };
+    let tolerance = |tolerance: f64| MeshOptions { tolerance: Some(tolerance), ..MeshOptions::default() };
+    assert_eq!(refused(grid(1, 10)).0, "out-of-range");
+    assert_eq!(refused(grid(10, 3)).1, "columns");
+    assert_eq!(refused(grid(usize::MAX, 10)).0, "out-of-range");
+    assert_eq!(refused(grid(4001, 4001)).0, "too-large");
+    for nonsense in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(refused(tolerance(nonsense)).0, "out-of-range");
+    }
+    assert_eq!(refused(tolerance(1e-9)).0, "tolerance-too-fine");
+    assert_eq!(refused(tolerance(1e-300)).0, "tolerance-too-fine");
+    assert_eq!(refused(MeshOptions { tolerance: Some(0.01), ..grid(2, 6) }).0, "tolerance-too-fine");
+    let huge = design_of(&lathe(1e39, 1e39, [0.0, 2.0]));
+    assert_eq!(mesh(&huge, &grid(4, 9)).unwrap_err().code(), "overflow");
+    assert!(mesh(&huge, &MeshOptions::default()).is_err());
+}
+
+#[test]
+fn rows_or_columns_alone_are_completed() {
+    let design = design_of(&lathe(1.0, 1.5, [0.0, 2.0]));
+    let rows = mesh(&design, &MeshOptions { rows: Some(7), ..MeshOptions::default() }).unwrap();
+    assert_eq!(rows.n_vertices() % 7, 0);
+    let columns = mesh(&design, &MeshOptions { columns: Some(50), ..MeshOptions::default() }).unwrap();
+    assert_eq!(columns.n_vertices() % 50, 0);
+}

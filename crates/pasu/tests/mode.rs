@@ -1,0 +1,70 @@
+//! The mode problem against values computed with hundreds of digits (`tests/reference/modes.json`, made by `mode_reference.py`).
+
+use pasu::{Equation, ModeData, Order};
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+struct Case {
+    why: String,
+    order: u8,
+    s: f64,
+    t: f64,
+    w: f64,
+    k: f64,
+    start: f64,
+    end: f64,
+    start_u: f64,
+    end_u: f64,
+    force: Vec<f64>,
+    u: Vec<f64>,
+    q: Vec<[f64; 3]>,
+}
+
+#[test]
+fn agrees_with_the_reference() {
+    let cases: Vec<Case> = serde_json::from_str(include_str!("../../../tests/reference/modes.json")).unwrap();
+    let (mut worst, mut failures) = ([0.0f64; 3], Vec::new());
+    for case in &cases {
+        let name = format!(
+            "{} order {} s {} t {} w {} k {} force of {}",
+            case.why,
+            case.order,
+            case.s,
+            case.t,
+            case.w,
+            case.k,
+            case.force.len()
+        );
+        let order = if case.order == 2 { Order::Second } else { Order::Fourth };
+        let equation = Equation::new(order, case.s, case.t, case.w, case.k).unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let &Case { start, end, start_u, end_u, ref force, .. } = case;
+        let solution = equation.solve(&ModeData { start, end, start_u, end_u, force }).unwrap();
+        // The solution may be larger than its boundary data where a force or a near resonance drives it.
+        let scale = case
+            .q
+            .iter()
+            .map(|q| q[0].abs())
+            .fold(start.abs().max(end.abs()).max(start_u.abs()).max(end_u.abs()), f64::max);
+        let rate = equation.largest_rate().max(1.0);
+        for (&u, q) in case.u.iter().zip(&case.q) {
+            let [jet] = equation.jets::<3, 1>([&solution], u);
+            for d in 0..3 {
+                let size = scale * libm::pow(rate, d as f64);
+                let error = (jet[d] - q[d]).abs() / size;
+                let bound = [1e-10, 1e-9, 1e-8][d];
+                if !(error <= bound) {
+                    failures.push(format!("{name}: u {u}, derivative {d}: {} is not {} ({error:.1e})", jet[d], q[d]));
+                }
+                worst[d] = worst[d].max(error);
+            }
+        }
+    }
+    println!("{} cases, worst errors {worst:?}", cases.len());
+    assert!(
+        failures.is_empty(),
+        "{} failures of {}:\n{}",
+        failures.len(),
+        cases.len(),
+        failures.iter().take(30).cloned().collect::<Vec<_>>().join("\n")
+    );
+}

@@ -1,0 +1,67 @@
+//! What several test files share: the reference corpus and designs written as JSON.
+#![allow(dead_code, unreachable_pub)] // Each test file is a crate of its own and uses a part.
+
+use pasu::{Design, Shape, Surface, Value};
+use serde::Deserialize;
+
+/// One case of `tests/reference/surfaces.json`.
+#[derive(Deserialize)]
+pub struct Case {
+    pub name: String,
+    pub family: Option<Value>,
+    pub shape: Value,
+    pub points: Vec<Point>,
+    pub scale: f64,
+}
+
+#[derive(Deserialize)]
+pub struct Point {
+    pub u: f64,
+    pub v: f64,
+    pub position: [f64; 3],
+    pub du: [f64; 3],
+    pub dv: [f64; 3],
+}
+
+pub fn corpus() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../../../tests/reference/surfaces.json")).expect("the corpus is JSON")
+}
+
+pub fn shape(value: &Value) -> Shape {
+    Shape::from_value(value, "shape").unwrap_or_else(|e| panic!("{e}"))
+}
+
+pub fn surface(value: &Value) -> Surface {
+    Surface::solve(&shape(value).boundary_value(), "shape").unwrap_or_else(|e| panic!("{e}"))
+}
+
+pub fn surface_of(json: &str) -> Surface {
+    surface(&serde_json::from_str(json).expect("a test's shape is JSON"))
+}
+
+/// A design of one part with the given shape.
+pub fn design_of(shape: &str) -> Design {
+    design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape} }}] }}"#))
+}
+
+pub fn design(json: &str) -> Design {
+    Design::parse(json).unwrap_or_else(|e| panic!("{e}\n{json}"))
+}
+
+pub fn design_of_case(case: &Case) -> Design {
+    design_of(&serde_json::to_string(case.family.as_ref().unwrap_or(&case.shape)).expect("a value is JSON"))
+}
+
+/// The largest `k sqrt(|t/s|)` or `k (|w/s|)^(1/4)` of a shape, at least 1: what a derivative may grow by.
+pub fn rate(shape: &Shape) -> f64 {
+    let shape = shape.boundary_value();
+    let span = shape.span.length();
+    let mut rate = 1.0f64;
+    for component in [&shape.x, &shape.y, &shape.z] {
+        for mode in &component.modes {
+            let k = if span == std::f64::consts::TAU { mode.n } else { std::f64::consts::TAU * mode.n / span };
+            rate = rate.max(k * (component.t / component.s).abs().sqrt());
+        }
+    }
+    rate
+}
