@@ -291,6 +291,10 @@ export class PasuStage extends DesignerElement {
       .host {
         touch-action: none;
       }
+      .still {
+        top: 76px;
+        height: calc(100% - 76px);
+      }
       .host:focus-visible {
         outline-offset: -4px;
         z-index: 1;
