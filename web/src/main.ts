@@ -10,7 +10,13 @@ const designer = new Designer(new SolverClient(startWorker), {
   shelf: browserShelf(),
   address: () => location.href.replace(/#.*$/s, ""),
   fragment: () => (location.hash.length > 1 ? location.hash : ""),
-  writeFragment: (link) => history.replaceState(null, "", `#${link}`),
+  writeFragment: (link) => {
+    try {
+      history.replaceState(null, "", `#${link}`);
+    } catch {
+      // Some browsers refuse after a hundred changes in half a minute: the next gesture writes the address again.
+    }
+  },
 });
 const app = document.createElement("pasu-app");
 app.designer = designer;

@@ -69,6 +69,7 @@ export class Designer {
   #told = false;
   #framing = 0;
   #travelled = false;
+  #warned = false;
   #saved: Design;
   #started = false;
   #noticeId = 0;
@@ -362,7 +363,11 @@ export class Designer {
     const shown = this.shown;
     if (!shown?.settled) return;
     const text = JSON.stringify(shown.design);
-    keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved: shown.design !== this.#saved });
+    const unsaved = shown.design !== this.#saved;
+    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved });
+    if (kept || !unsaved || this.#warned) return;
+    this.#warned = true;
+    this.say("This browser keeps no copy of your work. Save it, or copy its link, before you leave.");
   }
 
   /** Tells the components once, however many things changed in this turn. */

@@ -14,13 +14,18 @@ export class PasuDialog extends LitElement {
   @property({ type: Boolean }) reading = false;
   @query("dialog") private readonly dialog!: HTMLDialogElement;
 
+  private opener: Element | null = null;
+
   override firstUpdated(): void {
-    if (!this.dialog.open) this.dialog.showModal();
+    this.opener = focused();
+    this.dialog.showModal();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.dialog.close();
+    // A dialogue that a choice inside it took off the page leaves the focus nowhere.
+    if (focused() === document.body && this.opener instanceof HTMLElement) this.opener.focus();
   }
 
   override render() {
@@ -101,6 +106,13 @@ export class PasuDialog extends LitElement {
       }
     `,
   ];
+}
+
+/** The element with the focus, however deep in shadow trees. */
+function focused(): Element | null {
+  let active = document.activeElement;
+  while (active?.shadowRoot?.activeElement) active = active.shadowRoot.activeElement;
+  return active;
 }
 
 declare global {

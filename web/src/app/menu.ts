@@ -75,7 +75,7 @@ export class PasuMenu extends LitElement {
       #panel {
         position: absolute;
         z-index: 30;
-        right: 0;
+        right: var(--menu-right, 0);
         top: calc(100% + 6px);
         min-width: 210px;
         padding: 6px;
@@ -86,7 +86,7 @@ export class PasuMenu extends LitElement {
       }
       :host([side="up"]) #panel {
         top: auto;
-        bottom: calc(100% + 6px);
+        bottom: var(--menu-bottom, calc(100% + 6px));
       }
       ::slotted(*) {
         display: flex !important;

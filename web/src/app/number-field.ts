@@ -61,7 +61,7 @@ export class PasuNumber extends LitElement {
       <div class=${this.compact ? "row compact" : "row"} @dblclick=${this.reset}>
         <label for="field" title=${this.explain ? nothing : this.help}>
           <span class=${this.compact ? "spoken" : "name"}>${this.label}</span>
-          ${this.qualifier === "" ? nothing : html`<span class="spoken">, ${this.qualifier}</span>`}
+          ${this.qualifier === "" ? nothing : html`<span class="qualifier">${this.qualifier}</span>`}
           ${this.symbol === "" ? nothing : html`<span class="symbol" aria-hidden="true">${symbol(this.symbol)}</span>`}
         </label>
         ${
@@ -80,6 +80,7 @@ export class PasuNumber extends LitElement {
             role="spinbutton"
             autocomplete="off"
             spellcheck="false"
+            aria-label=${name}
             .value=${text}
             aria-valuenow=${this.value}
             aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
@@ -232,6 +233,10 @@ export class PasuNumber extends LitElement {
         align-items: baseline;
         gap: 8px;
         min-width: 0;
+      }
+      .qualifier {
+        color: var(--soft);
+        font-size: 0.88em;
       }
       .symbol {
         color: var(--soft);

@@ -79,7 +79,7 @@ export class PasuApp extends DesignerElement {
       ${
         openProblem
           ? html`<div class="banner" role="alert">
-              ${icon("warn")} ${explain(openProblem)}
+              ${icon("warn")} ${explain(openProblem, "Your pot stays as it is.")}
               <button class="button bare" type="button" aria-label="Dismiss" @click=${() => designer.dismissOpenProblem()}>
                 ${icon("close")}
               </button>
@@ -89,7 +89,7 @@ export class PasuApp extends DesignerElement {
       ${
         problem
           ? html`<div class="banner" role="alert">
-              ${icon("warn")} ${explain(problem)}
+              ${icon("warn")} ${explain(problem, designer.shown ? "The pot on the stage is the last one that worked." : "")}
               ${
                 designer.store.canUndo
                   ? html`<button class="button outlined" type="button" @click=${() => designer.undo()}>Undo</button>`
@@ -424,8 +424,9 @@ export class PasuApp extends DesignerElement {
   ];
 }
 
-function explain(problem: Refusal) {
-  return html`<p>${problem.message}${problem.path === "" ? nothing : html`<small>${problem.path}</small>`}</p>`;
+/** The solver's sentence first; where it happened and what it means for the stage in small print. */
+function explain(problem: Refusal, comfort: string) {
+  return html`<p>${problem.message}<small>${[comfort, problem.path].filter(Boolean).join(" ")}</small></p>`;
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

@@ -291,6 +291,10 @@ export class PasuStage extends DesignerElement {
       .host {
         touch-action: none;
       }
+      .still {
+        top: 76px;
+        height: calc(100% - 76px);
+      }
       .host:focus-visible {
         outline-offset: -4px;
         z-index: 1;
@@ -434,8 +438,14 @@ export class PasuStage extends DesignerElement {
           text-align: center;
         }
         .tools {
-          align-self: center;
-          padding: 2px;
+          flex-direction: column;
+          align-self: end;
+          margin: auto 0;
+          padding: 1px;
+        }
+        .tools pasu-menu {
+          --menu-right: calc(100% + 8px);
+          --menu-bottom: -44px;
         }
       }
     `,

@@ -147,8 +147,10 @@ export class PasuTopBar extends DesignerElement {
         letter-spacing: 0.01em;
       }
       .title {
-        flex: 0 1 300px;
+        flex: 0 1 auto;
+        field-sizing: content;
         min-width: 60px;
+        max-width: 420px;
         min-height: var(--touch);
         padding: 0 10px;
         border: 1px solid transparent;

@@ -16,7 +16,7 @@ export const GROUP_HELP: Readonly<Record<Group, string>> = {
   Foot: "The lower edge",
   Wall: "What the clay does in between",
   Height: "From the foot to the rim",
-  Equation: "The weights of the terms of the equation",
+  Equation: "The weights of its terms",
   Force: "A push along the whole wall",
 };
 
