@@ -5,6 +5,7 @@ mod document;
 mod family;
 mod fields;
 mod json;
+mod json_reader;
 mod limits;
 mod look;
 mod modes;

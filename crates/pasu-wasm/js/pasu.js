@@ -1,0 +1,77 @@
+// Pasu for browsers and workers. Node uses node.js, which adds how to find the module on disk.
+//
+// The WebAssembly instance lives behind this file: errors become PasuError, and an instance that a bug has stopped is
+// replaced by a fresh one, which costs nothing else because every function is stateless.
+
+import load, * as bindings from "./bindings.js";
+
+/** A refusal: `code` says what, `path` where, `message` tells a person. */
+export class PasuError extends Error {
+  constructor(code, path, message, options) {
+    super(message, options);
+    this.name = "PasuError";
+    this.code = code;
+    this.path = path;
+  }
+}
+
+let loading;
+let ready = false;
+let broken = false;
+
+/** Loads the module, once; `source` says where it is, if not beside this file, or is a function that does. */
+export default function init(source) {
+  loading ??= instantiate(typeof source === "function" ? source() : source).then(
+    () => {
+      ready = true;
+    },
+    (error) => {
+      loading = undefined; // so that it can be tried again
+      throw error;
+    },
+  );
+  return loading;
+}
+
+async function instantiate(source) {
+  await load(source === undefined ? undefined : { module_or_path: source });
+}
+
+export function parse(source) {
+  return call(bindings.parse, source);
+}
+
+export function mesh(source, options) {
+  return call(bindings.mesh, source, options);
+}
+
+export function evaluate(source, part, at) {
+  return call(bindings.evaluate, source, part, at);
+}
+
+export function derivatives(source, part, at) {
+  return call(bindings.derivatives, source, part, at);
+}
+
+export function fingerprint(source) {
+  return call(bindings.fingerprint, source);
+}
+
+function call(binding, ...args) {
+  if (!ready) throw new PasuError("not-ready", "", "Pasu is not loaded yet: call init() and wait for it first.");
+  try {
+    if (broken) {
+      bindings.__wbg_reset_state();
+      broken = false;
+    }
+    return binding(...args);
+  } catch (error) {
+    if (error instanceof Error && error.name === "PasuError" && error.code !== "bug") {
+      throw new PasuError(error.code, error.path, error.message);
+    }
+    // Whatever else comes out of the module is a bug of ours, and the instance can no longer be trusted. It is replaced
+    // at the next call, not now: the stack may be what has run out.
+    broken = true;
+    throw new PasuError("bug", "", error instanceof Error ? error.message : String(error), { cause: error });
+  }
+}

@@ -1,0 +1,82 @@
+//! Pasu for JavaScript: converts arguments, calls `pasu`, converts the result back. No arithmetic of its own.
+//!
+//! What is exported here becomes `bindings.js`; `js/pasu.js` wraps it into the module that people import, and
+//! `js/pasu.d.ts` describes that one. Every refusal leaves as an error named `PasuError` with `code` and `path`.
+//!
+//! A panic is a bug. The module is compiled with `panic = "abort"`, so nothing is unwound: the panic hook throws a
+//! `PasuError` with the code `bug` instead, and the wrapper starts a fresh instance before the next call.
+
+#![cfg_attr(target_arch = "wasm32", warn(missing_docs))]
+
+mod error;
+mod mesh;
+mod options;
+mod points;
+mod source;
+mod value;
+
+use js_sys::{Float64Array, Object};
+use wasm_bindgen::prelude::*;
+
+use crate::error::thrown;
+
+/// Prepares the module; runs once, when it is instantiated.
+#[wasm_bindgen(start)]
+pub fn start() {
+    error::install_panic_hook();
+}
+
+/// The canonical design, as a plain object.
+///
+/// # Errors
+/// When the source is not a design.
+#[wasm_bindgen]
+pub fn parse(source: &JsValue) -> Result<JsValue, JsValue> {
+    let design = source::design(source).map_err(|error| thrown(&error))?;
+    js_sys::JSON::parse(&design.to_json())
+}
+
+/// The triangles of a design, as an object of typed arrays.
+///
+/// # Errors
+/// When the source is not a design, an option is not understood, or the design cannot be solved or meshed.
+#[wasm_bindgen]
+pub fn mesh(source: &JsValue, options: &JsValue) -> Result<Object, JsValue> {
+    let solved = || pasu::mesh(&source::design(source)?, &options::read(options)?);
+    mesh::object(&solved().map_err(|error| thrown(&error))?)
+}
+
+/// Positions of a part before placement, xyz triples.
+///
+/// # Errors
+/// When the source is not a design, the part or a point does not exist, or the part cannot be solved.
+#[wasm_bindgen]
+pub fn evaluate(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Float64Array, JsValue> {
+    let solved = || pasu::evaluate(&source::design(source)?, points::part(part)?, &points::read(at)?);
+    let positions = solved().map_err(|error| thrown(&error))?;
+    Ok(Float64Array::from(positions.as_slice()))
+}
+
+/// First derivatives of a part before placement, as an object of two arrays of xyz triples.
+///
+/// # Errors
+/// As [`evaluate`].
+#[wasm_bindgen]
+pub fn derivatives(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Object, JsValue> {
+    let solved = || pasu::derivatives(&source::design(source)?, points::part(part)?, &points::read(at)?);
+    let derivatives = solved().map_err(|error| thrown(&error))?;
+    let object = Object::new();
+    mesh::set(&object, "du", Float64Array::from(derivatives.du.as_slice()).into())?;
+    mesh::set(&object, "dv", Float64Array::from(derivatives.dv.as_slice()).into())?;
+    Ok(object)
+}
+
+/// A short hash of the design's mesh, the same on every machine.
+///
+/// # Errors
+/// When the source is not a design or cannot be solved.
+#[wasm_bindgen]
+pub fn fingerprint(source: &JsValue) -> Result<String, JsValue> {
+    let solved = || pasu::fingerprint(&source::design(source)?);
+    solved().map_err(|error| thrown(&error))
+}

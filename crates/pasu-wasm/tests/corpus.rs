@@ -1,0 +1,91 @@
+//! The reference corpus through the bindings, in Node: the proof that the bindings add nothing and lose nothing.
+
+use js_sys::{Float64Array, JSON, Object, Reflect};
+use pasu_wasm::{derivatives, evaluate, fingerprint};
+use serde_json::{Value, json};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const CORPUS: &str = include_str!("../../../tests/reference/surfaces.json");
+
+/// Written and checked by the native tests.
+const GOLDENS: &str = include_str!("../../../tests/goldens/fingerprints.json");
+
+#[wasm_bindgen_test]
+fn every_case_keeps_its_bounds() {
+    let corpus: Vec<Value> = serde_json::from_str(CORPUS).expect("the corpus is JSON");
+    assert!(corpus.len() >= 62, "the corpus has lost cases");
+    for case in &corpus {
+        check(case, &case["shape"]);
+        if case["family"].is_object() {
+            check(case, &case["family"]);
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn fingerprints_are_the_golden_ones() {
+    let corpus: Vec<Value> = serde_json::from_str(CORPUS).expect("the corpus is JSON");
+    let goldens: serde_json::Map<String, Value> = serde_json::from_str(GOLDENS).expect("the goldens are JSON");
+    assert_eq!(goldens.len(), corpus.len());
+    for case in &corpus {
+        let shape = if case["family"].is_object() { &case["family"] } else { &case["shape"] };
+        let design = js(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }));
+        let name = case["name"].as_str().expect("a name");
+        let found = fingerprint(&design).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+        assert_eq!(goldens[name].as_str(), Some(found.as_str()), "{name}");
+    }
+}
+
+/// One case, as its boundary-value problem or as its family.
+fn check(case: &Value, shape: &Value) {
+    let name = format!("{} as {}", case["name"], shape["kind"]);
+    let design = js(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }));
+    let points = case["points"].as_array().expect("points");
+    let at: Vec<f64> = points.iter().flat_map(|point| [number(&point["u"]), number(&point["v"])]).collect();
+    let at = JsValue::from(Float64Array::from(at.as_slice()));
+    let part = JsValue::from(0);
+
+    let scale = number(&case["scale"]);
+    let positions = evaluate(&design, &part, &at).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+    compare(&name, "position", points, &positions, 1e-10 * scale);
+
+    let slopes = derivatives(&design, &part, &at).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+    let bound = 1e-9 * scale * rate(&case["shape"]);
+    for field in ["du", "dv"] {
+        compare(&name, field, points, &array(&slopes, field), bound);
+    }
+}
+
+fn compare(name: &str, field: &str, points: &[Value], found: &Float64Array, bound: f64) {
+    assert_eq!(found.length() as usize, 3 * points.len(), "{name}: {field} has the wrong length");
+    for (point, found) in points.iter().zip(found.to_vec().chunks(3)) {
+        for (axis, (found, expected)) in found.iter().zip(point[field].as_array().expect("triple")).enumerate() {
+            let error = (found - number(expected)).abs();
+            assert!(error <= bound, "{name}: {field}[{axis}] at {point}: found {found}, off by {error:e} > {bound:e}");
+        }
+    }
+}
+
+/// The largest `max(1, k, k sqrt(|t / s|))` of a boundary-value problem: how steep its solutions may be.
+fn rate(shape: &Value) -> f64 {
+    let span = shape["span"].as_f64().unwrap_or(std::f64::consts::TAU);
+    let of = |component: &Value| {
+        let ratio = (number(&component["t"]) / number(&component["s"])).abs().sqrt().max(1.0);
+        let modes = component["modes"].as_array().into_iter().flatten();
+        modes.map(move |mode| std::f64::consts::TAU * number(&mode["n"]).abs() / span * ratio).fold(1.0, f64::max)
+    };
+    ["x", "y", "z"].iter().map(|axis| of(&shape[axis])).fold(1.0, f64::max)
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+fn array(object: &Object, field: &str) -> Float64Array {
+    Reflect::get(object, &field.into()).expect("a field").unchecked_into()
+}
+
+fn js(value: &Value) -> JsValue {
+    JSON::parse(&value.to_string()).expect("JSON")
+}

@@ -1,0 +1,139 @@
+//! What JavaScript may pass, what it gets back and how it is refused, in Node.
+
+use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
+use pasu_wasm::{derivatives, evaluate, fingerprint, mesh, parse};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const DINT_VASE: &str = r#"{ "pasu": 1, "title": "Dint vase", "parts": [{ "name": "body",
+    "shape": { "kind": "bloor-wilson", "a": 0.01, "r": [1, 0.1, 0.1, 0.8], "R": [-3, -0.5, -0.5, 2],
+               "h": [3, 0.3], "H": [-0.5, -0.7], "n1": 5 } }] }"#;
+
+const OPEN_SHEET: &str = r#"{ "pasu": 1, "unit": "mm", "parts": [{
+    "shape": { "kind": "boundary-value", "span": 1,
+               "x": { "order": 2, "s": 1, "t": 1, "modes": [{ "n": 1, "cos": { "start": 1, "end": 2 } }] },
+               "y": { "order": 2, "s": 1, "t": 1, "modes": [{ "n": 1, "sin": { "start": 1, "end": 2 } }] },
+               "z": { "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{ "n": 0, "cos": { "start": 3, "start_u": -1 } }] } },
+    "place": { "scale": [1, 1, 2], "axis": [0, 0, 1], "angle": 0.5, "shift": [0, 0, 1] },
+    "look": { "glaze": "cobalt" } }] }"#;
+
+#[wasm_bindgen_test]
+fn a_design_comes_as_text_and_as_object() {
+    for text in [DINT_VASE, OPEN_SHEET] {
+        let canonical = stringified(&parse(&text.into()).expect("text"));
+        assert_eq!(stringified(&parse(&js(text)).expect("object")), canonical);
+        assert_eq!(fingerprint(&text.into()), fingerprint(&js(text)));
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_mesh_is_typed_arrays_of_the_grid_that_was_asked_for() {
+    let made = mesh(&DINT_VASE.into(), &js(r#"{ "rows": 5, "columns": 9 }"#)).expect("a mesh");
+    let field = |name: &str| Reflect::get(&made, &name.into()).expect("a field");
+    assert_eq!(field("positions").unchecked_into::<Float32Array>().length(), 3 * 5 * 9);
+    assert_eq!(field("normals").unchecked_into::<Float32Array>().length(), 3 * 5 * 9);
+    assert_eq!(field("uvs").unchecked_into::<Float32Array>().length(), 2 * 5 * 9);
+    let indices = field("indices").unchecked_into::<Uint32Array>();
+    assert_eq!(indices.length() % 3, 0);
+    assert!(indices.to_vec().iter().all(|&index| index < 5 * 9));
+    assert_eq!(field("groups").unchecked_into::<Uint32Array>().to_vec(), [0, indices.length(), 0]);
+    for options in [JsValue::UNDEFINED, JsValue::NULL, js("{}"), js(r#"{ "tolerance": 0.05 }"#)] {
+        mesh(&DINT_VASE.into(), &options).expect("a mesh by default or by tolerance");
+    }
+}
+
+#[wasm_bindgen_test]
+fn points_come_as_typed_or_plain_arrays() {
+    let pairs = [0.0, 0.0, 0.25, 1.0, 1.0, 3.0];
+    let typed = JsValue::from(Float64Array::from(pairs.as_slice()));
+    let plain: Array = pairs.iter().map(|&number| JsValue::from(number)).collect();
+    let vase = JsValue::from(DINT_VASE);
+    let from_typed = evaluate(&vase, &0.into(), &typed).expect("typed").to_vec();
+    assert_eq!(from_typed.len(), 9);
+    assert_eq!(evaluate(&vase, &0.into(), &plain).expect("plain").to_vec(), from_typed);
+}
+
+#[wasm_bindgen_test]
+fn refusals_carry_code_and_path() {
+    let changed = |path: &[&str], value: JsValue| {
+        let design = js(DINT_VASE);
+        let mut at = design.clone();
+        for key in &path[..path.len() - 1] {
+            at = Reflect::get(&at, &JsValue::from(*key)).expect("a field");
+        }
+        Reflect::set(&at, &JsValue::from(path[path.len() - 1]), &value).expect("set");
+        design
+    };
+    let shape = |field: &'static str, value: JsValue| changed(&["parts", "0", "shape", field], value);
+    let circular = js(DINT_VASE);
+    Reflect::set(&circular, &"parts".into(), &Array::of1(&circular)).expect("set");
+    let cases: Vec<(JsValue, &str, &str)> = vec![
+        (changed(&["parts", "0", "shape", "r", "2"], f64::NAN.into()), "not-finite", "parts[0].shape.r[2]"),
+        (shape("a", f64::INFINITY.into()), "not-finite", "parts[0].shape.a"),
+        (shape("a", f64::NEG_INFINITY.into()), "not-finite", "parts[0].shape.a"),
+        (shape("a", "six".into()), "wrong-type", "parts[0].shape.a"),
+        (shape("a", JsValue::UNDEFINED), "missing-field", "parts[0].shape.a"),
+        (shape("b", 1.into()), "unknown-field", "parts[0].shape.b"),
+        (shape("kind", "teapot".into()), "unknown-name", "parts[0].shape.kind"),
+        (shape("kind", "octant".into()), "unsupported-shape", "parts[0].shape.kind"),
+        (shape("a", js_sys::Function::new_no_args("").into()), "wrong-type", "parts[0].shape.a"),
+        (shape("a", js_sys::Symbol::iterator().into()), "wrong-type", "parts[0].shape.a"),
+        (changed(&["pasu"], 2.into()), "unknown-version", "pasu"),
+        (changed(&["parts"], Array::new().into()), "out-of-range", "parts"),
+        (changed(&["unit"], "furlong".into()), "unknown-name", "unit"),
+        (circular, "too-large", ""),
+        ("{ \"pasu\": 1".into(), "not-json", ""),
+        (JsValue::UNDEFINED, "wrong-type", ""),
+        (5.into(), "wrong-type", ""),
+    ];
+    for (source, code, path) in &cases {
+        expect(parse(source), code, path);
+        expect(fingerprint(source), code, path);
+        expect(mesh(source, &JsValue::UNDEFINED), code, path);
+        expect(evaluate(source, &0.into(), &Array::new()), code, path);
+        expect(derivatives(source, &0.into(), &Array::new()), code, path);
+    }
+}
+
+#[wasm_bindgen_test]
+fn wrong_arguments_are_refused_by_name() {
+    let vase = JsValue::from(DINT_VASE);
+    let options = |text: &str| mesh(&vase, &js(text));
+    expect(options(r#"{ "rows": 2.5 }"#), "out-of-range", "options.rows");
+    expect(options(r#"{ "columns": -1 }"#), "out-of-range", "options.columns");
+    expect(options(r#"{ "rows": "many" }"#), "wrong-type", "options.rows");
+    expect(options(r#"{ "row": 5 }"#), "unknown-field", "options.row");
+    expect(mesh(&vase, &5.into()), "wrong-type", "options");
+
+    let origin = JsValue::from(Float64Array::new_with_length(2));
+    for part in [JsValue::from(-1), 0.5.into(), f64::NAN.into()] {
+        expect(evaluate(&vase, &part, &origin), "no-such-point", "part");
+    }
+    expect(evaluate(&vase, &"0".into(), &origin), "wrong-type", "part");
+    expect(evaluate(&vase, &0.into(), &JsValue::UNDEFINED), "wrong-type", "at");
+    expect(derivatives(&vase, &0.into(), &js(r#"[0, "1"]"#)), "wrong-type", "at[1]");
+}
+
+fn expect<T: std::fmt::Debug>(outcome: Result<T, impl Into<JsValue>>, code: &str, path: &str) {
+    let error: JsValue = match outcome {
+        Ok(value) => panic!("expected {code} at `{path}`, got {value:?}"),
+        Err(error) => error.into(),
+    };
+    let text = |key: &str| Reflect::get(&error, &key.into()).ok().and_then(|value| value.as_string());
+    let found = (text("name"), text("code"), text("path"));
+    assert_eq!(
+        found,
+        (Some("PasuError".into()), Some(code.into()), Some(path.into())),
+        "with the message {:?}",
+        text("message")
+    );
+    assert!(text("message").is_some_and(|message| message.len() > 10), "a message for a person");
+}
+
+fn js(text: &str) -> JsValue {
+    JSON::parse(text).expect("JSON")
+}
+
+fn stringified(value: &JsValue) -> String {
+    JSON::stringify(value.unchecked_ref::<Object>()).expect("plain data").into()
+}
