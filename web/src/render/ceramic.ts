@@ -74,7 +74,7 @@ void main() {
   float bend = clamp(0.06 * (bulge - 0.6), -0.7, 0.75);
   float rim = exp(-max(0.0, vWare.y) / 0.02);
   float wander = 0.5 * broad.x + 0.25 * fine.y;
-  float footLine = vWare.z - 0.05 - 0.02 * wander;
+  float footLine = vWare.z - 0.034 - 0.016 * wander;
   float bead = exp(-max(0.0, footLine) / 0.03);
   float thick = 1.0 - bend - 0.8 * rim + 0.3 * bead + layer.z * (1.0 * broad.y + 0.8 * fine.x);
   // It runs down while it melts.
@@ -128,8 +128,8 @@ void main() {
 `;
 
 /**
- * The material of one glaze on one clay: a layered shader of our own rather than a general physical one. It needs no environment map, follows
- * how glaze lies on a pot (`ware.ts`), and costs a quarter of the general one where the GPU is software.
+ * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
+ * on a pot (`ware.ts`) and needs no environment map to be made before the first picture.
  *
  * @param shift where the pot stands in scene space
  */

@@ -46,7 +46,7 @@ export const GLAZES: Readonly<Record<GlazeName, Glaze>> = {
     breaking: 0.55,
     mottle: 0.3,
     streak: 0.15,
-    speckle: 0.25,
+    speckle: 0.14,
     roughness: 0.1,
     coat: 1,
   },

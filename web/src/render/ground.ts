@@ -28,6 +28,10 @@ const TEXELS = 96;
 /** Half the side of the table's shadowed square, in units of what stands on it. */
 const REACH = 2.4;
 
+/** Where the shadow begins to fade and where it ends, as shares of the half side: on a backdrop, and on a picture that is cut out. */
+const WIDE = [0.55, 1];
+const NARROW = [0.14, 0.43];
+
 /** Footprint pass: how strongly each place of the table is covered, near (red) and far (green), seen from below. */
 const COVER_VERTEX = /* glsl */ `
 precision highp float;
@@ -106,6 +110,7 @@ in vec2 vUv;
 uniform sampler2D image;
 uniform vec2 turn;
 uniform float shadow;
+uniform vec2 extent;
 out vec4 colour;
 void main() {
   vec2 near = texture(image, vUv).xy;
@@ -114,7 +119,7 @@ void main() {
   float thrown = texture(image, vUv - away * 0.07).y;
   float dark = 1.0 - (1.0 - 0.85 * near.x) * (1.0 - 0.34 * near.y) * (1.0 - 0.4 * thrown);
   vec2 edge = abs(vUv * 2.0 - 1.0);
-  float fade = 1.0 - smoothstep(0.55, 1.0, length(edge));
+  float fade = 1.0 - smoothstep(extent.x, extent.y, length(edge));
   colour = vec4(0.0, 0.0, 0.0, shadow * dark * fade);
 }
 `;
@@ -127,6 +132,7 @@ export class Ground {
   readonly object: Mesh<BufferGeometry, RawShaderMaterial>;
   /** Centre x, y; size of what stands there; half side of the shadowed square; in scene space. */
   private readonly area = { value: new Vector4(0, 0, 1, 1) };
+  private readonly extent = { value: WIDE };
   private readonly targets = [newTarget(), newTarget()] as const;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera();
@@ -170,6 +176,7 @@ export class Ground {
         table: studio.table,
         turn: studio.turn,
         shadow: studio.shadow,
+        extent: this.extent,
       },
       // From below there is no table: the foot is then in view.
       side: FrontSide,
@@ -183,6 +190,11 @@ export class Ground {
     this.object.frustumCulled = false;
     this.object.visible = false;
     this.object.renderOrder = 2;
+  }
+
+  /** Whether the shadow keeps within a fitted picture, for pictures without a backdrop, whose edges would show in it. */
+  set narrow(narrow: boolean) {
+    this.extent.value = narrow ? NARROW : WIDE;
   }
 
   /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. */

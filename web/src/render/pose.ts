@@ -24,7 +24,7 @@ const FIT_MARGIN = 1.16;
 
 const FRONT = -Math.PI / 2;
 
-/** The direction of every standard view. The eye level of "front" and "side" is slightly raised so that the rim opens. */
+/** The direction of every standard view. */
 export const VIEWS: Readonly<Record<ViewName, { azimuth: number; polar: number }>> = {
   "three-quarter": { azimuth: FRONT + 0.55, polar: 1.13 },
   front: { azimuth: FRONT, polar: Math.PI / 2 },

@@ -51,7 +51,10 @@ export class Stage {
   private fitted = false;
   private gesturing = false;
   private movedAt = -Infinity;
+  /** The pose last told to the page. */
+  private told = "";
   private disposed = false;
+  private readonly listeners = new AbortController();
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -104,6 +107,7 @@ export class Stage {
     });
     this.resizes = new ResizeObserver(() => this.resize());
     this.resizes.observe(this.root);
+    this.watchPixels();
     this.resize();
   }
 
@@ -206,35 +210,20 @@ export class Stage {
   }
 
   /**
-   * The picture as it is seen now, as a PNG of another size, without disturbing the screen.
+   * The picture as it is seen now, as a PNG of another size, without disturbing the screen. A fitted view is fitted to the picture; one that
+   * was moved keeps its height.
    *
    * @throws {RangeError} for an impossible size
+   * @throws {Error} while the graphics context is lost
    */
   async picture(width: number, height: number, options: { transparent?: boolean } = {}): Promise<Blob> {
     if (this.context.lost) throw new Error("the graphics context is lost; try again when it is back");
-    const { renderer } = this.context;
-    const { tableau } = this;
-    this.prepare(width / height);
-    const { backdrop } = tableau;
-    const scale = height / Math.max(this.size.height, 1);
-    backdrop.aspect.value = width / height;
-    backdrop.object.visible = !options.transparent;
-    try {
-      const canvas = drawPicture(renderer, tableau.scene, this.camera.view, width, height, (window) => {
-        backdrop.window.value = [...window];
-        this.overlay.scale(window[2] * width, window[3] * height, scale);
-      });
-      const context = canvas.getContext("2d");
-      if (context) this.overlay.paint(context, this.camera.view, width, height, scale);
-      return await toPng(canvas);
-    } finally {
-      backdrop.object.visible = true;
-      backdrop.window.value = [0, 0, 1, 1];
-    }
+    return toPng(this.photograph(width, height, options.transparent ?? false));
   }
 
-  /** Resolves when nothing more is to be drawn: at once at rest. */
+  /** Resolves when nothing more is to be drawn: at once at rest, and while the stage has no size. */
   whenIdle(): Promise<void> {
+    if (this.size.width === 0 || this.size.height === 0) return Promise.resolve();
     return this.loop.whenIdle();
   }
 
@@ -242,6 +231,7 @@ export class Stage {
     if (this.disposed) return;
     this.disposed = true;
     this.resizes.disconnect();
+    this.listeners.abort();
     this.gesture.dispose();
     this.loop.dispose();
     this.overlay.dispose();
@@ -259,6 +249,42 @@ export class Stage {
     this.changed();
   }
 
+  /** All at once: between two frames of the screen, which share the scene. */
+  private photograph(width: number, height: number, transparent: boolean): HTMLCanvasElement {
+    const { tableau, overlay } = this;
+    const aspect = width / height;
+    const camera = new Camera();
+    const pose = this.camera.pose;
+    camera.radius = tableau.frame.radius;
+    if (this.fitted && !this.camera.moving) pose.distance = this.reach(pose, aspect);
+    camera.travel(pose, true);
+    this.prepare(camera, aspect);
+    const scale = height / Math.max(this.size.height, 1);
+    tableau.cutOut = transparent;
+    try {
+      const { renderer } = this.context;
+      const canvas = drawPicture(renderer, tableau.scene, camera.view, width, height, (window) => {
+        tableau.backdrop.window.value = [...window];
+        overlay.scale(window[2] * width, window[3] * height, scale);
+      });
+      const paper = canvas.getContext("2d");
+      if (paper) overlay.paint(paper, camera.view, width, height, scale);
+      return canvas;
+    } finally {
+      tableau.cutOut = false;
+      tableau.backdrop.window.value = [0, 0, 1, 1];
+    }
+  }
+
+  /** The distance from which everything is seen, looking at a point in a direction. */
+  private reach(pose: Omit<CameraPose, "distance">, aspect: number): number {
+    const { frame, main } = this.tableau;
+    const points = this.tableau.outline();
+    if (main.bounds) points.push(...this.overlay.outline(main.bounds, pose.azimuth));
+    const distance = fitDistance(points, pose.target, axesOf(pose.azimuth, pose.polar), aspect);
+    return distance > 0 ? distance : frame.radius;
+  }
+
   /** Something is different: a quick frame now, a fine one when all is quiet. */
   private changed(): void {
     this.movedAt = performance.now();
@@ -274,11 +300,24 @@ export class Stage {
     this.camera.radius = radius;
     const { azimuth, polar } = name ? VIEWS[name] : this.camera.goal;
     const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
-    const points = [...this.tableau.outline(), ...this.overlay.outline(bounds, azimuth)];
-    const fit = fitDistance(points, bounds.centre, axesOf(azimuth, polar), aspect);
-    this.camera.travel({ azimuth, polar, distance: fit > 0 ? fit : radius, target: bounds.centre }, atOnce);
+    const direction = { azimuth, polar, target: bounds.centre };
+    this.camera.travel({ ...direction, distance: this.reach(direction, aspect) }, atOnce);
     this.fitted = true;
     this.loop.invalidate();
+  }
+
+  /** The pixels of the screen change when the window moves to another one, without a change of size. */
+  private watchPixels(): void {
+    if (this.disposed) return;
+    const now = matchMedia(`(resolution: ${globalThis.devicePixelRatio || 1}dppx)`);
+    now.addEventListener(
+      "change",
+      () => {
+        this.loop.invalidate();
+        this.watchPixels();
+      },
+      { once: true, signal: this.listeners.signal },
+    );
   }
 
   private resize(): void {
@@ -295,30 +334,38 @@ export class Stage {
     this.loop.invalidate();
   }
 
-  private prepare(aspect: number): void {
+  private prepare(camera: Camera, aspect: number): void {
     this.tableau.prepare(this.context.renderer);
-    const { azimuth } = this.camera.pose;
+    const { azimuth } = camera.pose;
     this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
-    this.tableau.light(this.camera, aspect);
+    this.tableau.light(camera, aspect);
+    this.tableau.backdrop.aspect.value = aspect;
+  }
+
+  /** Tells where the camera came to rest, when that is somewhere else. */
+  private tell(): void {
+    const pose = this.camera.pose;
+    const key = [pose.azimuth, pose.polar, pose.distance, ...pose.target].join();
+    if (key === this.told) return;
+    this.told = key;
+    this.options.onCamera?.(pose);
   }
 
   private draw(seconds: number): boolean {
     const { width, height } = this.size;
     if (width === 0 || height === 0) return false;
-    const wasMoving = this.camera.moving;
     const moving = this.camera.step(seconds);
     const now = performance.now();
     if (moving || this.gesturing) this.movedAt = now;
     const busy = now - this.movedAt < REST_DELAY;
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
-    this.prepare(width / height);
-    this.tableau.backdrop.aspect.value = width / height;
+    this.prepare(this.camera, width / height);
     const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
     this.overlay.scale(Math.floor(width * fineness.ratio), Math.floor(height * fineness.ratio), fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
     this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
     this.drawn++;
-    if (wasMoving && !moving) this.options.onCamera?.(this.camera.pose);
+    if (!moving) this.tell();
     // What was drawn in haste is drawn again once all is quiet.
     if (busy && !this.gesturing) this.loop.later(REST_DELAY);
     return moving;

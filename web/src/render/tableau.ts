@@ -51,6 +51,12 @@ export class Tableau implements Tenant {
     this.stale = true;
   }
 
+  /** Takes the backdrop away, as for a picture that is cut out, or puts it back. */
+  set cutOut(cutOut: boolean) {
+    this.backdrop.object.visible = !cutOut;
+    this.ground.narrow = cutOut;
+  }
+
   /** Puts a second pot to the right of the first, or takes it away. @throws {MeshError} */
   compare(other: { mesh: StageMesh; looks: readonly StageLook[] } | null): void {
     if (other) {

@@ -36,7 +36,7 @@ export function thumbnails(): Thumbnails {
     }
     tableau ??= new Tableau("light");
     context.admit(tableau);
-    tableau.backdrop.object.visible = false;
+    tableau.cutOut = true;
     const parts = Math.max(1, mesh.groups.length / 3);
     tableau.show(mesh, new Array<StageLook>(parts).fill(look));
     const bounds = tableau.bounds;

@@ -80,18 +80,20 @@ impl Part {
             into.push(("object".to_owned(), Value::Number(f64::from(self.object))));
         }
         into.push(("shape".to_owned(), self.shape.value()));
-        let mut group = |name: &str, write: &dyn Fn(&mut Vec<(String, Value)>)| {
-            let mut fields = Vec::new();
-            write(&mut fields);
-            if !fields.is_empty() {
-                into.push((name.to_owned(), Value::Record(fields)));
-            }
-        };
-        group("place", &|fields| self.place.write(fields));
+        push_group(&mut into, "place", |fields| self.place.write(fields));
         if let Some(wall) = &self.wall {
-            group("wall", &|fields| wall.write(fields));
+            push_group(&mut into, "wall", |fields| wall.write(fields));
         }
-        group("look", &|fields| self.look.write(fields));
+        push_group(&mut into, "look", |fields| self.look.write(fields));
         Value::Record(into)
+    }
+}
+
+/// A group of fields, unless all of them have their defaults.
+fn push_group(into: &mut Vec<(String, Value)>, name: &str, write: impl FnOnce(&mut Vec<(String, Value)>)) {
+    let mut fields = Vec::new();
+    write(&mut fields);
+    if !fields.is_empty() {
+        into.push((name.to_owned(), Value::Record(fields)));
     }
 }

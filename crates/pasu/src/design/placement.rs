@@ -1,6 +1,11 @@
 //! Where a part stands: scaled, then turned, then moved (ASB88).
 
+use std::f64::consts::PI;
+
 use super::fields::fields;
+use super::number::{rounded, rounded_in_unit};
+use super::path::Path;
+use crate::error::{Code, Result};
 
 fields! {
     /// The placement of a part: scale, then rotation, then shift.
@@ -29,9 +34,13 @@ impl Default for Placement {
 
 impl Placement {
     /// The rows of the matrix that scales, then turns (Rodrigues' formula; ASB88 T2, corrected).
+    ///
+    /// A point `p` of the shape goes to `matrix p + shift`. Turns by 0 and by half a turn are exact.
     pub fn matrix(&self) -> [[f64; 3]; 3] {
-        let [h, k, l] = self.axis;
-        let (sin, cos) = (libm::sin(self.angle), libm::cos(self.angle));
+        // Twelve decimals leave the axis a little off unit length.
+        let length = norm(self.axis);
+        let [h, k, l] = self.axis.map(|c| c / length);
+        let (sin, cos) = if self.angle == -PI { (0.0, -1.0) } else { (libm::sin(self.angle), libm::cos(self.angle)) };
         let turned = 1.0 - cos;
         let rotation = [
             [cos + h * h * turned, h * k * turned - l * sin, h * l * turned + k * sin],
@@ -41,8 +50,235 @@ impl Placement {
         rotation.map(|row| [row[0] * self.scale[0], row[1] * self.scale[1], row[2] * self.scale[2]])
     }
 
-    pub(crate) fn canonical(mut self, _path: &super::path::Path) -> crate::error::Result<Self> {
-        super::fields::Fields::round(&mut self);
-        Ok(self)
+    /// The one placement that moves every point as this one does (ASB88; `math.md` section 4).
+    ///
+    /// # Errors
+    /// `out-of-range` when the axis has no direction.
+    pub(crate) fn canonical(self, path: &Path) -> Result<Self> {
+        let Some(axis) = direction(self.axis) else {
+            let message = "expected the direction of an axis, found [0, 0, 0]";
+            return Err(path.field("axis").error(Code::OutOfRange, message));
+        };
+        let mut turn = Turn { axis, angle: principal(self.angle) };
+        let mut scale = self.scale.map(rounded);
+        // Two negative factors are half a turn. `Sy` takes what is left over, so that only it tells the handedness.
+        let half_turn_about = match (scale[0] < 0.0, scale[2] < 0.0) {
+            (false, false) => None,
+            (true, true) => Some(1),
+            (true, false) => Some(2),
+            (false, true) => Some(0),
+        };
+        if let Some(about) = half_turn_about {
+            for (index, factor) in scale.iter_mut().enumerate() {
+                if index != about {
+                    *factor = -*factor;
+                }
+            }
+            turn = turn.after_half_turn(about);
+        }
+        let Turn { axis, angle } = turn.oriented();
+        Ok(Placement { scale, axis, angle, shift: self.shift.map(rounded) })
+    }
+}
+
+/// A rotation: unit axis to twelve decimals, angle in [-pi, pi).
+#[derive(Clone, Copy)]
+struct Turn {
+    axis: [f64; 3],
+    angle: f64,
+}
+
+impl Turn {
+    /// This rotation applied after half a turn about one of the coordinate axes: a product of quaternions.
+    fn after_half_turn(self, about: usize) -> Turn {
+        // cos(pi/2) as computed is not 0; half a turn must not leave noise in place of zeros.
+        let (w, sin) =
+            if self.angle == -PI { (0.0, 1.0) } else { (libm::cos(self.angle / 2.0), libm::sin(self.angle / 2.0)) };
+        let v = self.axis.map(|c| c * sin);
+        let (next, last) = ((about + 1) % 3, (about + 2) % 3);
+        let mut vector = [0.0; 3];
+        vector[about] = w;
+        vector[next] = v[last];
+        vector[last] = -v[next];
+        let angle = 2.0 * libm::atan2(norm(vector), -v[about]);
+        match normalised(vector) {
+            Some(axis) => Turn { axis, angle: principal(rounded_in_unit(angle)) },
+            None => Turn { axis: UPRIGHT, angle: 0.0 },
+        }
+    }
+
+    /// The same rotation about the one of the two opposite axes that the format prefers.
+    fn oriented(self) -> Turn {
+        if self.angle == 0.0 {
+            return Turn { axis: UPRIGHT, angle: 0.0 };
+        }
+        let [h, k, l] = self.axis;
+        let preferred = k > 0.0 || (k == 0.0 && (h > 0.0 || (h == 0.0 && l > 0.0)));
+        if preferred {
+            return self;
+        }
+        let angle = if self.angle == -PI { -PI } else { -self.angle };
+        // `0.0 - c` and not `-c`: zero stays without a sign.
+        Turn { axis: self.axis.map(|c| 0.0 - c), angle }
+    }
+}
+
+/// The axis of a turn by 0.
+const UPRIGHT: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// How far from unit length an axis of twelve decimals may be: half a unit of the last place in each component. Such an
+/// axis is not divided by its length again, or canonical form would not be its own canonical form.
+const UNIT: f64 = 1e-12;
+
+/// The unit vector along an axis of any length, to twelve decimals; `None` when it is zero.
+fn direction(axis: [f64; 3]) -> Option<[f64; 3]> {
+    if (norm(axis) - 1.0).abs() <= UNIT { Some(axis.map(rounded_in_unit)) } else { normalised(axis) }
+}
+
+fn normalised(vector: [f64; 3]) -> Option<[f64; 3]> {
+    let largest = vector.iter().fold(0.0f64, |largest, c| largest.max(c.abs()));
+    if largest == 0.0 {
+        return None;
+    }
+    // By the largest first: the squares of very large or small components leave the range of numbers.
+    let scaled = vector.map(|c| c / largest);
+    let length = norm(scaled);
+    Some(scaled.map(|c| rounded_in_unit(c / length)))
+}
+
+/// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn.
+fn principal(angle: f64) -> f64 {
+    let within = if (-PI..PI).contains(&angle) {
+        angle
+    } else {
+        // Whole turns are not whole numbers: what is left of them is noise beyond twelve decimals.
+        rounded_in_unit(libm::atan2(libm::sin(angle), libm::cos(angle)))
+    };
+    let near = rounded(within);
+    if near.abs() >= PI { -PI } else { near }
+}
+
+fn norm([h, k, l]: [f64; 3]) -> f64 {
+    (h * h + k * k + l * l).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::design::fields::{self, Fields};
+    use crate::design::value::Value;
+
+    fn canonical(place: Placement) -> Placement {
+        place.canonical(&Path::Start("place")).unwrap()
+    }
+
+    /// The largest distance between two placements' images of the corners of the unit cube.
+    fn distance(a: &Placement, b: &Placement) -> f64 {
+        let mut largest = 0.0f64;
+        for corner in 0..8 {
+            let p = [0, 1, 2].map(|axis| f64::from(corner >> axis & 1));
+            let [a, b] = [a, b].map(|place| {
+                let m = place.matrix();
+                [0, 1, 2].map(|i| m[i][0] * p[0] + m[i][1] * p[1] + m[i][2] * p[2] + place.shift[i])
+            });
+            largest = (0..3).fold(largest, |largest, i| largest.max((a[i] - b[i]).abs()));
+        }
+        largest
+    }
+
+    fn read(value: &Value) -> Placement {
+        fields::read_record(value, Path::Start("place"), "a placement").unwrap()
+    }
+
+    #[test]
+    fn every_reference_placement() {
+        let text = include_str!("../../../../tests/reference/placements.json");
+        let cases: Vec<Vec<(String, Value)>> = match serde_json::from_str(text).unwrap() {
+            Value::List(cases) => cases
+                .into_iter()
+                .map(|case| match case {
+                    Value::Record(fields) => fields,
+                    other => panic!("{other:?}"),
+                })
+                .collect(),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(cases.len(), 25);
+        for case in cases {
+            let (given, expected) = (read(&case[0].1), read(&case[1].1));
+            let found = canonical(given);
+            for (found, expected) in found.numbers().concat().iter().zip(expected.numbers().concat()) {
+                assert!((found - expected).abs() < 1e-9, "{given:?}\n{found:?}\n{expected:?}");
+            }
+            assert!(distance(&given, &found) < 1e-9);
+            assert!(distance(&expected, &found) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn special_turns() {
+        let place = |axis, angle| canonical(Placement { axis, angle, ..Placement::default() });
+        // A whole turn is none, whatever its axis.
+        assert_eq!(place([1.0, 2.0, 3.0], 2.0 * PI), Placement::default());
+        assert_eq!(place([1.0, 2.0, 3.0], -6.0 * PI), Placement::default());
+        // Half a turn has two axes and two angles.
+        for (axis, angle) in [([0.0, 0.0, -2.0], PI), ([0.0, 0.0, 1.0], -PI), ([0.0, 0.0, -1.0], 3.14159265359)] {
+            let found = place(axis, angle);
+            assert_eq!((found.axis, found.angle), ([0.0, 0.0, 1.0], -PI));
+            assert_eq!(found.matrix(), [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]);
+        }
+        // The largest angle below half a turn that twelve digits tell from it.
+        assert_eq!(place([0.0, 1.0, 0.0], 3.14159265358).angle, 3.14159265358);
+        assert_eq!(place([3e200, 0.0, -4e200], 1.0).axis, [0.6, 0.0, -0.8]);
+        assert_eq!(place([5e-324, 0.0, 0.0], 1.0).axis, [1.0, 0.0, 0.0]);
+        let error = Placement { axis: [0.0; 3], ..Placement::default() }.canonical(&Path::Start("place")).unwrap_err();
+        assert_eq!(error.to_string(), "place.axis: expected the direction of an axis, found [0, 0, 0]");
+    }
+
+    /// Zeros of both signs, ones, multiples of right angles, noise beside them, tiny and huge numbers.
+    fn awkward() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            3 => -4.0..4.0f64,
+            1 => Just(0.0),
+            1 => Just(-0.0),
+            1 => prop::sample::select(vec![1.0, -1.0, PI, -PI, PI / 2.0, 1e-13, -1e-17, 1e-300, 5e-324, 1e9, -1e300]),
+            1 => (-8i32..8, -1e-11..1e-11f64).prop_map(|(quarter, noise)| f64::from(quarter) * PI / 2.0 + noise),
+        ]
+    }
+
+    fn factor() -> impl Strategy<Value = f64> {
+        awkward().prop_filter("a factor is not 0", |x| *x != 0.0)
+    }
+
+    prop_compose! {
+        fn placement()(
+            scale in [factor(), factor(), factor()],
+            axis in [awkward(), awkward(), awkward()].prop_filter("an axis", |axis| axis.iter().any(|c| *c != 0.0)),
+            angle in awkward(),
+            shift in [awkward(), awkward(), awkward()],
+        ) -> Placement {
+            Placement { scale, axis, angle, shift }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn canonical_form_is_its_own_and_moves_nothing(given in placement()) {
+            let once = canonical(given);
+            let bits = |place: &Placement| place.numbers().concat().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            prop_assert_eq!(bits(&canonical(once)), bits(&once));
+            prop_assert!(once.scale[0] > 0.0 && once.scale[2] > 0.0 && once.scale[1] != 0.0);
+            prop_assert!((-PI..PI).contains(&once.angle));
+            prop_assert!((norm(once.axis) - 1.0).abs() <= UNIT);
+            let [h, k, _] = once.axis;
+            prop_assert!(k > 0.0 || (k == 0.0 && h > 0.0) || once.axis == UPRIGHT);
+            let unit = Placement { axis: given.axis.map(|c| c / given.axis.iter().fold(0.0, |m: f64, c| m.max(c.abs()))), ..given };
+            let size = given.scale.iter().chain(&given.shift).fold(1.0f64, |size, x| size.max(x.abs()));
+            prop_assert!(distance(&unit, &once) <= 1e-10 * size, "{:?}\n{:?}", given, once);
+        }
     }
 }

@@ -4,6 +4,7 @@ mod contract;
 mod grid;
 mod normal;
 mod orientation;
+mod row;
 mod sample;
 mod tolerance;
 

@@ -4,12 +4,13 @@ use glam::{DMat3, DVec3};
 
 use super::contract::{Mesh, MeshOptions};
 use super::grid::append_triangles;
-use super::normal;
+use super::normal::{self, Facing};
 use super::orientation::is_outward;
+use super::row::Row;
 use super::tolerance::Bounds;
 use crate::design::{Design, Part};
 use crate::error::{Code, Error, Result};
-use crate::surface::{ColumnTable, RowTable, Surface};
+use crate::surface::{BLOCK, Block, ColumnTable, RowTable, Surface, distinct};
 
 /// The most vertices that a mesh may have.
 pub const VERTEX_LIMIT: usize = 16_000_000;
@@ -84,7 +85,7 @@ impl Grid {
         let (along, round) = match (along, round, options.tolerance) {
             (Some(along), Some(round), None) => (along, round),
             _ => {
-                let bounds = Bounds::of(&surface, &ColumnTable::new(&surface, 2).distinct, matrix);
+                let bounds = Bounds::of(&surface, &distinct(&surface), matrix);
                 // Half a unit in the last place of the largest coordinate, in each of three directions.
                 let rounding = (bounds.position + shift.length()) * f64::from(f32::EPSILON);
                 match options.tolerance {
@@ -119,37 +120,53 @@ impl Grid {
         let base = mesh.n_vertices() as u32;
         let mirrored = self.matrix.determinant() < 0.0;
         let outward = is_outward(&self.surface);
+        let is_placed = self.matrix != DMat3::IDENTITY || self.shift != DVec3::ZERO;
         // Normals go by the inverse transpose, whose size does not matter: the cofactors, with the sign of the determinant taken out.
-        let cofactors = cofactors(self.matrix) * if mirrored { -1.0 } else { 1.0 } * if outward { 1.0 } else { -1.0 };
-        let mut lines = RowLines::new(columns);
-        mesh.positions.reserve(3 * rows * columns);
-        mesh.normals.reserve(3 * rows * columns);
-        mesh.uvs.reserve(2 * rows * columns);
-        let mut reach = 0.0f64;
+        let cofactors = cofactors(self.matrix) * if mirrored { -1.0 } else { 1.0 };
+        let outward_sign = if outward { 1.0 } else { -1.0 };
+        let mut row = Row::default();
+        let (first_position, first_uv) = (mesh.positions.len(), mesh.uvs.len());
+        mesh.positions.resize(first_position + 3 * rows * columns, 0.0);
+        mesh.normals.resize(first_position + 3 * rows * columns, 0.0);
+        mesh.uvs.resize(first_uv + 2 * rows * columns, 0.0);
+        let mut positions = mesh.positions[first_position..].as_chunks_mut::<3>().0.chunks_exact_mut(columns);
+        let mut normals = mesh.normals[first_position..].as_chunks_mut::<3>().0.chunks_exact_mut(columns);
+        let mut uvs = mesh.uvs[first_uv..].as_chunks_mut::<2>().0.chunks_exact_mut(columns);
+        let across: Vec<f32> = (0..columns).map(|j| (j as f64 / (columns - 1) as f64) as f32).collect();
         for i in 0..rows {
             let u = i as f64 / (rows - 1) as f64;
-            lines.fill(&RowTable::at(&self.surface, &table.distinct, u), &table);
-            for j in 0..columns {
-                let (position, du, dv) = lines.vertex(j);
-                reach = reach.max(position.abs().max_element()).max(dv.abs().max_element());
-                let placed = self.matrix * position + self.shift;
-                let single = placed.as_vec3() + glam::Vec3::ZERO; // -0 becomes 0
-                if !single.is_finite() {
-                    let path = format!("parts[{}]", self.index);
-                    let message = format!("the surface reaches {placed} at u = {u}, beyond what a mesh can hold");
-                    return Err(Error::new(Code::Overflow, path, message));
+            let (Some(positions), Some(normals), Some(uvs)) = (positions.next(), normals.next(), uvs.next()) else {
+                break;
+            };
+            row.fill(&RowTable::at(&self.surface, &table.distinct, u), &table);
+            let blocks = positions.chunks_mut(BLOCK).zip(normals.chunks_mut(BLOCK));
+            for (block, (positions, normals)) in blocks.enumerate() {
+                let mut sums = row.sums(&table, block);
+                let mut facing = Facing::of(&sums);
+                for lane in 0..positions.len() {
+                    if !facing.is_told[lane] {
+                        facing.set(lane, self.limit(u, block * BLOCK + lane, columns));
+                    }
                 }
-                let v = j as f64 / (columns - 1) as f64;
-                let normal = match normal::regular(du, dv, reach) {
-                    Some(normal) => normal,
-                    // The seam's two columns share a limit, as they share their position.
-                    None if j + 1 == columns && self.surface.is_closed() => normal::limit(&self.surface, u, 0.0, reach),
-                    None => normal::limit(&self.surface, u, v * self.surface.span(), reach),
-                };
-                let normal = (cofactors * normal).try_normalize().unwrap_or(DVec3::Z).as_vec3() + glam::Vec3::ZERO;
-                mesh.positions.extend_from_slice(&single.to_array());
-                mesh.normals.extend_from_slice(&normal.to_array());
-                mesh.uvs.extend_from_slice(&[u as f32, v as f32]);
+                if is_placed {
+                    self.place(&mut sums.position);
+                    facing.turn(cofactors);
+                }
+                facing.write(outward_sign, normals);
+                for (lane, single) in positions.iter_mut().enumerate() {
+                    // Adding 0 makes 0 of -0.
+                    *single = sums.position.map(|component| component[lane] as f32 + 0.0);
+                }
+            }
+            if let Some(j) = positions.iter().position(|position| !position.iter().all(|x| x.is_finite())) {
+                let path = format!("parts[{}]", self.index);
+                let message = format!(
+                    "the surface runs beyond what a mesh can hold at row {i}, column {j}; numbers up to 3e38 can be held"
+                );
+                return Err(Error::new(Code::Overflow, path, message));
+            }
+            for (uv, &across) in uvs.iter_mut().zip(&across) {
+                *uv = [u as f32, across];
             }
         }
         let first = mesh.indices.len() as u32;
@@ -159,54 +176,26 @@ impl Grid {
     }
 }
 
-/// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.
-fn cofactors(m: DMat3) -> DMat3 {
-    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
-}
-
-/// Position and tangents along one row, a line of numbers each, so that a term adds to whole lines.
-struct RowLines {
-    position: [Vec<f64>; 3],
-    du: [Vec<f64>; 3],
-    dv: [Vec<f64>; 3],
-}
-
-impl RowLines {
-    fn new(columns: usize) -> Self {
-        let lines = || [(); 3].map(|()| vec![0.0; columns]);
-        RowLines { position: lines(), du: lines(), dv: lines() }
-    }
-
-    fn fill(&mut self, row: &RowTable<2>, table: &ColumnTable) {
-        for axis in 0..3 {
-            let (position, du, dv) = (&mut self.position[axis], &mut self.du[axis], &mut self.dv[axis]);
-            position.fill(0.0);
-            du.fill(0.0);
-            dv.fill(0.0);
-            for term in &row.components[axis] {
-                let (cos, sin) = (&table.cos[term.column], &table.sin[term.column]);
-                for (value, slope, line, turned, sign) in
-                    [(term.cos[0], term.cos[1], cos, sin, -1.0), (term.sin[0], term.sin[1], sin, cos, 1.0)]
-                {
-                    if value != 0.0 || slope != 0.0 {
-                        add(position, value, line);
-                        add(du, slope, line);
-                        add(dv, sign * term.k * value, turned);
-                    }
-                }
+impl Grid {
+    /// Scales, turns and moves the positions of a block.
+    fn place(&self, positions: &mut [Block; 3]) {
+        for lane in 0..BLOCK {
+            let placed = self.matrix * DVec3::from_array(positions.map(|component| component[lane])) + self.shift;
+            for (component, placed) in positions.iter_mut().zip(placed.to_array()) {
+                component[lane] = placed;
             }
         }
     }
 
-    fn vertex(&self, j: usize) -> (DVec3, DVec3, DVec3) {
-        let at = |lines: &[Vec<f64>; 3]| DVec3::new(lines[0][j], lines[1][j], lines[2][j]);
-        (at(&self.position), at(&self.du), at(&self.dv))
+    /// The limit of the normal where the surface has none, along `X_u x X_v`. The seam's two columns share it, as they share their position.
+    fn limit(&self, u: f64, column: usize, columns: usize) -> DVec3 {
+        let v =
+            if column + 1 == columns && self.surface.is_closed() { 0.0 } else { column as f64 / (columns - 1) as f64 };
+        normal::limit(&self.surface, u, v * self.surface.span())
     }
 }
 
-/// `sum += factor * line`.
-fn add(sum: &mut [f64], factor: f64, line: &[f64]) {
-    for (sum, value) in sum.iter_mut().zip(line) {
-        *sum += factor * value;
-    }
+/// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.
+fn cofactors(m: DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
 }

@@ -119,6 +119,20 @@ impl Basis {
         }
     }
 
+    /// The same solution with as much of it in the polynomial as can be: power series add up to one of their own.
+    pub(super) fn absorbed(&self, factors: [f64; 4], mut polynomial: Vec<f64>) -> ([f64; 4], Vec<f64>) {
+        let Basis::Series(functions) = self else { return (factors, polynomial) };
+        for (factor, function) in factors.iter().zip(functions.iter()).filter(|(factor, _)| **factor != 0.0) {
+            if polynomial.len() < function.len() {
+                polynomial.resize(function.len(), 0.0);
+            }
+            for (sum, term) in polynomial.iter_mut().zip(function) {
+                *sum += factor * term;
+            }
+        }
+        ([0.0; 4], polynomial)
+    }
+
     /// The functions (two even, two odd; order 2 leaves the second of each 0) at `u` with their derivatives up to order `N - 1`.
     pub(super) fn jets<const N: usize>(&self, u: f64) -> [[f64; N]; 4] {
         match self {

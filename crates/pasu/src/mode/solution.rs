@@ -52,6 +52,7 @@ impl ModeSolution {
                 [a, b, c, d]
             }
         };
+        let (factors, particular) = equation.basis.absorbed(factors, particular);
         if factors.iter().chain(&particular).all(|f| f.is_finite()) {
             Ok(ModeSolution { factors, particular })
         } else {
@@ -68,7 +69,8 @@ impl ModeSolution {
 impl Equation {
     /// The solutions at `u` in [0, 1], each with its derivatives up to order `N - 1`. They share the transcendental functions.
     pub fn jets<const N: usize, const M: usize>(&self, solutions: [&ModeSolution; M], u: f64) -> [[f64; N]; M] {
-        let basis = self.basis.jets::<N>(u);
+        let needs_basis = solutions.iter().any(|solution| solution.factors != [0.0; 4]);
+        let basis = if needs_basis { self.basis.jets::<N>(u) } else { [[0.0; N]; 4] };
         solutions.map(|solution| {
             let mut jet = series::jet::<N>(&solution.particular, u);
             for (factor, function) in solution.factors.iter().zip(&basis) {

@@ -3,6 +3,12 @@
 use super::circle;
 use super::solve::Surface;
 
+/// Columns that are summed together: two vector registers of doubles for each sum.
+pub(crate) const BLOCK: usize = 4;
+
+/// A quantity at the columns of one block.
+pub(crate) type Block = [f64; BLOCK];
+
 /// Coefficients of `cos(k v)` and `sin(k v)` at one row.
 #[derive(Debug, Clone)]
 pub(crate) struct RowTerm<const N: usize> {
@@ -36,33 +42,61 @@ impl<const N: usize> RowTable<N> {
     }
 }
 
-/// `cos(k_n v_j)` and `sin(k_n v_j)` for every distinct `n` of a surface and every column.
+/// `cos(k_n v_j)` and `sin(k_n v_j)` for every distinct `n` of a surface and every column, in blocks that are padded at the end of each line.
 #[derive(Debug, Clone)]
 pub(crate) struct ColumnTable {
-    /// The distinct `n`, in the order of `cos` and `sin`.
+    /// The distinct `n`.
     pub(crate) distinct: Vec<f64>,
-    pub(crate) cos: Vec<Vec<f64>>,
-    pub(crate) sin: Vec<Vec<f64>>,
+    blocks_per_line: usize,
+    /// The cosines and then the sines of each `n` in turn.
+    blocks: Vec<Block>,
 }
 
 impl ColumnTable {
     /// Tables for `n_columns` columns from `v = 0` to `v = span`, both included. For whole `n` the last column has the bits of the first.
     pub(crate) fn new(surface: &Surface, n_columns: usize) -> Self {
-        let mut distinct = Vec::new();
-        for term in surface.components().iter().flatten() {
-            if !distinct.contains(&term.n) {
-                distinct.push(term.n);
+        let distinct = distinct(surface);
+        let steps = (n_columns.max(2) - 1) as f64;
+        let blocks_per_line = n_columns.div_ceil(BLOCK);
+        let mut blocks = vec![[0.0; BLOCK]; 2 * blocks_per_line * distinct.len()];
+        for (lines, &n) in blocks.chunks_exact_mut(2 * blocks_per_line).zip(&distinct) {
+            let (cosines, sines) = lines.as_flattened_mut().split_at_mut(BLOCK * blocks_per_line);
+            for (j, (c, s)) in cosines.iter_mut().zip(sines).take(n_columns).enumerate() {
+                // n j is exact for every grid within the vertex limit, so the turn is reduced before the division rounds.
+                (*c, *s) = circle::of_turns(libm::fmod(n * j as f64, steps) / steps);
             }
         }
-        let steps = (n_columns.max(2) - 1) as f64;
-        let (mut cos, mut sin) = (Vec::new(), Vec::new());
-        for &n in &distinct {
-            // n j is exact for every grid within the vertex limit, so the turn is reduced before the division rounds.
-            let turn = |j: usize| circle::of_turns(libm::fmod(n * j as f64, steps) / steps);
-            let (c, s) = (0..n_columns).map(turn).unzip();
-            cos.push(c);
-            sin.push(s);
-        }
-        ColumnTable { distinct, cos, sin }
+        ColumnTable { distinct, blocks_per_line, blocks }
     }
+
+    /// The number of blocks in a line.
+    pub(crate) fn n_blocks(&self) -> usize {
+        self.blocks_per_line
+    }
+
+    /// The first block of the cosines of the `n` with this index.
+    pub(crate) fn cos(&self, index: usize) -> usize {
+        2 * index * self.blocks_per_line
+    }
+
+    /// The first block of the sines of the `n` with this index.
+    pub(crate) fn sin(&self, index: usize) -> usize {
+        (2 * index + 1) * self.blocks_per_line
+    }
+
+    /// A block by its number.
+    pub(crate) fn block(&self, number: usize) -> Option<&Block> {
+        self.blocks.get(number)
+    }
+}
+
+/// The different `n` of a surface, in the order of their first use.
+pub(crate) fn distinct(surface: &Surface) -> Vec<f64> {
+    let mut distinct = Vec::new();
+    for term in surface.components().iter().flatten() {
+        if !distinct.contains(&term.n) {
+            distinct.push(term.n);
+        }
+    }
+    distinct
 }

@@ -15,9 +15,13 @@ export function ofPolylines(lines: readonly Float32Array[]): Float32Array {
   return out;
 }
 
-/** The edges of all triangles, each once, as pairs of vertices. */
+/** Beyond this many indices the search for the boundary costs more memory than a few edges at the rim are worth. */
+const LARGE = 6_000_000;
+
+/** The edges of all triangles, each once, as pairs of vertices. Of very large meshes some edges on the boundary are left out. */
 export function edgesOf(indices: Uint32Array): Uint32Array {
   const pairs: number[] = [];
+  const large = indices.length > LARGE;
   const upward = new Set<number>();
   // An edge inside a surface is met in both directions and taken in the one that goes up. One that goes down is taken when
   // its twin never comes: it is on the boundary.
@@ -27,8 +31,10 @@ export function edgesOf(indices: Uint32Array): Uint32Array {
         const a = at(indices, t + side);
         const b = at(indices, t + ((side + 1) % 3));
         if (a === b || up !== a < b) continue;
-        if (up) upward.add(a * KEY + b);
-        else if (upward.has(b * KEY + a)) continue;
+        if (!large) {
+          if (up) upward.add(a * KEY + b);
+          else if (upward.has(b * KEY + a)) continue;
+        } else if (!up) continue;
         pairs.push(a, b);
       }
     }
