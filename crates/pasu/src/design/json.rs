@@ -1,6 +1,8 @@
 //! JSON text in and out.
 
-use super::json_reader;
+use serde::Deserialize;
+use serde_json::error::Category;
+
 use super::limits::BYTES;
 use super::number::plain;
 use super::value::Value;
@@ -12,7 +14,33 @@ pub(crate) fn read(text: &str) -> Result<Value> {
         let message = format!("expected a design of at most {BYTES} bytes of JSON, found {}", text.len());
         return Err(Error::new(Code::TooLarge, "", message));
     }
-    json_reader::read(text)
+    let mut source = serde_json::Deserializer::from_str(text);
+    let mut track = serde_path_to_error::Track::new();
+    let read = Value::deserialize(serde_path_to_error::Deserializer::new(&mut source, &mut track));
+    let value = read.map_err(|error| refused(&error, path_text(&track.path())))?;
+    source.end().map_err(|error| refused(&error, String::new()))?;
+    Ok(value)
+}
+
+fn path_text(path: &serde_path_to_error::Path) -> String {
+    if path.iter().next().is_none() { String::new() } else { path.to_string() }
+}
+
+fn refused(error: &serde_json::Error, path: String) -> Error {
+    let what = error.to_string();
+    // serde_json ends its messages with the place, which is said here in words.
+    let what = what.split(" at line ").next().unwrap_or_default();
+    if what == "number out of range" {
+        return Error::new(Code::NotFinite, path, "expected a number, found one too large to be computed with");
+    }
+    let (line, column) = (error.line(), error.column());
+    let message = match error.classify() {
+        Category::Eof => {
+            format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?")
+        }
+        _ => format!("This is not JSON: {what} at line {line}, column {column}"),
+    };
+    Error::new(Code::NotJson, path, message)
 }
 
 /// Writes a tree on one line, exactly as JavaScript's `JSON.stringify` would.

@@ -5,7 +5,6 @@ mod document;
 mod family;
 mod fields;
 mod json;
-mod json_reader;
 mod limits;
 mod link;
 mod look;

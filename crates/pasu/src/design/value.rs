@@ -29,7 +29,7 @@ pub enum Value {
 }
 
 /// How deep a value may nest. A design nests nine deep; a JavaScript object that contains itself has no bottom.
-pub(crate) const DEEPEST: usize = 64;
+const DEEPEST: usize = 64;
 
 impl Value {
     /// What was found, for a message: `-3`, `"abc"`, `a list of 2`.
