@@ -142,12 +142,17 @@ export class Visit {
     await field.blur();
   }
 
+  /** Undo or Redo in the bar. */
+  history(name: "Undo" | "Redo"): Locator {
+    return this.page.locator("pasu-top-bar").getByRole("button", { name, exact: true });
+  }
+
   async undo(): Promise<void> {
-    await this.button("Undo").click();
+    await this.history("Undo").click();
   }
 
   async redo(): Promise<void> {
-    await this.button("Redo").click();
+    await this.history("Redo").click();
   }
 
   async tab(name: "Shape" | "Profile" | "Order" | "Look"): Promise<void> {
