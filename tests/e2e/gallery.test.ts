@@ -13,8 +13,9 @@ const goldens = JSON.parse(readFileSync(new URL("../goldens/fingerprints.json", 
 test("every exhibit is rendered, and opens as the pot that it shows", { timeout: 150_000 }, async () => {
   const pot = await here.enter();
   let shown = await pot.fingerprint();
-  await pot.button("Gallery").click();
+  await pot.command("Gallery");
   const exhibits = pot.dialog("Gallery").locator("button[data-exhibit]");
+  await exhibits.first().waitFor();
   const ids = await exhibits.evaluateAll((all) => all.map((each) => each.getAttribute("data-exhibit") ?? ""));
   const papers = Object.keys(goldens).filter((name) => /^(zhang-you|ishak-ali)-/.test(name));
   expect(ids.filter((id) => !id.startsWith("own-")).sort()).toEqual(papers.sort());
@@ -23,7 +24,7 @@ test("every exhibit is rendered, and opens as the pot that it shows", { timeout:
   const seen = new Set<string>();
   for (const id of ids) {
     const exhibit = pot.page.locator(`pasu-gallery button[data-exhibit="${id}"]`);
-    if ((await exhibit.count()) === 0) await pot.button("Gallery").click();
+    if ((await exhibit.count()) === 0) await pot.command("Gallery");
     await exhibit.scrollIntoViewIfNeeded();
     const canvas = exhibit.locator("canvas");
     await expect.poll(() => canvas.getAttribute("data-drawn"), { timeout: 20_000 }).toBe("true");
