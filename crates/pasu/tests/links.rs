@@ -1,9 +1,13 @@
 //! Links: what they look like, that they bring back the same design, and what damage is said to be.
 
+#[path = "support/documents.rs"]
+mod documents;
 mod support;
 
+use documents::document;
 use pasu::Design;
 use proptest::prelude::*;
+use proptest::sample::Index;
 use support::{corpus, design, design_of, design_of_case};
 
 const DINTS: &str = "1/bloor-wilson?a=6&n1=5";
@@ -259,6 +263,37 @@ fn a_packed_link_cannot_unfold_without_end() {
     assert_eq!(refused(&"x".repeat(3 << 20)).0, "too-large");
 }
 
+/// Links are public: a release that writes another text for the same design, or no longer reads this one, breaks them.
+#[test]
+fn links_never_change() {
+    let document = r#"{"pasu":1,"title":"Zwei Töpfe","unit":"mm","parts":[{"name":"a","shape":{"kind":"boundary-value",
+        "span":1,"x":{"order":2,"s":1,"t":0.5,"modes":[{"n":1,"cos":{"start":1,"end":0.6}}]},"y":{"order":4,"s":1,"t":3,
+        "w":1,"modes":[{"n":1,"sin":{"start":1,"end_u":-2,"force":[0,1]}}]},"z":{"order":2,"s":1,"t":1,"modes":[{"n":0,
+        "cos":{"start":3.6}}]}},"place":{"angle":1.25,"shift":[0,0,40]},"wall":{"thickness":4,"base":6},
+        "look":{"glaze":"shino"}},{"shape":{"kind":"second-order","r":[1,0.1,0.6,0.06]}}]}"#;
+    let design = Design::parse(document).unwrap();
+    let link = include_str!("../../../tests/goldens/packed.link").trim_end();
+    assert_eq!(design.link(), link);
+    assert_eq!(Design::parse(link), Ok(design));
+}
+
+/// What a link may be damaged by: its own letters, those of other links, of addresses and of sentences.
+const LETTERS: &str =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_~/#?&=%+.,;:!<>()[]{}\"'\\ \n\u{ad}é漢🏺";
+
+/// A packed link opens whole or not at all.
+fn check(design: &Design, damaged: &str) -> Result<(), TestCaseError> {
+    match Design::parse(damaged) {
+        Ok(opened) => prop_assert_eq!(&opened, design, "{}", damaged),
+        Err(error) => {
+            // It may look like a newer link (`11~...`), a readable one (`1/...`) or JSON (`{~...`).
+            let codes = ["damaged-link", "unknown-version", "unknown-name", "not-json"];
+            prop_assert!(codes.contains(&error.code()), "{error:?}");
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #[test]
     fn no_text_makes_it_panic(text in any::<String>(), link in "#?[12]?[/~]?(bloor-wilson|second-order)?[?&=,.a-zA-Z0-9%#~ \n-]{0,40}") {
@@ -266,5 +301,26 @@ proptest! {
         if let Ok(design) = Design::parse(&link) {
             prop_assert_eq!(Design::parse(&design.link()), Ok(design));
         }
+    }
+
+    #[test]
+    fn random_damage_is_noticed(
+        value in document(),
+        places in proptest::collection::vec((any::<Index>(), any::<Index>()), 20),
+        garbage in "[A-Za-z0-9_-]{1,12}",
+    ) {
+        let design = Design::from_value(&value).unwrap();
+        let link = design.link();
+        prop_assume!(link.starts_with("1~"));
+        for (place, letter) in places {
+            let at = place.index(link.len());
+            let letter = LETTERS.chars().nth(letter.index(LETTERS.chars().count())).unwrap();
+            let (before, rest) = link.split_at(at);
+            check(&design, &format!("{before}{letter}{}", &rest[1..]))?;
+            check(&design, &format!("{before}{letter}{rest}"))?;
+            check(&design, &format!("{before}{}", &rest[1..]))?;
+            prop_assert_eq!(Design::parse(before).unwrap_err().code(), "damaged-link", "{}", before);
+        }
+        prop_assert_eq!(Design::parse(&format!("{link}{garbage}")).unwrap_err().code(), "damaged-link");
     }
 }
