@@ -6,6 +6,8 @@ fn every_field_is_declared() {
     let text = pasu::typescript();
     println!("{text}");
     for line in [
+        "export type GlazeName = \"celadon\" | \"tenmoku\" | \"cobalt\" | \"tin-white\" | \"shino\" | \"copper-red\" | \"clear\" | \"bare\";",
+        "export type ClayName = \"stoneware\" | \"porcelain\" | \"terracotta\" | \"black\";",
         "export type Unit = \"cm\" | \"mm\" | \"in\";",
         "export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;",
         "  readonly kind: \"bloor-wilson\";",

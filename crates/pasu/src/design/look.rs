@@ -54,8 +54,8 @@ names! {
 }
 
 pub(crate) const LOOK: &[Entry] = &[
-    optional("glaze", "Glaze", "What covers the part; celadon when left out."),
-    optional("clay", "Clay", "What the part is made of; stoneware when left out."),
+    optional("glaze", "GlazeName", "What covers the part; celadon when left out."),
+    optional("clay", "ClayName", "What the part is made of; stoneware when left out."),
 ];
 
 impl Look {

@@ -54,8 +54,8 @@ pub fn typescript() -> String {
     numbers(&mut text, "Placement", "Scaled, then turned, then moved.", None, Placement::FIELDS);
     numbers(&mut text, "Wall", "The clay between the surface and the lining.", None, Wall::FIELDS);
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
-    union(&mut text, "Glaze", "A glaze.", Glaze::NAMES);
-    union(&mut text, "Clay", "A clay body.", Clay::NAMES);
+    union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
+    union(&mut text, "ClayName", "A clay body.", Clay::NAMES);
     text
 }
 
