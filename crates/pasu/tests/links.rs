@@ -263,6 +263,26 @@ fn a_packed_link_cannot_unfold_without_end() {
     assert_eq!(refused(&"x".repeat(3 << 20)).0, "too-large");
 }
 
+/// Work that grew with the square of the length would take hours for these.
+#[test]
+fn hostile_texts_are_refused_at_once() {
+    let many = |text: &str| text.repeat((1 << 20) / text.len());
+    for text in [
+        format!("1/second-order?{}", many("&amp;")),
+        format!("1/second-order?&{}", many("amp;")),
+        format!("1/second-order?{}", many("%25")),
+        format!("1/second-order?{}", many("s=1,1&")),
+        format!("1/second-order?height={}", many("9")),
+        format!("1/second-order?r={}", many(",")),
+        format!("1/{}\n{}", many(" "), many(">")),
+        format!("1~{}", many("A")),
+        format!("{{\"pasu\":1,{}", many("\"x\":null,")),
+        format!("{{\"pasu\":{}", many("[")),
+    ] {
+        assert!(Design::parse(&text).is_err(), "{}", &text[..40]);
+    }
+}
+
 /// Links are public: a release that writes another text for the same design, or no longer reads this one, breaks them.
 #[test]
 fn links_never_change() {
