@@ -72,11 +72,15 @@ export class PasuMenu extends LitElement {
         position: relative;
         display: inline-block;
       }
+      #panel:not([hidden]) {
+        display: grid;
+      }
       #panel {
         position: absolute;
         z-index: 30;
-        right: var(--menu-right, 0);
+        right: 0;
         top: calc(100% + 6px);
+        grid-template-columns: var(--menu-columns, 1fr);
         min-width: 210px;
         padding: 6px;
         border: 1px solid var(--line);
@@ -86,10 +90,10 @@ export class PasuMenu extends LitElement {
       }
       :host([side="up"]) #panel {
         top: auto;
-        bottom: var(--menu-bottom, calc(100% + 6px));
+        bottom: calc(100% + 6px);
       }
       ::slotted(*) {
-        display: flex !important;
+        display: flex;
         width: 100%;
       }
     `,

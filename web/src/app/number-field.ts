@@ -252,7 +252,7 @@ export class PasuNumber extends LitElement {
         grid-column: 3;
       }
       .field {
-        width: 96px;
+        width: 112px;
         text-align: right;
         font-variant-numeric: tabular-nums;
         border-color: var(--line);

@@ -4,7 +4,7 @@ import { css, html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { formatNumber } from "../document/number";
-import { HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../document/profile";
+import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../document/profile";
 import type { Section } from "../solver/messages";
 import { dragHandle } from "../state/actions";
 import { DesignerElement } from "./element";
@@ -16,6 +16,9 @@ const MARGIN = 40;
 /** How much of a slope is drawn: the arrow is `X_u` shortened to this. */
 const SLOPE_SHARE = 0.1;
 const COARSE = 10;
+/** A finger's reach round a handle; handles that stand close share what is between them. */
+const REACH = 22;
+const LEAST_REACH = 9;
 const DUST = 1e-9;
 
 interface Point {
@@ -100,6 +103,9 @@ export class PasuProfile extends DesignerElement {
     const at = toView(pointOf(handle.id, marks), frame);
     const ways = handle.radial && handle.axial ? "move" : handle.radial ? "across" : "along";
     const slope = handle.id.endsWith("slope");
+    const others = HANDLE_IDS.filter((id) => id !== handle.id).map((id) => toView(pointOf(id, marks), frame));
+    const nearest = Math.min(...others.map((other) => Math.hypot(other.x - at.x, other.y - at.y)));
+    const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
     return svg`<g
       class="handle ${ways}"
       tabindex="0"
@@ -116,7 +122,7 @@ export class PasuProfile extends DesignerElement {
       @keyup=${() => this.designer.store.endGesture()}
       @blur=${() => this.designer.store.endGesture()}
     >
-      <circle class="reach" r="22" />
+      <circle class="reach" r=${reach} />
       <circle class="ring" r="13" />
       ${slope ? svg`<rect class="knob" x="-5.5" y="-5.5" width="11" height="11" rx="2" transform="rotate(45)" />` : svg`<circle class="knob" r="7.5" />`}
     </g>`;

@@ -9,7 +9,7 @@ import { toggleOverlay } from "../state/actions";
 import type { Overlays } from "../state/session";
 import type { Comparison, Shown } from "./designer";
 import { DesignerElement } from "./element";
-import { icon } from "./icons";
+import { type IconName, icon } from "./icons";
 import "./menu";
 import { drawStill } from "./still-picture";
 import { base, buttons } from "./styles";
@@ -37,6 +37,17 @@ const PAN = 40;
 const ZOOM = 1.2;
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
+
+const ZOOMS: readonly {
+  readonly label: string;
+  readonly key: string;
+  readonly icon: IconName;
+  readonly act: (stage: Stage) => void;
+}[] = [
+  { label: "Zoom out", key: "−", icon: "less", act: (stage) => stage.zoom(1 / ZOOM) },
+  { label: "Zoom in", key: "+", icon: "add", act: (stage) => stage.zoom(ZOOM) },
+  { label: "Fit to view", key: "F", icon: "fit", act: (stage) => stage.fit() },
+];
 
 const REDUCED = "(prefers-reduced-motion: reduce)";
 const DARK = "(prefers-color-scheme: dark)";
@@ -137,21 +148,26 @@ export class PasuStage extends DesignerElement {
                       html`<button class="button" type="button" @click=${() => this.stage?.view(name)}>${label}</button>`,
                   )}
                 </div>
-                <pasu-menu class="small" label="View" icon="view" side="up" bare once>
+                <div class="zooms">
+                  ${ZOOMS.map(
+                    ({ label, key, icon: name, act }) =>
+                      html`<button class="button bare" type="button" aria-label=${label} title="${label} (${key})" @click=${() => this.stage && act(this.stage)}>
+                        ${icon(name)}
+                      </button>`,
+                  )}
+                </div>
+                <pasu-menu class="small" label="View" icon="view" side="up" bare>
                   ${VIEWS.map(
                     ({ name, label }) =>
                       html`<button class="button item" type="button" @click=${() => this.stage?.view(name)}>${label}</button>`,
                   )}
+                  ${ZOOMS.map(
+                    ({ label, icon: name, act }) =>
+                      html`<button class="button item phone" type="button" @click=${() => this.stage && act(this.stage)}>
+                        ${icon(name)}<span>${label}</span>
+                      </button>`,
+                  )}
                 </pasu-menu>
-                <button class="button bare" type="button" aria-label="Zoom out" title="Zoom out (−)" @click=${() => this.stage?.zoom(1 / ZOOM)}>
-                  ${icon("less")}
-                </button>
-                <button class="button bare" type="button" aria-label="Zoom in" title="Zoom in (+)" @click=${() => this.stage?.zoom(ZOOM)}>
-                  ${icon("add")}
-                </button>
-                <button class="button bare" type="button" aria-label="Fit to view" title="Fit to view (F)" @click=${() => this.stage?.fit()}>
-                  ${icon("fit")}
-                </button>
                 <pasu-menu label="Overlays" icon="layers" side="up" bare>
                   ${OVERLAYS.map(
                     ({ name, label }) => html`<label class="check">
@@ -342,8 +358,16 @@ export class PasuStage extends DesignerElement {
         padding: 0 10px;
         font-size: 0.9rem;
       }
+      .zooms {
+        display: flex;
+      }
       .small {
         display: none;
+      }
+      @media (min-width: 860px) {
+        .phone {
+          display: none !important;
+        }
       }
       .item {
         justify-content: flex-start;
@@ -437,15 +461,24 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
+        .captions {
+          inset: auto 0 24px;
+          padding-right: 104px;
+          font-size: 0.86rem;
+        }
+        .captions span {
+          display: none;
+        }
         .tools {
-          flex-direction: column;
           align-self: end;
-          margin: auto 0;
+          margin-top: auto;
           padding: 1px;
         }
-        .tools pasu-menu {
-          --menu-right: calc(100% + 8px);
-          --menu-bottom: -44px;
+        .zooms {
+          display: none;
+        }
+        .small {
+          --menu-columns: auto auto;
         }
       }
     `,
