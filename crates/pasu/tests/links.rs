@@ -2,6 +2,8 @@
 
 mod support;
 
+use std::collections::BTreeMap;
+
 use pasu::Design;
 use proptest::prelude::*;
 use support::{corpus, design, design_of, design_of_case};
@@ -64,6 +66,27 @@ fn everything_else_is_packed() {
         assert_eq!(Design::parse(&design.link()).as_ref(), Ok(&design), "{}", case.name);
         assert_eq!(design.link().starts_with("1/"), case.family.is_some(), "{}", case.name);
     }
+}
+
+const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/goldens/links.json");
+
+/// Links that have been sent open for ever: the golden file maps each to its document. It may grow; `PASU_BLESS=1 cargo
+/// test -p pasu --test links` adds the reference corpus to it. No line of it may ever change within a format version.
+#[test]
+fn links_of_this_version_are_golden() {
+    let mut designs: Vec<Design> = corpus().iter().map(design_of_case).collect();
+    designs
+        .extend([packed(), Design::parse("1/second-order?title=Dint%20vase&unit=in&glaze=shino&clay=black").unwrap()]);
+    let found: BTreeMap<String, String> = designs.iter().map(|design| (design.link(), design.to_json())).collect();
+    if std::env::var_os("PASU_BLESS").is_some() {
+        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
+    }
+    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    for (link, document) in &golden {
+        let design = Design::parse(link).unwrap();
+        assert_eq!((&design.link(), &design.to_json()), (link, document));
+    }
+    assert!(found.keys().all(|link| golden.contains_key(link)));
 }
 
 #[test]
