@@ -11,18 +11,19 @@ const USUAL = [
   "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
 ];
 
+const QUIET = [
+  "--no-sandbox",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
+
 /** Starts a browser. Every test opens its own context, which is a fresh profile. */
-export async function launch(): Promise<Browser> {
+export async function launch({ webgl = true } = {}): Promise<Browser> {
   const executablePath = process.env.PASU_BROWSER ?? USUAL.find(existsSync);
   return await chromium.launch({
     ...(executablePath === undefined ? {} : { executablePath }),
-    args: [
-      "--no-sandbox",
-      "--enable-unsafe-swiftshader",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-      "--no-first-run",
-    ],
+    args: [...QUIET, webgl ? "--enable-unsafe-swiftshader" : "--disable-3d-apis"],
   });
 }

@@ -23,7 +23,8 @@ pub fn fingerprint(design: &Design) -> Result<String> {
     let mesh = mesh(design, &MeshOptions { rows: Some(ROWS), columns: Some(COLUMNS), tolerance: None })?;
     let mut hash = Xxh64::new(0);
     for position in &mesh.positions {
-        hash.update(&position.to_le_bytes());
+        // Adding 0 makes 0 of -0, which is the same place.
+        hash.update(&(position + 0.0).to_le_bytes());
     }
     for index in mesh.indices.iter().chain(&mesh.groups) {
         hash.update(&index.to_le_bytes());

@@ -10,7 +10,7 @@ use super::path::Path;
 use super::reader::{self, Record};
 use super::unit::Unit;
 use super::value::Value;
-use super::{json, limits};
+use super::{json, limits, link};
 use crate::error::{Code, Result};
 
 /// A design: what a person has chosen, from which everything else is computed.
@@ -41,12 +41,42 @@ pub struct Design {
 pub(crate) const DESIGN: [&str; 4] = ["pasu", "title", "unit", "parts"];
 
 impl Design {
-    /// Reads a design from a JSON document.
+    /// Reads a design from text: a JSON document, or a link as people send it: with or without `#`, inside its
+    /// address, percent-encoded, wrapped by a mail program, with the full stop of a sentence behind it.
+    ///
+    /// ```
+    /// use pasu::Design;
+    ///
+    /// let design = Design::parse("https://example.org/pots/#1/bloor-wilson?a=6&amp;n1=5.")?;
+    /// assert_eq!(design.link(), "1/bloor-wilson?a=6&n1=5");
+    ///
+    /// let error = Design::parse("#2/bloor-wilson?a=6").unwrap_err();
+    /// assert_eq!(error.code(), "unknown-version");
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// As [`Design::from_value`], and `not-json` when the text is not JSON.
+    /// As [`Design::from_value`]; `not-json` when a text that begins with `{` is not JSON; `damaged-link` when any
+    /// other is no link, or was altered on its way; `unknown-version` for the link of a newer version.
     pub fn parse(text: &str) -> Result<Design> {
-        Design::from_value(&json::read(text)?)
+        // Some editors put a byte order mark at the start of a file.
+        let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+        if text.starts_with('{') { Design::from_json(text) } else { link::read(text) }
+    }
+
+    /// Reads a JSON document. A null in it is refused: no field may be null, and `JSON.stringify` writes one for NaN.
+    pub(crate) fn from_json(text: &str) -> Result<Design> {
+        let value = json::read(text)?;
+        let design = Design::from_value(&value)?;
+        reader::without_null(&value, &Path::Start(""))?;
+        Ok(design)
+    }
+
+    /// The canonical link, without `#`: readable when the design is one part of a named family, packed otherwise.
+    ///
+    /// Readable links leave out what the shape's kind starts from, which never changes within a format version.
+    pub fn link(&self) -> String {
+        link::write(self)
     }
 
     /// Reads a design from any tree of plain data. A field that is null counts as absent: that is how a JavaScript

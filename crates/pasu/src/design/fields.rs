@@ -75,13 +75,16 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
     }
 
     /// The fields that differ from [`Fields::START`], as a link writes them: `r=1,.2,.1,.8`.
-    fn write_link(&self, into: &mut Vec<String>) {
-        for ((field, numbers), start) in Self::FIELDS.iter().zip(self.numbers()).zip(Self::START.numbers()) {
-            if numbers != start {
+    fn link_fields(&self) -> Vec<String> {
+        let start = Self::START;
+        let fields = Self::FIELDS.iter().zip(self.numbers()).zip(start.numbers());
+        let differing = fields.filter(|((_, numbers), start)| numbers != start);
+        differing
+            .map(|((field, numbers), _)| {
                 let list: Vec<String> = numbers.iter().map(|x| shortest(*x)).collect();
-                into.push(format!("{}={}", field.name, list.join(",")));
-            }
-        }
+                format!("{}={}", field.name, list.join(","))
+            })
+            .collect()
     }
 
     /// Every number to twelve significant digits.

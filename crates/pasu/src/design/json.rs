@@ -14,8 +14,6 @@ pub(crate) fn read(text: &str) -> Result<Value> {
         let message = format!("expected a design of at most {BYTES} bytes of JSON, found {}", text.len());
         return Err(Error::new(Code::TooLarge, "", message));
     }
-    // Some editors put a byte order mark at the start of a file.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut source = serde_json::Deserializer::from_str(text);
     let mut track = serde_path_to_error::Track::new();
     let read = Value::deserialize(serde_path_to_error::Deserializer::new(&mut source, &mut track));
@@ -38,9 +36,9 @@ fn refused(error: &serde_json::Error, path: String) -> Error {
     let (line, column) = (error.line(), error.column());
     let message = match error.classify() {
         Category::Eof => {
-            format!("this JSON text ends in the middle, at line {line}, column {column}; is it cut short?")
+            format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?")
         }
-        _ => format!("this is not JSON: {what} at line {line}, column {column}"),
+        _ => format!("This is not JSON: {what} at line {line}, column {column}"),
     };
     Error::new(Code::NotJson, path, message)
 }

@@ -6,6 +6,7 @@ mod family;
 mod fields;
 mod json;
 mod limits;
+mod link;
 mod look;
 mod modes;
 mod names;

@@ -218,6 +218,7 @@ mod tests {
     }
 
     #[test]
+    #[allow(clippy::approx_constant, reason = "half a turn as people write it")]
     fn special_turns() {
         let place = |axis, angle| canonical(Placement { axis, angle, ..Placement::default() });
         // A whole turn is none, whatever its axis.

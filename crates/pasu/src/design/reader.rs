@@ -181,6 +181,16 @@ pub(crate) fn alternatives(names: &[&str]) -> String {
     words
 }
 
+/// Refuses a tree with a null in it.
+pub(crate) fn without_null(value: &Value, path: &Path) -> Result<()> {
+    match value {
+        Value::Null => Err(path.error(Code::WrongType, "expected a value, found null")),
+        Value::List(items) => items.iter().enumerate().try_for_each(|(i, item)| without_null(item, &path.item(i))),
+        Value::Record(fields) => fields.iter().try_for_each(|(name, value)| without_null(value, &path.field(name))),
+        Value::Bool(_) | Value::Number(_) | Value::Text(_) => Ok(()),
+    }
+}
+
 /// A value of another type than the format has at this place.
 pub(crate) fn wrong_type(value: &Value, path: &Path, expected: &str) -> Error {
     path.error(Code::WrongType, format!("expected {expected}, found {}", value.described()))

@@ -2,7 +2,7 @@
 
 use super::boundary_value::BoundaryValue;
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
-use super::fields::{self, Fields};
+use super::fields::{self, Field, Fields};
 use super::modes;
 use super::path::Path;
 use super::reader::{self, Record};
@@ -48,18 +48,48 @@ impl Kind {
     }
 
     fn read(record: &Record) -> Result<Self> {
-        let path = record.path.field("kind");
         let value = record.require("kind", &reader::alternatives(&Kind::NAMES))?;
+        Kind::among(value, &record.path.field("kind"), &Kind::NAMES)
+    }
+
+    /// Reads the kind of a readable link: a named family.
+    pub(crate) fn read_family(name: &str, path: &Path) -> Result<Self> {
+        let families = &Kind::NAMES[..Kind::BoundaryValue as usize];
+        Kind::among(&Value::Text(name.to_owned()), path, families)
+    }
+
+    fn among(value: &Value, path: &Path, names: &[&str]) -> Result<Self> {
         if let Value::Text(text) = value
             && let Some(later) = Kind::LATER.iter().find(|name| *name == text)
         {
-            let message = format!(
-                "{later:?} is a kind of shape that this version of Pasu cannot compute yet; it knows {}",
-                reader::alternatives(&Kind::NAMES)
-            );
+            let known = reader::alternatives(names);
+            let message = format!("this version of Pasu cannot compute the shape {later:?} yet; expected {known}");
             return Err(path.error(Code::UnsupportedShape, message));
         }
-        Ok(Kind::ALL[reader::name(value, &path, &Kind::NAMES)?])
+        Ok(Kind::ALL[reader::name(value, path, names)?])
+    }
+
+    /// The parameters of a named family.
+    pub(crate) fn fields(self) -> &'static [Field] {
+        match self {
+            Kind::SecondOrder => SecondOrder::FIELDS,
+            Kind::MixedOrder => MixedOrder::FIELDS,
+            Kind::FourthOrder => FourthOrder::FIELDS,
+            Kind::BloorWilson => BloorWilson::FIELDS,
+            Kind::BoundaryValue => &[],
+        }
+    }
+
+    /// The document fields of the shape that a link of this kind starts from.
+    pub(crate) fn start(self) -> Vec<(String, Value)> {
+        let shape = match self {
+            Kind::SecondOrder => Shape::SecondOrder(SecondOrder::START),
+            Kind::MixedOrder => Shape::MixedOrder(MixedOrder::START),
+            Kind::FourthOrder => Shape::FourthOrder(FourthOrder::START),
+            Kind::BloorWilson => Shape::BloorWilson(BloorWilson::START),
+            Kind::BoundaryValue => return Vec::new(),
+        };
+        shape.fields()
     }
 }
 
@@ -139,6 +169,21 @@ impl Shape {
     }
 
     pub(crate) fn value(&self) -> Value {
+        Value::Record(self.fields())
+    }
+
+    /// What differs from the shape that a link of this kind starts from; `None` when it is no named family.
+    pub(crate) fn write_link(&self) -> Option<Vec<String>> {
+        match self {
+            Shape::SecondOrder(family) => Some(family.link_fields()),
+            Shape::MixedOrder(family) => Some(family.link_fields()),
+            Shape::FourthOrder(family) => Some(family.link_fields()),
+            Shape::BloorWilson(family) => Some(family.link_fields()),
+            Shape::BoundaryValue(_) => None,
+        }
+    }
+
+    fn fields(&self) -> Vec<(String, Value)> {
         let mut into = vec![("kind".to_owned(), Value::Text(self.kind().name().into()))];
         match self {
             Shape::SecondOrder(family) => family.write(&mut into),
@@ -147,7 +192,7 @@ impl Shape {
             Shape::BloorWilson(family) => family.write(&mut into),
             Shape::BoundaryValue(general) => general.write(&mut into),
         }
-        Value::Record(into)
+        into
     }
 }
 

@@ -38,6 +38,7 @@ impl Value {
             Value::Null => "nothing".into(),
             Value::Bool(b) => b.to_string(),
             Value::Number(x) => plain(*x),
+            Value::Text(text) if text.is_empty() => "an empty text".into(),
             Value::Text(text) => format!("{:?}", shortened(text)),
             Value::List(items) if items.is_empty() => "an empty list".into(),
             Value::List(items) => format!("a list of {}", items.len()),

@@ -4,12 +4,15 @@
 ///
 /// With `outward` as `X_u x X_v` points, a cell is walked `u` first, then `v`; otherwise the other way round.
 pub(super) fn append_triangles(indices: &mut Vec<u32>, base: u32, rows: u32, columns: u32, outward: bool) {
+    let (first, n_cells) = (indices.len(), (rows as usize - 1) * (columns as usize - 1));
+    indices.resize(first + 6 * n_cells, 0);
+    let mut cells = indices[first..].as_chunks_mut::<6>().0.chunks_exact_mut(columns as usize - 1);
     for i in 0..rows - 1 {
-        for j in 0..columns - 1 {
+        let Some(cells) = cells.next() else { break };
+        for (j, cell) in (0..columns - 1).zip(cells) {
             let a = base + i * columns + j;
             let (b, c, d) = (a + columns, a + columns + 1, a + 1);
-            let cell = if outward { [a, b, c, a, c, d] } else { [a, c, b, a, d, c] };
-            indices.extend_from_slice(&cell);
+            *cell = if outward { [a, b, c, a, c, d] } else { [a, c, b, a, d, c] };
         }
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::row::Sums;
-use crate::surface::{BLOCK, Block, Surface};
+use crate::surface::{BLOCK, Block, Surface, SurfaceJet};
 
 /// `X_u x X_v` counts as vanished when it is this small against the lengths of both: then its direction is rounding.
 const VANISHED: f64 = 1e-10;
@@ -21,53 +21,48 @@ fn regular(du: DVec3, dv: DVec3) -> Option<DVec3> {
 /// Unit normals of a block of columns, along `X_u x X_v`.
 pub(super) struct Facing {
     normal: [Block; 3],
-    /// Where the direction can be told from rounding, as [`regular`] judges; elsewhere the normal is not to be used.
-    pub(super) is_told: [bool; BLOCK],
 }
 
 impl Facing {
-    /// As [`regular`], lane by lane, without a branch in the way of vector instructions.
-    pub(super) fn of(sums: &Sums) -> Self {
-        let ([ux, uy, uz], [vx, vy, vz]) = (&sums.du, &sums.dv);
-        let mut normal = [[0.0; BLOCK]; 3];
-        let mut is_told = [false; BLOCK];
-        for lane in 0..BLOCK {
-            let du = ux[lane] * ux[lane] + uy[lane] * uy[lane] + uz[lane] * uz[lane];
-            let dv = vx[lane] * vx[lane] + vy[lane] * vy[lane] + vz[lane] * vz[lane];
-            let x = uy[lane] * vz[lane] - uz[lane] * vy[lane];
-            let y = uz[lane] * vx[lane] - ux[lane] * vz[lane];
-            let z = ux[lane] * vy[lane] - uy[lane] * vx[lane];
-            let squared = x * x + y * y + z * z;
-            is_told[lane] = is_direction(squared, du, dv);
-            let inverse = 1.0 / squared.sqrt();
-            normal[0][lane] = x * inverse;
-            normal[1][lane] = y * inverse;
-            normal[2][lane] = z * inverse;
-        }
-        Facing { normal, is_told }
+    /// The normals of a block, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`is_direction`] judges.
+    pub(super) fn of(sums: &Sums) -> (Self, u32) {
+        let ([ux, uy, uz], [vx, vy, vz]) = (sums.du, sums.dv);
+        let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+        let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+        let du = (ux * ux + uy * uy + uz * uz).to_array();
+        let dv = (vx * vx + vy * vy + vz * vz).to_array();
+        let lanes = squared.to_array();
+        let missing = (0..BLOCK).map(|lane| u32::from(!is_direction(lanes[lane], du[lane], dv[lane])) << lane).sum();
+        let inverse = Block::ONE / squared.sqrt();
+        (Facing { normal: normal.map(|component| component * inverse) }, missing)
     }
 
     /// Puts another direction in one lane.
     pub(super) fn set(&mut self, lane: usize, normal: DVec3) {
         for (component, value) in self.normal.iter_mut().zip(normal.to_array()) {
-            component[lane] = value;
+            component.as_mut_array()[lane] = value;
         }
     }
 
     /// Turns the normals by a matrix, which need not keep their length.
     pub(super) fn turn(&mut self, matrix: DMat3) {
         for lane in 0..BLOCK {
-            let turned = matrix * DVec3::from_array(self.normal.map(|component| component[lane]));
+            let turned = matrix * DVec3::from_array(self.normal.map(|component| component.to_array()[lane]));
             self.set(lane, turned.normalize_or(DVec3::Z));
         }
     }
 
     /// Rounds to single precision, in the direction given by the sign.
     pub(super) fn write(&self, sign: f64, normals: &mut [[f32; 3]]) {
-        for (lane, normal) in normals.iter_mut().enumerate() {
-            // Adding 0 makes 0 of -0.
-            *normal = self.normal.map(|component| (sign * component[lane]) as f32 + 0.0);
-        }
+        write_single(self.normal.map(|component| component * sign), normals);
+    }
+}
+
+/// Rounds a block of vectors to single precision.
+pub(super) fn write_single(vectors: [Block; 3], into: &mut [[f32; 3]]) {
+    let [x, y, z] = vectors.map(|component| component.to_array().map(|value| value as f32));
+    for (((vector, x), y), z) in into.iter_mut().zip(x).zip(y).zip(z) {
+        *vector = [x, y, z];
     }
 }
 
@@ -78,13 +73,12 @@ fn is_direction(squared: f64, du: f64, dv: f64) -> bool {
     (squared > VANISHED * VANISHED * (du * dv)) & (dv > 1e-26 * du) & (du > 1e-26 * dv) & (squared < f64::MAX)
 }
 
-/// The limit of the unit normal at a pole or cusp.
+/// The limit of the unit normal at a pole or cusp, where the surface has this jet.
 ///
 /// By Taylor's formula a step `h` into the surface turns `X_u x X_v = 0` into `h (X_uu x X_v + X_u x X_uv)`, which is the limit's direction. Where that vanishes
 /// too, the normal a little further in is taken; where the surface is a curve or a point all over, the axis `z` is as good as any.
-pub(super) fn limit(surface: &Surface, u: f64, v: f64) -> DVec3 {
+pub(super) fn limit(surface: &Surface, u: f64, v: f64, jet: &SurfaceJet) -> DVec3 {
     let inward = if u < 0.5 { 1.0 } else { -1.0 };
-    let jet = surface.at(u, v);
     let turned = inward * (jet.duu.cross(jet.dv) + jet.du.cross(jet.duv));
     let size = jet.duu.length() * jet.dv.length() + jet.du.length() * jet.duv.length();
     let length = turned.length();

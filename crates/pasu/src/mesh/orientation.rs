@@ -20,9 +20,9 @@ pub(super) fn is_outward(surface: &Surface) -> bool {
     let mut flux = 0.0;
     for i in 0..ROWS {
         let u = (i as f64 + 0.5) / ROWS as f64;
-        row.fill(&RowTable::at(surface, &table.distinct, u), &table);
+        row.fill(&RowTable::at(surface, &table.distinct, u));
         points.clear();
-        let blocks = (0..table.n_blocks()).map(|block| row.sums(&table, block));
+        let blocks = (0..table.n_blocks()).map(|block| row.sums(table.block(block)));
         points.extend(blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(COLUMNS));
         let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / COLUMNS as f64;
         for (position, du, dv) in &points {

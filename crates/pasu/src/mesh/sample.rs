@@ -4,13 +4,13 @@ use glam::{DMat3, DVec3};
 
 use super::contract::{Mesh, MeshOptions};
 use super::grid::append_triangles;
-use super::normal::{self, Facing};
+use super::normal::{self, Facing, write_single};
 use super::orientation::is_outward;
 use super::row::Row;
 use super::tolerance::Bounds;
 use crate::design::{Design, Part};
 use crate::error::{Code, Error, Result};
-use crate::surface::{BLOCK, Block, ColumnTable, RowTable, Surface, distinct};
+use crate::surface::{BLOCK, Block, ColumnTable, RowTable, Surface, SurfaceJet, distinct};
 
 /// The most vertices that a mesh may have.
 pub const VERTEX_LIMIT: usize = 16_000_000;
@@ -138,14 +138,18 @@ impl Grid {
             let (Some(positions), Some(normals), Some(uvs)) = (positions.next(), normals.next(), uvs.next()) else {
                 break;
             };
-            row.fill(&RowTable::at(&self.surface, &table.distinct, u), &table);
+            row.fill(&RowTable::at(&self.surface, &table.distinct, u));
+            // Made only for rows with a pole or cusp, where the normal's limit needs second derivatives.
+            let mut second = None;
             let blocks = positions.chunks_mut(BLOCK).zip(normals.chunks_mut(BLOCK));
             for (block, (positions, normals)) in blocks.enumerate() {
-                let mut sums = row.sums(&table, block);
-                let mut facing = Facing::of(&sums);
-                for lane in 0..positions.len() {
-                    if !facing.is_told[lane] {
-                        facing.set(lane, self.limit(u, block * BLOCK + lane, columns));
+                let mut sums = row.sums(table.block(block));
+                let (mut facing, missing) = Facing::of(&sums);
+                if missing != 0 {
+                    let second = second.get_or_insert_with(|| RowTable::at(&self.surface, &table.distinct, u));
+                    for lane in (0..BLOCK).filter(|lane| missing >> lane & 1 == 1) {
+                        let jet = second.jet(|n| table.circle(n, block, lane));
+                        facing.set(lane, self.limit(u, (block * BLOCK + lane).min(columns - 1), columns, &jet));
                     }
                 }
                 if is_placed {
@@ -153,10 +157,7 @@ impl Grid {
                     facing.turn(cofactors);
                 }
                 facing.write(outward_sign, normals);
-                for (lane, single) in positions.iter_mut().enumerate() {
-                    // Adding 0 makes 0 of -0.
-                    *single = sums.position.map(|component| component[lane] as f32 + 0.0);
-                }
+                write_single(sums.position, positions);
             }
             if let Some(j) = positions.iter().position(|position| !position.iter().all(|x| x.is_finite())) {
                 let path = format!("parts[{}]", self.index);
@@ -179,19 +180,17 @@ impl Grid {
 impl Grid {
     /// Scales, turns and moves the positions of a block.
     fn place(&self, positions: &mut [Block; 3]) {
-        for lane in 0..BLOCK {
-            let placed = self.matrix * DVec3::from_array(positions.map(|component| component[lane])) + self.shift;
-            for (component, placed) in positions.iter_mut().zip(placed.to_array()) {
-                component[lane] = placed;
-            }
-        }
+        let [x, y, z] = *positions;
+        let (m, shift) = (self.matrix, self.shift);
+        let component = |i: usize| x * m.x_axis[i] + y * m.y_axis[i] + z * m.z_axis[i] + Block::splat(shift[i]);
+        *positions = [component(0), component(1), component(2)];
     }
 
     /// The limit of the normal where the surface has none, along `X_u x X_v`. The seam's two columns share it, as they share their position.
-    fn limit(&self, u: f64, column: usize, columns: usize) -> DVec3 {
+    fn limit(&self, u: f64, column: usize, columns: usize, jet: &SurfaceJet) -> DVec3 {
         let v =
             if column + 1 == columns && self.surface.is_closed() { 0.0 } else { column as f64 / (columns - 1) as f64 };
-        normal::limit(&self.surface, u, v * self.surface.span())
+        normal::limit(&self.surface, u, v * self.surface.span(), jet)
     }
 }
 

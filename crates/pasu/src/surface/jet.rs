@@ -18,3 +18,15 @@ pub struct SurfaceJet {
     /// `X_vv`.
     pub dvv: DVec3,
 }
+
+impl SurfaceJet {
+    /// Adds `A(u) cos(k v) + B(u) sin(k v)` to one component, from `A`, `A'`, `A''` and those of `B`.
+    pub(super) fn add(&mut self, axis: usize, k: f64, a: &[f64; 3], b: &[f64; 3], (c, s): (f64, f64)) {
+        self.position[axis] += a[0] * c + b[0] * s;
+        self.du[axis] += a[1] * c + b[1] * s;
+        self.duu[axis] += a[2] * c + b[2] * s;
+        self.dv[axis] += k * (b[0] * c - a[0] * s);
+        self.duv[axis] += k * (b[1] * c - a[1] * s);
+        self.dvv[axis] -= k * k * (a[0] * c + b[0] * s);
+    }
+}

@@ -7,4 +7,4 @@ mod table;
 
 pub use jet::SurfaceJet;
 pub use solve::Surface;
-pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, distinct};
+pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm, distinct};

@@ -93,14 +93,7 @@ impl Surface {
         for (axis, terms) in self.components.iter().enumerate() {
             for term in terms {
                 let [a, b] = term.equation.jets::<3, 2>([&term.cos, &term.sin], u);
-                let (c, s) = self.angle(term.n, v);
-                let k = term.k;
-                jet.position[axis] += a[0] * c + b[0] * s;
-                jet.du[axis] += a[1] * c + b[1] * s;
-                jet.duu[axis] += a[2] * c + b[2] * s;
-                jet.dv[axis] += k * (b[0] * c - a[0] * s);
-                jet.duv[axis] += k * (b[1] * c - a[1] * s);
-                jet.dvv[axis] -= k * k * (a[0] * c + b[0] * s);
+                jet.add(axis, term.k, &a, &b, self.angle(term.n, v));
             }
         }
         jet

@@ -1,13 +1,16 @@
 //! Evaluation as a sum of outer products: tables of `q` per row and of `cos`, `sin` per column (`math.md` section 1).
 
+use wide::f64x4;
+
 use super::circle;
+use super::jet::SurfaceJet;
 use super::solve::Surface;
 
 /// Columns that are summed together: two vector registers of doubles for each sum.
 pub(crate) const BLOCK: usize = 4;
 
-/// A quantity at the columns of one block.
-pub(crate) type Block = [f64; BLOCK];
+/// A quantity at the columns of one block. Lane by lane its arithmetic is that of `f64`, whatever the instructions.
+pub(crate) type Block = f64x4;
 
 /// Coefficients of `cos(k v)` and `sin(k v)` at one row.
 #[derive(Debug, Clone)]
@@ -42,14 +45,27 @@ impl<const N: usize> RowTable<N> {
     }
 }
 
-/// `cos(k_n v_j)` and `sin(k_n v_j)` for every distinct `n` of a surface and every column, in blocks that are padded at the end of each line.
+impl RowTable<3> {
+    /// Position and derivatives at one column, given cosine and sine of each distinct `n` there.
+    pub(crate) fn jet(&self, circle: impl Fn(usize) -> (f64, f64)) -> SurfaceJet {
+        let mut jet = SurfaceJet::default();
+        for (axis, terms) in self.components.iter().enumerate() {
+            for term in terms {
+                jet.add(axis, term.k, &term.cos, &term.sin, circle(term.column));
+            }
+        }
+        jet
+    }
+}
+
+/// `cos(k_n v_j)` and `sin(k_n v_j)` for every distinct `n` of a surface and every column, in blocks of columns; the last block repeats the last column.
 #[derive(Debug, Clone)]
 pub(crate) struct ColumnTable {
     /// The distinct `n`.
     pub(crate) distinct: Vec<f64>,
-    blocks_per_line: usize,
-    /// The cosines and then the sines of each `n` in turn.
-    blocks: Vec<Block>,
+    n_columns: usize,
+    /// Block by block, cosine and sine of each `n`.
+    circles: Vec<[Block; 2]>,
 }
 
 impl ColumnTable {
@@ -57,36 +73,32 @@ impl ColumnTable {
     pub(crate) fn new(surface: &Surface, n_columns: usize) -> Self {
         let distinct = distinct(surface);
         let steps = (n_columns.max(2) - 1) as f64;
-        let blocks_per_line = n_columns.div_ceil(BLOCK);
-        let mut blocks = vec![[0.0; BLOCK]; 2 * blocks_per_line * distinct.len()];
-        for (lines, &n) in blocks.chunks_exact_mut(2 * blocks_per_line).zip(&distinct) {
-            let (cosines, sines) = lines.as_flattened_mut().split_at_mut(BLOCK * blocks_per_line);
-            for (j, (c, s)) in cosines.iter_mut().zip(sines).take(n_columns).enumerate() {
-                // n j is exact for every grid within the vertex limit, so the turn is reduced before the division rounds.
-                (*c, *s) = circle::of_turns(libm::fmod(n * j as f64, steps) / steps);
+        // n j is exact for every grid within the vertex limit, so the turn is reduced before the division rounds.
+        let circle = |n: f64, column: usize| circle::of_turns(libm::fmod(n * column as f64, steps) / steps);
+        let mut circles = Vec::with_capacity(n_columns.div_ceil(BLOCK) * distinct.len());
+        for first in (0..n_columns).step_by(BLOCK) {
+            for &n in &distinct {
+                let lanes: [_; BLOCK] = core::array::from_fn(|lane| circle(n, (first + lane).min(n_columns - 1)));
+                circles.push([lanes.map(|(cos, _)| cos).into(), lanes.map(|(_, sin)| sin).into()]);
             }
         }
-        ColumnTable { distinct, blocks_per_line, blocks }
+        ColumnTable { distinct, n_columns, circles }
     }
 
-    /// The number of blocks in a line.
+    /// The number of blocks.
     pub(crate) fn n_blocks(&self) -> usize {
-        self.blocks_per_line
+        self.n_columns.div_ceil(BLOCK)
     }
 
-    /// The first block of the cosines of the `n` with this index.
-    pub(crate) fn cos(&self, index: usize) -> usize {
-        2 * index * self.blocks_per_line
+    /// Cosine and sine of one distinct `n` at one column.
+    pub(crate) fn circle(&self, index: usize, block: usize, lane: usize) -> (f64, f64) {
+        self.block(block).get(index).map_or((1.0, 0.0), |[cos, sin]| (cos.to_array()[lane], sin.to_array()[lane]))
     }
 
-    /// The first block of the sines of the `n` with this index.
-    pub(crate) fn sin(&self, index: usize) -> usize {
-        (2 * index + 1) * self.blocks_per_line
-    }
-
-    /// A block by its number.
-    pub(crate) fn block(&self, number: usize) -> Option<&Block> {
-        self.blocks.get(number)
+    /// Cosine and sine of each distinct `n` at one block of columns.
+    pub(crate) fn block(&self, block: usize) -> &[[Block; 2]] {
+        let n = self.distinct.len();
+        self.circles.get(block * n..(block + 1) * n).unwrap_or_default()
     }
 }
 

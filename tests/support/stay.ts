@@ -1,0 +1,52 @@
+// What every file of browser tests begins with: one site and one browser for the file, and visits that end with their test.
+
+import type { Browser } from "playwright-core";
+import { afterAll, afterEach, beforeAll, expect } from "vitest";
+import { launch } from "./browser.ts";
+import { type Site, serve } from "./server.ts";
+import { type Visit, type VisitOptions, visit } from "./visit.ts";
+
+export interface Stay {
+  readonly site: Site;
+  readonly browser: Browser;
+  /** Opens the designer in a profile of its own. After the test it is closed and must have had no trouble. */
+  enter(options?: VisitOptions): Promise<Visit>;
+}
+
+/** `options` are those of {@link launch}. */
+export function stay(options: Parameters<typeof launch>[0] = {}): Stay {
+  let site: Site | undefined;
+  let browser: Browser | undefined;
+  let visits: Visit[] = [];
+  const present = <T>(thing: T | undefined): T => {
+    if (thing === undefined) throw new Error("the site and the browser start with the first test");
+    return thing;
+  };
+  beforeAll(async () => {
+    [site, browser] = await Promise.all([serve(), launch(options)]);
+  });
+  afterEach(async () => {
+    const ended = visits;
+    visits = [];
+    for (const each of ended) await each.leave();
+    expect(ended.flatMap((each) => each.troubles)).toEqual([]);
+    expect(present(site).missing.splice(0)).toEqual([]);
+  });
+  afterAll(async () => {
+    await browser?.close();
+    await site?.close();
+  });
+  return {
+    get site() {
+      return present(site);
+    },
+    get browser() {
+      return present(browser);
+    },
+    async enter(visitOptions) {
+      const there = await visit(present(browser), present(site).url, visitOptions);
+      visits.push(there);
+      return there;
+    },
+  };
+}

@@ -1,0 +1,216 @@
+// A person at the designer: the gestures that tests are written in, and what went wrong meanwhile.
+//
+// Nothing here waits for a time. A gesture is over when the page says so (`data-state`, `data-fingerprint` on <pasu-app>).
+
+import type { Browser, BrowserContext, BrowserContextOptions, Download, Locator, Page } from "playwright-core";
+
+export interface VisitOptions extends BrowserContextOptions {
+  /** What follows the address, with its `#`. */
+  readonly link?: string;
+}
+
+/** An ordinary desktop window. */
+export const DESKTOP = { width: 1280, height: 800 } as const;
+
+/** A phone held upright. */
+export const PHONE: BrowserContextOptions = {
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 2,
+  isMobile: true,
+  hasTouch: true,
+};
+
+/** Opens the designer in a fresh profile and waits for the first pot. */
+export async function visit(
+  browser: Browser,
+  url: string,
+  { link = "", ...options }: VisitOptions = {},
+): Promise<Visit> {
+  const context = await browser.newContext({ viewport: DESKTOP, ...options });
+  await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
+  const there = new Visit(context, await context.newPage(), url);
+  await there.listen();
+  await there.page.goto(url + link);
+  return there;
+}
+
+export class Visit {
+  /** Errors in the console, uncaught ones, broken policies and requests to other places; a healthy visit has none. */
+  readonly troubles: string[] = [];
+
+  constructor(
+    readonly context: BrowserContext,
+    readonly page: Page,
+    readonly url: string,
+  ) {}
+
+  async listen(): Promise<void> {
+    const { context, page, troubles } = this;
+    const { origin } = new URL(this.url);
+    page.on("console", (message) => {
+      if (message.type() === "error") troubles.push(`console: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => troubles.push(`uncaught: ${error.message}`));
+    page.on("crash", () => troubles.push("the page crashed"));
+    context.on("request", (request) => {
+      const address = request.url();
+      if (/^https?:/.test(address) && new URL(address).origin !== origin) troubles.push(`request: ${address}`);
+    });
+    context.on("requestfailed", (request) => {
+      if (!this.offline) troubles.push(`failed: ${request.url()} ${request.failure()?.errorText ?? ""}`);
+    });
+    await context.exposeBinding("pasuViolation", (_, text: string) => troubles.push(`policy: ${text}`));
+    await context.addInitScript(() => {
+      const report = (globalThis as unknown as { pasuViolation(text: string): void }).pasuViolation;
+      document.addEventListener("securitypolicyviolation", (event) =>
+        report(`${event.violatedDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber}`),
+      );
+    });
+  }
+
+  private offline = false;
+
+  get app(): Locator {
+    return this.page.locator("pasu-app");
+  }
+
+  button(name: string | RegExp): Locator {
+    return this.page.getByRole("button", { name, exact: typeof name === "string" });
+  }
+
+  /** The text field of a parameter. */
+  field(name: string): Locator {
+    return this.page.getByRole("spinbutton", { name, exact: true });
+  }
+
+  slider(name: string): Locator {
+    return this.page.getByRole("slider", { name, exact: true });
+  }
+
+  dialog(name: string): Locator {
+    return this.page.getByRole("dialog", { name });
+  }
+
+  /** The fingerprint of the pot on the stage, once it is the one in the panel and drawn to the end. */
+  async fingerprint(): Promise<string> {
+    return await this.fingerprintOtherThan("");
+  }
+
+  /** Waits until another pot than the one with this fingerprint stands finished on the stage. */
+  async fingerprintOtherThan(before: string): Promise<string> {
+    const found = await this.page.waitForFunction((old) => {
+      const { fingerprint, state } = document.querySelector<HTMLElement>("pasu-app")?.dataset ?? {};
+      return state === "ready" && fingerprint !== "" && fingerprint !== old ? fingerprint : null;
+    }, before);
+    return (await found.jsonValue()) ?? "";
+  }
+
+  /** Waits until the pot with this fingerprint stands finished on the stage. */
+  async shows(fingerprint: string): Promise<void> {
+    await this.page.waitForFunction((wanted) => {
+      const data = document.querySelector<HTMLElement>("pasu-app")?.dataset;
+      return data?.state === "ready" && data.fingerprint === wanted;
+    }, fingerprint);
+  }
+
+  /** Drags a slider's thumb to a share of its track, by way of several places. `held` runs before the release. */
+  async drag(name: string, share: number, held?: () => Promise<void>): Promise<void> {
+    const slider = this.slider(name);
+    await slider.scrollIntoViewIfNeeded();
+    const box = await slider.boundingBox();
+    if (!box) throw new Error(`the slider “${name}” cannot be seen`);
+    const now = await slider.evaluate((input: HTMLInputElement) => {
+      const [value, min, max] = [input.valueAsNumber, Number(input.min), Number(input.max)];
+      return Math.min(1, Math.max(0, (value - min) / (max - min)));
+    });
+    const thumb = 18;
+    const at = (part: number) => box.x + thumb / 2 + part * (box.width - thumb);
+    const y = box.y + box.height / 2;
+    const { mouse } = this.page;
+    await mouse.move(at(now), y);
+    await mouse.down();
+    for (const step of [0.25, 0.5, 0.75, 1]) await mouse.move(at(now + step * (share - now)), y);
+    await held?.();
+    await mouse.up();
+  }
+
+  /** Types into a parameter's field as a person does: everything in it is replaced, then it is left. */
+  async type(name: string, text: string): Promise<void> {
+    const field = this.field(name);
+    await field.click();
+    await field.fill(text);
+    await field.blur();
+  }
+
+  async undo(): Promise<void> {
+    await this.button("Undo").click();
+  }
+
+  async redo(): Promise<void> {
+    await this.button("Redo").click();
+  }
+
+  async tab(name: "Shape" | "Profile" | "Order" | "Look"): Promise<void> {
+    await this.page.getByRole("tab", { name }).click();
+  }
+
+  /** Follows a link in the same page, as by pasting it into the address bar. */
+  async openLink(link: string): Promise<void> {
+    await this.page.evaluate((hash) => {
+      location.hash = hash;
+    }, link);
+  }
+
+  /** What “Copy link” put on the clipboard. */
+  async copyLink(): Promise<string> {
+    await this.button("Copy link").click();
+    await this.page.getByText("Link copied").waitFor();
+    return await this.page.evaluate(() => navigator.clipboard.readText());
+  }
+
+  /** What a press of this button downloads. */
+  async download(name: string): Promise<{ readonly name: string; readonly bytes: Buffer }> {
+    const [download] = await Promise.all([this.page.waitForEvent("download"), this.button(name).click()]);
+    return { name: download.suggestedFilename(), bytes: await bytesOf(download) };
+  }
+
+  /** Drops a file onto the page. */
+  async dropFile(name: string, text: string): Promise<void> {
+    const data = await this.page.evaluateHandle(
+      ([fileName, content]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([content], fileName, { type: "application/json" }));
+        return transfer;
+      },
+      [name, text] as const,
+    );
+    for (const event of ["dragenter", "dragover", "drop"]) {
+      await this.page.dispatchEvent("pasu-app", event, { dataTransfer: data });
+    }
+  }
+
+  async chooseFile(name: string, text: string): Promise<void> {
+    const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.button("Open").click()]);
+    await chooser.setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+  }
+
+  async goOffline(): Promise<void> {
+    this.offline = true;
+    await this.context.setOffline(true);
+  }
+
+  /** The part of the address behind `#`. */
+  async address(): Promise<string> {
+    return await this.page.evaluate(() => location.hash);
+  }
+
+  async leave(): Promise<void> {
+    await this.context.close();
+  }
+}
+
+async function bytesOf(download: Download): Promise<Buffer> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk as Buffer);
+  return Buffer.concat(chunks);
+}
