@@ -1,4 +1,4 @@
-// The interface of the package. The types of the design document are generated from the Rust code: design.d.ts.
+// The interface of the package. The types of the design document are in design.d.ts.
 
 import type { Design } from "./design.js";
 
@@ -79,6 +79,9 @@ export default function init(
 
 /** The design in canonical form: checked, defaults dropped, numbers of twelve significant digits. */
 export function parse(source: DesignSource): Design;
+
+/** The link of a design, without the leading `#`. Equal designs have equal links. */
+export function link(source: DesignSource): string;
 
 /** The surface as triangles, placed. */
 export function mesh(source: DesignSource, options?: MeshOptions): Mesh;

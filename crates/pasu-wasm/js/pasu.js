@@ -41,6 +41,10 @@ export function parse(source) {
   return call(bindings.parse, source);
 }
 
+export function link(source) {
+  return call(bindings.link, source);
+}
+
 export function mesh(source, options) {
   return call(bindings.mesh, source, options);
 }

@@ -20,6 +20,10 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 
+#[cfg(all(doctest, not(target_arch = "wasm32")))]
+#[doc = include_str!("../../../README.md")]
+mod readme {}
+
 /// Prepares the module; runs once, when it is instantiated.
 #[wasm_bindgen(start)]
 pub fn start() {
@@ -34,6 +38,16 @@ pub fn start() {
 pub fn parse(source: &JsValue) -> Result<JsValue, JsValue> {
     let design = source::design(source).map_err(|error| thrown(&error))?;
     js_sys::JSON::parse(&design.to_json())
+}
+
+/// The link of a design, without the leading `#`.
+///
+/// # Errors
+/// When the source is not a design.
+#[wasm_bindgen]
+pub fn link(source: &JsValue) -> Result<String, JsValue> {
+    let design = source::design(source).map_err(|error| thrown(&error))?;
+    Ok(design.link())
 }
 
 /// The triangles of a design, as an object of typed arrays.

@@ -1,7 +1,7 @@
 //! What JavaScript may pass, what it gets back and how it is refused, in Node.
 
 use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
-use pasu_wasm::{derivatives, evaluate, fingerprint, mesh, parse};
+use pasu_wasm::{derivatives, evaluate, fingerprint, link, mesh, parse};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -18,11 +18,17 @@ const OPEN_SHEET: &str = r#"{ "pasu": 1, "unit": "mm", "parts": [{
     "look": { "glaze": "cobalt" } }] }"#;
 
 #[wasm_bindgen_test]
-fn a_design_comes_as_text_and_as_object() {
+fn a_design_comes_as_text_as_object_and_as_link() {
     for text in [DINT_VASE, OPEN_SHEET] {
         let canonical = stringified(&parse(&text.into()).expect("text"));
         assert_eq!(stringified(&parse(&js(text)).expect("object")), canonical);
-        assert_eq!(fingerprint(&text.into()), fingerprint(&js(text)));
+        let short = link(&text.into()).expect("link");
+        assert!(short.starts_with("1/") || short.starts_with("1~"), "{short}");
+        for address in [short.clone(), format!("#{short}"), format!("https://example.org/pot/#{short}")] {
+            assert_eq!(stringified(&parse(&address.as_str().into()).expect("address")), canonical, "{address}");
+        }
+        assert_eq!(link(&js(&canonical)).expect("link again"), short);
+        assert_eq!(fingerprint(&short.as_str().into()), fingerprint(&js(text)));
     }
 }
 
@@ -83,11 +89,15 @@ fn refusals_carry_code_and_path() {
         (changed(&["unit"], "furlong".into()), "unknown-name", "unit"),
         (circular, "too-large", ""),
         ("{ \"pasu\": 1".into(), "not-json", ""),
+        ("#1~damaged".into(), "damaged-link", ""),
+        ("#2/bloor-wilson".into(), "unknown-version", ""),
+        ("a teapot".into(), "damaged-link", ""),
         (JsValue::UNDEFINED, "wrong-type", ""),
         (5.into(), "wrong-type", ""),
     ];
     for (source, code, path) in &cases {
         expect(parse(source), code, path);
+        expect(link(source), code, path);
         expect(fingerprint(source), code, path);
         expect(mesh(source, &JsValue::UNDEFINED), code, path);
         expect(evaluate(source, &0.into(), &Array::new()), code, path);
