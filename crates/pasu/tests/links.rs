@@ -144,14 +144,14 @@ fn links_survive_how_people_send_them() {
 fn what_is_wrong_is_said_in_words() {
     let not = |text: &str| {
         format!(
-            "This is neither a design nor a link to one: {text:?}; a link looks like #1/bloor-wilson?a=6, or #1~ and a long row of letters and digits"
+            "This is neither a design nor a link to one: {text:?}; a link looks like #1/bloor-wilson?a=6, or #1~ and a long row of letters and digits."
         )
     };
     let damaged = |what: &str| {
-        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter")
+        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter.")
     };
     let newer = |format: &str| {
-        format!("This link was made by a newer version of Pasu (format {format}); this page reads format 1")
+        format!("This link was made by a newer version of Pasu (format {format}); this page reads format 1.")
     };
     let families = r#""second-order", "mixed-order", "fourth-order" or "bloor-wilson""#;
     for (link, code, path, message) in [
@@ -159,8 +159,8 @@ fn what_is_wrong_is_said_in_words() {
         ("https://example.org/#7~abc", "unknown-version", "", newer("7")),
         ("#12345678901234567890/x", "unknown-version", "", newer("12345678901234567890")),
         ("#0/second-order", "unknown-version", "", "expected a link of format 1, found format 0".into()),
-        ("", "damaged-link", "", "There is nothing here to open; expected a design or a link".into()),
-        ("https://example.org/", "damaged-link", "", "This address has no design in it; expected one after a #".into()),
+        ("", "damaged-link", "", "There is nothing here to open; expected a design or a link.".into()),
+        ("https://example.org/", "damaged-link", "", "This address has no design in it; expected one after a #.".into()),
         ("#about", "damaged-link", "", not("#about")),
         ("[1, 2]", "damaged-link", "", not("[1, 2]")),
         ("#1", "damaged-link", "", not("#1")),

@@ -36,28 +36,28 @@ fn check(result: pasu::Result<Design>, given: &str, (code, path, message): (&str
 fn documents() {
     let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson" or "boundary-value""#;
     let part = format!(r#"{{ "shape": {SHAPE} }}"#);
-    let newer = "This design was made by a newer version of Pasu (format 2); this page reads format 1";
+    let newer = "This design was made by a newer version of Pasu (format 2); this page reads format 1.";
     let cases: Vec<(String, &str, &str, String)> = vec![
         // Not JSON.
         ("{".into(), "not-json", "", "This JSON text ends in the middle, at line 1, column 1; is it cut short?".into()),
-        ("{\n  pasu: 1 }".into(), "not-json", "", "This is not JSON: key must be a string at line 2, column 3".into()),
+        ("{\n  pasu: 1 }".into(), "not-json", "", "This is not JSON: key must be a string at line 2, column 3.".into()),
         (
             r#"{ "pasu": 1, "parts": [ } "#.into(),
             "not-json",
             "parts[0]",
-            "This is not JSON: expected value at line 1, column 25".into(),
+            "This is not JSON: expected value at line 1, column 25.".into(),
         ),
         (
             format!("{} x", with_shape(SHAPE)),
             "not-json",
             "",
-            "This is not JSON: trailing characters at line 1, column 93".into(),
+            "This is not JSON: trailing characters at line 1, column 93.".into(),
         ),
         (
             with_shape(r#"{ "kind": "bloor-wilson", "a": NaN }"#),
             "not-json",
             "parts[0].shape.a",
-            "This is not JSON: expected value at line 1, column 66".into(),
+            "This is not JSON: expected value at line 1, column 66.".into(),
         ),
         (
             with_shape(r#"{ "kind": "bloor-wilson", "a": 1e999 }"#),

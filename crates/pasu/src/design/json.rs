@@ -48,7 +48,7 @@ fn refused(error: &serde_json::Error, path: String) -> Error {
         Category::Eof => {
             format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?")
         }
-        _ => format!("This is not JSON: {what} at line {line}, column {column}"),
+        _ => format!("This is not JSON: {what} at line {line}, column {column}."),
     };
     Error::new(Code::NotJson, path, message)
 }
