@@ -6,7 +6,7 @@
 import type { OrderKind } from "../document/convert";
 import { convert } from "../document/convert";
 import { describe } from "../document/describe";
-import { designOf } from "../document/gallery";
+import { designOf } from "../document/gallery/exhibit";
 import { OWN } from "../document/gallery/own";
 import { looksOf, unitOf } from "../document/look";
 import { setPath } from "../document/path";

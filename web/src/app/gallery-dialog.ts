@@ -2,7 +2,8 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { designOf, type Exhibit, SHELVES } from "../document/gallery";
+import { SHELVES } from "../document/gallery";
+import { designOf, type Exhibit } from "../document/gallery/exhibit";
 import { lookOf } from "../document/look";
 import type { Thumbnails } from "../render/thumbnail";
 import { THUMBNAIL_GRID } from "./grid";

@@ -20,7 +20,6 @@ import type { Shape } from "../document/types";
 import { resetFields, setFields, setLock, toggleExplain } from "../state/actions";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
-import "./modes-table";
 import "./number-field";
 import type { NumberChangeEvent } from "./number-field";
 import { base, buttons } from "./styles";
@@ -44,7 +43,10 @@ export class PasuParameters extends DesignerElement {
     const part = state.design.parts[state.session.part];
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
-    if (!family) return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;
+    if (!family) {
+      void import("./modes-table");
+      return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;
+    }
     return html`
       <div class="intro">
         <p>${family.name} <span>${family.source}</span></p>

@@ -6,11 +6,7 @@ import type { Refusal } from "../document/types";
 import "./dialog";
 import { DesignerElement } from "./element";
 import { fileName, pickFile, saveBlob } from "./files";
-import "./gallery-dialog";
-import "./help-dialog";
 import { icon } from "./icons";
-import "./new-dialog";
-import "./picture-dialog";
 import type { PictureSize } from "./picture-dialog";
 import "./side-panel";
 import "./stage-view";
@@ -21,6 +17,14 @@ import "./top-bar";
 import type { Command, CommandEvent } from "./top-bar";
 
 const NOTICE_MS = 6000;
+
+/** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
+const DIALOGUES = {
+  new: () => import("./new-dialog"),
+  gallery: () => import("./gallery-dialog"),
+  help: () => import("./help-dialog"),
+  picture: () => import("./picture-dialog"),
+} as const;
 
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
@@ -179,7 +183,7 @@ export class PasuApp extends DesignerElement {
       case "gallery":
       case "help":
       case "picture":
-        this.dialog = command;
+        await this.show(command);
         return;
       case "open": {
         const file = await pickFile(".json,application/json");
@@ -195,6 +199,15 @@ export class PasuApp extends DesignerElement {
       case "share":
         await this.share();
         return;
+    }
+  }
+
+  private async show(dialogue: keyof typeof DIALOGUES): Promise<void> {
+    try {
+      await DIALOGUES[dialogue]();
+      this.dialog = dialogue;
+    } catch {
+      this.designer.say("This part of the page could not be fetched. Try again when there is a network.");
     }
   }
 
@@ -257,7 +270,7 @@ export class PasuApp extends DesignerElement {
       else if (key === "y") this.designer.redo();
       else return;
     } else if (event.key === "?" && !typing) {
-      this.dialog = "help";
+      void this.show("help");
     } else return;
     event.preventDefault();
   };

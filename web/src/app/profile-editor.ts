@@ -14,7 +14,7 @@ const WIDTH = 360;
 const HEIGHT = 400;
 const MARGIN = 40;
 /** How much of a slope is drawn: the arrow is `X_u` shortened to this. */
-const SLOPE_SHARE = 0.1;
+const SLOPE_SHARE = 0.2;
 const COARSE = 10;
 /** A finger's reach round a handle; handles that stand close share what is between them. */
 const REACH = 22;
@@ -55,8 +55,13 @@ export class PasuProfile extends DesignerElement {
     const section = designer.shown?.solved.section;
     if (!shape || !section) return html`<p class="lead">The section appears with the pot.</p>`;
     const marks = marksOf(section, rimAt(shape));
-    const frame = this.held ?? frameOf(section, marks);
     const all = handles(shape);
+    const frame =
+      this.held ??
+      frameOf(
+        section,
+        all.filter(isFree).map((handle) => pointOf(handle.id, marks)),
+      );
     const unit = unitOf(design);
     return html`
       <p class="lead">The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.</p>
@@ -99,7 +104,7 @@ export class PasuProfile extends DesignerElement {
   }
 
   private handle(handle: Handle, frame: Frame, marks: Marks) {
-    if (!handle.radial && !handle.axial) return nothing;
+    if (!isFree(handle)) return nothing;
     const at = toView(pointOf(handle.id, marks), frame);
     const ways = handle.radial && handle.axial ? "move" : handle.radial ? "across" : "along";
     const slope = handle.id.endsWith("slope");
@@ -319,6 +324,10 @@ function marksOf(section: Section, rim: 0 | 1): Marks {
   return { rim: endOf(section, rim), foot: endOf(section, 1 - rim), rimTip: tip(rim), footTip: tip(1 - rim) };
 }
 
+function isFree(handle: Handle): boolean {
+  return handle.radial || handle.axial;
+}
+
 function pointOf(id: HandleId, marks: Marks): Point {
   switch (id) {
     case "rim":
@@ -343,7 +352,7 @@ function reading(id: HandleId, section: Section, rim: 0 | 1, unit: string): stri
 }
 
 /** Room for the section, the handles and some air, with the axis where the pot is. */
-function frameOf(section: Section, marks: Marks): Frame {
+function frameOf(section: Section, marks: readonly Point[]): Frame {
   let [left, right, low, high] = [0, 0, Infinity, -Infinity];
   const take = (x: number, z: number) => {
     left = Math.min(left, x);
@@ -354,7 +363,7 @@ function frameOf(section: Section, marks: Marks): Frame {
   for (const line of [section.right, section.left]) {
     for (let i = 0; i + 1 < line.length; i += 2) take(line[i] ?? 0, line[i + 1] ?? 0);
   }
-  for (const mark of Object.values(marks) as Point[]) take(mark.x, mark.z);
+  for (const mark of marks) take(mark.x, mark.z);
   const width = Math.max(right - left, 1e-9);
   const height = Math.max(high - low, 1e-9);
   const scale = Math.min((WIDTH - 2 * MARGIN) / width, (HEIGHT - 2 * MARGIN) / height);

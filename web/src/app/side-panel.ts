@@ -5,21 +5,38 @@ import { customElement, query } from "lit/decorators.js";
 import { selectPart, selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
 import { DesignerElement } from "./element";
-import "./look-panel";
-import "./orders-panel";
 import "./parameters";
-import "./profile-editor";
 import { base, fields } from "./styles";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = { shape: "Shape", profile: "Profile", order: "Order", look: "Look" };
+
+/** The panels behind the first one are fetched when they are first looked at. */
+const PANELS: Readonly<Record<Tab, (() => Promise<unknown>) | null>> = {
+  shape: null,
+  profile: () => import("./profile-editor"),
+  order: () => import("./orders-panel"),
+  look: () => import("./look-panel"),
+};
 
 @customElement("pasu-panel")
 export class PasuPanel extends DesignerElement {
   @query("[aria-selected=true]") private readonly selected!: HTMLButtonElement;
   @query(".body") private readonly body!: HTMLElement;
 
+  private fetched: Tab | null = null;
+
   override focus(options?: FocusOptions): void {
     this.selected.focus(options);
+  }
+
+  override willUpdate(): void {
+    const { tab } = this.designer.state.session;
+    if (tab === this.fetched) return;
+    this.fetched = tab;
+    PANELS[tab]?.().catch(() => {
+      this.fetched = null;
+      this.designer.say("This panel could not be fetched. Try again when there is a network.");
+    });
   }
 
   override render() {

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { designOf, SHELVES } from "./gallery";
+import { SHELVES } from "./gallery";
+import { designOf } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 

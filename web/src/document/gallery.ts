@@ -1,18 +1,8 @@
 /** The gallery: finished designs to start from, grouped by where they come from. */
 
+import type { Exhibit } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
-import type { Design, Look, Shape } from "./types";
-
-export interface Exhibit {
-  /** Stable and unique: what tests and thumbnails call it. */
-  readonly id: string;
-  readonly title: string;
-  /** What to look at, or where it was printed. */
-  readonly note: string;
-  readonly shape: Shape;
-  readonly look?: Look;
-}
 
 export interface Shelf {
   readonly title: string;
@@ -37,12 +27,3 @@ export const SHELVES: readonly Shelf[] = [
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("ishak-ali")),
   },
 ];
-
-/** The exhibit as a document of its own. */
-export function designOf(exhibit: Exhibit): Design {
-  return {
-    pasu: 1,
-    title: exhibit.title,
-    parts: [{ shape: exhibit.shape, ...(exhibit.look && { look: exhibit.look }) }],
-  };
-}

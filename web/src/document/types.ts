@@ -1,70 +1,23 @@
-/** The design document as the format defines it: plain frozen data, one `kind` per shape. */
+/**
+ * The design document: the package's own types, generated from the Rust code, as the page holds them: frozen. Types are
+ * all that is imported here; the solver itself is `solver/`'s alone.
+ */
 
-export type Unit = "mm" | "cm" | "in";
-export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino" | "copper-red" | "clear" | "bare";
-export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";
+import type * as pasu from "pasu";
 
-export type Pair = readonly [number, number];
-export type Triple = readonly [number, number, number];
-export type Quad = readonly [number, number, number, number];
+/** Read-only all the way down. */
+export type Frozen<T> = { readonly [K in keyof T]: T[K] extends object ? Frozen<T[K]> : T[K] };
 
-/** ZY01 equations 1 to 8: positions at rim and foot. */
-export interface SecondOrder {
-  readonly kind: "second-order";
-  readonly r: Quad;
-  readonly n?: Pair;
-  readonly height?: number;
-  readonly s?: Pair;
-  readonly t?: Pair;
-  readonly force?: Pair;
-}
+export type SecondOrder = Frozen<pasu.SecondOrder>;
+export type MixedOrder = Frozen<pasu.MixedOrder>;
+export type FourthOrder = Frozen<pasu.FourthOrder>;
+export type BloorWilson = Frozen<pasu.BloorWilson>;
 
-/** ZY01 equations 9 to 12: as second order, with the rise of the wall at the rim. */
-export interface MixedOrder extends Omit<SecondOrder, "kind"> {
-  readonly kind: "mixed-order";
-  readonly rise: number;
-}
+/** The data of one harmonic while it is being edited: order 2 has no use for the slopes. */
+export type Datum = Frozen<pasu.FourthOrderDatum>;
+export type Mode = Frozen<pasu.Mode<pasu.FourthOrderDatum>>;
 
-/** ZY01 equations 13 to 17: positions and slopes at both ends; the foot is at `u = 0`. */
-export interface FourthOrder {
-  readonly kind: "fourth-order";
-  readonly r0: number;
-  readonly r1: number;
-  readonly rm: number;
-  readonly h1: number;
-  readonly eta: Pair;
-  readonly dz: Pair;
-  readonly s: Pair;
-  readonly t: Pair;
-  readonly w: Pair;
-}
-
-/** IA equations 15 to 18: the dint vase. */
-export interface BloorWilson {
-  readonly kind: "bloor-wilson";
-  readonly a: number;
-  readonly r: Quad;
-  readonly R: Quad;
-  readonly h: Pair;
-  readonly H: Pair;
-  readonly n1: number;
-}
-
-/** Boundary values and force of one harmonic; what is left out is 0. */
-export interface Datum {
-  readonly start?: number;
-  readonly end?: number;
-  readonly start_u?: number;
-  readonly end_u?: number;
-  readonly force?: readonly number[];
-}
-
-export interface Mode {
-  readonly n: number;
-  readonly cos?: Datum;
-  readonly sin?: Datum;
-}
-
+/** One coordinate while it is being edited: `w` belongs to order 4. The solver holds it to its order. */
 export interface Component {
   readonly order: 2 | 4;
   readonly s: number;
@@ -73,10 +26,7 @@ export interface Component {
   readonly modes: readonly Mode[];
 }
 
-/** Fourier boundary data written out, component by component. */
-export interface BoundaryValue {
-  readonly kind: "boundary-value";
-  readonly span: number | "2pi";
+export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y" | "z"> {
   readonly x: Component;
   readonly y: Component;
   readonly z: Component;
@@ -85,33 +35,22 @@ export interface BoundaryValue {
 export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
 export type Kind = Shape["kind"];
 
-export interface Placement {
-  readonly scale?: Triple;
-  readonly axis?: Triple;
-  readonly angle?: number;
-  readonly shift?: Triple;
-}
+export type Placement = Frozen<pasu.Placement>;
+export type Look = Frozen<pasu.Look>;
+export type GlazeName = NonNullable<pasu.Look["glaze"]>;
+export type ClayName = NonNullable<pasu.Look["clay"]>;
+export type Unit = NonNullable<pasu.Design["unit"]>;
 
-export interface Look {
-  readonly glaze?: GlazeName;
-  readonly clay?: ClayName;
-}
-
-export interface Part {
-  readonly name?: string;
-  readonly object?: number;
+export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {
   readonly shape: Shape;
-  readonly place?: Placement;
-  readonly wall?: { readonly thickness: number; readonly base: number };
-  readonly look?: Look;
 }
 
-export interface Design {
-  readonly pasu: 1;
-  readonly title?: string;
-  readonly unit?: Unit;
+export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {
   readonly parts: readonly Part[];
 }
+
+export type Pair = readonly [number, number];
+export type Triple = readonly [number, number, number];
 
 /** What the solver says when it refuses a design: a stable word, where in the design, and a sentence. */
 export interface Refusal {

@@ -37,7 +37,7 @@ function perform(ask: Ask): Answers[Ask["kind"]] {
     case "mesh":
       return arraysOf(ask.design, ask.rows, ask.columns);
     case "parse": {
-      const design = parse(ask.text) as Design;
+      const design = parse(ask.text);
       return { design, link: link(design) };
     }
   }

@@ -1,6 +1,6 @@
 /** Designs of our own. Each shows one thing that the method does well; lengths in centimetres. */
 
-import type { Exhibit } from "../gallery";
+import type { Exhibit } from "./exhibit";
 import { turned } from "./outline";
 
 export const OWN: readonly Exhibit[] = [

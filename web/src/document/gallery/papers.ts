@@ -3,7 +3,7 @@
  * A unit test holds the two lists against each other.
  */
 
-import type { Exhibit } from "../gallery";
+import type { Exhibit } from "./exhibit";
 
 export const PAPERS: readonly Exhibit[] = [
   {
