@@ -16,7 +16,7 @@ test("a reload brings everything back", async () => {
   await pot.page.reload();
   await pot.shows(after);
   expect(await pot.page.getByRole("tab", { name: "Look" }).getAttribute("aria-selected")).toBe("true");
-  expect(await pot.page.getByRole("radio", { name: "Copper red" }).isChecked()).toBe(true);
+  await expect.poll(() => pot.page.getByRole("radio", { name: "Copper red" }).isChecked()).toBe(true);
 });
 
 test("a visit without a link goes on where the last one ended", async () => {

@@ -81,12 +81,31 @@ test.each([390, 320])(
   },
 );
 
-test("a finger on a slider changes the pot", async () => {
+test("fingers change the pot, and a swipe that scrolls past a slider does not", async () => {
   const pot = await here.enter({ ...PHONE, link: "#1/second-order" });
   const before = await pot.fingerprint();
   const slider = pot.slider("Rim radius");
   await slider.scrollIntoViewIfNeeded();
-  const box = (await slider.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-  await pot.page.touchscreen.tap(box.x + 0.8 * box.width, box.y + box.height / 2);
+  const place = async () => {
+    const box = (await slider.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    return { x: box.x + 0.8 * box.width, y: box.y + box.height / 2 };
+  };
+  const value = await slider.inputValue();
+  const cdp = await pot.context.newCDPSession(pot.page);
+  const { x, y } = await place();
+  await cdp.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  for (const step of [20, 60, 100, 140]) {
+    await cdp.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x, y: y - step }] });
+  }
+  await cdp.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await expect
+    .poll(() => pot.page.locator("pasu-panel .body").evaluate((body) => body.scrollTop))
+    .toBeGreaterThan(0);
+  await expect.poll(() => slider.inputValue()).toBe(value);
+  await pot.shows(before);
+  expect(await pot.history("Undo").isDisabled()).toBe(true);
+  await slider.scrollIntoViewIfNeeded();
+  const there = await place();
+  await pot.page.touchscreen.tap(there.x, there.y);
   await pot.fingerprintOtherThan(before);
 });

@@ -30,8 +30,8 @@ export function offline(options: { worker: string }): Plugin {
         await writeFile(
           join(folder, "sw.js"),
           code
-            .replace("__PASU_PRECACHE__", JSON.stringify(precache))
-            .replace("__PASU_VERSION__", JSON.stringify(version)),
+            .replaceAll("__PASU_PRECACHE__", JSON.stringify(precache))
+            .replaceAll("__PASU_VERSION__", JSON.stringify(version)),
         );
       },
     },
