@@ -9,15 +9,15 @@ const VASE = "#1/second-order";
 test("dragging a slider changes the mesh, and the whole drag is one step of undo", async () => {
   const pot = await here.enter({ link: VASE });
   const before = await pot.fingerprint();
-  expect(await pot.button("Undo").isDisabled()).toBe(true);
+  expect(await pot.history("Undo").isDisabled()).toBe(true);
   await pot.drag("Waist pull", 0.9);
   const after = await pot.fingerprintOtherThan(before);
   await pot.undo();
   await pot.shows(before);
-  expect(await pot.button("Undo").isDisabled()).toBe(true);
+  expect(await pot.history("Undo").isDisabled()).toBe(true);
   await pot.redo();
   await pot.shows(after);
-  expect(await pot.button("Redo").isDisabled()).toBe(true);
+  expect(await pot.history("Redo").isDisabled()).toBe(true);
 });
 
 test("the surface follows during the drag; the address waits for its end", async () => {

@@ -9,8 +9,11 @@ export interface VisitOptions extends BrowserContextOptions {
   readonly link?: string;
 }
 
-/** An ordinary desktop window. */
-export const DESKTOP = { width: 1280, height: 800 } as const;
+/** A small desktop window: software WebGL pays by the pixel. Without damped motion the camera is where it goes at once. */
+const DESKTOP: BrowserContextOptions = { viewport: { width: 1100, height: 700 }, reducedMotion: "reduce" };
+
+/** Longer than anything takes on a busy machine; then the gesture that failed is named, not the test as a whole. */
+const PATIENCE = 30_000;
 
 /** A phone held upright. */
 export const PHONE: BrowserContextOptions = {
@@ -18,6 +21,7 @@ export const PHONE: BrowserContextOptions = {
   deviceScaleFactor: 2,
   isMobile: true,
   hasTouch: true,
+  reducedMotion: "reduce",
 };
 
 /** Opens the designer in a fresh profile and waits for the first pot. */
@@ -26,7 +30,8 @@ export async function visit(
   url: string,
   { link = "", ...options }: VisitOptions = {},
 ): Promise<Visit> {
-  const context = await browser.newContext({ viewport: DESKTOP, ...options });
+  const context = await browser.newContext({ ...DESKTOP, ...options });
+  context.setDefaultTimeout(PATIENCE);
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   const there = new Visit(context, await context.newPage(), url);
   await there.listen();
@@ -57,7 +62,9 @@ export class Visit {
       if (/^https?:/.test(address) && new URL(address).origin !== origin) troubles.push(`request: ${address}`);
     });
     context.on("requestfailed", (request) => {
-      if (!this.offline) troubles.push(`failed: ${request.url()} ${request.failure()?.errorText ?? ""}`);
+      const why = request.failure()?.errorText ?? "";
+      // Leaving a page ends what it was still fetching.
+      if (!this.offline && why !== "net::ERR_ABORTED") troubles.push(`failed: ${request.url()} ${why}`);
     });
     await context.exposeBinding("pasuViolation", (_, text: string) => troubles.push(`policy: ${text}`));
     await context.addInitScript(() => {
@@ -142,12 +149,23 @@ export class Visit {
     await field.blur();
   }
 
+  /** Undo or Redo in the bar. */
+  history(name: "Undo" | "Redo"): Locator {
+    return this.page.locator("pasu-top-bar").getByRole("button", { name, exact: true });
+  }
+
   async undo(): Promise<void> {
-    await this.button("Undo").click();
+    await this.history("Undo").click();
   }
 
   async redo(): Promise<void> {
-    await this.button("Redo").click();
+    await this.history("Redo").click();
+  }
+
+  /** A command of the bar, which narrow windows keep in a menu. */
+  async command(name: "Gallery" | "New" | "Open" | "Save" | "Picture" | "Help"): Promise<void> {
+    if (!(await this.button(name).isVisible())) await this.button("More").click();
+    await this.button(name).click();
   }
 
   async tab(name: "Shape" | "Profile" | "Order" | "Look"): Promise<void> {
@@ -190,7 +208,7 @@ export class Visit {
   }
 
   async chooseFile(name: string, text: string): Promise<void> {
-    const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.button("Open").click()]);
+    const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), this.command("Open")]);
     await chooser.setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
   }
 

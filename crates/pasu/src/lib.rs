@@ -10,6 +10,8 @@ mod mesh;
 mod mode;
 mod surface;
 
+#[cfg(feature = "typescript")]
+pub use design::typescript;
 pub use design::{
     Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
     Order, Part, Placement, SecondOrder, Shape, Span, Unit, Value, Wall,

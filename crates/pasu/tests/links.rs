@@ -1,9 +1,15 @@
 //! Links: what they look like, that they bring back the same design, and what damage is said to be.
 
+#[path = "support/documents.rs"]
+mod documents;
 mod support;
 
+use std::collections::BTreeMap;
+
+use documents::document;
 use pasu::Design;
 use proptest::prelude::*;
+use proptest::sample::Index;
 use support::{corpus, design, design_of, design_of_case};
 
 const DINTS: &str = "1/bloor-wilson?a=6&n1=5";
@@ -66,6 +72,27 @@ fn everything_else_is_packed() {
     }
 }
 
+const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/goldens/links.json");
+
+/// Links that have been sent open for ever: the golden file maps each to its document. It may grow; `PASU_BLESS=1 cargo
+/// test -p pasu --test links` adds the reference corpus to it. No line of it may ever change within a format version.
+#[test]
+fn links_of_this_version_are_golden() {
+    let mut designs: Vec<Design> = corpus().iter().map(design_of_case).collect();
+    designs
+        .extend([packed(), Design::parse("1/second-order?title=Dint%20vase&unit=in&glaze=shino&clay=black").unwrap()]);
+    let found: BTreeMap<String, String> = designs.iter().map(|design| (design.link(), design.to_json())).collect();
+    if std::env::var_os("PASU_BLESS").is_some() {
+        std::fs::write(GOLDENS, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
+    }
+    let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
+    for (link, document) in &golden {
+        let design = Design::parse(link).unwrap();
+        assert_eq!((&design.link(), &design.to_json()), (link, document));
+    }
+    assert!(found.keys().all(|link| golden.contains_key(link)));
+}
+
 #[test]
 fn links_survive_how_people_send_them() {
     let long = "1/bloor-wilson?a=6&n1=5&title=Dint%20vase";
@@ -117,14 +144,14 @@ fn links_survive_how_people_send_them() {
 fn what_is_wrong_is_said_in_words() {
     let not = |text: &str| {
         format!(
-            "This is neither a design nor a link to one: {text:?}; a link looks like #1/bloor-wilson?a=6, or #1~ and a long row of letters and digits"
+            "This is neither a design nor a link to one: {text:?}; a link looks like #1/bloor-wilson?a=6, or #1~ and a long row of letters and digits."
         )
     };
     let damaged = |what: &str| {
-        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter")
+        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter.")
     };
     let newer = |format: &str| {
-        format!("This link was made by a newer version of Pasu (format {format}); this page reads format 1")
+        format!("This link was made by a newer version of Pasu (format {format}); this page reads format 1.")
     };
     let families = r#""second-order", "mixed-order", "fourth-order" or "bloor-wilson""#;
     for (link, code, path, message) in [
@@ -132,8 +159,8 @@ fn what_is_wrong_is_said_in_words() {
         ("https://example.org/#7~abc", "unknown-version", "", newer("7")),
         ("#12345678901234567890/x", "unknown-version", "", newer("12345678901234567890")),
         ("#0/second-order", "unknown-version", "", "expected a link of format 1, found format 0".into()),
-        ("", "damaged-link", "", "There is nothing here to open; expected a design or a link".into()),
-        ("https://example.org/", "damaged-link", "", "This address has no design in it; expected one after a #".into()),
+        ("", "damaged-link", "", "There is nothing here to open; expected a design or a link.".into()),
+        ("https://example.org/", "damaged-link", "", "This address has no design in it; expected one after a #.".into()),
         ("#about", "damaged-link", "", not("#about")),
         ("[1, 2]", "damaged-link", "", not("[1, 2]")),
         ("#1", "damaged-link", "", not("#1")),
@@ -259,6 +286,43 @@ fn a_packed_link_cannot_unfold_without_end() {
     assert_eq!(refused(&"x".repeat(3 << 20)).0, "too-large");
 }
 
+/// Work that grew with the square of the length would take hours for these.
+#[test]
+fn hostile_texts_are_refused_at_once() {
+    let many = |text: &str| text.repeat((1 << 20) / text.len());
+    for text in [
+        format!("1/second-order?{}", many("&amp;")),
+        format!("1/second-order?&{}", many("amp;")),
+        format!("1/second-order?{}", many("%25")),
+        format!("1/second-order?{}", many("s=1,1&")),
+        format!("1/second-order?height={}", many("9")),
+        format!("1/second-order?r={}", many(",")),
+        format!("1/{}\n{}", many(" "), many(">")),
+        format!("1~{}", many("A")),
+        format!("{{\"pasu\":1,{}", many("\"x\":null,")),
+        format!("{{\"pasu\":{}", many("[")),
+    ] {
+        assert!(Design::parse(&text).is_err(), "{}", &text[..40]);
+    }
+}
+
+/// What a link may be damaged by: its own letters, those of other links, of addresses and of sentences.
+const LETTERS: &str =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_~/#?&=%+.,;:!<>()[]{}\"'\\ \n\u{ad}é漢🏺";
+
+/// A packed link opens whole or not at all.
+fn check(design: &Design, damaged: &str) -> Result<(), TestCaseError> {
+    match Design::parse(damaged) {
+        Ok(opened) => prop_assert_eq!(&opened, design, "{}", damaged),
+        Err(error) => {
+            // It may look like a newer link (`11~...`), a readable one (`1/...`) or JSON (`{~...`).
+            let codes = ["damaged-link", "unknown-version", "unknown-name", "not-json"];
+            prop_assert!(codes.contains(&error.code()), "{error:?}");
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #[test]
     fn no_text_makes_it_panic(text in any::<String>(), link in "#?[12]?[/~]?(bloor-wilson|second-order)?[?&=,.a-zA-Z0-9%#~ \n-]{0,40}") {
@@ -266,5 +330,26 @@ proptest! {
         if let Ok(design) = Design::parse(&link) {
             prop_assert_eq!(Design::parse(&design.link()), Ok(design));
         }
+    }
+
+    #[test]
+    fn random_damage_is_noticed(
+        value in document(),
+        places in proptest::collection::vec((any::<Index>(), any::<Index>()), 20),
+        garbage in "[A-Za-z0-9_-]{1,12}",
+    ) {
+        let design = Design::from_value(&value).unwrap();
+        let link = design.link();
+        prop_assume!(link.starts_with("1~"));
+        for (place, letter) in places {
+            let at = place.index(link.len());
+            let letter = LETTERS.chars().nth(letter.index(LETTERS.chars().count())).unwrap();
+            let (before, rest) = link.split_at(at);
+            check(&design, &format!("{before}{letter}{}", &rest[1..]))?;
+            check(&design, &format!("{before}{letter}{rest}"))?;
+            check(&design, &format!("{before}{}", &rest[1..]))?;
+            prop_assert_eq!(Design::parse(before).unwrap_err().code(), "damaged-link", "{}", before);
+        }
+        prop_assert_eq!(Design::parse(&format!("{link}{garbage}")).unwrap_err().code(), "damaged-link");
     }
 }

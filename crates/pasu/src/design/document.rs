@@ -8,6 +8,7 @@ use super::limits::{BYTES, MODES, PARTS, VERSION};
 use super::part::Part;
 use super::path::Path;
 use super::reader::{self, Record};
+use super::table::{self, Entry, optional, required};
 use super::unit::Unit;
 use super::value::Value;
 use super::{json, limits, link};
@@ -38,7 +39,12 @@ pub struct Design {
     parts: Vec<Part>,
 }
 
-pub(crate) const DESIGN: [&str; 4] = ["pasu", "title", "unit", "parts"];
+pub(crate) const DESIGN: &[Entry] = &[
+    required("pasu", "1", "The version of the format."),
+    optional("title", "string", "At most 200 characters of plain text."),
+    optional("unit", "Unit", "What 1 means; centimetres when left out."),
+    required("parts", "readonly Part[]", "1 to 500 parts."),
+];
 
 impl Design {
     /// Reads a design from text: a JSON document, or a link as people send it: with or without `#`, inside its
@@ -89,7 +95,7 @@ impl Design {
     pub fn from_value(value: &Value) -> Result<Design> {
         let record = Record::open(value, Path::Start(""), "a design")?;
         check_version(&record)?;
-        let record = record.only(&DESIGN)?;
+        let record = record.only(&table::names(DESIGN))?;
         let title = match record.get("title") {
             Some(value) => reader::label(value, &record.path.field("title"))?,
             None => None,

@@ -2,9 +2,11 @@
 
 use serde::Deserialize;
 use serde_json::error::Category;
+use serde_path_to_error::Segment;
 
 use super::limits::BYTES;
 use super::number::plain;
+use super::path::Path;
 use super::value::Value;
 use crate::error::{Code, Error, Result};
 
@@ -22,8 +24,16 @@ pub(crate) fn read(text: &str) -> Result<Value> {
     Ok(value)
 }
 
+/// The path as every other error writes it; a place that has no name yet is that of its record.
 fn path_text(path: &serde_path_to_error::Path) -> String {
-    if path.iter().next().is_none() { String::new() } else { path.to_string() }
+    path.iter().fold(String::new(), |text, segment| {
+        let parent = Path::Start(&text);
+        match segment {
+            Segment::Seq { index } => parent.item(*index).to_string(),
+            Segment::Map { key } => parent.field(key).to_string(),
+            Segment::Enum { .. } | Segment::Unknown => text,
+        }
+    })
 }
 
 fn refused(error: &serde_json::Error, path: String) -> Error {
@@ -38,7 +48,7 @@ fn refused(error: &serde_json::Error, path: String) -> Error {
         Category::Eof => {
             format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?")
         }
-        _ => format!("This is not JSON: {what} at line {line}, column {column}"),
+        _ => format!("This is not JSON: {what} at line {line}, column {column}."),
     };
     Error::new(Code::NotJson, path, message)
 }

@@ -20,5 +20,5 @@ pub(crate) const CHARACTERS: usize = 200;
 
 /// What is said of a document or a link of a later version.
 pub(crate) fn newer(what: &str, version: &str) -> String {
-    format!("This {what} was made by a newer version of Pasu (format {version}); this page reads format {VERSION}")
+    format!("This {what} was made by a newer version of Pasu (format {version}); this page reads format {VERSION}.")
 }

@@ -3,6 +3,7 @@
 use super::names::names;
 use super::path::Path;
 use super::reader::Record;
+use super::table::{self, Entry, optional};
 use super::value::Value;
 use crate::error::Result;
 
@@ -52,11 +53,14 @@ names! {
     }
 }
 
-pub(crate) const LOOK: [&str; 2] = ["glaze", "clay"];
+pub(crate) const LOOK: &[Entry] = &[
+    optional("glaze", "GlazeName", "What covers the part; celadon when left out."),
+    optional("clay", "ClayName", "What the part is made of; stoneware when left out."),
+];
 
 impl Look {
     pub(crate) fn read(value: &Value, path: Path) -> Result<Self> {
-        let record = Record::open(value, path, "a look with glaze and clay")?.only(&LOOK)?;
+        let record = Record::open(value, path, "a look with glaze and clay")?.only(&table::names(LOOK))?;
         Ok(Look { glaze: Glaze::read(&record, "glaze")?, clay: Clay::read(&record, "clay")? })
     }
 

@@ -16,6 +16,9 @@ mod path;
 mod placement;
 mod reader;
 mod shape;
+mod table;
+#[cfg(feature = "typescript")]
+mod typescript;
 mod unit;
 mod value;
 mod wall;
@@ -27,6 +30,8 @@ pub use look::{Clay, Glaze, Look};
 pub use part::Part;
 pub use placement::Placement;
 pub use shape::Shape;
+#[cfg(feature = "typescript")]
+pub use typescript::typescript;
 pub use unit::Unit;
 pub use value::Value;
 pub use wall::Wall;

@@ -7,15 +7,58 @@ use super::limits::FORCE;
 use super::number::rounded;
 use super::path::Path;
 use super::reader::{self, Range, Record};
+use super::table::{self, Entry, optional, required};
 use super::value::Value;
 use crate::error::{Code, Result};
 
-pub(crate) const SHAPE: [&str; 5] = ["kind", "span", "x", "y", "z"];
-const SECOND: [&str; 4] = ["order", "s", "t", "modes"];
-const FOURTH: [&str; 5] = ["order", "s", "t", "w", "modes"];
-const MODE: [&str; 3] = ["n", "cos", "sin"];
-const SECOND_DATUM: [&str; 3] = ["start", "end", "force"];
-const FOURTH_DATUM: [&str; 5] = ["start", "end", "start_u", "end_u", "force"];
+pub(crate) const BOUNDARY_VALUE: &[Entry] = &[
+    required("kind", "\"boundary-value\"", "Any Fourier boundary data."),
+    required("span", "number | \"2pi\"", "The length of the interval of v round the axis."),
+    required("x", "Component", "The equation and the data of x."),
+    required("y", "Component", "The equation and the data of y."),
+    required("z", "Component", "The equation and the data of z, the axis of a pot."),
+];
+
+const S: Entry = required("s", "number", "Shape control parameter of the highest u derivative; not 0.");
+const START: Entry = optional("start", "number", "Value at u = 0.");
+const END: Entry = optional("end", "number", "Value at u = 1.");
+const FORCE_ENTRY: Entry =
+    optional("force", "readonly number[]", "Sculpting force in ascending powers of u, at most 64 coefficients.");
+
+/// A component of order 2: `s X_uu + t X_vv = p`.
+pub(crate) const SECOND: &[Entry] = &[
+    required("order", "2", "The order of the equation s X_uu + t X_vv = p."),
+    S,
+    required("t", "number", "Shape control parameter of the v derivative."),
+    required("modes", "readonly Mode<SecondOrderDatum>[]", "The Fourier sum of boundary data and force."),
+];
+
+/// A component of order 4: `s X_uuuu + t X_uuvv + w X_vvvv = p`.
+pub(crate) const FOURTH: &[Entry] = &[
+    required("order", "4", "The order of the equation s X_uuuu + t X_uuvv + w X_vvvv = p."),
+    S,
+    required("t", "number", "Shape control parameter of the mixed derivative."),
+    required("w", "number", "Shape control parameter of the fourth v derivative."),
+    required("modes", "readonly Mode<FourthOrderDatum>[]", "The Fourier sum of boundary data and force."),
+];
+
+pub(crate) const MODE: &[Entry] = &[
+    required("n", "number", "How often it goes round; the surface closes when it is whole."),
+    optional("cos", "Datum", "The data of cos(2 pi n v / span)."),
+    optional("sin", "Datum", "The data of sin(2 pi n v / span)."),
+];
+
+/// What a mode of order 2 is given; what is left out is 0.
+pub(crate) const SECOND_DATUM: &[Entry] = &[START, END, FORCE_ENTRY];
+
+/// What a mode of order 4 is given; what is left out is 0.
+pub(crate) const FOURTH_DATUM: &[Entry] = &[
+    START,
+    END,
+    optional("start_u", "number", "Slope in u at u = 0."),
+    optional("end_u", "number", "Slope in u at u = 1."),
+    FORCE_ENTRY,
+];
 
 /// How a document writes [`Span::Tau`].
 pub(crate) const TAU_NAME: &str = "2pi";
@@ -100,10 +143,10 @@ impl Component {
     fn read(value: &Value, path: Path) -> Result<Self> {
         let record = Record::open(value, path, "an equation with its modes")?;
         let order = Order::read(&record)?;
-        let record = record.only(match order {
-            Order::Second => &SECOND,
-            Order::Fourth => &FOURTH,
-        })?;
+        let record = record.only(&table::names(match order {
+            Order::Second => SECOND,
+            Order::Fourth => FOURTH,
+        }))?;
         let number =
             |name, range: Range| reader::number(record.require(name, "a number")?, &record.path.field(name), range);
         let s = number("s", Range::NotZero)?;
@@ -184,7 +227,7 @@ impl Order {
 
 impl Mode {
     fn read(value: &Value, path: Path, order: Order) -> Result<Self> {
-        let record = Record::open(value, path, "a mode with n, cos and sin")?.only(&MODE)?;
+        let record = Record::open(value, path, "a mode with n, cos and sin")?.only(&table::names(MODE))?;
         let n = reader::number(record.require("n", "a number")?, &record.path.field("n"), Range::Any)?;
         let datum = |name| match record.get(name) {
             Some(value) => Datum::read(value, record.path.field(name), order),
@@ -206,10 +249,10 @@ impl Mode {
 
 impl Datum {
     fn read(value: &Value, path: Path, order: Order) -> Result<Self> {
-        let record = Record::open(value, path, "boundary data")?.only(match order {
-            Order::Second => &SECOND_DATUM,
-            Order::Fourth => &FOURTH_DATUM,
-        })?;
+        let record = Record::open(value, path, "boundary data")?.only(&table::names(match order {
+            Order::Second => SECOND_DATUM,
+            Order::Fourth => FOURTH_DATUM,
+        }))?;
         let number = |name| match record.get(name) {
             Some(value) => reader::number(value, &record.path.field(name), Range::Any),
             None => Ok(0.0),

@@ -6,6 +6,7 @@ use super::path::Path;
 use super::placement::Placement;
 use super::reader::{self, Record};
 use super::shape::Shape;
+use super::table::{self, Entry, optional, required};
 use super::value::Value;
 use super::wall::Wall;
 use crate::error::Result;
@@ -28,11 +29,18 @@ pub struct Part {
     pub look: Look,
 }
 
-pub(crate) const PART: [&str; 6] = ["name", "object", "shape", "place", "wall", "look"];
+pub(crate) const PART: &[Entry] = &[
+    optional("name", "string", "A name that no other part has."),
+    optional("object", "number", "The discrete object that it is glued into; 0 when left out."),
+    required("shape", "Shape", "Its surface, before placement."),
+    optional("place", "Placement", "Where it stands."),
+    optional("wall", "Wall", "The wall that makes its surface a pot."),
+    optional("look", "Look", "Its clay and glaze."),
+];
 
 impl Part {
     pub(crate) fn read(value: &Value, path: Path) -> Result<Self> {
-        let record = Record::open(value, path, "a part")?.only(&PART)?;
+        let record = Record::open(value, path, "a part")?.only(&table::names(PART))?;
         let path = |name| record.path.field(name);
         Ok(Part {
             name: match record.get("name") {

@@ -6,6 +6,7 @@ use super::fields::{self, Field, Fields};
 use super::modes;
 use super::path::Path;
 use super::reader::{self, Record};
+use super::table;
 use super::value::Value;
 use crate::error::{Code, Result};
 
@@ -119,7 +120,9 @@ impl Shape {
             Kind::MixedOrder => Shape::MixedOrder(family(record)?),
             Kind::FourthOrder => Shape::FourthOrder(family(record)?),
             Kind::BloorWilson => Shape::BloorWilson(family(record)?),
-            Kind::BoundaryValue => Shape::BoundaryValue(BoundaryValue::read(&record.only(&modes::SHAPE)?)?),
+            Kind::BoundaryValue => {
+                Shape::BoundaryValue(BoundaryValue::read(&record.only(&table::names(modes::BOUNDARY_VALUE))?)?)
+            }
         };
         shape.finite(&path)
     }

@@ -47,13 +47,13 @@ pub(crate) fn read(text: &str) -> Result<Design> {
 fn not_a_link(text: &str) -> Error {
     let text = text.trim();
     let message = if text.is_empty() {
-        "There is nothing here to open; expected a design or a link".to_owned()
+        "There is nothing here to open; expected a design or a link.".to_owned()
     } else if text.contains("://") && !text.contains('#') {
-        "This address has no design in it; expected one after a #".to_owned()
+        "This address has no design in it; expected one after a #.".to_owned()
     } else {
         format!(
             "This is neither a design nor a link to one: {:?}; a link looks like #1/bloor-wilson?a=6, or #1~ and a long \
-             row of letters and digits",
+             row of letters and digits.",
             shortened(text)
         )
     };
@@ -63,6 +63,6 @@ fn not_a_link(text: &str) -> Error {
 /// A link that was one of Pasu's and has been altered on its way.
 fn damaged(what: &str) -> Error {
     let message =
-        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter");
+        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter.");
     Error::new(Code::DamagedLink, "", message)
 }

@@ -26,7 +26,8 @@ pub(super) fn remove(text: &str) -> Result<String> {
     if !has_address {
         link = after_hash(&link).to_owned();
     }
-    while link.contains("&amp;") {
+    // As often as it may have been encoded: to repeat it until none is left would take the square of the length.
+    for _ in 0..3 {
         link = link.replace("&amp;", "&");
     }
     Ok(link)
@@ -50,10 +51,12 @@ fn unwrap_lines(text: &str) -> String {
             continue;
         }
         let mut space = c.to_string();
-        while let Some(next) = rest.next_if(|next| next.is_whitespace() || (*next == '>' && space.contains('\n'))) {
+        let mut ends_line = matches!(c, '\n' | '\r');
+        while let Some(next) = rest.next_if(|next| next.is_whitespace() || (*next == '>' && ends_line)) {
             space.push(next);
+            ends_line |= matches!(next, '\n' | '\r');
         }
-        if !space.contains(['\n', '\r']) {
+        if !ends_line {
             joined.push_str(&space);
         }
     }

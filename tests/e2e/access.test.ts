@@ -1,0 +1,161 @@
+// For everyone: with a keyboard alone, with a screen reader, in light and in dark.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
+
+const here = stay();
+
+/** What a Tab stop is called, and whether the focus can be seen there. */
+interface Stop {
+  readonly name: string;
+  readonly visible: boolean;
+}
+
+async function stop(pot: Visit): Promise<Stop | null> {
+  return await pot.page.evaluate(() => {
+    let active = document.activeElement;
+    while (active?.shadowRoot?.activeElement) active = active.shadowRoot.activeElement;
+    if (!active || active === document.body) return null;
+    const labels = (active as HTMLInputElement).labels;
+    const name =
+      active.getAttribute("aria-label") || labels?.[0]?.textContent?.trim() || active.textContent?.trim() || "";
+    // A swatch draws the ring of the radio button inside it.
+    const ringed = [active, active.closest("label")].some((element) => {
+      const style = element && getComputedStyle(element);
+      return (
+        style && ((style.outlineStyle !== "none" && parseFloat(style.outlineWidth) > 0) || style.boxShadow !== "none")
+      );
+    });
+    const own = active.shadowRoot === null && active.querySelector(".ring");
+    const ring = own ? getComputedStyle(own) : null;
+    return { name, visible: ringed || (ring !== null && ring.stroke !== "none" && ring.opacity !== "0") };
+  });
+}
+
+test.each<[string, VisitOptions]>([
+  ["light", { colorScheme: "light" }],
+  ["dark", { colorScheme: "dark" }],
+  ["on a phone", PHONE],
+])("axe-core finds nothing, %s", { timeout: 120_000 }, async (_, options) => {
+  const pot = await here.enter({ link: "#1/second-order", ...options });
+  const before = await pot.fingerprint();
+  const check = async (where: string) => expect(await findings(pot), where).toEqual([]);
+  await check("the page");
+  for (const name of ["Profile", "Order", "Look"] as const) {
+    await pot.tab(name);
+    await check(`the panel “${name}”`);
+  }
+  await pot.tab("Shape");
+  await pot.button("Explain").click();
+  await check("the parameters explained");
+  await pot.type("Wall stiffness", "0");
+  await pot.page.getByRole("alert").first().waitFor();
+  await check("an impossible value");
+  await pot.undo();
+  await pot.shows(before);
+  await pot.button("Overlays").click();
+  await check("the overlays");
+  await pot.page.keyboard.press("Escape");
+  for (const name of ["New", "Gallery", "Picture", "Help"] as const) {
+    await pot.command(name);
+    await pot.page.getByRole("dialog").waitFor();
+    await check(`the dialogue “${name}”`);
+    await pot.page.keyboard.press("Escape");
+    await pot.page.getByRole("dialog").waitFor({ state: "detached" });
+  }
+  await pot.type("Height", "5");
+  await pot.fingerprintOtherThan(before);
+  await pot.openLink("#1/fourth-order");
+  await pot.dialog("Open this link?").waitFor();
+  await check("the question about unsaved work");
+  await pot.button("Open the link").click();
+  await pot.openLink("#1~AAAA");
+  await pot.page.getByRole("alert").waitFor();
+  await check("a damaged link");
+});
+
+test("free boundary data pass axe-core as well", async () => {
+  const pot = await here.enter();
+  const before = await pot.fingerprint();
+  await pot.command("New");
+  await pot.button(/^Free boundary data/).click();
+  await pot.fingerprintOtherThan(before);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("every stop of the Tab key has a name and a visible focus, there and back", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  await pot.fingerprint();
+  const stops: Stop[] = [];
+  for (let i = 0; i < 120; i += 1) {
+    await pot.page.keyboard.press("Tab");
+    const here = await stop(pot);
+    if (here === null) break;
+    stops.push(here);
+  }
+  expect(stops.filter((each) => each.name === "")).toEqual([]);
+  expect(stops.filter((each) => !each.visible)).toEqual([]);
+  const names = stops.map((each) => each.name);
+  expect(names[0]).toBe("Skip to the parameters");
+  for (const name of ["Title", "Copy link", "The pot", "Overlays", "Height", "Reset Height"]) {
+    expect(
+      names.some((each) => each.startsWith(name)),
+      `${name} in ${names.join(", ")}`,
+    ).toBe(true);
+  }
+  expect(stops.length).toBeLessThan(120);
+});
+
+test("a tour of the page without a mouse", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const { keyboard } = pot.page;
+  const first = await pot.fingerprint();
+  // Past the bar, to the parameters; the arrow keys go from panel to panel.
+  await keyboard.press("Tab");
+  await keyboard.press("Enter");
+  expect((await stop(pot))?.name).toBe("Shape");
+  await keyboard.press("ArrowRight");
+  expect((await stop(pot))?.name).toBe("Profile");
+  await keyboard.press("ArrowLeft");
+  // On to the first number.
+  for (let i = 0; i < 10 && !(await stop(pot))?.name.startsWith("Rim radius"); i += 1) await keyboard.press("Tab");
+  await keyboard.type("1,25");
+  await keyboard.press("Enter");
+  const second = await pot.fingerprintOtherThan(first);
+  await keyboard.press("Tab");
+  await keyboard.press("PageUp");
+  const third = await pot.fingerprintOtherThan(second);
+  await keyboard.press("Control+z");
+  await pot.shows(second);
+  await keyboard.press("Control+Shift+z");
+  await pot.shows(third);
+  // Help by its key, and back to where the focus was.
+  const was = (await stop(pot))?.name;
+  await keyboard.press("?");
+  await pot.dialog("Help").waitFor();
+  await keyboard.press("Escape");
+  await pot.dialog("Help").waitFor({ state: "detached" });
+  expect((await stop(pot))?.name).toBe(was);
+  // A pot from the gallery.
+  await pot.history("Undo").focus();
+  for (let i = 0; i < 5 && (await stop(pot))?.name !== "Gallery"; i += 1) await keyboard.press("Tab");
+  await keyboard.press("Enter");
+  await pot.dialog("Gallery").waitFor();
+  for (let i = 0; i < 5 && !(await stop(pot))?.name.startsWith("Dint vase"); i += 1) await keyboard.press("Tab");
+  await keyboard.press("Enter");
+  await expect.poll(() => pot.page.title()).toBe("Dint vase · Pasu");
+  await pot.fingerprintOtherThan(third);
+  expect(await stop(pot)).not.toBeNull();
+});
+
+test("the shape is told in words, and told again when it changes", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const before = await pot.fingerprint();
+  const told = pot.page.locator("pasu-app p.spoken[role=status]");
+  await expect.poll(() => told.innerText()).toMatch(/^A .* 3\.6 cm high .*7 petals/);
+  await pot.type("Height", "4.8");
+  await pot.fingerprintOtherThan(before);
+  await expect.poll(() => told.innerText()).toMatch(/^A .* 4\.8 cm high/);
+});

@@ -1,0 +1,155 @@
+// A link is the whole pot: the same to the bit wherever it is opened, and never half restored.
+
+import { readFileSync } from "node:fs";
+import init, { fingerprint, link } from "pasu";
+import { beforeAll, expect, test } from "vitest";
+import { stay } from "../support/stay.ts";
+
+interface Case {
+  readonly name: string;
+  readonly family?: object;
+  readonly shape: object;
+}
+
+const read = (path: string): unknown => JSON.parse(readFileSync(new URL(path, import.meta.url), "utf8"));
+const corpus = read("../reference/surfaces.json") as Case[];
+const goldens = read("../goldens/fingerprints.json") as Record<string, string>;
+
+const here = stay();
+beforeAll(() => init());
+
+test("every surface of the corpus has the same fingerprint in Chromium, in Node and natively", {
+  timeout: 150_000,
+}, async () => {
+  const found: Record<string, string> = {};
+  const pot = await here.enter();
+  let before = await pot.fingerprint();
+  for (const { name, family, shape } of corpus) {
+    const address = link({ pasu: 1, parts: [{ shape: family ?? shape }] });
+    expect(fingerprint(address), `${name} in Node`).toBe(goldens[name]);
+    await pot.openLink(`#${address}`);
+    before = await pot.fingerprintOtherThan(before);
+    found[name] = before;
+  }
+  expect(found).toEqual(goldens);
+});
+
+test("a copied link shows the same pot to someone else", async () => {
+  const mine = await here.enter({ link: "#1/bloor-wilson?n1=5" });
+  const before = await mine.fingerprint();
+  await mine.drag("Smoothing", 0.4);
+  const after = await mine.fingerprintOtherThan(before);
+  await mine.page.getByRole("textbox", { name: "Title" }).fill("Für Änne");
+  await mine.page.keyboard.press("Enter");
+  const address = await mine.copyLink();
+  expect(address.startsWith(`${here.site.url}#1/bloor-wilson?`)).toBe(true);
+  const theirs = await here.enter({ link: address.slice(here.site.url.length) });
+  expect(await theirs.fingerprint()).toBe(after);
+  expect(await theirs.page.getByRole("textbox", { name: "Title" }).inputValue()).toBe("Für Änne");
+  expect(fingerprint(address)).toBe(after);
+});
+
+test("a pot that is no plain family travels in a packed link", async () => {
+  const mine = await here.enter();
+  await mine.fingerprint();
+  await mine.command("Gallery");
+  await mine.button(/^Twisted vase/).click();
+  await expect.poll(() => mine.page.title()).toBe("Twisted vase · Pasu");
+  const shown = await mine.fingerprint();
+  const address = await mine.copyLink();
+  expect(address).toContain("#1~");
+  const theirs = await here.enter({ link: address.slice(here.site.url.length) });
+  expect(await theirs.fingerprint()).toBe(shown);
+});
+
+test("a link that a mail program wrapped and encoded still opens", async () => {
+  const plain = "#1/bloor-wilson?a=6&n1=5";
+  const pot = await here.enter({ link: "#1%2Fbloor-wilson%3Fa%3D6%26amp%3Bn1%3D5%20" });
+  expect(await pot.fingerprint()).toBe(fingerprint(plain));
+});
+
+test.each([
+  ["cut short", (whole: string) => whole.slice(0, -9)],
+  ["altered in one letter", (whole: string) => whole.slice(0, 40) + (whole[40] === "A" ? "B" : "A") + whole.slice(41)],
+  ["of a later version", (whole: string) => whole.replace("#1", "#2")],
+  ["to something else", () => "#privacy"],
+])("a link %s says so in words and leaves the pot alone", async (_, damage) => {
+  const address = `#${link({ pasu: 1, title: "A pot", parts: [{ shape: corpus[60]?.shape ?? {} }] })}`;
+  expect(address).toContain("#1~");
+  const pot = await here.enter({ link: "#1/second-order?height=5" });
+  const before = await pot.fingerprint();
+  await pot.openLink(damage(address));
+  const alert = pot.page.getByRole("alert");
+  await alert.waitFor();
+  expect(await alert.innerText()).toMatch(/\b(link|design)\b.*\w/i);
+  expect(await pot.fingerprint()).toBe(before);
+  expect(await pot.field("Height").inputValue()).toBe("5");
+  await pot.button("Dismiss").click();
+  expect(await pot.page.getByRole("alert").count()).toBe(0);
+});
+
+test("a first visit by a damaged link begins with a pot of the gallery and an explanation", async () => {
+  const plain = await here.enter();
+  const first = await plain.fingerprint();
+  const pot = await here.enter({ link: "#1~AAAA" });
+  await pot.page.getByRole("alert").waitFor();
+  expect(await pot.fingerprint()).toBe(first);
+});
+
+test("a link that would replace unsaved work asks first, and every answer is kept", async () => {
+  const link = "#1/fourth-order";
+  const pot = await here.enter({ link: "#1/second-order" });
+  const opened = await pot.fingerprint();
+  await pot.type("Height", "5");
+  const mine = await pot.fingerprintOtherThan(opened);
+  const dialog = pot.dialog("Open this link?");
+
+  await pot.openLink(link);
+  await dialog.waitFor();
+  expect(await pot.page.getByText("This link differs from your unsaved work").isVisible()).toBe(true);
+  await pot.button("Keep mine").click();
+  await dialog.waitFor({ state: "detached" });
+  expect(await pot.fingerprint()).toBe(mine);
+  await expect.poll(() => pot.address()).toBe("#1/second-order?height=5");
+
+  await pot.openLink(link);
+  await dialog.waitFor();
+  await pot.page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" });
+  expect(await pot.fingerprint()).toBe(mine);
+
+  await pot.openLink(link);
+  await pot.button("Open the link").click();
+  await pot.shows(fingerprint(link));
+  expect(await pot.address()).toBe(link);
+  await pot.undo();
+  await pot.shows(mine);
+});
+
+test("unsaved work of the last visit is not lost to a link that is opened now", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const opened = await pot.fingerprint();
+  await pot.type("Height", "5");
+  const mine = await pot.fingerprintOtherThan(opened);
+  await expect.poll(() => pot.address()).toBe("#1/second-order?height=5");
+  await pot.page.goto("about:blank");
+  await pot.page.goto(`${pot.url}#1/fourth-order`);
+  await pot.dialog("Open this link?").waitFor();
+  await pot.button("Keep mine").click();
+  await pot.shows(mine);
+  await pot.page.reload();
+  await pot.shows(mine);
+  expect(await pot.page.getByRole("dialog").count()).toBe(0);
+});
+
+test("a link to what is already on the stage asks nothing", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const opened = await pot.fingerprint();
+  await pot.type("Height", "5");
+  const mine = await pot.fingerprintOtherThan(opened);
+  await pot.openLink("#1/second-order?height=5.0");
+  await pot.openLink("#1/second-order?height=5");
+  await pot.tab("Look");
+  await pot.shows(mine);
+  expect(await pot.page.getByRole("dialog").count()).toBe(0);
+});

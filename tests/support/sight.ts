@@ -1,0 +1,110 @@
+// What can be seen: pictures of the stage compared with each other, never with stored ones.
+
+import { inflateSync } from "node:zlib";
+import type { Visit } from "./visit.ts";
+
+/** A picture's size and how many colours it has. */
+export interface Sight {
+  readonly width: number;
+  readonly height: number;
+  readonly tones: number;
+}
+
+/** A picture of the 3D view alone, without what floats over it, once nothing moves any more. */
+export async function stagePicture(pot: Visit): Promise<Buffer> {
+  await atRest(pot);
+  const canvas = pot.page.locator("pasu-stage .host canvas");
+  const box = await canvas.boundingBox();
+  if (!box) throw new Error("the stage cannot be seen");
+  // The middle: notes and tools lie at the edges.
+  const clip = {
+    x: box.x + 0.2 * box.width,
+    y: box.y + 0.2 * box.height,
+    width: 0.6 * box.width,
+    height: 0.5 * box.height,
+  };
+  return await pot.page.screenshot({ clip });
+}
+
+/** Counts what WebGL draws from now on; to be called before the page opens. */
+export async function countDraws(pot: Visit): Promise<void> {
+  await pot.context.addInitScript(() => {
+    const counted = globalThis as unknown as { pasuDraws: number };
+    counted.pasuDraws = 0;
+    const { prototype } = WebGL2RenderingContext;
+    for (const name of ["drawElements", "drawArrays"] as const) {
+      const draw = prototype[name] as (...parameters: number[]) => void;
+      prototype[name] = function (this: WebGL2RenderingContext, ...parameters: number[]) {
+        counted.pasuDraws += 1;
+        draw.apply(this, parameters);
+      };
+    }
+  });
+}
+
+/** How often WebGL has drawn, once a row of frames has passed without. */
+export async function atRest(pot: Visit): Promise<number> {
+  const frames = 12;
+  return await pot.page.evaluate(async (quiet) => {
+    const counted = globalThis as unknown as { pasuDraws?: number };
+    let before = counted.pasuDraws ?? 0;
+    // The stage draws its best picture a moment after the last movement.
+    await new Promise((resolve) => setTimeout(resolve, 150));
+    for (let still = 0; still < quiet; ) {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const now = counted.pasuDraws ?? 0;
+      still = now === before ? still + 1 : 0;
+      before = now;
+    }
+    return before;
+  }, frames);
+}
+
+/** Reads a PNG of 8-bit RGB or RGBA, as browsers write them. */
+export function sight(png: Buffer): Sight {
+  const width = png.readUInt32BE(16);
+  const height = png.readUInt32BE(20);
+  const bytes = png[25] === 6 ? 4 : 3;
+  const parts: Buffer[] = [];
+  for (let at = 8; at < png.length; ) {
+    const length = png.readUInt32BE(at);
+    if (png.toString("latin1", at + 4, at + 8) === "IDAT") parts.push(png.subarray(at + 8, at + 8 + length));
+    at += 12 + length;
+  }
+  const rows = inflateSync(Buffer.concat(parts));
+  const stride = width * bytes;
+  const tones = new Set<number>();
+  let above = Buffer.alloc(stride);
+  for (let y = 0; y < height; y += 1) {
+    const filter = rows[y * (stride + 1)] ?? 0;
+    const row = Buffer.from(rows.subarray(y * (stride + 1) + 1, (y + 1) * (stride + 1)));
+    for (let i = 0; i < stride; i += 1) {
+      const left = i >= bytes ? (row[i - bytes] ?? 0) : 0;
+      const up = above[i] ?? 0;
+      const corner = i >= bytes ? (above[i - bytes] ?? 0) : 0;
+      row[i] = ((row[i] ?? 0) + predicted(filter, left, up, corner)) & 255;
+    }
+    for (let i = 0; i < stride; i += bytes) tones.add(row.readUIntBE(i, 3));
+    above = row;
+  }
+  return { width, height, tones: tones.size };
+}
+
+/** The filters of PNG (RFC 2083, section 6). */
+function predicted(filter: number, left: number, up: number, corner: number): number {
+  switch (filter) {
+    case 1:
+      return left;
+    case 2:
+      return up;
+    case 3:
+      return (left + up) >> 1;
+    case 4: {
+      const guess = left + up - corner;
+      const [a, b, c] = [Math.abs(guess - left), Math.abs(guess - up), Math.abs(guess - corner)];
+      return a <= b && a <= c ? left : b <= c ? up : corner;
+    }
+    default:
+      return 0;
+  }
+}
