@@ -17,7 +17,8 @@ import {
   sizeFactor,
 } from "../document/schema";
 import type { Shape } from "../document/types";
-import { resetFields, setFields, setLock, toggleExplain } from "../state/actions";
+import { toggleExplain } from "../state/actions";
+import { resetFields, setFields, setLock } from "../state/shape-actions";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./number-field";

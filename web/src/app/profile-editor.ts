@@ -6,7 +6,7 @@ import { unitOf } from "../document/look";
 import { formatNumber } from "../document/number";
 import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../document/profile";
 import type { Section } from "../solver/messages";
-import { dragHandle } from "../state/actions";
+import { dragHandle } from "../state/shape-actions";
 import { DesignerElement } from "./element";
 import { base } from "./styles";
 
