@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { offline } from "./build/offline.ts";
+import { ownShadersOnly } from "./build/own-shaders-only.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -38,5 +39,5 @@ export default defineConfig({
       },
     },
   },
-  plugins: [contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
+  plugins: [ownShadersOnly(), contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
 });

@@ -14,7 +14,7 @@ test("every exhibit is rendered, and opens as the pot that it shows", { timeout:
   const pot = await here.enter();
   let shown = await pot.fingerprint();
   await pot.command("Gallery");
-  const exhibits = pot.dialog("Gallery").locator("button[data-exhibit]");
+  const exhibits = pot.page.locator("pasu-gallery button[data-exhibit]");
   await exhibits.first().waitFor();
   const ids = await exhibits.evaluateAll((all) => all.map((each) => each.getAttribute("data-exhibit") ?? ""));
   const papers = Object.keys(goldens).filter((name) => /^(zhang-you|ishak-ali)-/.test(name));

@@ -61,7 +61,7 @@ test("after the first visit everything works without a network", async () => {
   await pot.drag("Height", 0.8);
   await pot.fingerprintOtherThan(before);
   await pot.command("Gallery");
-  const canvas = pot.dialog("Gallery").locator("canvas").first();
+  const canvas = pot.page.locator("pasu-gallery canvas").first();
   await expect.poll(() => canvas.getAttribute("data-drawn")).toBe("true");
   await pot.page.goto("about:blank");
   await pot.page.goto(`${pot.url}?from=a-bookmark#1/bloor-wilson?n1=3`);

@@ -81,26 +81,12 @@ test.each([390, 320])(
   },
 );
 
-test("fingers change the pot, and dragging over a slider to scroll does not", async () => {
+test("a finger on a slider changes the pot", async () => {
   const pot = await here.enter({ ...PHONE, link: "#1/second-order" });
   const before = await pot.fingerprint();
   const slider = pot.slider("Rim radius");
   await slider.scrollIntoViewIfNeeded();
   const box = (await slider.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-  const value = await slider.inputValue();
-  const cdp = await pot.context.newCDPSession(pot.page);
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", x: number, y: number) =>
-    cdp.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y }] });
-  const [x, y] = [box.x + 0.8 * box.width, box.y + box.height / 2];
-  const body = pot.page.locator("pasu-panel .body");
-  await touch("touchStart", x, y);
-  for (const step of [20, 60, 100, 140]) await touch("touchMove", x, y - step);
-  await touch("touchEnd", x, y - 140);
-  await expect.poll(() => body.evaluate((element) => element.scrollTop)).toBeGreaterThan(0);
-  expect(await slider.inputValue()).toBe(value);
-  expect(await pot.fingerprint()).toBe(before);
-  await slider.scrollIntoViewIfNeeded();
-  const again = (await slider.boundingBox()) ?? box;
-  await pot.page.touchscreen.tap(again.x + 0.8 * again.width, again.y + again.height / 2);
+  await pot.page.touchscreen.tap(box.x + 0.8 * box.width, box.y + box.height / 2);
   await pot.fingerprintOtherThan(before);
 });

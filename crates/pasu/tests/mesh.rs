@@ -164,6 +164,25 @@ fn poles_and_cusps_have_normals() {
     for j in 0..9 {
         assert!((normal(&bowl, j) + DVec3::Z).length() < 1e-6, "{}", normal(&bowl, j));
     }
+    // A plate with petals whose modes meet 0 only by cancellation: the pole is still one point, and its normal that of the rows beside it.
+    let datum = |n: u32, start_u: f64, end: f64| format!(r#""start_u": {start_u}, "end": {end}, "end_u": {n}"#);
+    let component = |part: &str| {
+        let modes: Vec<String> = [(1, 20.0, 13.0), (11, 0.0, 0.4), (13, 0.0, -0.4)]
+            .map(|(n, start_u, end)| format!(r#"{{ "n": {n}, "{part}": {{ {} }} }}"#, datum(n, start_u, end)))
+            .to_vec();
+        format!(r#"{{ "order": 4, "s": 1, "t": 2, "w": 1, "modes": [{}] }}"#, modes.join(","))
+    };
+    let plate = format!(
+        r#"{{ "kind": "boundary-value", "span": "2pi", "x": {}, "y": {},
+              "z": {{ "order": 4, "s": 1, "t": 2, "w": 1, "modes": [{{ "n": 0, "cos": {{ "end": 2, "end_u": 5 }} }}] }} }}"#,
+        component("cos"),
+        component("sin")
+    );
+    let plate = mesh(&design_of(&plate), &grid(33, 97)).unwrap();
+    for j in 0..97 {
+        assert_eq!(vertex(&plate, j), DVec3::ZERO);
+        assert!((normal(&plate, j) + DVec3::Z).length() < 1e-6, "{}", normal(&plate, j));
+    }
     // A cusp: the wall stands still at the rim (X_u = 0), and the normal is that of the wall below it.
     let cusp = bowl_with_cusp();
     let cusp = mesh(&design_of(&cusp), &grid(4, 9)).unwrap();

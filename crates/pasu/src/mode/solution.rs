@@ -26,11 +26,14 @@ impl<'a> From<&'a Datum> for ModeData<'a> {
     }
 }
 
-/// `q(u)`: factors of the equation's basis plus a polynomial in `u - 1/2`.
+/// `q(u)`: factors of the equation's basis plus a polynomial in `u - 1/2`. At `u = 0` and `u = 1` it is the boundary data, to the bit: a pole is
+/// where every datum is 0, and rounding would open it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeSolution {
     factors: [f64; 4],
     particular: Vec<f64>,
+    /// `q` and `q'` at the start, then at the end.
+    ends: [[f64; 2]; 2],
 }
 
 impl ModeSolution {
@@ -54,7 +57,7 @@ impl ModeSolution {
         };
         let (factors, particular) = equation.basis.absorbed(factors, particular);
         if factors.iter().chain(&particular).all(|f| f.is_finite()) {
-            Ok(ModeSolution { factors, particular })
+            Ok(ModeSolution { factors, particular, ends: [[data.start, data.start_u], [data.end, data.end_u]] })
         } else {
             Err(Unsolvable::Overflow)
         }
@@ -79,6 +82,17 @@ impl Equation {
                     for (sum, value) in jet.iter_mut().zip(function) {
                         *sum += factor * value;
                     }
+                }
+            }
+            let end = match u {
+                0.0 => Some(solution.ends[0]),
+                1.0 => Some(solution.ends[1]),
+                _ => None,
+            };
+            if let Some(end) = end {
+                let n_given = if self.order == Order::Second { 1 } else { 2 };
+                for (value, given) in jet.iter_mut().zip(end).take(n_given) {
+                    *value = given;
                 }
             }
             jet
