@@ -131,6 +131,7 @@ export class PasuParameters extends DesignerElement {
       @number-change=${(event: NumberChangeEvent) =>
         designer.apply(setFields(designer.state, fields, event.value, event.gesture))}
       @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
       @number-reset=${() => designer.apply(resetFields(designer.state, fields))}
     ></pasu-number>`;
   }

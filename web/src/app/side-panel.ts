@@ -116,7 +116,7 @@ export class PasuPanel extends DesignerElement {
     if (!tab) return;
     event.preventDefault();
     this.select(tab);
-    void this.updateComplete.then(() => this.selected.focus());
+    this.renderRoot.querySelector<HTMLButtonElement>(`#tab-${tab}`)?.focus();
   };
 
   static override readonly styles = [

@@ -54,6 +54,19 @@ describe("undo", () => {
     expect(rim()).toBe(1.1);
   });
 
+  test("a gesture that was not meant never happened", () => {
+    drag(1.1);
+    set(1.2, true);
+    set(1.3, true);
+    store.cancelGesture();
+    expect(rim()).toBe(1.1);
+    expect(store.canRedo).toBe(false);
+    store.cancelGesture();
+    expect(rim()).toBe(1.1);
+    store.undo();
+    expect(rim()).toBe(1);
+  });
+
   test("a new step forgets what was undone", () => {
     drag(1.1);
     store.undo();
