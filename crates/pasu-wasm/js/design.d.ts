@@ -1,156 +1,222 @@
-// The design document, format version 1. Lengths are in the unit of the design, angles in radians. A field that may be
-// left out has the default that its comment names; parse() leaves it out when it has that value.
+// Generated from the field tables of the Rust crate `pasu`. Do not edit.
 
-/** A design: one pot or several, as a person has chosen them. */
+/** A design: what a person has chosen. */
 export interface Design {
   /** The version of the format. */
-  pasu: 1;
-  /** Plain text, at most 200 characters. */
-  title?: string;
-  /** What 1 means; "cm". */
-  unit?: "mm" | "cm" | "in";
+  readonly pasu: 1;
+  /** At most 200 characters of plain text. */
+  readonly title?: string;
+  /** What 1 means; centimetres when left out. */
+  readonly unit?: Unit;
   /** 1 to 500 parts. */
-  parts: Part[];
+  readonly parts: readonly Part[];
 }
 
-/** One surface of a design. */
+/** One placed surface of a design. */
 export interface Part {
   /** A name that no other part has. */
-  name?: string;
-  /** The discrete object that the part is glued into; 0. */
-  object?: number;
-  shape: Shape;
-  place?: Placement;
-  wall?: Wall;
-  look?: Look;
+  readonly name?: string;
+  /** The discrete object that it is glued into; 0 when left out. */
+  readonly object?: number;
+  /** Its surface, before placement. */
+  readonly shape: Shape;
+  /** Where it stands. */
+  readonly place?: Placement;
+  /** The wall that makes its surface a pot. */
+  readonly wall?: Wall;
+  /** Its clay and glaze. */
+  readonly look?: Look;
 }
 
-/** A surface, by `kind`: four families, and the problem that all of them are shorthand for. */
+/** The unit of length. */
+export type Unit = "cm" | "mm" | "in";
+
+/** A surface. */
 export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
 
-/** The petalled vase of the second order equation (ZY01 eqs 1 to 8). `u = 0` is the rim. */
+/** The vase of ZY01 equations 1 to 8. */
 export interface SecondOrder {
-  kind: "second-order";
-  /** Rim radius and petals, foot radius and petals. */
-  r: [number, number, number, number];
-  /** Harmonics round the pot: of the body and of the petals; [1, 8]. */
-  n?: [number, number];
-  /** 3.6. */
-  height?: number;
-  /** Shape control parameters of the second derivative along the profile, for x and for y; [1, 1]. */
-  s?: [number, number];
-  /** Shape control parameters of the second derivative round the pot, for x and for y; [0.5, 0.5]. */
-  t?: [number, number];
-  /** The sculpting force and how it grows along the profile; [0, 0]. */
-  force?: [number, number];
-}
-
-/** As {@link SecondOrder}, with a fourth order height (ZY01 eqs 9 to 12). */
-export interface MixedOrder extends Omit<SecondOrder, "kind"> {
-  kind: "mixed-order";
-  /** The slope of the height at the rim. */
-  rise: number;
-}
-
-/** The round vase with a waist or a belly (ZY01 eqs 13 to 17). `u = 0` is the foot. */
-export interface FourthOrder {
-  kind: "fourth-order";
-  /** The radius of the foot. */
-  r0: number;
-  /** The radius of the rim. */
-  r1: number;
-  /** The radius at mid-height towards which the wall is bent. */
-  rm: number;
+  readonly kind: "second-order";
+  /** Radius and petals of the rim, radius and petals of the foot: r1, r2, r3, r4. */
+  readonly r: readonly [number, number, number, number];
+  /** How often the outline and its petals go round: n1, n2. The surface closes when both are whole. */
+  readonly n?: readonly [number, number];
   /** The height of the rim above the foot. */
-  h1: number;
-  /** How strongly the wall leaves the foot and meets the rim. */
-  eta: [number, number];
-  /** The slope of the height at the foot and at the rim. */
-  dz: [number, number];
-  /** Shape control parameters of the fourth derivative along the profile, for x and for y; never 0. */
-  s: [number, number];
+  readonly height?: number;
+  /** Shape control parameters of the second derivative along the profile, for x and for y. Not 0. */
+  readonly s?: readonly [number, number];
+  /** Shape control parameters of the second derivative round the pot, for x and for y. */
+  readonly t?: readonly [number, number];
+  /** Sculpting force on the outline: p0 + p1 u. */
+  readonly force?: readonly [number, number];
+}
+
+/** The vase of ZY01 equations 9 to 12. */
+export interface MixedOrder {
+  readonly kind: "mixed-order";
+  /** Radius and petals of the rim, radius and petals of the foot: r1, r2, r3, r4. */
+  readonly r: readonly [number, number, number, number];
+  /** How often the outline and its petals go round: n1, n2. The surface closes when both are whole. */
+  readonly n?: readonly [number, number];
+  /** The height of the rim above the foot. */
+  readonly height?: number;
+  /** Shape control parameters of the second derivative along the profile, for x and for y. Not 0. */
+  readonly s?: readonly [number, number];
+  /** Shape control parameters of the second derivative round the pot, for x and for y. */
+  readonly t?: readonly [number, number];
+  /** Sculpting force on the outline: p0 + p1 u. */
+  readonly force?: readonly [number, number];
+  /** The slope of the height at the rim: h0'. */
+  readonly rise: number;
+}
+
+/** The vase of ZY01 equations 13 to 17. */
+export interface FourthOrder {
+  readonly kind: "fourth-order";
+  /** The radius of the foot. */
+  readonly r0: number;
+  /** The radius of the rim. */
+  readonly r1: number;
+  /** The radius at mid-height towards which the wall is bent. */
+  readonly rm: number;
+  /** The height of the rim above the foot. */
+  readonly h1: number;
+  /** How strongly the wall leaves the foot and meets the rim: eta1, eta2. */
+  readonly eta: readonly [number, number];
+  /** The slope of the height at the foot and at the rim: h0', h1'. */
+  readonly dz: readonly [number, number];
+  /** Shape control parameters of the fourth derivative along the profile, for x and for y. Not 0. */
+  readonly s: readonly [number, number];
   /** Shape control parameters of the mixed derivative, for x and for y. */
-  t: [number, number];
+  readonly t: readonly [number, number];
   /** Shape control parameters of the fourth derivative round the pot, for x and for y. */
-  w: [number, number];
+  readonly w: readonly [number, number];
 }
 
-/** The dint vase (IA eqs 15 to 18). */
+/** The vase of IA equations 15 to 18. */
 export interface BloorWilson {
-  kind: "bloor-wilson";
-  /** The smoothing parameter. */
-  a: number;
-  /** Radii: of rim and foot, and of their dents. */
-  r: [number, number, number, number];
-  /** The slopes that belong to `r`. */
-  R: [number, number, number, number];
-  /** Heights of the rim and the foot. */
-  h: [number, number];
-  /** The slopes that belong to `h`. */
-  H: [number, number];
-  /** How many dents. */
-  n1: number;
+  readonly kind: "bloor-wilson";
+  /** The smoothing parameter: how strongly the wall is drawn towards a round tube. */
+  readonly a: number;
+  /** Radius of the rim, the two parts of its skew, radius of the foot: r1, r2, r3, r4. */
+  readonly r: readonly [number, number, number, number];
+  /** The slopes that go with r: R1, R2, R3, R4. */
+  readonly R: readonly [number, number, number, number];
+  /** The height of the rim and how far its waves rise and fall: h0, h1. */
+  readonly h: readonly [number, number];
+  /** The slopes that go with h: H0, H1. */
+  readonly H: readonly [number, number];
+  /** The number of waves of the rim. The surface closes when it is whole. */
+  readonly n1: number;
 }
 
-/** A boundary-value problem: for each coordinate an equation and Fourier data at both ends. */
+/** Fourier boundary data written out, component by component. */
 export interface BoundaryValue {
-  kind: "boundary-value";
-  /** The length of `v` once round; "2pi" is exact. */
-  span: number | "2pi";
-  x: Component;
-  y: Component;
-  z: Component;
+  /** Any Fourier boundary data. */
+  readonly kind: "boundary-value";
+  /** The length of the interval of v round the axis. */
+  readonly span: number | "2pi";
+  /** The equation and the data of x. */
+  readonly x: Component;
+  /** The equation and the data of y. */
+  readonly y: Component;
+  /** The equation and the data of z, the axis of a pot. */
+  readonly z: Component;
 }
 
-/** `s q'' - t k^2 q = f` or `s q'''' - t k^2 q'' + w k^4 q = f` for every mode. */
-export type Component =
-  | { order: 2; s: number; t: number; modes: Mode<SecondOrderDatum>[] }
-  | { order: 4; s: number; t: number; w: number; modes: Mode<FourthOrderDatum>[] };
+/** The equation and the boundary data of one component. */
+export type Component = SecondOrderComponent | FourthOrderComponent;
 
-/** The data of one harmonic, `k = 2 pi n / span`. */
+/** A component of order 2. */
+export interface SecondOrderComponent {
+  /** The order of the equation s X_uu + t X_vv = p. */
+  readonly order: 2;
+  /** Shape control parameter of the highest u derivative; not 0. */
+  readonly s: number;
+  /** Shape control parameter of the v derivative. */
+  readonly t: number;
+  /** The Fourier sum of boundary data and force. */
+  readonly modes: readonly Mode<SecondOrderDatum>[];
+}
+
+/** A component of order 4. */
+export interface FourthOrderComponent {
+  /** The order of the equation s X_uuuu + t X_uuvv + w X_vvvv = p. */
+  readonly order: 4;
+  /** Shape control parameter of the highest u derivative; not 0. */
+  readonly s: number;
+  /** Shape control parameter of the mixed derivative. */
+  readonly t: number;
+  /** Shape control parameter of the fourth v derivative. */
+  readonly w: number;
+  /** The Fourier sum of boundary data and force. */
+  readonly modes: readonly Mode<FourthOrderDatum>[];
+}
+
+/** One harmonic; data left out are 0. */
 export interface Mode<Datum> {
-  n: number;
-  cos?: Datum;
-  sin?: Datum;
+  /** How often it goes round; the surface closes when it is whole. */
+  readonly n: number;
+  /** The data of cos(2 pi n v / span). */
+  readonly cos?: Datum;
+  /** The data of sin(2 pi n v / span). */
+  readonly sin?: Datum;
 }
 
-/** Values at both ends, and the force in ascending powers of `u`. What is left out is 0. */
+/** What a harmonic of order 2 is given; what is left out is 0. */
 export interface SecondOrderDatum {
-  start?: number;
-  end?: number;
-  force?: number[];
+  /** Value at u = 0. */
+  readonly start?: number;
+  /** Value at u = 1. */
+  readonly end?: number;
+  /** Sculpting force in ascending powers of u, at most 64 coefficients. */
+  readonly force?: readonly number[];
 }
 
-/** Values and slopes at both ends, and the force in ascending powers of `u`. What is left out is 0. */
-export interface FourthOrderDatum extends SecondOrderDatum {
-  start_u?: number;
-  end_u?: number;
+/** What a harmonic of order 4 is given; what is left out is 0. */
+export interface FourthOrderDatum {
+  /** Value at u = 0. */
+  readonly start?: number;
+  /** Value at u = 1. */
+  readonly end?: number;
+  /** Slope in u at u = 0. */
+  readonly start_u?: number;
+  /** Slope in u at u = 1. */
+  readonly end_u?: number;
+  /** Sculpting force in ascending powers of u, at most 64 coefficients. */
+  readonly force?: readonly number[];
 }
 
-/** Scale, then rotation about an axis through the origin, then shift; in its unique form after parse(). */
+/** Scaled, then turned, then moved. */
 export interface Placement {
-  /** Never 0; [1, 1, 1]. */
-  scale?: [number, number, number];
-  /** [0, 0, 1]. */
-  axis?: [number, number, number];
-  /** Anti-clockwise seen from the tip of the axis; 0. */
-  angle?: number;
-  /** [0, 0, 0]. */
-  shift?: [number, number, number];
+  /** Factors along x, y and z, before turning. Not 0. */
+  readonly scale?: readonly [number, number, number];
+  /** The direction of the axis of rotation. */
+  readonly axis?: readonly [number, number, number];
+  /** The angle in radians, anti-clockwise seen from where the axis points to. */
+  readonly angle?: number;
+  /** The movement along x, y and z, after turning. */
+  readonly shift?: readonly [number, number, number];
 }
 
-/** Makes an open surface a pot. */
+/** The clay between the surface and the lining. */
 export interface Wall {
-  /** More than 0. */
-  thickness: number;
-  /** The thickness of the bottom; 0 for none. */
-  base: number;
+  /** The thickness of the wall. Greater than 0. */
+  readonly thickness: number;
+  /** The thickness of the base; 0 for a pot without one. Not less than 0. */
+  readonly base: number;
 }
 
-/** What the pot looks like. */
+/** What a part is made of and covered with. */
 export interface Look {
-  /** "celadon". */
-  glaze?: "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino" | "copper-red" | "clear" | "bare";
-  /** "stoneware". */
-  clay?: "stoneware" | "porcelain" | "terracotta" | "black";
+  /** What covers the part; celadon when left out. */
+  readonly glaze?: GlazeName;
+  /** What the part is made of; stoneware when left out. */
+  readonly clay?: ClayName;
 }
+
+/** A glaze. */
+export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino" | "copper-red" | "clear" | "bare";
+
+/** A clay body. */
+export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";

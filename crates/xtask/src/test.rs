@@ -71,7 +71,7 @@ fn rust(report: &mut Report, workspace: &Workspace) {
     report.check("documentation", || {
         command::run(cargo(&["doc", "--no-deps", "--package", "pasu", "--quiet"]).env("RUSTDOCFLAGS", "-D warnings"))
     });
-    report.tests("native tests", cargo_count, || Ok(cargo(&["test", "--no-fail-fast"])));
+    report.tests("native tests", cargo_count, || Ok(cargo(&["test", "--all-features", "--no-fail-fast"])));
     report.tests("WebAssembly tests in Node", cargo_count, || {
         command::run(&mut cargo(&["build", "--package", "wasm-test-runner"]))?;
         let runner = workspace.target().join("debug").join(format!("wasm-test-runner{}", std::env::consts::EXE_SUFFIX));

@@ -16,7 +16,7 @@ use crate::workspace::Workspace;
 ///
 /// Counted are the page, its styles, every script that it loads by itself (also those that it imports while it starts),
 /// the worker and the WebAssembly module, each as gzip. Not counted are modules listed there as `later`, which are
-/// loaded by a gesture, and the icons, manifest and service worker, which the first picture does not wait for.
+/// loaded by a gesture or beside the pot, which does not wait for them, and the icons, manifest and service worker, which the first picture does not wait for.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let rules = read_json(&workspace.web().join("weight.json"))?;
     let budget = rules["budget"].as_u64().context("web/weight.json has no budget in bytes")?;

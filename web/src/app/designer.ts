@@ -4,10 +4,9 @@
  */
 
 import type { OrderKind } from "../document/convert";
-import { convert } from "../document/convert";
 import { describe } from "../document/describe";
 import { designOf } from "../document/gallery/exhibit";
-import { OWN } from "../document/gallery/own";
+import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
 import { setPath } from "../document/path";
 import type { Design, Look, Refusal } from "../document/types";
@@ -88,9 +87,7 @@ export class Designer {
   newVersion = false;
 
   constructor(solver: SolverClient, around: Surroundings) {
-    const first = OWN[0];
-    if (!first) throw new Error("the gallery is empty");
-    const design = designOf(first);
+    const design = designOf(FIRST);
     this.solver = solver;
     this.#around = around;
     this.store = new Store(design, readSettings(around.shelf));
@@ -334,7 +331,8 @@ export class Designer {
     const { design, session } = this.state;
     const order = session.compare;
     const part = design.parts[session.part];
-    const made = order && part ? convert(part.shape, order) : null;
+    const made = order && part ? (await import("../document/convert")).convert(part.shape, order) : null;
+    if (this.state.session.compare !== order || this.state.design !== design) return;
     if (!order || !made) {
       this.comparison = null;
       this.comparisonProblem = null;

@@ -5,12 +5,25 @@ import { property } from "lit/decorators.js";
 import type { Designer } from "./designer";
 
 export abstract class DesignerElement extends LitElement {
-  @property({ attribute: false }) designer!: Designer;
+  #designer: Designer | null = null;
   #leave: (() => void) | null = null;
+
+  @property({ attribute: false })
+  get designer(): Designer {
+    // Every template gives the designer before the first drawing; Lit alone asks for the value before that.
+    return this.#designer as Designer;
+  }
+
+  /** May come before or after the element is on the page: a component that is fetched late is upgraded in its place. */
+  set designer(designer: Designer) {
+    this.#leave?.();
+    this.#designer = designer;
+    this.#leave = this.isConnected ? designer.subscribe(() => this.requestUpdate()) : null;
+  }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#leave = this.designer.subscribe(() => this.requestUpdate());
+    this.#leave ??= this.#designer?.subscribe(() => this.requestUpdate()) ?? null;
   }
 
   override disconnectedCallback(): void {

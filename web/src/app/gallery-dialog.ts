@@ -89,6 +89,8 @@ export class PasuGallery extends DesignerElement {
       if (!painter) throw new Error("no WebGL2");
       await painter.draw(outcome.value, lookOf(design.parts[0]), canvas);
     } catch {
+      // Once is enough to know: the rest are drawn without trying again.
+      this.painter = Promise.resolve(null);
       drawStill(outcome.value, canvas, [0.66, 0.8, 0.73]);
     }
     canvas.dataset.drawn = "true";

@@ -1,6 +1,6 @@
 /** How finely a design is sampled for the screen: coarse under the hand, fine at rest. */
 
-import { filled } from "../document/schema";
+import { filled } from "../document/kinds";
 import type { Design, Shape } from "../document/types";
 
 export interface GridSize {

@@ -17,7 +17,7 @@ import {
 import { formatNumber, parseNumber } from "../document/number";
 import { numberAt, type Path, pathText } from "../document/path";
 import type { BoundaryValue, Mode, Shape } from "../document/types";
-import { editShape, setNumber } from "../state/actions";
+import { editShape, setNumber } from "../state/shape-actions";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./number-field";

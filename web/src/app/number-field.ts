@@ -108,6 +108,7 @@ export class PasuNumber extends LitElement {
                 .value=${String(this.value)}
                 @input=${this.slid}
                 @change=${this.finish}
+                @pointercancel=${this.cancel}
                 @keydown=${this.sliderKey}
                 @keyup=${this.keyUp}
                 @blur=${this.finish}
@@ -142,6 +143,13 @@ export class PasuNumber extends LitElement {
     if (!this.inGesture) return;
     this.inGesture = false;
     this.dispatchEvent(new Event("number-done", { bubbles: true, composed: true }));
+  };
+
+  /** The browser took the finger for scrolling: the slider was only in its way. */
+  private readonly cancel = (): void => {
+    if (!this.inGesture) return;
+    this.inGesture = false;
+    this.dispatchEvent(new Event("number-cancel", { bubbles: true, composed: true }));
   };
 
   private readonly typedInto = (event: Event): void => {

@@ -17,7 +17,8 @@ import {
   sizeFactor,
 } from "../document/schema";
 import type { Shape } from "../document/types";
-import { resetFields, setFields, setLock, toggleExplain } from "../state/actions";
+import { toggleExplain } from "../state/actions";
+import { resetFields, setFields, setLock } from "../state/shape-actions";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./number-field";
@@ -130,6 +131,7 @@ export class PasuParameters extends DesignerElement {
       @number-change=${(event: NumberChangeEvent) =>
         designer.apply(setFields(designer.state, fields, event.value, event.gesture))}
       @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
       @number-reset=${() => designer.apply(resetFields(designer.state, fields))}
     ></pasu-number>`;
   }

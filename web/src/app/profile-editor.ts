@@ -6,7 +6,7 @@ import { unitOf } from "../document/look";
 import { formatNumber } from "../document/number";
 import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../document/profile";
 import type { Section } from "../solver/messages";
-import { dragHandle } from "../state/actions";
+import { dragHandle } from "../state/shape-actions";
 import { DesignerElement } from "./element";
 import { base } from "./styles";
 
@@ -44,7 +44,7 @@ interface Frame {
 export class PasuProfile extends DesignerElement {
   /** The frame stands still under the hand. */
   @state() private held: Frame | null = null;
-  @state() private spoken = "";
+  private spoken = "";
   @query("svg") private readonly picture!: SVGSVGElement;
   private last: { readonly id: HandleId; readonly x: number; readonly y: number } | null = null;
 
@@ -176,12 +176,10 @@ export class PasuProfile extends DesignerElement {
     this.move(handle.id, arrow[0] * step, arrow[1] * step);
   }
 
-  override updated(): void {
+  /** What a screen reader says after a key moved the handle that has the focus. */
+  override willUpdate(): void {
     const section = this.designer.shown?.solved.section;
-    const active = (this.renderRoot as ShadowRoot).activeElement?.getAttribute("data-handle") as
-      | HandleId
-      | null
-      | undefined;
+    const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
     if (!section || !active || this.last) return;
     const { design, session } = this.designer.state;
     const shape = design.parts[session.part]?.shape;

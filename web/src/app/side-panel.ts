@@ -5,14 +5,13 @@ import { customElement, query } from "lit/decorators.js";
 import { selectPart, selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
 import { DesignerElement } from "./element";
-import "./parameters";
 import { base, fields } from "./styles";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = { shape: "Shape", profile: "Profile", order: "Order", look: "Look" };
 
-/** The panels behind the first one are fetched when they are first looked at. */
-const PANELS: Readonly<Record<Tab, (() => Promise<unknown>) | null>> = {
-  shape: null,
+/** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
+const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
+  shape: () => import("./parameters"),
   profile: () => import("./profile-editor"),
   order: () => import("./orders-panel"),
   look: () => import("./look-panel"),
@@ -33,7 +32,7 @@ export class PasuPanel extends DesignerElement {
     const { tab } = this.designer.state.session;
     if (tab === this.fetched) return;
     this.fetched = tab;
-    PANELS[tab]?.().catch(() => {
+    PANELS[tab]().catch(() => {
       this.fetched = null;
       this.designer.say("This panel could not be fetched. Try again when there is a network.");
     });
@@ -117,7 +116,7 @@ export class PasuPanel extends DesignerElement {
     if (!tab) return;
     event.preventDefault();
     this.select(tab);
-    void this.updateComplete.then(() => this.selected.focus());
+    this.renderRoot.querySelector<HTMLButtonElement>(`#tab-${tab}`)?.focus();
   };
 
   static override readonly styles = [

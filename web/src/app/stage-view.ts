@@ -2,8 +2,8 @@
 
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { KIND_NAMES } from "../document/kinds";
 import { looksOf, unitOf } from "../document/look";
-import { KIND_NAMES } from "../document/schema";
 import type { Stage } from "../render/stage";
 import { toggleOverlay } from "../state/actions";
 import type { Overlays } from "../state/session";
@@ -11,7 +11,6 @@ import type { Comparison, Shown } from "./designer";
 import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
-import { drawStill } from "./still-picture";
 import { base, buttons } from "./styles";
 
 type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
@@ -64,7 +63,7 @@ export class PasuStage extends DesignerElement {
   private framedSize = 0;
   private readonly dark = matchMedia(DARK);
   private readonly reduced = matchMedia(REDUCED);
-  private readonly resizes = new ResizeObserver(() => this.drawStill());
+  private readonly resizes = new ResizeObserver(() => void this.drawStill());
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -217,7 +216,7 @@ export class PasuStage extends DesignerElement {
     const { shown, comparison, state: now } = designer;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (shown !== this.drawn) this.drawStill();
+      if (shown !== this.drawn) void this.drawStill();
       this.drawn = shown;
     }
     if (!stage) return;
@@ -259,7 +258,9 @@ export class PasuStage extends DesignerElement {
     this.requestUpdate();
   };
 
-  private drawStill(): void {
+  private async drawStill(): Promise<void> {
+    if (!this.still) return;
+    const { drawStill } = await import("./still-picture");
     const canvas = this.still;
     const shown = this.designer.shown;
     if (!canvas || !shown) return;

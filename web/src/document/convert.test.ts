@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { convert, ORDER_KINDS } from "./convert";
 import { PAPERS } from "./gallery/papers";
-import { familyOf, filled } from "./schema";
+import { filled } from "./kinds";
+import { familyOf } from "./schema";
 import type { FourthOrder, SecondOrder, Shape } from "./types";
 
 const TAU = 2 * Math.PI;

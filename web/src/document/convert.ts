@@ -5,7 +5,7 @@
  * `s = 1`, that `t`, `w = 0` and the wall's own end slopes is therefore the same wall, not one like it.
  */
 
-import { filled } from "./schema";
+import { filled } from "./kinds";
 import type { FourthOrder, Kind, MixedOrder, Pair, SecondOrder, Shape } from "./types";
 
 export type OrderKind = "second-order" | "mixed-order" | "fourth-order";

@@ -5,7 +5,7 @@
  * model units along the radius and the axis; slopes are `dX/du`, whichever end `u = 0` is.
  */
 
-import { filled } from "./schema";
+import { filled } from "./kinds";
 import type { BoundaryValue, Component, FourthOrder, MixedOrder, Mode, SecondOrder, Shape } from "./types";
 
 export type HandleId = "rim" | "foot" | "rim-slope" | "foot-slope";

@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { PAPERS } from "./gallery/papers";
+import { filled } from "./kinds";
 import { pathText } from "./path";
-import { type Family, familyOf, fieldValue, filled, GROUPS, resetValue, rowsOf, sizeFactor, withField } from "./schema";
+import { type Family, familyOf, fieldValue, GROUPS, resetValue, rowsOf, sizeFactor, withField } from "./schema";
 
 const FAMILIES = (["second-order", "mixed-order", "fourth-order", "bloor-wilson"] as const).map(
   (kind) => familyOf(kind) as Family,

@@ -4,6 +4,7 @@ import { BLOOR_WILSON } from "./families/bloor-wilson";
 import { FOURTH_ORDER } from "./families/fourth-order";
 import { MIXED_ORDER } from "./families/mixed-order";
 import { SECOND_ORDER } from "./families/second-order";
+import { filled } from "./kinds";
 import type { Path } from "./path";
 import { getPath, numberAt, setPath } from "./path";
 import type { Kind, Shape } from "./types";
@@ -44,8 +45,6 @@ export interface Family {
   readonly fields: readonly Field[];
   /** The complete shape that an empty readable link stands for; what "reset" goes back to. */
   readonly reset: Shape;
-  /** The fields that a document may leave out, with what then holds. */
-  readonly omitted: Readonly<Record<string, unknown>>;
 }
 
 const FAMILIES: Readonly<Record<Family["kind"], Family>> = {
@@ -55,23 +54,9 @@ const FAMILIES: Readonly<Record<Family["kind"], Family>> = {
   "bloor-wilson": BLOOR_WILSON,
 };
 
-export const KIND_NAMES: Readonly<Record<Kind, string>> = {
-  "second-order": SECOND_ORDER.name,
-  "mixed-order": MIXED_ORDER.name,
-  "fourth-order": FOURTH_ORDER.name,
-  "bloor-wilson": BLOOR_WILSON.name,
-  "boundary-value": "Free boundary data",
-};
-
 /** The family of a kind; a boundary-value shape has a table of modes instead. */
 export function familyOf(kind: Kind): Family | null {
   return kind === "boundary-value" ? null : FAMILIES[kind];
-}
-
-/** The shape with everything written out that its document may leave out. */
-export function filled<S extends Shape>(shape: S): S {
-  const family = familyOf(shape.kind);
-  return family === null ? shape : { ...family.omitted, ...shape };
 }
 
 export function fieldValue(shape: Shape, field: Field): number {

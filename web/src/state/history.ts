@@ -30,6 +30,12 @@ export function endMerge(history: History): History {
   return history.merging === null ? history : { ...history, merging: null };
 }
 
+/** Takes back the gesture under way, as if it had never begun. */
+export function cancelMerge(history: History): { history: History; design: Design } | null {
+  const design = history.merging === null ? undefined : history.past.at(-1);
+  return design ? { design, history: { past: history.past.slice(0, -1), future: [], merging: null } } : null;
+}
+
 export function canUndo(history: History): boolean {
   return history.past.length > 0;
 }

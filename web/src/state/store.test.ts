@@ -4,6 +4,7 @@ import { type Field, familyOf } from "../document/schema";
 import type { Design } from "../document/types";
 import * as actions from "./actions";
 import { NEW_SESSION } from "./session";
+import * as shapeActions from "./shape-actions";
 import { Store } from "./store";
 
 const family = familyOf("second-order");
@@ -19,7 +20,8 @@ beforeEach(() => {
 });
 
 const rim = () => getPath(store.state.design, ["parts", 0, "shape", "r", 0]);
-const set = (value: number, gesture: boolean) => store.apply(actions.setFields(store.state, [RIM], value, gesture));
+const set = (value: number, gesture: boolean) =>
+  store.apply(shapeActions.setFields(store.state, [RIM], value, gesture));
 
 /** A slider drag, as the page makes it. */
 function drag(...values: number[]): void {
@@ -47,9 +49,22 @@ describe("undo", () => {
 
   test("a gesture that changes hands is two steps", () => {
     set(1.1, true);
-    store.apply(actions.dragHandle(store.state, "rim", 0.2, 0));
+    store.apply(shapeActions.dragHandle(store.state, "rim", 0.2, 0));
     store.undo();
     expect(rim()).toBe(1.1);
+  });
+
+  test("a gesture that was not meant never happened", () => {
+    drag(1.1);
+    set(1.2, true);
+    set(1.3, true);
+    store.cancelGesture();
+    expect(rim()).toBe(1.1);
+    expect(store.canRedo).toBe(false);
+    store.cancelGesture();
+    expect(rim()).toBe(1.1);
+    store.undo();
+    expect(rim()).toBe(1);
   });
 
   test("a new step forgets what was undone", () => {
@@ -97,26 +112,26 @@ describe("actions", () => {
   });
 
   test("a locked parameter sets x and y in one step", () => {
-    store.apply(actions.setFields(store.state, PULL, 0.2, false));
+    store.apply(shapeActions.setFields(store.state, PULL, 0.2, false));
     expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.2, 0.2] });
     store.undo();
     expect(store.canUndo).toBe(false);
   });
 
   test("unlocking changes no number, locking again takes x", () => {
-    store.apply(actions.setLock(store.state, PULL, false));
+    store.apply(shapeActions.setLock(store.state, PULL, false));
     expect(store.state.session.unlocked).toEqual(["t"]);
     expect(store.canUndo).toBe(false);
-    store.apply(actions.setFields(store.state, [PULL[0]], 0.3, false));
+    store.apply(shapeActions.setFields(store.state, [PULL[0]], 0.3, false));
     expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.3, 0.5] });
-    store.apply(actions.setLock(store.state, PULL, true));
+    store.apply(shapeActions.setLock(store.state, PULL, true));
     expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.3, 0.3] });
     expect(store.state.session.unlocked).toEqual([]);
   });
 
   test("reset goes back to what the family starts with", () => {
     drag(2.5);
-    store.apply(actions.resetFields(store.state, [RIM]));
+    store.apply(shapeActions.resetFields(store.state, [RIM]));
     expect(rim()).toBe(1);
   });
 
@@ -130,7 +145,7 @@ describe("actions", () => {
 
   test("switching the order is one step and ends a comparison", () => {
     store.apply(actions.compareWith("fourth-order"));
-    store.apply(actions.switchOrder(store.state, "fourth-order"));
+    store.apply(shapeActions.switchOrder(store.state, "fourth-order"));
     expect(store.state.design.parts[0]?.shape.kind).toBe("fourth-order");
     expect(store.state.session.compare).toBeNull();
     store.undo();

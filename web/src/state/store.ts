@@ -3,7 +3,7 @@
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
-import { canRedo, canUndo, EMPTY, endMerge, record, redo, undo } from "./history";
+import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, record, redo, undo } from "./history";
 import type { Session } from "./session";
 
 export interface State {
@@ -64,6 +64,11 @@ export class Store {
     if (!this.inGesture) return;
     this.#history = endMerge(this.#history);
     this.#tell(this.#state);
+  }
+
+  /** The gesture was not meant (the page scrolled instead): nothing happened. */
+  cancelGesture(): void {
+    this.#travel(cancelMerge(this.#history));
   }
 
   undo(): void {

@@ -1,10 +1,11 @@
 /** The fields of the dint vase, IA equations 15 to 18. The rim is at `u = 0`. */
 
+import { KIND_NAMES } from "../kinds";
 import type { Family } from "../schema";
 
 export const BLOOR_WILSON: Family = {
   kind: "bloor-wilson",
-  name: "Bloor–Wilson",
+  name: KIND_NAMES["bloor-wilson"],
   source: "Ishak and Ali, eqs 15 to 18",
   fields: [
     {
@@ -171,5 +172,4 @@ export const BLOOR_WILSON: Family = {
     H: [-0.5, -0.7],
     n1: 1,
   },
-  omitted: {},
 };

@@ -1,5 +1,6 @@
 /** The fields of the fourth order vase, ZY01 equations 13 to 17. The foot is at `u = 0`. */
 
+import { KIND_NAMES } from "../kinds";
 import type { Family, Field } from "../schema";
 
 function both(
@@ -18,7 +19,7 @@ function both(
 
 export const FOURTH_ORDER: Family = {
   kind: "fourth-order",
-  name: "Fourth order",
+  name: KIND_NAMES["fourth-order"],
   source: "Zhang and You 2001, eqs 13 to 17",
   fields: [
     {
@@ -143,5 +144,4 @@ export const FOURTH_ORDER: Family = {
     t: [3, 3],
     w: [1, 1],
   },
-  omitted: {},
 };

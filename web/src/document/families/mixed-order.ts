@@ -1,11 +1,12 @@
 /** The fields of the mixed order vase, ZY01 equations 9 to 12. */
 
+import { KIND_NAMES } from "../kinds";
 import type { Family } from "../schema";
-import { PLANAR_FIELDS, PLANAR_OMITTED } from "./second-order";
+import { PLANAR_FIELDS } from "./second-order";
 
 export const MIXED_ORDER: Family = {
   kind: "mixed-order",
-  name: "Mixed order",
+  name: KIND_NAMES["mixed-order"],
   source: "Zhang and You 2001, eqs 9 to 12",
   fields: [
     ...PLANAR_FIELDS,
@@ -22,5 +23,4 @@ export const MIXED_ORDER: Family = {
     },
   ],
   reset: { kind: "mixed-order", r: [1, 0.1, 0.6, 0.06], rise: -10 },
-  omitted: { ...PLANAR_OMITTED },
 };

@@ -1,7 +1,7 @@
 /** The fields of the second order vase, ZY01 equations 1 to 8. */
 
+import { KIND_NAMES } from "../kinds";
 import type { Family, Field } from "../schema";
-import type { SecondOrder } from "../types";
 
 /** Shared with the mixed order, which differs in `z` alone. */
 export const PLANAR_FIELDS: readonly Field[] = [
@@ -154,19 +154,10 @@ export const PLANAR_FIELDS: readonly Field[] = [
   },
 ];
 
-export const PLANAR_OMITTED: Omit<SecondOrder, "kind" | "r"> = {
-  n: [1, 8],
-  height: 3.6,
-  s: [1, 1],
-  t: [0.5, 0.5],
-  force: [0, 0],
-};
-
 export const SECOND_ORDER: Family = {
   kind: "second-order",
-  name: "Second order",
+  name: KIND_NAMES["second-order"],
   source: "Zhang and You 2001, eqs 1 to 8",
   fields: PLANAR_FIELDS,
   reset: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] },
-  omitted: { ...PLANAR_OMITTED },
 };

@@ -1,27 +1,11 @@
 /** Designs of our own. Each shows one thing that the method does well; lengths in centimetres. */
 
 import type { Exhibit } from "./exhibit";
+import { FIRST } from "./first";
 import { turned } from "./outline";
 
 export const OWN: readonly Exhibit[] = [
-  {
-    id: "own-jar",
-    title: "Shoulder jar",
-    note: "Fourth order: place and slope are both free at rim and foot, and that alone makes the shoulder.",
-    shape: {
-      kind: "fourth-order",
-      r0: 5.5,
-      r1: 5.4,
-      rm: 9.4,
-      h1: 20,
-      eta: [1.4, -1.9],
-      dz: [34, 9],
-      s: [1, 1],
-      t: [2, 2],
-      w: [1, 1],
-    },
-    look: { glaze: "shino", clay: "stoneware" },
-  },
+  FIRST,
   {
     id: "own-dint",
     title: "Dint vase",

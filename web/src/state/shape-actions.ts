@@ -1,0 +1,77 @@
+/** What a person can do to the shape of the selected part: pure functions from a state to the change that they ask for. */
+
+import type { OrderKind } from "../document/convert";
+import { convert } from "../document/convert";
+import type { Path } from "../document/path";
+import { getPath, setPath } from "../document/path";
+import type { HandleId } from "../document/profile";
+import { moveHandle } from "../document/profile";
+import type { Field } from "../document/schema";
+import { fieldValue, resetValue, withField } from "../document/schema";
+import type { Shape } from "../document/types";
+import type { Change, State } from "./store";
+
+/** Sets one number, or the `x` and `y` of a locked parameter, in one go. `gesture` joins the steps of one drag. */
+export function setFields(state: State, fields: readonly Field[], value: number, gesture: boolean): Change {
+  const key = `field:${fields.map((field) => field.path.join(".")).join("+")}`;
+  const next = (shape: Shape) => fields.reduce((made, field) => withField(made, field, value), shape);
+  return reshape(state, next, gesture ? { undo: "merge", key } : { undo: "step" });
+}
+
+/** Puts numbers back to what the family starts with. */
+export function resetFields(state: State, fields: readonly Field[]): Change {
+  return reshape(
+    state,
+    (shape) => fields.reduce((made, field) => withField(made, field, resetValue(shape.kind, field)), shape),
+    { undo: "step" },
+  );
+}
+
+/** Sets `x` and `y` apart, or together again at the value of `x`. */
+export function setLock(state: State, fields: readonly [Field, Field], locked: boolean): Change {
+  const [first, second] = fields;
+  const name = first.pair ?? "";
+  const others = state.session.unlocked.filter((other) => other !== name);
+  const session = { unlocked: locked ? others : [...others, name] };
+  if (!locked) return { undo: "none", session };
+  const change = reshape(state, (shape) => withField(shape, second, fieldValue(shape, first)), { undo: "step" });
+  return { ...change, session };
+}
+
+/** Sets one number of free boundary data by its path inside the shape. */
+export function setNumber(state: State, path: Path, value: number, gesture: boolean): Change {
+  const key = `number:${path.join(".")}`;
+  return reshape(
+    state,
+    (shape) => (Object.is(getPath(shape, path) ?? 0, value) ? shape : setPath(shape, path, value)),
+    gesture ? { undo: "merge", key } : { undo: "step" },
+  );
+}
+
+/** Any other change of the selected part's shape, as one step. */
+export function editShape(state: State, edit: (shape: Shape) => Shape): Change {
+  return reshape(state, edit, { undo: "step" });
+}
+
+/** Drags a handle of the profile. */
+export function dragHandle(state: State, id: HandleId, radial: number, axial: number): Change {
+  return reshape(state, (shape) => moveHandle(shape, id, radial, axial), { undo: "merge", key: `handle:${id}` });
+}
+
+/** Switches the selected part to another order. */
+export function switchOrder(state: State, to: OrderKind): Change {
+  const change = reshape(state, (shape) => convert(shape, to)?.shape ?? shape, { undo: "step" });
+  return { ...change, session: { compare: null } };
+}
+
+function reshape(
+  state: State,
+  edit: (shape: Shape) => Shape,
+  policy: { readonly undo: "step" | "merge"; readonly key?: string },
+): Change {
+  const part = state.design.parts[state.session.part];
+  if (!part) return { undo: "none" };
+  const shape = edit(part.shape);
+  if (shape === part.shape) return { undo: "none" };
+  return { design: setPath(state.design, ["parts", state.session.part, "shape"], shape), ...policy };
+}
