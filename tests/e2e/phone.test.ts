@@ -98,9 +98,7 @@ test("fingers change the pot, and a swipe that scrolls past a slider does not", 
     await cdp.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x, y: y - step }] });
   }
   await cdp.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-  await expect
-    .poll(() => pot.page.locator("pasu-panel .body").evaluate((body) => body.scrollTop))
-    .toBeGreaterThan(0);
+  await expect.poll(() => pot.page.locator("pasu-panel .body").evaluate((body) => body.scrollTop)).toBeGreaterThan(0);
   await expect.poll(() => slider.inputValue()).toBe(value);
   await pot.shows(before);
   expect(await pot.history("Undo").isDisabled()).toBe(true);

@@ -44,11 +44,15 @@ try {
       await pot.page.locator("pasu-gallery canvas:not([data-drawn])").nth(16).waitFor({ state: "attached" });
       await pot.page.waitForFunction(() => {
         const shelf = document.querySelector("pasu-app")?.shadowRoot?.querySelector("pasu-gallery")?.shadowRoot;
-        return [...(shelf?.querySelectorAll("canvas") ?? [])].slice(0, 12).every((each) => each.dataset.drawn === "true");
+        return [...(shelf?.querySelectorAll("canvas") ?? [])]
+          .slice(0, 12)
+          .every((each) => each.dataset.drawn === "true");
       });
     } else {
       await button.click();
-      await pot.page.waitForFunction(() => document.querySelector("pasu-app")?.shadowRoot?.querySelector("pasu-gallery") === null);
+      await pot.page.waitForFunction(
+        () => document.querySelector("pasu-app")?.shadowRoot?.querySelector("pasu-gallery") === null,
+      );
       await pot.fingerprint();
       if (panel) await pot.tab(panel);
       await pot.page.mouse.move(0, 0);
