@@ -4,8 +4,8 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
+import { leanRenderer } from "./build/lean-renderer.ts";
 import { offline } from "./build/offline.ts";
-import { ownShadersOnly } from "./build/own-shaders-only.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -39,5 +39,5 @@ export default defineConfig({
       },
     },
   },
-  plugins: [ownShadersOnly(), contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
+  plugins: [leanRenderer(), contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
 });

@@ -25,7 +25,7 @@ function packagesOfWeb(): Plugin {
 export default defineConfig({
   root,
   plugins: [packagesOfWeb()],
-  resolve: { alias: { pasu: fileURLToPath(new URL("../crates/pasu-wasm/pkg/node.js", import.meta.url)) } },
+  resolve: { alias: { pasu: fileURLToPath(new URL("../crates/pasu-wasm/pkg/pasu.js", import.meta.url)) } },
   test: {
     environment: "node",
     include: ["tests/e2e/**/*.test.ts"],

@@ -1,8 +1,10 @@
 // A link is the whole pot: the same to the bit wherever it is opened, and never half restored.
 
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import init, { fingerprint, link } from "pasu";
 import { beforeAll, expect, test } from "vitest";
+import { serve } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
 
 interface Case {
@@ -13,9 +15,46 @@ interface Case {
 
 const read = (path: string): unknown => JSON.parse(readFileSync(new URL(path, import.meta.url), "utf8"));
 const corpus = read("../reference/surfaces.json") as Case[];
+const goldens = read("../goldens/fingerprints.json") as Record<string, string>;
+
+const PACKAGE = fileURLToPath(new URL("../../crates/pasu-wasm/pkg", import.meta.url));
 
 const here = stay();
 beforeAll(() => init());
+
+test("every surface of the corpus has the same fingerprint in Chromium, in Node and natively", async () => {
+  const links = Object.fromEntries(
+    corpus.map(({ name, family, shape }) => [name, link({ pasu: 1, parts: [{ shape: family ?? shape }] })]),
+  );
+  for (const [name, address] of Object.entries(links)) {
+    expect(fingerprint(address), `${name} in Node`).toBe(goldens[name]);
+  }
+  const library = await serve(PACKAGE);
+  const page = await here.browser.newPage();
+  try {
+    await page.goto(`${library.url}package.json`);
+    // As text: vitest would turn the import into one of its own.
+    const inChromium = await page.evaluate<Record<string, string>>(`import("./pasu.js").then(async (pasu) => {
+      await pasu.default();
+      const links = ${JSON.stringify(Object.entries(links))};
+      return Object.fromEntries(links.map(([name, address]) => [name, pasu.fingerprint(address)]));
+    })`);
+    expect(inChromium).toEqual(goldens);
+  } finally {
+    await page.close();
+    await library.close();
+  }
+});
+
+test("the designer shows the fingerprint that every other platform finds", async () => {
+  const pot = await here.enter();
+  let before = await pot.fingerprint();
+  for (const { name, family, shape } of corpus.filter((_, index) => index % 20 === 5)) {
+    await pot.openLink(`#${link({ pasu: 1, parts: [{ shape: family ?? shape }] })}`);
+    before = await pot.fingerprintOtherThan(before);
+    expect(before, name).toBe(goldens[name]);
+  }
+});
 
 test("a copied link shows the same pot to someone else", async () => {
   const mine = await here.enter({ link: "#1/bloor-wilson?n1=5" });

@@ -31,7 +31,6 @@ test("the package holds what it promises and nothing else", async () => {
       "README.md",
       "bindings.js",
       "design.d.ts",
-      "node.js",
       "package.json",
       "pasu.d.ts",
       "pasu.js",
@@ -49,9 +48,19 @@ test("the examples of both README files run", async () => {
   });
 });
 
+test("the module is found beside a file that is imported by its path", async () => {
+  const script = `const pasu = await import(${JSON.stringify(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href)});
+    await pasu.default();
+    console.log(pasu.link("${VASE}"));`;
+  assert.equal(
+    execFileSync(process.execPath, ["--input-type=module", "--eval", script], { encoding: "utf8" }),
+    `${VASE.slice(1)}\n`,
+  );
+});
+
 test("the module loads once, says so when it is not loaded, and again after a failure", async () => {
   await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/node.js")).href);
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
     assert.throws(() => pasu.parse(VASE), { name: "PasuError", code: "not-ready", path: "" });
     await assert.rejects(pasu.default(new Uint8Array([1, 2, 3])));
     await Promise.all([pasu.default(), pasu.default()]);
@@ -62,7 +71,7 @@ test("the module loads once, says so when it is not loaded, and again after a fa
 
 test("refusals are PasuErrors", async () => {
   await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/node.js")).href);
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
     await pasu.default();
     const design = pasu.parse(VASE);
     design.parts[0].shape.r = [1, 0.1, Number.NaN, 0.8];
@@ -83,7 +92,7 @@ test("refusals are PasuErrors", async () => {
 
 test("arrays are the caller's own and survive later calls", async () => {
   await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/node.js")).href);
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
     await pasu.default();
     const first = pasu.mesh(VASE, { rows: 9, columns: 17 });
     const copy = Float32Array.from(first.positions);
@@ -96,7 +105,7 @@ test("arrays are the caller's own and survive later calls", async () => {
 
 test("after a crash the next call works on a fresh instance", async () => {
   await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/node.js")).href);
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
     await pasu.default();
     const before = pasu.fingerprint(VASE);
     // The stack runs out somewhere inside the module, again and again, at every depth.

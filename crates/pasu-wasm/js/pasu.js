@@ -1,4 +1,4 @@
-// Pasu for browsers and workers. Node uses node.js, which adds how to find the module on disk.
+// Pasu for browsers, workers and Node.
 //
 // The WebAssembly instance lives behind this file: errors become PasuError, and an instance that a bug has stopped is
 // replaced by a fresh one, which costs nothing else because every function is stateless.
@@ -34,7 +34,16 @@ export default function init(source) {
 }
 
 async function instantiate(source) {
-  await load(source === undefined ? undefined : { module_or_path: source });
+  const found = source ?? (await onDisk());
+  await load(found === undefined ? undefined : { module_or_path: found });
+}
+
+/** The module's bytes where this very file is imported by its path in Node, whose fetch() does not read files. */
+async function onDisk() {
+  if (!import.meta.url.startsWith("file:")) return undefined;
+  const files = "node:fs/promises"; // a name that bundlers for browsers leave alone
+  const { readFile } = await import(/* @vite-ignore */ files);
+  return readFile(new URL("./pasu_bg.wasm", import.meta.url));
 }
 
 export function parse(source) {

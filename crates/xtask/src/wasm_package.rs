@@ -31,9 +31,8 @@ impl Care {
 }
 
 /// Files that are copied into the package as they are.
-const COPIED: [(&str, &str); 7] = [
+const COPIED: [(&str, &str); 6] = [
     ("crates/pasu-wasm/js/pasu.js", "pasu.js"),
-    ("crates/pasu-wasm/js/node.js", "node.js"),
     ("crates/pasu-wasm/js/pasu.d.ts", "pasu.d.ts"),
     ("crates/pasu-wasm/js/design.d.ts", "design.d.ts"),
     ("crates/pasu-wasm/js/README.md", "README.md"),

@@ -14,7 +14,8 @@ pub(crate) struct Field {
     pub(crate) need: Need,
     pub(crate) range: Range,
     /// What it means, in the lines of its doc comment.
-    #[cfg_attr(not(feature = "typescript"), expect(dead_code, reason = "read by the TypeScript declarations"))]
+    /// Compiled in only where the declarations are written: the texts would be a fair part of what a page loads.
+    #[cfg(feature = "typescript")]
     pub(crate) about: &'static [&'static str],
 }
 
@@ -179,6 +180,7 @@ macro_rules! fields {
                     size: <$type as $crate::design::fields::Quantity>::SIZE,
                     need: $crate::design::fields::Need::$need,
                     range: $crate::design::reader::Range::$range,
+                    #[cfg(feature = "typescript")]
                     about: &[$($doc),+],
                 }, )+
             ];
