@@ -10,7 +10,7 @@ export interface VisitOptions extends BrowserContextOptions {
 }
 
 /** A small desktop window: software WebGL pays by the pixel. Without damped motion the camera is where it goes at once. */
-const DESKTOP: BrowserContextOptions = { viewport: { width: 1100, height: 700 }, reducedMotion: "reduce" };
+const DESKTOP: BrowserContextOptions = { viewport: { width: 960, height: 600 }, reducedMotion: "reduce" };
 
 /** Longer than anything takes on a busy machine; then the gesture that failed is named, not the test as a whole. */
 const PATIENCE = 30_000;
