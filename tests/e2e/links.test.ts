@@ -110,6 +110,17 @@ test.each([
   expect(await pot.page.getByRole("alert").count()).toBe(0);
 });
 
+test("going on after a damaged link puts the message away and writes the address again", async () => {
+  const pot = await here.enter({ link: "#1/second-order?height=5" });
+  const before = await pot.fingerprint();
+  await pot.openLink("#1~AAAA");
+  await pot.page.getByRole("alert").waitFor();
+  await pot.drag("Height", 0.8);
+  await pot.fingerprintOtherThan(before);
+  expect(await pot.page.getByRole("alert").count()).toBe(0);
+  await expect.poll(() => pot.page.evaluate(() => location.hash)).toMatch(/^#1\/second-order\?height=/);
+});
+
 test("a first visit by a damaged link begins with a pot of the gallery and an explanation", async () => {
   const plain = await here.enter();
   const first = await plain.fingerprint();

@@ -1,6 +1,23 @@
 //! Vases and pots whose surfaces are exact solutions of partial differential equations.
 //!
-//! Data flows one way: [design](crate::Design) -> canonical -> boundary-value problem -> closed form -> mesh.
+//! Data flows one way: [design](crate::Design) -> canonical -> [boundary-value problem](crate::BoundaryValue) ->
+//! [closed form](crate::Surface) -> [mesh](crate::Mesh).
+//!
+//! # Conventions
+//!
+//! - **Axes.** Right-handed; a pot stands along `z`, its foot below its rim.
+//! - **Domain.** A surface is `X(u, v)` with `u` in [0, 1] along the profile, from the boundary that the papers give first (the rim
+//!   of `second-order`, `mixed-order` and `bloor-wilson`, the foot of `fourth-order`), and `v` in [0, span] round the axis.
+//! - **Winding.** Triangles are counter-clockwise seen from outside; normals point out of the pot.
+//! - **Units.** Lengths are in the unit of the design, angles in radians.
+//! - **Numbers.** `f64` throughout; a mesh is rounded to `f32` once, at the end. Elementary functions come from `libm` and nothing is fused,
+//!   so that every machine computes the same bits. No result is NaN or infinite: what cannot be computed is an [`Error`].
+//!
+//! # Sources
+//!
+//! - **ZY01** J. J. Zhang, L. You, *Surface representation using second, fourth and mixed order partial differential equations*, 2001.
+//! - **IA** S. N. Ishak, J. M. Ali, *Parametric surface generation using partial differential equation based approach*.
+//! - **ASB88** J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, *Constrained constructive solid geometry: a unique representation of scenes*, 1988.
 
 mod design;
 mod error;

@@ -17,6 +17,9 @@ struct OnlyUser {
 const ONLY_USERS: [OnlyUser; 2] =
     [OnlyUser { package: "three", folder: "web/src/render/" }, OnlyUser { package: "pasu", folder: "web/src/solver/" }];
 
+/// Where the types of the package enter the page; what is imported as a type is gone once compiled.
+const TYPES_OF_PACKAGE: &str = "web/src/document/types.ts";
+
 /// Folders that are plain data and functions: no page, no components.
 const PURE: [&str; 2] = ["web/src/document/", "web/src/state/"];
 
@@ -94,7 +97,8 @@ fn front_end_breaches(file: &str, text: &str) -> Vec<String> {
     for (number, line) in code_lines(text) {
         if let Some(package) = imported_package(line) {
             for rule in &ONLY_USERS {
-                let allowed = file.starts_with(rule.folder) || test && package == "pasu";
+                let types = file == TYPES_OF_PACKAGE && line.starts_with("import type ");
+                let allowed = file.starts_with(rule.folder) || package == "pasu" && (test || types);
                 if package == rule.package && !allowed {
                     breaches.push(format!("{file}:{number}: only {} imports `{}`", rule.folder, rule.package));
                 }
@@ -171,6 +175,8 @@ mod tests {
         );
         assert_eq!(front_end_breaches("web/src/app/page.ts", "await import(\"pasu\")").len(), 1);
         assert!(front_end_breaches("web/src/solver/worker.ts", "import init from \"pasu\";").is_empty());
+        assert!(front_end_breaches(TYPES_OF_PACKAGE, "import type * as pasu from \"pasu\";").is_empty());
+        assert_eq!(front_end_breaches(TYPES_OF_PACKAGE, "import init from \"pasu\";").len(), 1);
         assert!(front_end_breaches("web/src/app/page.ts", "import { Stage } from \"../render/stage\";").is_empty());
     }
 

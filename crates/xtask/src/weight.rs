@@ -24,11 +24,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
 
     let dist = workspace.dist();
     let manifest = read_json(&dist.join(".vite/manifest.json"))?;
-    for module in &later {
-        if manifest.get(module).is_none() {
-            bail!("web/weight.json lists {module} as loaded later, but the site has no such chunk");
-        }
-    }
+    let later: Vec<&str> = later.into_iter().map(|module| chunk_key(&manifest, module)).collect::<Result<_>>()?;
     let mut files = first_files(&manifest, &later);
     files.insert("index.html".into());
     files.extend(unlisted_assets(&dist, &manifest)?);
@@ -46,6 +42,17 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
         bail!("the designer weighs {total} bytes, more than its budget of {budget} (web/weight.json)");
     }
     Ok(())
+}
+
+/// The manifest's key of a module that has a chunk of its own: its path, or, where several share it, a key made of its name.
+fn chunk_key<'a>(manifest: &'a Value, module: &str) -> Result<&'a str> {
+    let stem = Path::new(module).file_stem().and_then(|stem| stem.to_str());
+    let chunks = || manifest.as_object().into_iter().flatten();
+    chunks()
+        .find(|(key, _)| *key == module)
+        .or_else(|| chunks().find(|(key, chunk)| key.starts_with('_') && chunk["name"].as_str() == stem))
+        .map(|(key, _)| key.as_str())
+        .with_context(|| format!("web/weight.json lists {module} as loaded later, but the site has no such chunk"))
 }
 
 /// The scripts and styles of the page and of everything it imports, except what is loaded later.

@@ -279,6 +279,8 @@ export class Designer {
   #follow(state: State, before: State): void {
     const { design, session } = state;
     const redesigned = design !== before.design;
+    // Who goes on working has read why a link or file was not opened; the address may be written again.
+    if (redesigned && this.shown !== null) this.openProblem = null;
     const gestureEnded = !this.store.inGesture && !(this.shown?.settled && this.shown.design === design);
     const drawn = Object.values(session.overlays).some(Boolean);
     const linesMissing = drawn && this.shown !== null && this.shown.solved.lines === null;

@@ -19,8 +19,11 @@ export type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
 /** Vertical field of view in radians: a long lens, as products are photographed, so that a rim keeps its true curve. */
 export const FIELD_OF_VIEW = (27 * Math.PI) / 180;
 
-/** What a fitted pot leaves free round itself, as a factor of its size. */
+/** What a fitted pot leaves free beside itself, as a factor of its size. */
 const FIT_MARGIN = 1.16;
+
+/** The same above and below, where the page lays its description and its buttons over the stage. */
+const FIT_MARGIN_UPRIGHT = 1.3;
 
 const FRONT = -Math.PI / 2;
 
@@ -62,8 +65,9 @@ export function nearestTurn(angle: number, to: number): number {
  * A point at `(x, y, z)` in camera axes is inside when `|y| <= (d - z) tan(fov / 2)` and `|x| <= (d - z) tan(fov / 2) aspect`.
  */
 export function fitDistance(points: ArrayLike<number>, target: Triple, axes: CameraAxes, aspect: number): number {
-  const tanY = Math.tan(FIELD_OF_VIEW / 2) / FIT_MARGIN;
-  const tanX = tanY * (aspect > 0 ? aspect : 1);
+  const tan = Math.tan(FIELD_OF_VIEW / 2);
+  const tanY = tan / FIT_MARGIN_UPRIGHT;
+  const tanX = (tan / FIT_MARGIN) * (aspect > 0 ? aspect : 1);
   let far = 0;
   for (let i = 0; i + 2 < points.length; i += 3) {
     const p: Triple = [at(points, i) - target[0], at(points, i + 1) - target[1], at(points, i + 2) - target[2]];

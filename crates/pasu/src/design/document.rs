@@ -1,6 +1,6 @@
 //! The whole design: checked, canonical, and never anything else.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use serde::ser::{Serialize, Serializer};
 
@@ -177,7 +177,7 @@ fn read_parts(record: &Record) -> Result<Vec<Part>> {
         return Err(list.error(Code::TooLarge, format!("expected at most {PARTS} parts, found {}", items.len())));
     }
     let mut parts = Vec::with_capacity(items.len());
-    let mut names = HashMap::new();
+    let mut names = BTreeMap::new();
     let mut n_modes = 0;
     for (index, item) in items.iter().enumerate() {
         let path = list.item(index);

@@ -162,16 +162,16 @@ impl Component {
     }
 
     fn canonical(self, path: &Path) -> Result<Self> {
-        let mut given: Vec<Mode> = self.modes.into_iter().map(|mode| Mode { n: rounded(mode.n), ..mode }).collect();
-        given.sort_by(|a, b| a.n.total_cmp(&b.n));
-        let mut modes: Vec<Mode> = Vec::with_capacity(given.len());
-        for mode in given {
-            match modes.last_mut() {
-                Some(last) if last.n == mode.n => {
-                    last.cos.add(&mode.cos);
-                    last.sin.add(&mode.sin);
+        let mut modes: Vec<Mode> = Vec::with_capacity(self.modes.len());
+        for mode in self.modes {
+            let mode = Mode { n: rounded(mode.n), ..mode };
+            // Documents mostly come in order, so that this appends.
+            match modes.binary_search_by(|earlier| earlier.n.total_cmp(&mode.n)) {
+                Ok(same) => {
+                    modes[same].cos.add(&mode.cos);
+                    modes[same].sin.add(&mode.sin);
                 }
-                _ => modes.push(mode),
+                Err(place) => modes.insert(place, mode),
             }
         }
         for mode in &mut modes {

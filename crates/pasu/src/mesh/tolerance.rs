@@ -21,12 +21,15 @@ const END_ROWS: i32 = 20;
 impl Bounds {
     /// Bounds the coefficients by their values on rows and, between these, by their own derivatives; then every `cos` and `sin` by 1.
     pub(super) fn of(surface: &Surface, distinct: &[f64], placement: DMat3) -> Bounds {
-        let mut rows: Vec<f64> = (0..=EVEN_ROWS).map(|i| i as f64 / EVEN_ROWS as f64).collect();
-        for i in 0..END_ROWS {
-            let from_end = libm::ldexp(1.0 / EVEN_ROWS as f64, -i - 1);
-            rows.extend([from_end, 1.0 - from_end]);
-        }
-        rows.sort_by(f64::total_cmp);
+        // Halving steps out of the start, even steps, halving steps into the end.
+        let step = 1.0 / EVEN_ROWS as f64;
+        let from_end = |i: i32| libm::ldexp(step, -i);
+        let rows: Vec<f64> = core::iter::once(0.0)
+            .chain((1..=END_ROWS).rev().map(from_end))
+            .chain((1..EVEN_ROWS).map(|i| i as f64 * step))
+            .chain((1..=END_ROWS).map(|i| 1.0 - from_end(i)))
+            .chain([1.0])
+            .collect();
         let at: Vec<[Amplitudes; 2]> =
             rows.iter().map(|&u| amplitudes(&RowTable::at(surface, distinct, u), surface.span())).collect();
         let mut sup: Amplitudes = [[0.0; 3]; 4];
