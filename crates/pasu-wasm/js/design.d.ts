@@ -169,7 +169,7 @@ export interface SecondOrderDatum {
   readonly start?: number;
   /** Value at u = 1. */
   readonly end?: number;
-  /** Sculpting force in ascending powers of u, at most 64 coefficients. */
+  /** Sculpting force in ascending powers of u, at most 512 coefficients. */
   readonly force?: readonly number[];
 }
 
@@ -183,7 +183,7 @@ export interface FourthOrderDatum {
   readonly start_u?: number;
   /** Slope in u at u = 1. */
   readonly end_u?: number;
-  /** Sculpting force in ascending powers of u, at most 64 coefficients. */
+  /** Sculpting force in ascending powers of u, at most 512 coefficients. */
   readonly force?: readonly number[];
 }
 

@@ -68,3 +68,38 @@ fn agrees_with_the_reference() {
         failures.iter().take(30).cloned().collect::<Vec<_>>().join("\n")
     );
 }
+
+/// Between powers far above the rate and far below it no digits are lost: the equation holds for forces of any degree.
+#[test]
+fn forces_of_high_degree() {
+    for n_coefficients in [65, 129, 300, 512] {
+        // Signs without a pattern, sizes up to 1.
+        let force: Vec<f64> = (0..n_coefficients).map(|i| f64::sin(1.0 + 7.3 * f64::from(i) * f64::from(i))).collect();
+        for k in [0.0, 0.5, 5.0, 7.0, 31.0, 60.0, 300.0, 1000.0] {
+            for (order, s, t, w) in [
+                (Order::Second, 2.0, 1.0, 0.0),
+                (Order::Fourth, 1.0, 2.0, 1.0),
+                (Order::Fourth, 1.0, 0.5, 1.0),
+                (Order::Fourth, 1.0, 1.0, 1e-6),
+                (Order::Fourth, 1.0, 1.0, 0.0),
+            ] {
+                let name = format!("{n_coefficients} coefficients, k {k}, {order:?}, t {t}, w {w}");
+                let equation = Equation::new(order, s, t, w, k).unwrap();
+                let data = ModeData { start: 0.3, start_u: -1.0, end: -0.7, end_u: 2.0, force: &force };
+                let solution = equation.solve(&data).unwrap();
+                let rate = equation.largest_rate().max(1.0);
+                for u in [0.0, 1e-3, 0.1, 0.5, 0.83, 0.99, 0.9999, 1.0] {
+                    let [q] = equation.jets::<5, 1>([&solution], u);
+                    let p = force.iter().rev().fold(0.0, |sum, f| sum * u + f);
+                    let (residual, size) = match order {
+                        Order::Second => (s * q[2] - t * k * k * q[0] - p, s * rate * rate),
+                        Order::Fourth => (s * q[4] - t * k * k * q[2] + w * k.powi(4) * q[0] - p, s * rate.powi(4)),
+                    };
+                    // What a force of size 1 does next to data of size 1.
+                    let bound = 1e-10 * size + 1e-9 * (1.0 + p.abs());
+                    assert!(residual.abs() <= bound, "{name}, u {u}: {residual:e} of {size:e}");
+                }
+            }
+        }
+    }
+}

@@ -314,10 +314,10 @@ fn documents() {
             "unknown field \"start_u\"; expected one of start, end, force".into(),
         ),
         (
-            with_mode(&format!(r#"{{ "n": 1, "sin": {{ "force": [{}] }} }}"#, vec!["1"; 65].join(", "))),
+            with_mode(&format!(r#"{{ "n": 1, "sin": {{ "force": [{}] }} }}"#, vec!["1"; 513].join(", "))),
             "too-large",
             "parts[0].shape.x.modes[0].sin.force",
-            "expected at most 64 coefficients, found 65".into(),
+            "expected at most 512 coefficients, found 513".into(),
         ),
         (
             with_mode(r#"{ "n": 1, "cos": { "end": 1e308 } }, { "n": 1, "cos": { "end": 1e308 } }"#),

@@ -12,8 +12,8 @@ pub(crate) const PARTS: usize = 500;
 /// The most modes of all parts together, as given.
 pub(crate) const MODES: usize = 4096;
 
-/// The most coefficients of the force on one mode (degree 63).
-pub(crate) const FORCE: usize = 64;
+/// The most coefficients of the force on one mode. Terms of its series stay above the least double up to twice this.
+pub(crate) const FORCE: usize = 512;
 
 /// The longest title or name, in characters.
 pub(crate) const CHARACTERS: usize = 200;

@@ -23,7 +23,7 @@ const S: Entry = required("s", "number", "Shape control parameter of the highest
 const START: Entry = optional("start", "number", "Value at u = 0.");
 const END: Entry = optional("end", "number", "Value at u = 1.");
 const FORCE_ENTRY: Entry =
-    optional("force", "readonly number[]", "Sculpting force in ascending powers of u, at most 64 coefficients.");
+    optional("force", "readonly number[]", "Sculpting force in ascending powers of u, at most 512 coefficients.");
 
 /// A component of order 2: `s X_uu + t X_vv = p`.
 pub(crate) const SECOND: &[Entry] = &[

@@ -3,8 +3,7 @@
 /// Terms that no longer change a sum of doubles on |x| <= 1/2.
 const NEGLIGIBLE: f64 = 1e-19;
 
-/// More than any series here needs: rates are at most 30, half of that at the ends, and 15^m / m! < 1e-19 from m = 70 on;
-/// a force adds its own degree.
+/// More than any series here needs beyond its force: 4^m / m! < 1e-19 from m = 32 on, and powers above the rate die away faster.
 const MAX_TERMS: usize = 400;
 
 /// Solves `q^(order) = sum_j feedback_j q^(j) + force` for the power series of `q` from its first `order` coefficients.
@@ -15,7 +14,7 @@ pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &
     let mut terms = start.to_vec();
     let mut largest = terms.iter().enumerate().fold(0.0f64, |m, (i, a)| m.max(a.abs() * power_of_half(i)));
     let mut quiet = 0;
-    while terms.len() < MAX_TERMS && !(quiet >= order && terms.len() >= force.len() + order) {
+    while terms.len() < force.len() + MAX_TERMS && !(quiet >= order && terms.len() >= force.len() + order) {
         let m = terms.len() - order;
         let mut sum = force.get(m).copied().unwrap_or(0.0);
         for &(j, factor) in feedback {
