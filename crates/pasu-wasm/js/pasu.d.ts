@@ -51,6 +51,8 @@ export interface Mesh {
   indices: Uint32Array;
   /** (first index, count of indices, part) triples, one for each part. */
   groups: Uint32Array;
+  /** Names the grids of the parts and their windings: meshes of equal topology have equal `uvs`, `indices` and `groups`. */
+  topology: string;
 }
 
 /** How fine a mesh is. Without any of them it is good for a screen. */
@@ -62,6 +64,9 @@ export interface MeshOptions {
   /** Vertices along `v`, around; the last repeats the first on a closed surface. */
   columns?: number | undefined;
 }
+
+/** What is left to write when an earlier mesh is written over: the rest has not changed where it is missing. */
+export type Remesh = Pick<Mesh, "positions" | "normals" | "topology"> & Partial<Mesh>;
 
 /** First derivatives, xyz triples. */
 export interface Derivatives {
@@ -84,7 +89,15 @@ export function parse(source: DesignSource): Design;
 export function link(source: DesignSource): string;
 
 /** The surface as triangles, placed. */
-export function mesh(source: DesignSource, options?: MeshOptions): Mesh;
+export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
+
+/**
+ * The surface as triangles, placed, in the arrays of an earlier mesh: those of the right length are filled and handed back, so that a drag allocates nothing.
+ *
+ * Where `into.topology` is that of the new mesh too, `uvs`, `indices` and `groups` are as they were: they are not written, and are left out of the
+ * result if `into` is without them.
+ */
+export function mesh(source: DesignSource, options: MeshOptions & { into: Partial<Mesh> }): Remesh;
 
 /**
  * Exact positions of a part before placement, xyz triples.

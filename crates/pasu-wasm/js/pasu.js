@@ -55,7 +55,9 @@ export function link(source) {
 }
 
 export function mesh(source, options) {
-  return call(bindings.mesh, source, options);
+  if (typeof options !== "object" || options === null) return call(bindings.mesh, source, options);
+  const { into, ...others } = options;
+  return call(bindings.mesh, source, others, into);
 }
 
 export function evaluate(source, part, at) {

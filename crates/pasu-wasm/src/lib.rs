@@ -50,14 +50,14 @@ pub fn link(source: &JsValue) -> Result<String, JsValue> {
     Ok(design.link())
 }
 
-/// The triangles of a design, as an object of typed arrays.
+/// The triangles of a design, as an object of typed arrays: those of an earlier mesh in `into` where they have the right length.
 ///
 /// # Errors
 /// When the source is not a design, an option is not understood, or the design cannot be solved or meshed.
 #[wasm_bindgen]
-pub fn mesh(source: &JsValue, options: &JsValue) -> Result<Object, JsValue> {
-    let solved = || pasu::mesh(&source::design(source)?, &options::read(options)?);
-    mesh::object(&solved().map_err(|error| thrown(&error))?)
+pub fn mesh(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Object, JsValue> {
+    let sampled = || mesh::sampled(&source::design(source)?, &options::read(options)?, into);
+    sampled().map_err(|error| thrown(&error))?
 }
 
 /// Positions of a part before placement, xyz triples.

@@ -1,21 +1,86 @@
 //! A mesh as an object of typed arrays, which are the caller's own copies.
 
-use js_sys::{Float32Array, Object, Reflect, Uint32Array};
-use pasu::Mesh;
-use wasm_bindgen::JsValue;
+use std::cell::RefCell;
 
-/// `{ positions, normals, uvs, indices, groups }`.
-pub(crate) fn object(mesh: &Mesh) -> Result<Object, JsValue> {
+use js_sys::{Float32Array, Object, Reflect, Uint32Array};
+use pasu::{Design, Mesh, MeshOptions, Result, Sampler};
+use wasm_bindgen::{JsCast, JsValue};
+
+/// A mesh of more vertices than this is not kept to be overwritten: its memory would never be free for anything else.
+const KEPT: usize = 1 << 20;
+
+thread_local! {
+    /// Its arrays are overwritten by every mesh, so that a drag allocates nothing.
+    static SAMPLER: RefCell<Sampler> = RefCell::default();
+}
+
+/// Samples a design and writes the mesh into `into`, as [`object`] does.
+pub(crate) fn sampled(
+    design: &Design,
+    options: &MeshOptions,
+    into: &JsValue,
+) -> Result<core::result::Result<Object, JsValue>> {
+    SAMPLER.with_borrow_mut(|sampler| {
+        let mesh = sampler.sample(design, options)?;
+        let object = object(mesh, into);
+        if mesh.n_vertices() > KEPT {
+            *sampler = Sampler::new();
+        }
+        Ok(object)
+    })
+}
+
+/// `{ positions, normals, uvs, indices, groups, topology }`, in the arrays of `into` where these have the right length.
+///
+/// Where `into` already is of this topology, what depends on it alone is not written again: it is handed back where it is given, and left out where not.
+fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> {
     let object = Object::new();
-    set(&object, "positions", Float32Array::from(mesh.positions.as_slice()).into())?;
-    set(&object, "normals", Float32Array::from(mesh.normals.as_slice()).into())?;
-    set(&object, "uvs", Float32Array::from(mesh.uvs.as_slice()).into())?;
-    set(&object, "indices", Uint32Array::from(mesh.indices.as_slice()).into())?;
-    set(&object, "groups", Uint32Array::from(mesh.groups.as_slice()).into())?;
+    floats(&object, "positions", &mesh.positions, into)?;
+    floats(&object, "normals", &mesh.normals, into)?;
+    set(&object, "topology", mesh.topology.as_str().into())?;
+    if field(into, "topology").as_string().is_some_and(|topology| topology == mesh.topology) {
+        for key in ["uvs", "indices", "groups"] {
+            let given = field(into, key);
+            if !given.is_undefined() {
+                set(&object, key, given)?;
+            }
+        }
+    } else {
+        floats(&object, "uvs", &mesh.uvs, into)?;
+        integers(&object, "indices", &mesh.indices, into)?;
+        integers(&object, "groups", &mesh.groups, into)?;
+    }
     Ok(object)
 }
 
+fn floats(object: &Object, key: &str, values: &[f32], into: &JsValue) -> core::result::Result<(), JsValue> {
+    let array = match field(into, key).dyn_into::<Float32Array>() {
+        Ok(array) if array.length() as usize == values.len() => {
+            array.copy_from(values);
+            array
+        }
+        _ => Float32Array::from(values),
+    };
+    set(object, key, array.into())
+}
+
+fn integers(object: &Object, key: &str, values: &[u32], into: &JsValue) -> core::result::Result<(), JsValue> {
+    let array = match field(into, key).dyn_into::<Uint32Array>() {
+        Ok(array) if array.length() as usize == values.len() => {
+            array.copy_from(values);
+            array
+        }
+        _ => Uint32Array::from(values),
+    };
+    set(object, key, array.into())
+}
+
+/// A field of whatever this is; `undefined` where it has none.
+fn field(of: &JsValue, key: &str) -> JsValue {
+    Reflect::get(of, &key.into()).unwrap_or(JsValue::UNDEFINED)
+}
+
 /// Sets a field of an object.
-pub(crate) fn set(object: &Object, key: &str, value: JsValue) -> Result<(), JsValue> {
+pub(crate) fn set(object: &Object, key: &str, value: JsValue) -> core::result::Result<(), JsValue> {
     Reflect::set(object, &key.into(), &value).map(|_| ())
 }

@@ -34,7 +34,7 @@ fn a_design_comes_as_text_as_object_and_as_link() {
 
 #[wasm_bindgen_test]
 fn a_mesh_is_typed_arrays_of_the_grid_that_was_asked_for() {
-    let made = mesh(&DINT_VASE.into(), &js(r#"{ "rows": 5, "columns": 9 }"#)).expect("a mesh");
+    let made = mesh(&DINT_VASE.into(), &js(r#"{ "rows": 5, "columns": 9 }"#), &JsValue::UNDEFINED).expect("a mesh");
     let field = |name: &str| Reflect::get(&made, &name.into()).expect("a field");
     assert_eq!(field("positions").unchecked_into::<Float32Array>().length(), 3 * 5 * 9);
     assert_eq!(field("normals").unchecked_into::<Float32Array>().length(), 3 * 5 * 9);
@@ -44,7 +44,7 @@ fn a_mesh_is_typed_arrays_of_the_grid_that_was_asked_for() {
     assert!(indices.to_vec().iter().all(|&index| index < 5 * 9));
     assert_eq!(field("groups").unchecked_into::<Uint32Array>().to_vec(), [0, indices.length(), 0]);
     for options in [JsValue::UNDEFINED, JsValue::NULL, js("{}"), js(r#"{ "tolerance": 0.05 }"#)] {
-        mesh(&DINT_VASE.into(), &options).expect("a mesh by default or by tolerance");
+        mesh(&DINT_VASE.into(), &options, &JsValue::UNDEFINED).expect("a mesh by default or by tolerance");
     }
 }
 
@@ -99,7 +99,7 @@ fn refusals_carry_code_and_path() {
         expect(parse(source), code, path);
         expect(link(source), code, path);
         expect(fingerprint(source), code, path);
-        expect(mesh(source, &JsValue::UNDEFINED), code, path);
+        expect(mesh(source, &JsValue::UNDEFINED, &JsValue::UNDEFINED), code, path);
         expect(evaluate(source, &0.into(), &Array::new()), code, path);
         expect(derivatives(source, &0.into(), &Array::new()), code, path);
     }
@@ -108,12 +108,12 @@ fn refusals_carry_code_and_path() {
 #[wasm_bindgen_test]
 fn wrong_arguments_are_refused_by_name() {
     let vase = JsValue::from(DINT_VASE);
-    let options = |text: &str| mesh(&vase, &js(text));
+    let options = |text: &str| mesh(&vase, &js(text), &JsValue::UNDEFINED);
     expect(options(r#"{ "rows": 2.5 }"#), "out-of-range", "options.rows");
     expect(options(r#"{ "columns": -1 }"#), "out-of-range", "options.columns");
     expect(options(r#"{ "rows": "many" }"#), "wrong-type", "options.rows");
     expect(options(r#"{ "row": 5 }"#), "unknown-field", "options.row");
-    expect(mesh(&vase, &5.into()), "wrong-type", "options");
+    expect(mesh(&vase, &5.into(), &JsValue::UNDEFINED), "wrong-type", "options");
 
     let origin = JsValue::from(Float64Array::new_with_length(2));
     for part in [JsValue::from(-1), 0.5.into(), f64::NAN.into()] {

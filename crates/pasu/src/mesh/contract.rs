@@ -24,6 +24,8 @@ pub struct Mesh {
     pub indices: Vec<u32>,
     /// (first index, number of indices, part) per part.
     pub groups: Vec<u32>,
+    /// A name for the grids and their windings: meshes with equal names have equal `uvs`, `indices` and `groups`.
+    pub topology: String,
 }
 
 /// How finely to sample a design.
@@ -42,6 +44,16 @@ pub struct MeshOptions {
 }
 
 impl Mesh {
+    /// Empties every array and keeps its memory.
+    pub(super) fn clear(&mut self) {
+        self.positions.clear();
+        self.normals.clear();
+        self.uvs.clear();
+        self.indices.clear();
+        self.groups.clear();
+        self.topology.clear();
+    }
+
     /// Number of vertices.
     pub fn n_vertices(&self) -> usize {
         self.positions.len() / 3

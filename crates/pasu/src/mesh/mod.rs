@@ -9,4 +9,4 @@ mod sample;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions};
-pub use sample::{VERTEX_LIMIT, mesh};
+pub use sample::{Sampler, VERTEX_LIMIT, mesh};

@@ -1,5 +1,7 @@
 //! Sampling a design on grids.
 
+use core::fmt::Write;
+
 use glam::{DMat3, DVec3};
 
 use super::contract::{Mesh, MeshOptions};
@@ -24,6 +26,40 @@ const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
 /// `too-large` beyond [`VERTEX_LIMIT`]; `tolerance-too-fine` where the tolerance cannot be promised (single precision positions, or rows and columns that are
 /// given); `out-of-range` for options outside their range; what [`Surface::solve`] refuses; `overflow` for a point beyond single precision.
 pub fn mesh(design: &Design, options: &MeshOptions) -> Result<Mesh> {
+    let mut sampler = Sampler::new();
+    sampler.sample(design, options)?;
+    Ok(sampler.mesh)
+}
+
+/// Samples one design after the other into the same arrays: what a drag needs, where each mesh takes the place of the one before.
+#[derive(Debug, Default)]
+pub struct Sampler {
+    mesh: Mesh,
+}
+
+impl Sampler {
+    /// A sampler that holds nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The mesh of a design, as [`mesh`] makes it. After an error the sampler is as good as a new one.
+    ///
+    /// # Errors
+    /// As [`mesh`].
+    pub fn sample(&mut self, design: &Design, options: &MeshOptions) -> Result<&Mesh> {
+        let grids = choose(design, options)?;
+        let mut mesh = core::mem::take(&mut self.mesh);
+        mesh.clear();
+        for grid in &grids {
+            grid.append_to(&mut mesh)?;
+        }
+        self.mesh = mesh;
+        Ok(&self.mesh)
+    }
+}
+
+fn choose(design: &Design, options: &MeshOptions) -> Result<Vec<Grid>> {
     check(options)?;
     let mut grids = Vec::with_capacity(design.parts().len());
     let mut n_vertices = 0.0;
@@ -42,11 +78,7 @@ pub fn mesh(design: &Design, options: &MeshOptions) -> Result<Mesh> {
         }
         grids.push(grid);
     }
-    let mut mesh = Mesh::default();
-    for grid in &grids {
-        grid.append_to(&mut mesh)?;
-    }
-    Ok(mesh)
+    Ok(grids)
 }
 
 fn check(options: &MeshOptions) -> Result<()> {
@@ -173,6 +205,9 @@ impl Grid {
         let first = mesh.indices.len() as u32;
         append_triangles(&mut mesh.indices, base, rows as u32, columns as u32, outward != mirrored);
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.index as u32]);
+        let winding = if outward != mirrored { '+' } else { '-' };
+        // A String takes whatever is written to it.
+        let _ = write!(mesh.topology, "{rows}x{columns}{winding}");
         Ok(())
     }
 }
