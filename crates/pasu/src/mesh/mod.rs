@@ -4,9 +4,10 @@ mod contract;
 mod grid;
 mod normal;
 mod orientation;
+mod profile;
 mod row;
 mod sample;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions};
-pub use sample::{Sampler, VERTEX_LIMIT, mesh};
+pub use sample::{Sampler, VERTEX_LIMIT, bound, mesh};

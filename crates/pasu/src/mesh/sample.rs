@@ -8,17 +8,15 @@ use super::contract::{Mesh, MeshOptions};
 use super::grid::append_triangles;
 use super::normal::{self, Facing, write_single};
 use super::orientation::is_outward;
+use super::profile::Profile;
 use super::row::Row;
-use super::tolerance::Bounds;
+use super::tolerance::Tessellation;
 use crate::design::{Design, Part};
 use crate::error::{Code, Error, Result};
-use crate::surface::{BLOCK, Block, ColumnTable, RowTable, Surface, SurfaceJet, distinct};
+use crate::surface::{BLOCK, Block, ColumnTable, RowTable, Surface, SurfaceJet};
 
 /// The most vertices that a mesh may have.
 pub const VERTEX_LIMIT: usize = 16_000_000;
-
-/// Without rows, columns or tolerance a part is sampled to this fraction of its size.
-const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
 
 /// The mesh of every part of a design, placed, in one set of arrays.
 ///
@@ -48,9 +46,10 @@ impl Sampler {
     /// # Errors
     /// As [`mesh`].
     pub fn sample(&mut self, design: &Design, options: &MeshOptions) -> Result<&Mesh> {
-        let grids = choose(design, options)?;
+        let grids = choose(design, options, false)?;
         let mut mesh = core::mem::take(&mut self.mesh);
         mesh.clear();
+        mesh.bound = largest_bound(&grids);
         for grid in &grids {
             grid.append_to(&mut mesh)?;
         }
@@ -59,20 +58,35 @@ impl Sampler {
     }
 }
 
-fn choose(design: &Design, options: &MeshOptions) -> Result<Vec<Grid>> {
+/// The bound that [`mesh`] with the same options keeps: the largest distance between its triangles and the true surface, in model units.
+///
+/// It is [`Mesh::bound`] wherever that is known, and is found also for rows and columns that are both given, at the cost of some hundred rows of vertices.
+///
+/// # Errors
+/// As [`mesh`], but for `overflow`, which only sampling finds.
+pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
+    Ok(largest_bound(&choose(design, options, true)?).unwrap_or(0.0))
+}
+
+/// The largest bound of all parts, if every part has one.
+fn largest_bound(grids: &[Grid]) -> Option<f64> {
+    grids.iter().try_fold(0.0f64, |largest, grid| grid.tessellation.bound.map(|bound| largest.max(bound)))
+}
+
+fn choose(design: &Design, options: &MeshOptions, is_bounded: bool) -> Result<Vec<Grid>> {
     check(options)?;
     let mut grids = Vec::with_capacity(design.parts().len());
     let mut n_vertices = 0.0;
     for (index, part) in design.parts().iter().enumerate() {
-        let grid = Grid::choose(part, index, options)?;
-        n_vertices += grid.rows * grid.columns;
+        let grid = Grid::choose(part, index, options, is_bounded)?;
+        let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
+        n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {
             return Err(Error::new(
                 Code::TooLarge,
                 format!("parts[{index}]"),
                 format!(
-                    "needs {} rows of {} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns",
-                    grid.rows, grid.columns
+                    "needs {rows} rows of {columns} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns"
                 ),
             ));
         }
@@ -101,53 +115,22 @@ fn check(options: &MeshOptions) -> Result<()> {
 struct Grid {
     surface: Surface,
     index: usize,
-    /// Whole, but perhaps too large for an integer until it has been held against the limit.
-    rows: f64,
-    columns: f64,
+    tessellation: Tessellation,
     matrix: DMat3,
     shift: DVec3,
 }
 
 impl Grid {
-    fn choose(part: &Part, index: usize, options: &MeshOptions) -> Result<Grid> {
+    fn choose(part: &Part, index: usize, options: &MeshOptions, is_bounded: bool) -> Result<Grid> {
         let surface = Surface::of_part(part, index)?;
         let matrix = DMat3::from_cols_array_2d(&part.place.matrix()).transpose();
         let shift = DVec3::from_array(part.place.shift);
-        let (along, round) = (options.rows.map(|n| n as f64 - 1.0), options.columns.map(|n| n as f64 - 1.0));
-        let (along, round) = match (along, round, options.tolerance) {
-            (Some(along), Some(round), None) => (along, round),
-            _ => {
-                let bounds = Bounds::of(&surface, &distinct(&surface), matrix);
-                // Half a unit in the last place of the largest coordinate, in each of three directions.
-                let rounding = (bounds.position + shift.length()) * f64::from(f32::EPSILON);
-                match options.tolerance {
-                    None => bounds.cells(bounds.position * DEFAULT_FINENESS, along, round),
-                    Some(tolerance) => {
-                        let (n, m) = bounds.cells(tolerance - rounding, along, round);
-                        if !(bounds.deviation(1.0 / n, 1.0 / m) + rounding <= tolerance * (1.0 + 1e-12)) {
-                            let message = if 2.0 * rounding > tolerance {
-                                format!(
-                                    "a mesh in single precision is only good to {rounding:e} for a pot of this size, found {tolerance}"
-                                )
-                            } else {
-                                format!(
-                                    "{} rows of {} vertices cannot hold {tolerance}; leave out rows and columns, or ask for more",
-                                    n + 1.0,
-                                    m + 1.0
-                                )
-                            };
-                            return Err(Error::new(Code::ToleranceTooFine, "tolerance", message));
-                        }
-                        (n, m)
-                    }
-                }
-            }
-        };
-        Ok(Grid { surface, index, rows: along + 1.0, columns: round + 1.0, matrix, shift })
+        let tessellation = Tessellation::choose(|| Profile::of(&surface, matrix), shift.length(), options, is_bounded)?;
+        Ok(Grid { surface, index, tessellation, matrix, shift })
     }
 
     fn append_to(&self, mesh: &mut Mesh) -> Result<()> {
-        let (rows, columns) = (self.rows as usize, self.columns as usize);
+        let (rows, columns) = self.tessellation.counts();
         let table = ColumnTable::new(&self.surface, columns);
         let base = mesh.n_vertices() as u32;
         let mirrored = self.matrix.determinant() < 0.0;
@@ -166,7 +149,7 @@ impl Grid {
         let mut uvs = mesh.uvs[first_uv..].as_chunks_mut::<2>().0.chunks_exact_mut(columns);
         let across: Vec<f32> = (0..columns).map(|j| (j as f64 / (columns - 1) as f64) as f32).collect();
         for i in 0..rows {
-            let u = i as f64 / (rows - 1) as f64;
+            let u = self.tessellation.row(i);
             let (Some(positions), Some(normals), Some(uvs)) = (positions.next(), normals.next(), uvs.next()) else {
                 break;
             };
@@ -208,6 +191,9 @@ impl Grid {
         let winding = if outward != mirrored { '+' } else { '-' };
         // A String takes whatever is written to it.
         let _ = write!(mesh.topology, "{rows}x{columns}{winding}");
+        if let Some(hash) = self.tessellation.hash() {
+            let _ = write!(mesh.topology, "{hash:016x}");
+        }
         Ok(())
     }
 }

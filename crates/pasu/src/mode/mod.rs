@@ -20,6 +20,7 @@ mod pair;
 mod rate;
 mod series;
 mod solution;
+mod supremum;
 
 pub use equation::{Equation, Unsolvable};
 pub use solution::{ModeData, ModeSolution};

@@ -63,6 +63,16 @@ impl ModeSolution {
         }
     }
 
+    /// The factors of the equation's basis.
+    pub(super) fn factors(&self) -> [f64; 4] {
+        self.factors
+    }
+
+    /// The polynomial in `u - 1/2`.
+    pub(super) fn particular(&self) -> &[f64] {
+        &self.particular
+    }
+
     /// Whether `q` is 0 everywhere.
     pub fn is_zero(&self) -> bool {
         self.particular.is_empty() && self.factors == [0.0; 4]
