@@ -2,6 +2,7 @@
 
 use xxhash_rust::xxh64::Xxh64;
 
+use super::coefficients::POSITION_ERROR;
 use super::contract::MeshOptions;
 use super::profile::{Bend, Profile};
 use super::sample::VERTEX_LIMIT;
@@ -60,13 +61,14 @@ impl Tessellation {
         profile: impl FnOnce() -> Profile,
         shift: f64,
         options: &MeshOptions,
+        is_precise: bool,
         is_bounded: bool,
     ) -> Result<Tessellation> {
         let (along, round) = (options.rows.map(|n| n as f64 - 1.0), options.columns.map(|n| n as f64 - 1.0));
         if let (Some(along), Some(round), None, false) = (along, round, options.tolerance, is_bounded) {
             return Ok(Tessellation { along, round, rows: None, bound: None });
         }
-        let part = Part::new(profile(), shift);
+        let part = Part::new(profile(), shift, is_precise);
         let tolerance = options.tolerance.unwrap_or(part.profile.size * DEFAULT_FINENESS + part.rounding);
         if options.tolerance.is_some() && !(tolerance > part.rounding) {
             return Err(part.too_fine(tolerance, &Tessellation { along: 0.0, round: 0.0, rows: None, bound: None }));
@@ -109,9 +111,9 @@ impl Tessellation {
 }
 
 impl Part {
-    fn new(profile: Profile, shift: f64) -> Self {
-        // Half a unit in the last place of the largest coordinate, in each of three directions.
-        let rounding = (profile.size + shift) * f64::from(f32::EPSILON);
+    fn new(profile: Profile, shift: f64, is_precise: bool) -> Self {
+        // In parts of the largest coordinate, in each of three directions: half a unit in its last place, or what sums in single precision may be off.
+        let rounding = (profile.size + shift) * if is_precise { f64::from(f32::EPSILON) } else { 1.8 * POSITION_ERROR };
         Part { profile, rounding }
     }
 

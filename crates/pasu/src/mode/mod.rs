@@ -15,6 +15,7 @@
 
 mod basis;
 mod equation;
+mod expansion;
 mod force;
 mod pair;
 mod rate;
@@ -23,4 +24,5 @@ mod solution;
 mod supremum;
 
 pub use equation::{Equation, Unsolvable};
+pub(crate) use expansion::{Expansion, TERMS};
 pub use solution::{ModeData, ModeSolution};

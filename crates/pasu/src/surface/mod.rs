@@ -2,12 +2,16 @@
 
 mod circle;
 mod circumference;
+mod curves;
 mod jet;
 mod solve;
 mod supremum;
 mod table;
+mod turns;
 
 pub(crate) use circumference::{Circumference, RowSuprema};
+pub(crate) use curves::Curves;
 pub use jet::SurfaceJet;
 pub use solve::Surface;
 pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm};
+pub(crate) use turns::Turns;
