@@ -1,0 +1,184 @@
+// What is measured in Node and in Chromium: groups of contenders that take turns.
+
+import { agree } from "./agreement.mjs";
+import { CLOSED_FORM, contenders, HAND_TUNED, PARAMETRIC_GEOMETRY, PLAIN_LOOPS } from "./contenders/index.mjs";
+import { firstModes } from "./designs.mjs";
+import { takeTurns } from "./rounds.mjs";
+
+/** Modes in each component. */
+const MODES = [1, 4, 8];
+
+/** How many times slower than Pasu a contender is to be at least, for each number of modes. */
+const SLOWER = {
+  [HAND_TUNED]: [3, 4, 5.5],
+  [PLAIN_LOOPS]: [8, 13, 16],
+  [CLOSED_FORM]: [60, 115, 170],
+  [PARAMETRIC_GEOMETRY]: [160, 270, 380],
+};
+
+/** How many times slower than `memory.fill` Pasu is to be at most. */
+const OF_FILL = [2.5, 4, 5];
+const TURNED_OF_FILL = 1.5;
+
+/** How many microseconds solving 64 modes in each component is to take at most. */
+const SOLVING = 50;
+
+/**
+ * Measures and yields one group after the other.
+ *
+ * `bench` is the module of crates/bench-wasm and `pasu` the package, both loaded; `vase` and `turned` are the designs.
+ */
+export async function* groups({ bench, pasu, vase, turned }, { quick }) {
+  const rounds = quick ? 3 : 15;
+  for (const [index, modes] of MODES.entries()) yield await kernel(bench, firstModes(vase, modes), index, rounds);
+  yield await memory(bench, vase, turned, 2 * rounds + 1);
+  yield await solving(bench, vase, 2 * rounds + 1);
+  yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
+  for (const side of [64, 128, 256, 512]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
+}
+
+/** Sampling, against what else JavaScript could do. */
+async function kernel(bench, design, index, rounds) {
+  const side = 512;
+  const subject = new bench.Subject(JSON.stringify(design));
+  subject.show(side, side);
+  const { positions, normals } = subject;
+  const others = contenders(design, side, side);
+  for (const other of others) {
+    other.run();
+    agree(other, { positions, normals });
+  }
+  const samples = await takeTurns(
+    [
+      { name: "Pasu", run: (times) => subject.sample(side, side, times) },
+      ...others.map((other) => ({ ...other, run: (times) => repeat(other.run, times) })),
+    ],
+    rounds,
+  );
+  subject.free();
+  const perVertex = 1e6 / side ** 2;
+  const rows = others.map(({ name }, other) => {
+    const row = { name, samples: scaled(samples[other + 1], perVertex), against: "Pasu" };
+    return name in SLOWER ? { ...row, at_least: SLOWER[name][index] } : row;
+  });
+  return {
+    group: `Kernel, ${side} x ${side}, K = ${MODES[index]}`,
+    unit: "ns per vertex",
+    rows: [{ name: "Pasu", samples: scaled(samples[0], perVertex) }, ...rows],
+  };
+}
+
+/** Sampling, against filling the memory that it writes: three numbers of four bytes each for position and normal. */
+async function memory(bench, vase, turned, rounds) {
+  const side = 1024;
+  const block = new bench.Memory(24 * side ** 2);
+  const designs = [...MODES.map((modes) => firstModes(vase, modes)), turned];
+  const names = [...MODES.map((modes) => `Pasu, K = ${modes}`), "Pasu, turned"];
+  const subjects = designs.map((design) => new bench.Subject(JSON.stringify(design)));
+  const samples = await takeTurns(
+    [
+      { run: (times) => block.fill(times) },
+      ...subjects.map((subject) => ({ run: (times) => subject.sample(side, side, times) })),
+    ],
+    rounds,
+  );
+  for (const used of [block, ...subjects]) used.free();
+  const perVertex = 1e6 / side ** 2;
+  const limits = [...OF_FILL, TURNED_OF_FILL];
+  return {
+    group: `Memory, ${side} x ${side}, 24 bytes a vertex`,
+    unit: "ns per vertex",
+    rows: [
+      { name: FILL, samples: scaled(samples[0], perVertex) },
+      ...names.map((name, index) => ({
+        name,
+        samples: scaled(samples[index + 1], perVertex),
+        against: FILL,
+        at_most: limits[index],
+      })),
+    ],
+  };
+}
+
+const FILL = "memory.fill";
+
+/** Solving alone. */
+async function solving(bench, vase, rounds) {
+  const text = JSON.stringify(vase);
+  const subject = new bench.Subject(text);
+  const numerical = new bench.Baseline(text, 128, 256);
+  const samples = await takeTurns(
+    [{ run: (times) => subject.solve(times) }, { run: (times) => numerical.solve(times) }],
+    rounds,
+  );
+  for (const used of [subject, numerical]) used.free();
+  return {
+    group: "Solving 64 modes per component",
+    unit: "us",
+    rows: [
+      { name: "Pasu", samples: scaled(samples[0], 1e3), median_at_most: SOLVING },
+      { name: "finite differences, FFT and bands", samples: scaled(samples[1], 1e3), against: "Pasu" },
+    ],
+  };
+}
+
+/** Solving and sampling, against a numerical solution on the same grid. */
+async function baseline(bench, design, rounds) {
+  const side = 128;
+  const text = JSON.stringify(design);
+  const subject = new bench.Subject(text);
+  const numerical = new bench.Baseline(text, side, side);
+  const samples = await takeTurns(
+    [{ run: (times) => subject.sample(side, side, times) }, { run: (times) => numerical.solve(times) }],
+    rounds,
+  );
+  for (const used of [subject, numerical]) used.free();
+  const name = "Pasu, solved and sampled with normals";
+  return {
+    group: `Numerical baseline, ${side} x ${side}, K = 8, order 4`,
+    unit: "ms",
+    rows: [
+      { name, samples: samples[0] },
+      { name: "finite differences, FFT and bands", samples: samples[1], against: name },
+    ],
+  };
+}
+
+/** `mesh()` of the package, from a plain object to the caller's own arrays, against sampling alone. */
+async function whole(bench, pasu, design, side, rounds) {
+  const options = { rows: side, columns: side };
+  const subject = new bench.Subject(JSON.stringify(design));
+  let into = pasu.mesh(design, options);
+  const samples = await takeTurns(
+    [
+      { run: (times) => subject.sample(side, side, times) },
+      { run: (times) => repeat(() => pasu.mesh(design, options), times), litters: true },
+      {
+        run: (times) =>
+          repeat(() => {
+            into = pasu.mesh(design, { ...options, into });
+          }, times),
+      },
+    ],
+    rounds,
+  );
+  subject.free();
+  const name = "sampling alone";
+  return {
+    group: `Whole way, ${side} x ${side}, K = 4`,
+    unit: "ms",
+    rows: [
+      { name, samples: samples[0] },
+      { name: "mesh()", samples: samples[1], against: name },
+      { name: "mesh() into the arrays of the last", samples: samples[2], against: name },
+    ],
+  };
+}
+
+function repeat(run, times) {
+  for (let i = 0; i < times; i++) run();
+}
+
+function scaled(samples, factor) {
+  return samples.map((sample) => sample * factor);
+}
