@@ -50,7 +50,8 @@ async function kernel(bench, design, index, rounds) {
   }
   const samples = await takeTurns(
     [
-      { name: "Pasu", run: (times) => subject.sample(side, side, times) },
+      { run: (times) => subject.sample(side, side, times) },
+      { run: (times) => subject.solve(times) },
       ...others.map((other) => ({ ...other, run: (times) => repeat(other.run, times) })),
     ],
     rounds,
@@ -58,13 +59,17 @@ async function kernel(bench, design, index, rounds) {
   subject.free();
   const perVertex = 1e6 / side ** 2;
   const rows = others.map(({ name }, other) => {
-    const row = { name, samples: scaled(samples[other + 1], perVertex), against: "Pasu" };
+    const row = { name, samples: scaled(samples[other + 2], perVertex), against: "Pasu" };
     return name in SLOWER ? { ...row, at_least: SLOWER[name][index] } : row;
   });
   return {
     group: `Kernel, ${side} x ${side}, K = ${MODES[index]}`,
     unit: "ns per vertex",
-    rows: [{ name: "Pasu", samples: scaled(samples[0], perVertex) }, ...rows],
+    rows: [
+      { name: "Pasu", samples: scaled(samples[0], perVertex) },
+      { name: "Pasu, of which solving", samples: scaled(samples[1], perVertex) },
+      ...rows,
+    ],
   };
 }
 
@@ -107,6 +112,7 @@ async function solving(bench, vase, rounds) {
   const text = JSON.stringify(vase);
   const subject = new bench.Subject(text);
   const numerical = new bench.Baseline(text, 128, 256);
+  const note = `128 x 256 points, error ${checkedError(numerical).toExponential(1)}`;
   const samples = await takeTurns(
     [{ run: (times) => subject.solve(times) }, { run: (times) => numerical.solve(times) }],
     rounds,
@@ -117,9 +123,16 @@ async function solving(bench, vase, rounds) {
     unit: "us",
     rows: [
       { name: "Pasu", samples: scaled(samples[0], 1e3), median_at_most: SOLVING },
-      { name: "finite differences, FFT and bands", samples: scaled(samples[1], 1e3), against: "Pasu" },
+      { name: "finite differences, FFT and bands", samples: scaled(samples[1], 1e3), against: "Pasu", note },
     ],
   };
+}
+
+/** How far a numerical solution is off; refuses one that solves something else. */
+function checkedError(numerical) {
+  const error = numerical.error();
+  if (!(error < 1e-3)) throw new Error(`finite differences are off by ${error}`);
+  return error;
 }
 
 /** Solving and sampling, against a numerical solution on the same grid. */
@@ -128,6 +141,7 @@ async function baseline(bench, design, rounds) {
   const text = JSON.stringify(design);
   const subject = new bench.Subject(text);
   const numerical = new bench.Baseline(text, side, side);
+  const note = `error ${checkedError(numerical).toExponential(1)}`;
   const samples = await takeTurns(
     [{ run: (times) => subject.sample(side, side, times) }, { run: (times) => numerical.solve(times) }],
     rounds,
@@ -139,7 +153,7 @@ async function baseline(bench, design, rounds) {
     unit: "ms",
     rows: [
       { name, samples: samples[0] },
-      { name: "finite differences, FFT and bands", samples: samples[1], against: name },
+      { name: "finite differences, FFT and bands", samples: samples[1], against: name, note },
     ],
   };
 }
@@ -148,7 +162,9 @@ async function baseline(bench, design, rounds) {
 async function whole(bench, pasu, design, side, rounds) {
   const options = { rows: side, columns: side };
   const subject = new bench.Subject(JSON.stringify(design));
+  subject.show(side, side);
   let into = pasu.mesh(design, options);
+  agree({ name: "mesh()", ...into }, subject);
   const samples = await takeTurns(
     [
       { run: (times) => subject.sample(side, side, times) },

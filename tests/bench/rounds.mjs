@@ -10,9 +10,9 @@ const WARM_UP = 400;
  *
  * A contender is `{ name, run(times) }`; one that `litters` has its garbage collected before the next one's turn, where the engine lets itself be asked.
  */
-export async function takeTurns(contenders, rounds) {
+export async function takeTurns(contenders, rounds, warmth = WARM_UP) {
   const batches = contenders.map((contender) => {
-    const times = warmUp(contender);
+    const times = warmUp(contender, warmth);
     tidyUp(contender);
     return { ...contender, times, samples: [] };
   });
@@ -31,11 +31,11 @@ export async function takeTurns(contenders, rounds) {
 }
 
 /** Runs a contender until it is warm; returns how many times make a batch. */
-function warmUp({ run }) {
+function warmUp({ run }, warmth) {
   const start = performance.now();
   let times = 1;
   let enough = 1;
-  for (let turn = 0; turn < 3 || performance.now() - start < WARM_UP; turn++) {
+  for (let turn = 0; turn < 3 || performance.now() - start < warmth; turn++) {
     const before = performance.now();
     run(times);
     const taken = performance.now() - before;

@@ -8,6 +8,8 @@ export interface Group {
   readonly group: string;
   /** What the samples are. */
   readonly unit: "ns per vertex" | "us" | "ms" | "frames";
+  /** Whether it is the slow turns that matter: the 95th of a hundred is then shown in place of the slowest. */
+  readonly tail?: boolean;
   readonly rows: readonly Row[];
 }
 

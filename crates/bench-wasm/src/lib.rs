@@ -85,6 +85,7 @@ impl Subject {
 /// Finite differences of a design's problem: a Fourier transform round the axis and band matrices along the profile.
 #[wasm_bindgen]
 pub struct Baseline {
+    shape: BoundaryValue,
     problem: Problem,
     fourier: Fourier,
 }
@@ -98,7 +99,17 @@ impl Baseline {
     #[wasm_bindgen(constructor)]
     pub fn new(design: &str, rows: usize, columns: usize) -> Result<Baseline, JsError> {
         let shape = designs::shape(&Design::parse(design)?);
-        Ok(Baseline { problem: Problem::new(&shape, rows, columns), fourier: Fourier::new(rows, columns) })
+        let (problem, fourier) = (Problem::new(&shape, rows, columns), Fourier::new(rows, columns));
+        Ok(Baseline { shape, problem, fourier })
+    }
+
+    /// How far the solution is from the closed form, in any coordinate.
+    ///
+    /// # Errors
+    /// When the design cannot be solved.
+    pub fn error(&mut self) -> Result<f64, JsError> {
+        let surface = Surface::solve(&self.shape, "shape")?;
+        Ok(self.problem.error(&surface, self.fourier.solve(&self.problem)))
     }
 
     /// Solves so many times.

@@ -30,6 +30,12 @@ fn kernel(modes: usize, rounds: usize) -> Result<()> {
     let design = designs::vase(modes)?;
     let at = grid(SIDE);
     let mut sampler = Sampler::new();
+    let options = MeshOptions { rows: Some(SIDE), columns: Some(SIDE), ..MeshOptions::default() };
+    let exact = pasu::evaluate(&design, 0, &at)?;
+    let sampled = sampler.sample(&design, &options)?;
+    let size = exact.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+    let off = exact.iter().zip(&sampled.positions).fold(0.0f64, |off, (a, b)| off.max((a - f64::from(*b)).abs()));
+    assert!(off < 1e-6 * size, "sampled and exact positions differ by {off}");
     let mut contenders = [
         sampling("Pasu", &mut sampler, &design, SIDE),
         Contender::new("closed form per vertex, without normals", || pasu::evaluate(&design, 0, &at)),
@@ -73,6 +79,7 @@ fn solving(rounds: usize) -> Result<()> {
     let (rows, columns) = (128, 256);
     let problem = Problem::new(&shape, rows, columns);
     let mut fourier = Fourier::new(rows, columns);
+    let error = problem.error(&Surface::solve(&shape, "shape")?, fourier.solve(&problem));
     let mut contenders = [
         Contender::new("Pasu", || Surface::solve(&shape, "shape")),
         Contender::new("finite differences, FFT and bands", || fourier.solve(&problem)[0][0]),
@@ -81,6 +88,7 @@ fn solving(rounds: usize) -> Result<()> {
     let [pasu, fast] = &contenders;
     let mut fast = row(fast, 1e6);
     fast["against"] = json!("Pasu");
+    fast["note"] = json!(format!("{rows} x {columns} points, error {error:.1e}"));
     print("Solving 64 modes per component", "us", vec![row(pasu, 1e6), fast]);
     Ok(())
 }
@@ -124,7 +132,11 @@ fn baseline(order: &str, design: &Design, rounds: usize) -> Result<()> {
 }
 
 /// How far off a numerical solution is, and with which power of the step its error falls.
+///
+/// # Panics
+/// When it is so far off that it solves something else.
 fn note(error: f64, of_half: f64) -> String {
+    assert!(error < 1e-3, "finite differences are off by {error}");
     format!("error {error:.1e}, falls with the step to the power {:.1}", (of_half / error).log2())
 }
 

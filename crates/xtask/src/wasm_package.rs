@@ -66,7 +66,7 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
         return Ok(());
     }
     stamp.clear();
-    println!("writing the package crates/pasu-wasm/pkg");
+    eprintln!("writing the package crates/pasu-wasm/pkg");
     let package = workspace.package();
     fs::create_dir_all(&package)?;
     let bound = bind(workspace, &compiled, "pasu", care)?;

@@ -1,7 +1,7 @@
 //! The fast way: a Fourier transform round the axis leaves one band matrix in `u` for each frequency.
 //!
-//! As much is shared as a careful program would share: components of equal equations use one factorisation, the six right-hand sides (real and
-//! imaginary part of three components) run through it side by side, and plans and arrays are kept.
+//! Written as a careful program would be: real and imaginary parts of the three components run through elimination side by side, in vector
+//! registers, and plans and arrays are kept.
 
 use std::sync::Arc;
 
@@ -10,8 +10,9 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use super::{Coefficients, Problem};
 
-/// Right-hand sides of one frequency: real and imaginary part of three components.
-const SIDES: usize = 6;
+/// What runs side by side: real and imaginary part of three components.
+const LANES: usize = 6;
+type Lanes = [f64; LANES];
 
 /// A solver for one size of grid, with its transforms and arrays.
 pub struct Fourier {
@@ -25,7 +26,7 @@ pub struct Fourier {
     given: [[Vec<Complex64>; 4]; 3],
     /// Transforms of every row of each component.
     spectra: [Vec<Complex64>; 3],
-    sides: Vec<[f64; SIDES]>,
+    sides: Vec<Lanes>,
     band: Band,
     solution: [Vec<f64>; 3],
 }
@@ -46,7 +47,7 @@ impl Fourier {
             backward,
             given: std::array::from_fn(|_| std::array::from_fn(|_| spectrum())),
             spectra: std::array::from_fn(|_| vec![zero; rows * (columns / 2 + 1)]),
-            sides: vec![[0.0; SIDES]; rows],
+            sides: vec![[0.0; LANES]; rows],
             band: Band::default(),
             solution: std::array::from_fn(|_| vec![0.0; rows * columns]),
         }
@@ -57,18 +58,7 @@ impl Fourier {
         assert_eq!((problem.rows, problem.columns), (self.rows, self.columns), "the solver is for another grid");
         self.transform(problem);
         for frequency in 0..=self.columns / 2 {
-            let mut done = [false; 3];
-            for component in 0..3 {
-                if done[component] {
-                    continue;
-                }
-                let equation = problem.components[component].equation;
-                let alike: [bool; 3] = std::array::from_fn(|other| problem.components[other].equation == equation);
-                self.solve_frequency(equation, frequency, alike);
-                for (done, alike) in done.iter_mut().zip(alike) {
-                    *done |= alike;
-                }
-            }
+            self.solve_frequency(problem, frequency);
         }
         let width = self.columns / 2 + 1;
         for (spectra, solution) in self.spectra.iter_mut().zip(&mut self.solution) {
@@ -97,32 +87,28 @@ impl Fourier {
         }
     }
 
-    /// Solves one frequency for the components that share an equation.
-    fn solve_frequency(&mut self, equation: Coefficients, frequency: usize, alike: [bool; 3]) {
+    /// Solves one frequency.
+    fn solve_frequency(&mut self, problem: &Problem, frequency: usize) {
         let n = self.rows - 2;
-        let side = |which: usize| -> [f64; SIDES] {
-            let value = |side: usize| self.given[side / 2][which][frequency];
-            std::array::from_fn(|side| if side % 2 == 0 { value(side).re } else { value(side).im })
+        let side = |which: usize| -> Lanes {
+            std::array::from_fn(|lane| {
+                let value = self.given[lane / 2][which][frequency];
+                if lane % 2 == 0 { value.re } else { value.im }
+            })
         };
         let [start, start_u, end, end_u] = std::array::from_fn(side);
-        let h = 1.0 / (self.rows - 1) as f64;
-        let k = (frequency * frequency) as f64;
-        let Coefficients { is_fourth, s, t, w } = equation;
-        // Rows of the matrix, which is constant along its diagonals but for the first and the last row.
-        let (diagonal, beside, beyond) = if is_fourth {
-            let (fourth, second) = (s / h.powi(4), t * k / (h * h));
-            (6.0 * fourth + 2.0 * second + w * k * k, -4.0 * fourth - second, fourth)
-        } else {
-            let second = s / (h * h);
-            (2.0 * second + t * k, -second, 0.0)
-        };
+        let h = problem.step();
+        let diagonals: [[f64; 3]; 3] =
+            std::array::from_fn(|component| diagonals(problem.components[component].equation, h, frequency));
+        let [diagonal, beside, beyond]: [Lanes; 3] =
+            std::array::from_fn(|which| std::array::from_fn(|lane| diagonals[lane / 2][which]));
         let inner = &mut self.sides[1..=n];
-        inner.fill([0.0; SIDES]);
-        for lane in 0..SIDES {
-            inner[0][lane] -= beside * start[lane] - 2.0 * h * beyond * start_u[lane];
-            inner[n - 1][lane] -= beside * end[lane] + 2.0 * h * beyond * end_u[lane];
-            inner[1][lane] -= beyond * start[lane];
-            inner[n - 2][lane] -= beyond * end[lane];
+        inner.fill([0.0; LANES]);
+        for lane in 0..LANES {
+            inner[0][lane] -= beside[lane] * start[lane] - 2.0 * h * beyond[lane] * start_u[lane];
+            inner[n - 1][lane] -= beside[lane] * end[lane] + 2.0 * h * beyond[lane] * end_u[lane];
+            inner[1][lane] -= beyond[lane] * start[lane];
+            inner[n - 2][lane] -= beyond[lane] * end[lane];
         }
         self.band.factor(n, diagonal, beside, beyond);
         self.band.solve(inner);
@@ -130,7 +116,7 @@ impl Fourier {
         let width = self.columns / 2 + 1;
         // The highest frequency of an even number of columns has no sine.
         let is_real = frequency == 0 || 2 * frequency == self.columns;
-        for (component, spectra) in self.spectra.iter_mut().enumerate().filter(|(component, _)| alike[*component]) {
+        for (component, spectra) in self.spectra.iter_mut().enumerate() {
             for (row, sides) in self.sides.iter().enumerate() {
                 let imaginary = if is_real { 0.0 } else { sides[2 * component + 1] };
                 spectra[row * width + frequency] = Complex64::new(sides[2 * component], imaginary);
@@ -139,58 +125,68 @@ impl Fourier {
     }
 }
 
-/// The factors `L D L^T` of a symmetric matrix of five diagonals.
+/// The matrix of one frequency: its diagonal but for the ends, what stands beside it, and what stands beyond that.
+fn diagonals(equation: Coefficients, h: f64, frequency: usize) -> [f64; 3] {
+    let Coefficients { is_fourth, s, t, w } = equation;
+    let k = (frequency * frequency) as f64;
+    let inverse = 1.0 / (h * h);
+    if is_fourth {
+        let (fourth, second) = (s * inverse * inverse, t * k * inverse);
+        [6.0 * fourth + 2.0 * second + w * k * k, -4.0 * fourth - second, fourth]
+    } else {
+        let second = s * inverse;
+        [2.0 * second + t * k, -second, 0.0]
+    }
+}
+
+/// The factors `L D L^T` of symmetric matrices of five diagonals, one matrix for each lane.
 #[derive(Debug, Default)]
 struct Band {
     /// Row by row: `1 / D`, and the two entries of `L` below the diagonal in the column of that row.
-    rows: Vec<[f64; 3]>,
+    rows: Vec<[Lanes; 3]>,
 }
 
 impl Band {
-    /// Factors the matrix with these diagonals; `beyond` is added to its first and last diagonal entry (a given slope). Without pivoting, as the
+    /// Factors the matrices with these diagonals; `beyond` is added to the first and the last diagonal entry (a given slope). Without pivoting, as the
     /// matrices of elliptic equations allow.
-    fn factor(&mut self, n: usize, diagonal: f64, beside: f64, beyond: f64) {
+    fn factor(&mut self, n: usize, diagonal: Lanes, beside: Lanes, beyond: Lanes) {
         self.rows.clear();
         // The entries of `L` in the columns of the two rows before, and `D` times the upper one of the row before.
-        let (mut one, mut two, mut two_before, mut scaled) = (0.0, 0.0, 0.0, 0.0);
+        let [mut one, mut two, mut two_before, mut scaled] = [[0.0; LANES]; 4];
         for row in 0..n {
-            let edge = if row == 0 || row + 1 == n { beyond } else { 0.0 };
-            let inverse = 1.0 / (diagonal + edge - one * scaled - two_before * beyond);
-            scaled = beside - two * scaled;
-            (one, two_before, two) = (scaled * inverse, two, beyond * inverse);
+            let edge = if row == 0 || row + 1 == n { 1.0 } else { 0.0 };
+            let mut inverse = [0.0; LANES];
+            for lane in 0..LANES {
+                inverse[lane] = 1.0
+                    / (diagonal[lane] + edge * beyond[lane]
+                        - one[lane] * scaled[lane]
+                        - two_before[lane] * beyond[lane]);
+                scaled[lane] = beside[lane] - two[lane] * scaled[lane];
+                one[lane] = scaled[lane] * inverse[lane];
+                two_before[lane] = two[lane];
+                two[lane] = beyond[lane] * inverse[lane];
+            }
             self.rows.push([inverse, one, two]);
         }
     }
 
-    /// Solves in place, all right-hand sides side by side.
-    fn solve(&self, sides: &mut [[f64; SIDES]]) {
-        let n = sides.len();
-        for row in 0..n {
-            let [_, one, two] = self.rows[row];
-            let current = sides[row];
-            if row + 1 < n {
-                subtract(&mut sides[row + 1], one, &current);
+    /// Solves in place.
+    fn solve(&self, sides: &mut [Lanes]) {
+        let [mut before, mut before_that] = [[0.0; LANES]; 2];
+        let [mut one_before, mut two_before, mut two_before_that] = [[0.0; LANES]; 3];
+        for (side, [_, one, two]) in sides.iter_mut().zip(&self.rows) {
+            for lane in 0..LANES {
+                side[lane] -= one_before[lane] * before[lane] + two_before_that[lane] * before_that[lane];
             }
-            if row + 2 < n {
-                subtract(&mut sides[row + 2], two, &current);
-            }
+            (before_that, before) = (before, *side);
+            (one_before, two_before_that, two_before) = (*one, two_before, *two);
         }
-        for row in (0..n).rev() {
-            let [inverse, one, two] = self.rows[row];
-            let mut current = sides[row].map(|value| value * inverse);
-            if row + 1 < n {
-                subtract(&mut current, one, &sides[row + 1]);
+        let [mut after, mut after_that] = [[0.0; LANES]; 2];
+        for (side, [inverse, one, two]) in sides.iter_mut().zip(&self.rows).rev() {
+            for lane in 0..LANES {
+                side[lane] = inverse[lane] * side[lane] - one[lane] * after[lane] - two[lane] * after_that[lane];
             }
-            if row + 2 < n {
-                subtract(&mut current, two, &sides[row + 2]);
-            }
-            sides[row] = current;
+            (after_that, after) = (after, *side);
         }
-    }
-}
-
-fn subtract(from: &mut [f64; SIDES], factor: f64, values: &[f64; SIDES]) {
-    for (from, value) in from.iter_mut().zip(values) {
-        *from -= factor * value;
     }
 }

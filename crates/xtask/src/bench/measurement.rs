@@ -13,6 +13,8 @@ pub(crate) struct Group {
     pub(crate) name: String,
     /// What the samples are: `ns per vertex`, `us`, `ms`.
     pub(crate) unit: String,
+    /// Whether it is the slow turns that matter: the 95th of a hundred is shown in place of the slowest.
+    pub(crate) tail: bool,
     pub(crate) rows: Vec<Row>,
 }
 
@@ -75,7 +77,7 @@ impl Group {
     /// Reads a line of a runner:
     ///
     /// ```json
-    /// { "runner": "Node", "group": "..", "unit": "ms", "rows": [ { "name": "..", "samples": [..],
+    /// { "runner": "Node", "group": "..", "unit": "ms", "tail": false, "rows": [ { "name": "..", "samples": [..],
     ///   "against": "name of another row", "at_least": 3, "at_most": 5, "median_at_most": 50, "note": ".." } ] }
     /// ```
     pub(crate) fn read(line: &str) -> Result<Group> {
@@ -95,7 +97,8 @@ impl Group {
                 rows[index].ratio = Some(Ratio { against: against.to_owned(), value, target });
             }
         }
-        Ok(Group { runner: text("runner")?, name: text("group")?, unit: text("unit")?, rows })
+        let tail = value["tail"] == true;
+        Ok(Group { runner: text("runner")?, name: text("group")?, unit: text("unit")?, tail, rows })
     }
 
     /// Each target of the group that is missed beyond the leeway, in words.
@@ -145,6 +148,10 @@ impl Row {
         quantile(&self.samples, 1.0)
     }
 
+    pub(crate) fn p95(&self) -> f64 {
+        quantile(&self.samples, 0.95)
+    }
+
     /// Every figure of the row that has a target.
     pub(crate) fn targets(&self) -> impl Iterator<Item = (f64, Target)> {
         let median = self.median_at_most.map(|most| (self.median(), Target::AtMost(most)));
@@ -154,7 +161,7 @@ impl Row {
 
     fn to_json(&self) -> Value {
         let mut value = json!({
-            "name": self.name, "median": self.median(), "min": self.min(), "max": self.max(), "p95": quantile(&self.samples, 0.95),
+            "name": self.name, "median": self.median(), "min": self.min(), "max": self.max(), "p95": self.p95(),
             "samples": self.samples,
         });
         if let Some(ratio) = &self.ratio {

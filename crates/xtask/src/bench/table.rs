@@ -5,7 +5,10 @@ use std::fmt::Write;
 use super::machine::Machine;
 use super::measurement::{Group, Ratio, Row, Target, Verdict};
 
-const HEAD: [&str; 7] = ["", "median", "min", "max", "ratio", "target", ""];
+/// The heads of the columns.
+fn head(group: &Group) -> [String; 7] {
+    ["", "median", "min", if group.tail { "p95" } else { "max" }, "ratio", "target", ""].map(str::to_owned)
+}
 
 /// The tables for the terminal.
 pub(crate) fn text(machine: &Machine, groups: &[Group]) -> String {
@@ -13,11 +16,11 @@ pub(crate) fn text(machine: &Machine, groups: &[Group]) -> String {
     let lines: Vec<Vec<[String; 7]>> = groups.iter().map(cells).collect();
     let widths: [usize; 7] = std::array::from_fn(|column| {
         let cells = lines.iter().flatten().map(|line| line[column].chars().count());
-        cells.chain([HEAD[column].len()]).max().unwrap_or(0)
+        cells.max().unwrap_or(0).max(6)
     });
     for (group, lines) in groups.iter().zip(&lines) {
         let _ = write!(text, "\n\n{}: {} ({})", group.runner, group.name, group.unit);
-        for line in [HEAD.map(str::to_owned)].iter().chain(lines) {
+        for line in [head(group)].iter().chain(lines) {
             let padded: Vec<String> = line
                 .iter()
                 .zip(widths)
@@ -52,7 +55,7 @@ pub(crate) fn markdown(machine: &Machine, groups: &[Group]) -> String {
             let _ = write!(text, "\n### {}{}\n", runner[..1].to_uppercase(), &runner[1..]);
         }
         let _ = write!(text, "\n**{}**, {}\n\n", group.name, group.unit);
-        let _ = writeln!(text, "| {} |", HEAD.join(" | "));
+        let _ = writeln!(text, "| {} |", head(group).join(" | "));
         let _ = writeln!(text, "| --- | ---: | ---: | ---: | --- | --- | --- |");
         for line in cells(group) {
             let _ = writeln!(text, "| {} |", line.join(" | "));
@@ -72,7 +75,8 @@ fn cells(group: &Group) -> Vec<[String; 7]> {
     let line = |row: &Row| {
         let verdict =
             row.targets().map(|(value, target)| target.verdict(value)).map(said).collect::<Vec<_>>().join(", ");
-        let [median, min, max] = [row.median(), row.min(), row.max()].map(figure);
+        let most = if group.tail { row.p95() } else { row.max() };
+        let [median, min, max] = [row.median(), row.min(), most].map(figure);
         let base = if Some(row.name.as_str()) == against { "1".to_owned() } else { String::new() };
         let ratio = row.ratio.as_ref().map_or(base, |ratio| figure(ratio.value));
         [row.name.clone(), median, min, max, ratio, target(row, &group.unit), verdict]
