@@ -4,7 +4,7 @@
 const POSITIONS = 1e-6;
 /** The largest distance of a component of a unit normal, and of one found by finite differences. */
 const NORMALS = 1e-5;
-const COARSE_NORMALS = 3e-4;
+const COARSE_NORMALS = 1e-3;
 
 /** Refuses a contender whose positions or normals differ from the true ones. */
 export function agree(contender, truth) {

@@ -6,7 +6,7 @@ import { before, test } from "node:test";
 import init, { mesh } from "../../crates/pasu-wasm/pkg/pasu.js";
 import { agree } from "./agreement.mjs";
 import { contenders } from "./contenders/index.mjs";
-import { firstModes } from "./designs.mjs";
+import { firstModes, withEveryWave } from "./designs.mjs";
 import { takeTurns } from "./rounds.mjs";
 
 // An even and an odd number of columns, which mirrored columns treat differently.
@@ -22,9 +22,16 @@ before(async () => {
   vase = JSON.parse(await readFile(new URL("vase.json", import.meta.url), "utf8"));
 });
 
-for (const modes of [1, 2, 8]) {
-  test(`contenders agree for ${modes} modes`, () => {
-    const design = firstModes(vase, modes);
+const CASES = [
+  ["1 mode", () => firstModes(vase, 1)],
+  ["2 modes", () => firstModes(vase, 2)],
+  ["8 modes", () => firstModes(vase, 8)],
+  ["cosines and sines", () => withEveryWave(firstModes(vase, 3))],
+];
+
+for (const [what, designed] of CASES) {
+  test(`contenders agree for ${what}`, () => {
+    const design = designed();
     for (const grid of GRIDS) {
       const truth = mesh(design, grid);
       for (const contender of contenders(design, grid.rows, grid.columns)) {

@@ -109,6 +109,7 @@ fn baseline(order: &str, design: &Design, rounds: usize) -> Result<()> {
         sampling("Pasu, solved and sampled with normals", &mut sampler, design, SIDE),
         Contender::new("finite differences, FFT and bands", || fourier.solve(&problem)[0][0]),
     ];
+    #[cfg_attr(not(feature = "sparse"), expect(unused_mut, reason = "the sparse solver adds its own"))]
     let mut notes = vec![None, Some(fast_note)];
     #[cfg(feature = "sparse")]
     {

@@ -8,7 +8,7 @@ const RESEED = 64;
 
 /**
  * Position and unit normal of every vertex of a grid. With `mirrored`, the columns `v` and `-v` share their sums: those of cosines are the
- * same, those of sines change their sign.
+ * same, those of sines change their sign. Where only `y` has sines and has nothing else, they share their normal as well.
  */
 export function handTuned(design, rows, columns, { mirrored }) {
   const positions = new Float32Array(3 * rows * columns);
@@ -144,6 +144,8 @@ function singles(sums, circles, stride) {
 
 /** A vertex and its mirror image. */
 function pairs(sums, circles, stride) {
+  const [x, y, z] = sums;
+  const symmetric = x.odd.X.length === 0 && y.even.X.length === 0 && z.odd.X.length === 0;
   const lines = sums.flatMap(({ axis, even, odd }) =>
     ["X", "U", "V"].flatMap((which) => {
       const name = `${axis}${which}`;
@@ -164,8 +166,19 @@ function pairs(sums, circles, stride) {
         ${circles.join("\n        ")}
         ${lines.join("\n        ")}
         ${vertex("at", "")}
-        ${vertex("mirror", "_")}
+        ${symmetric ? mirrorImage("mirror") : vertex("mirror", "_")}
       }`;
+}
+
+/** Writes the vertex whose `y` is that of the last one with the sign changed. */
+function mirrorImage(at) {
+  return `
+        positions[${at}] = xX;
+        positions[${at} + 1] = -yX;
+        positions[${at} + 2] = zX;
+        normals[${at}] = scale * nx;
+        normals[${at} + 1] = -scale * ny;
+        normals[${at} + 2] = scale * nz;`;
 }
 
 /** Writes a vertex and its normal. */
