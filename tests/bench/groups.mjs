@@ -1,7 +1,14 @@
 // What is measured in Node and in Chromium: groups of contenders that take turns.
 
 import { agree } from "./agreement.mjs";
-import { CLOSED_FORM, contenders, HAND_TUNED, PARAMETRIC_GEOMETRY, PLAIN_LOOPS } from "./contenders/index.mjs";
+import {
+  CLOSED_FORM,
+  contenders,
+  HAND_TUNED,
+  MIRRORED,
+  PARAMETRIC_GEOMETRY,
+  PLAIN_LOOPS,
+} from "./contenders/index.mjs";
 import { firstModes, withEveryWave } from "./designs.mjs";
 import { takeTurns } from "./rounds.mjs";
 

@@ -1,7 +1,7 @@
 // Contenders that take turns, so that whatever else the machine does meets all of them alike.
 
 /** A batch of one contender lasts at least so long, in milliseconds: much longer than a step of the browser's clock. */
-const BATCH = 8;
+const BATCH = 20;
 /** How long each contender runs before it counts, in milliseconds, so that its code has been compiled for speed. */
 const WARM_UP = 400;
 

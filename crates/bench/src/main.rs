@@ -10,7 +10,7 @@ use pasu::{Design, MeshOptions, Result, Sampler, Surface};
 use serde_json::{Value, json};
 
 /// Turns of every contender, and with `--quick`.
-const ROUNDS: [usize; 2] = [21, 5];
+const ROUNDS: [usize; 2] = [15, 3];
 
 fn main() -> Result<()> {
     let quick = std::env::args().any(|argument| argument == "--quick");

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// A batch of one contender lasts at least so long: much longer than a clock's step.
-const BATCH: Duration = Duration::from_millis(5);
+const BATCH: Duration = Duration::from_millis(10);
 
 /// One contender and what it took.
 pub struct Contender<'a> {
