@@ -128,7 +128,10 @@ impl Group {
 impl Row {
     fn read(value: &Value) -> Result<Row> {
         let name = value["name"].as_str().context("a row has no name")?.to_owned();
-        let samples: Vec<f64> = value["samples"].as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
+        let given = value["samples"].as_array().into_iter().flatten();
+        // JavaScript writes what is not a number as null.
+        let samples: Option<Vec<f64>> = given.map(Value::as_f64).collect();
+        let samples = samples.with_context(|| format!("{name} has a sample that is not a number"))?;
         if samples.is_empty() {
             bail!("{name} has no samples");
         }
@@ -238,6 +241,7 @@ mod tests {
     fn a_line_that_makes_no_sense_is_refused() {
         for rows in [
             r#"[{ "name": "a", "samples": [] }]"#,
+            r#"[{ "name": "a", "samples": [1, null] }]"#,
             r#"[{ "name": "a", "samples": [1], "against": "b" }]"#,
             r#"[{ "name": "a", "samples": [1, 2], "against": "b" }, { "name": "b", "samples": [1] }]"#,
         ] {

@@ -62,7 +62,7 @@ pub(crate) fn markdown(machine: &Machine, groups: &[Group]) -> String {
         }
         for row in &group.rows {
             if let Some(note) = &row.note {
-                let _ = write!(text, "\n{}: {note}.\n", row.name);
+                let _ = write!(text, "\n{}: {}.\n", row.name, note.trim_end_matches('.'));
             }
         }
     }
