@@ -189,6 +189,22 @@ impl Coefficients {
         }
     }
 
+    /// A coordinate that the placed surface reaches: the largest root mean square of a component over a row, among some rows.
+    pub(super) fn reached(&mut self, surface: &Surface, curves: &Curves) -> f64 {
+        const STEPS: usize = 8;
+        let mut largest = 0.0f64;
+        for i in 0..=STEPS {
+            self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+            for axis in 0..3 {
+                let waves = self.waves.iter().flatten().map(|wave| wave[axis][0] * wave[axis][0]);
+                let constant = self.constants[axis][0];
+                let square = constant * constant + waves.fold(Block::ZERO, |sum, square| sum + square) * 0.5;
+                largest = largest.max(square.to_array()[0]);
+            }
+        }
+        libm::sqrt(largest)
+    }
+
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.
     pub(super) fn circle(&self, row: usize) -> Option<Circle> {
         let at = |block: Block| block.to_array()[row];
