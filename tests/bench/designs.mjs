@@ -19,3 +19,14 @@ export function withEveryWave(vase) {
   }
   return design;
 }
+
+/** The same with the equation of `x` in every component. */
+export function withOneEquation(vase) {
+  const design = structuredClone(vase);
+  const { shape } = design.parts[0];
+  for (const component of [shape.y, shape.z]) {
+    const { s, t, w } = shape.x;
+    Object.assign(component, { s, t, w });
+  }
+  return design;
+}

@@ -9,7 +9,7 @@ import {
   PARAMETRIC_GEOMETRY,
   PLAIN_LOOPS,
 } from "./contenders/index.mjs";
-import { firstModes, withEveryWave } from "./designs.mjs";
+import { firstModes, withEveryWave, withOneEquation } from "./designs.mjs";
 import { takeTurns } from "./rounds.mjs";
 
 /** Modes in each component. */
@@ -128,23 +128,31 @@ async function memory(bench, vase, turned, rounds) {
 
 const FILL = "memory.fill";
 
-/** Solving alone. */
+/** Solving alone, of a design whose components share an equation and of one whose components do not. */
 async function solving(bench, vase, rounds) {
   const text = JSON.stringify(vase);
   const subject = new bench.Subject(text);
+  const alike = new bench.Subject(JSON.stringify(withOneEquation(vase)));
   const numerical = new bench.Baseline(text, 128, 256);
   const note = `128 x 256 points, error ${checkedError(numerical).toExponential(1)}`;
   const samples = await takeTurns(
-    [{ run: (times) => subject.solve(times) }, { run: (times) => numerical.solve(times) }],
+    [subject, alike, numerical].map((solver) => ({ run: (times) => solver.solve(times) })),
     rounds,
   );
-  for (const used of [subject, numerical]) used.free();
+  for (const used of [subject, alike, numerical]) used.free();
+  const [each, one, baseline] = samples.map((list) => scaled(list, 1e3));
   return {
     group: "Solving 64 modes per component",
     unit: "us",
     rows: [
-      { name: "Pasu", samples: scaled(samples[0], 1e3), median_at_most: SOLVING },
-      { name: "finite differences, FFT and bands", samples: scaled(samples[1], 1e3), against: "Pasu", note },
+      { name: "Pasu, an equation for each component", samples: each, median_at_most: SOLVING },
+      { name: "Pasu, one equation for all", samples: one, median_at_most: SOLVING },
+      {
+        name: "finite differences, FFT and bands",
+        samples: baseline,
+        against: "Pasu, an equation for each component",
+        note,
+      },
     ],
   };
 }

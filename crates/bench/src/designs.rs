@@ -17,6 +17,21 @@ pub fn vase(modes: usize) -> Result<Design> {
     Design::parse(&document(modes).to_string())
 }
 
+/// The vase with the equation of `x` in every component.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase_of_one_equation(modes: usize) -> Result<Design> {
+    let mut document = document(modes);
+    let shape = &mut document["parts"][0]["shape"];
+    for factor in ["s", "t", "w"] {
+        for component in ["y", "z"] {
+            shape[component][factor] = shape["x"][factor].clone();
+        }
+    }
+    Design::parse(&document.to_string())
+}
+
 /// The same boundary curves joined by the equation of order 2, `s X_uu + t X_vv = 0`.
 ///
 /// # Errors
