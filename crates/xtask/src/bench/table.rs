@@ -56,7 +56,7 @@ pub(crate) fn markdown(machine: &Machine, groups: &[Group]) -> String {
         }
         let _ = write!(text, "\n**{}**, {}\n\n", group.name, group.unit);
         let _ = writeln!(text, "| {} |", head(group).join(" | "));
-        let _ = writeln!(text, "| --- | ---: | ---: | ---: | --- | --- | --- |");
+        let _ = writeln!(text, "| --- | ---: | ---: | ---: | ---: | --- | --- |");
         for line in cells(group) {
             let _ = writeln!(text, "| {} |", line.join(" | "));
         }
