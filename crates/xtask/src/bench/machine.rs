@@ -14,10 +14,11 @@ pub(crate) struct Machine {
 }
 
 impl Machine {
-    /// This machine, with the versions of what the runners run in.
-    pub(crate) fn this(workspace: &Workspace, runners: &[Runner]) -> Result<Machine> {
+    /// This machine, with the versions of what the runners run in; `load` is what [`load`] said before anything was measured.
+    pub(crate) fn this(workspace: &Workspace, runners: &[Runner], load: Option<String>) -> Result<Machine> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let mut facts = vec![("processor", format!("{}, {cores} cores", processor()))];
+        facts.extend(load.map(|load| ("programs running beforehand, in the mean of a minute", load)));
         let mut ask = |name, program: &std::ffi::OsStr| -> Result<()> {
             let said = command::read(Command::new(program).arg("--version").current_dir(workspace.root()))?;
             facts.push((name, said.lines().next().unwrap_or_default().trim().to_owned()));
@@ -37,6 +38,12 @@ impl Machine {
     pub(crate) fn lines(&self) -> Vec<String> {
         self.facts.iter().map(|(name, text)| format!("{name}: {text}")).collect()
     }
+}
+
+/// The load average, where the system tells it: figures from a busy machine are not worth much.
+pub(crate) fn load() -> Option<String> {
+    let told = std::fs::read_to_string("/proc/loadavg").ok()?;
+    told.split_whitespace().next().map(str::to_owned)
 }
 
 /// The name of the processor, where the system tells it.

@@ -42,6 +42,7 @@ pub(crate) fn main(arguments: &[String]) -> Result<()> {
         println!("{HELP}");
         return Ok(());
     };
+    let load = machine::load();
     let workspace = Workspace::find()?;
     prepare(&workspace, &wishes.runners)?;
     let mut groups = Vec::new();
@@ -49,7 +50,7 @@ pub(crate) fn main(arguments: &[String]) -> Result<()> {
         eprintln!("measuring {}", runner.place());
         groups.extend(runner.measure(&workspace, wishes.quick)?);
     }
-    let machine = Machine::this(&workspace, &wishes.runners)?;
+    let machine = Machine::this(&workspace, &wishes.runners, load)?;
     if wishes.json {
         println!(
             "{}",
