@@ -12,6 +12,7 @@ import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
 import { base, buttons } from "./styles";
+import { trace } from "./trace";
 
 type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
 
@@ -110,6 +111,13 @@ export class PasuStage extends DesignerElement {
         },
         onContextRestored: () => {
           this.mode = "live";
+        },
+        onDrawn: () => {
+          if (this.drawn) trace("drawn", this.drawn.change);
+        },
+        onCost: (milliseconds, coarsest) => {
+          const times = this.drawn?.solved.times;
+          if (times) this.designer.pace.learn(times.done - times.begun + milliseconds, coarsest);
         },
       });
       this.mode = "live";
@@ -223,7 +231,9 @@ export class PasuStage extends DesignerElement {
     stage.theme(this.theme());
     stage.unit(unitOf(now.design));
     if (shown && shown !== this.drawn) {
-      stage.show(shown.solved.mesh, [...looksOf(shown.design)]);
+      const before = stage.show(shown.solved.mesh, looksOf(shown.design));
+      if (before) designer.solver.recycle(before);
+      trace("shown", shown.change);
       if (shown.solved.lines) stage.lines(shown.solved.lines);
       this.drawn = shown;
       this.frame(shown, stage);

@@ -1,9 +1,47 @@
-import { type Grid, gridOf, vertexRange } from "./grid";
-import type { StageMesh } from "./mesh";
-import { at } from "./triple";
+/**
+ * What a potter's glaze goes by, at every place of the wall. It varies slowly, so it is taken on a coarse grid of its own,
+ * the same however finely the pot is drawn, and looked up by the parameters (u, v).
+ */
 
-/** Numbers per vertex of the `ware` attribute. */
+import type { GridSize } from "../document/waves";
+
+/** Numbers per sample. */
 export const WARE_SIZE = 4;
+
+/** A table of samples: for part after part, and row after row of it, four numbers per column (see {@link ware}). */
+export interface Ware {
+  readonly texels: Float32Array;
+  /** Rows of each part. */
+  readonly rows: number;
+  readonly columns: number;
+}
+
+/** Corners and triangles of the coarse grids, part after part, as the solver hands them over. */
+export interface WareMesh {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+const ROWS = 49;
+const COLUMNS = 65;
+const COLUMNS_PER_WAVE = 8;
+const LEAST: GridSize = { rows: 8, columns: 25 };
+/** A texture may be this large on every machine that draws at all well. */
+const LARGEST_SIDE = 4096;
+/** All parts together. */
+const MOST_SAMPLES = 16_000;
+
+/** The coarse grid of every part. */
+export function wareGrid(parts: number, waves: number): GridSize {
+  const columns = Math.max(COLUMNS, COLUMNS_PER_WAVE * waves + 1);
+  const share = Math.min(1, Math.sqrt(MOST_SAMPLES / (ROWS * columns * Math.max(1, parts))));
+  const scaled = (count: number, least: number) => Math.max(least, Math.floor(share * count));
+  return {
+    rows: Math.min(scaled(ROWS, LEAST.rows), Math.floor(LARGEST_SIDE / Math.max(1, parts))),
+    columns: Math.min(scaled(columns, LEAST.columns), LARGEST_SIDE),
+  };
+}
 
 /** A distance to an edge that there is not. */
 const NO_EDGE = 1e9;
@@ -11,33 +49,34 @@ const NO_EDGE = 1e9;
 /** An end of the profile shorter than this share of the longest ring is a closed one (a pole), not an edge. */
 const POLE_SHARE = 0.02;
 
+/** The grid of one part. */
+interface Grid extends GridSize {
+  /** The first vertex. */
+  readonly first: number;
+}
+
 /**
- * What a potter's glaze goes by, for every vertex, in model units, in four numbers:
+ * Fills `into` for every vertex, in model units, with four numbers:
  * - the mean curvature beyond that of a plain cylinder of the same girth, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
  * - the distance along the profile to the rim;
  * - the distance along the profile to the foot, or the height above the lowest point when the bottom is closed;
  * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
  *
  * The curvature is half the divergence of the normals, taken exactly for the linear interpolation on each triangle and averaged by area
- * at the vertices; where triangles vanish it is 0. The rest needs a grid; without one there is no rim and the foot is the lowest point.
+ * at the vertices; where triangles vanish it is 0.
  */
-export function ware(mesh: StageMesh, into: Float32Array): void {
+export function ware(mesh: WareMesh, { rows, columns }: GridSize, into: Float32Array): void {
   curvature(mesh, into);
-  const { groups, indices } = mesh;
-  for (let g = 0; g < groups.length; g += 3) {
-    const { first, end } = vertexRange(indices, at(groups, g), at(groups, g + 1));
-    const grid = gridOf(mesh, first, end);
-    if (grid) {
-      smoothSeam(mesh, grid, into);
-      straighten(mesh, grid, into);
-      edges(mesh, grid, into);
-    } else {
-      heights(mesh, first, end, into);
-    }
+  const { positions } = mesh;
+  for (let first = 0; 3 * first < positions.length; first += rows * columns) {
+    const grid: Grid = { first, rows, columns };
+    smoothSeam(positions, grid, into);
+    straighten(positions, grid, into);
+    edges(positions, grid, into);
   }
 }
 
-function curvature(mesh: StageMesh, into: Float32Array): void {
+function curvature(mesh: WareMesh, into: Float32Array): void {
   const { positions: p, normals: n, indices } = mesh;
   const area = new Float32Array(p.length / 3);
   for (let v = 0; v < area.length; v++) into[WARE_SIZE * v] = 0;
@@ -90,8 +129,7 @@ function add(into: Float32Array, area: Float32Array, vertex: number, spread: num
 }
 
 /** The first and last column of a closed surface are the same line, seen from one side each: they get the mean of both. */
-function smoothSeam(mesh: StageMesh, grid: Grid, into: Float32Array): void {
-  const { positions: p } = mesh;
+function smoothSeam(p: Float32Array, grid: Grid, into: Float32Array): void {
   for (let row = 0; row < grid.rows; row++) {
     const a = grid.first + row * grid.columns;
     const b = a + grid.columns - 1;
@@ -106,9 +144,9 @@ function smoothSeam(mesh: StageMesh, grid: Grid, into: Float32Array): void {
 const LEAST_GIRTH = 0.2;
 
 /** Takes off the curvature that a row has only because it goes round: a slender neck is no edge. */
-function straighten(mesh: StageMesh, grid: Grid, into: Float32Array): void {
+function straighten(p: Float32Array, grid: Grid, into: Float32Array): void {
   const { first, rows, columns } = grid;
-  const radii = Array.from({ length: rows }, (_, row) => ring(mesh.positions, first + row * columns, columns).radius);
+  const radii = Array.from({ length: rows }, (_, row) => ring(p, first + row * columns, columns).radius);
   const least = LEAST_GIRTH * radii.reduce((a, b) => Math.max(a, b), 0);
   if (!(least > 0)) return;
   for (const [row, radius] of radii.entries()) {
@@ -118,8 +156,7 @@ function straighten(mesh: StageMesh, grid: Grid, into: Float32Array): void {
   }
 }
 
-function edges(mesh: StageMesh, grid: Grid, into: Float32Array): void {
-  const { positions: p } = mesh;
+function edges(p: Float32Array, grid: Grid, into: Float32Array): void {
   const { first, rows, columns } = grid;
   const top = ring(p, first, columns);
   const bottom = ring(p, first + (rows - 1) * columns, columns);
@@ -154,16 +191,6 @@ function edges(mesh: StageMesh, grid: Grid, into: Float32Array): void {
   }
 }
 
-function heights(mesh: StageMesh, first: number, end: number, into: Float32Array): void {
-  const { positions: p } = mesh;
-  const lowest = lowestOf(p, first, end);
-  for (let v = first; v < end; v++) {
-    into[WARE_SIZE * v + 1] = NO_EDGE;
-    into[WARE_SIZE * v + 2] = at(p, 3 * v + 2) - lowest;
-    into[WARE_SIZE * v + 3] = NO_EDGE;
-  }
-}
-
 function lowestOf(p: Float32Array, first: number, end: number): number {
   let lowest = Infinity;
   for (let v = first; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
@@ -183,4 +210,9 @@ function ring(p: Float32Array, first: number, columns: number): { height: number
     radius += Math.hypot(at(p, 3 * v) - x, at(p, 3 * v + 1) - y) / columns;
   }
   return { height: z, radius };
+}
+
+/** Reads a number that is known to be there. */
+function at(values: ArrayLike<number>, index: number): number {
+  return values[index] as number;
 }
