@@ -7,6 +7,8 @@ import type { Browser, BrowserContext, BrowserContextOptions, Download, Locator,
 export interface VisitOptions extends BrowserContextOptions {
   /** What follows the address, with its `#`. */
   readonly link?: string;
+  /** Runs before the page opens: the place to count or to measure what it does from its first moment. */
+  readonly before?: (there: Visit) => Promise<void>;
 }
 
 /** A small desktop window, just wide enough for the whole bar: software WebGL pays by the pixel. Without damped motion the camera is where it goes at once. */
@@ -28,13 +30,14 @@ export const PHONE: BrowserContextOptions = {
 export async function visit(
   browser: Browser,
   url: string,
-  { link = "", ...options }: VisitOptions = {},
+  { link = "", before, ...options }: VisitOptions = {},
 ): Promise<Visit> {
   const context = await browser.newContext({ ...DESKTOP, ...options });
   context.setDefaultTimeout(PATIENCE);
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   const there = new Visit(context, await context.newPage(), url);
   await there.listen();
+  await before?.(there);
   await there.page.goto(url + link);
   return there;
 }

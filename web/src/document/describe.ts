@@ -104,7 +104,8 @@ function ringOf(grid: Grid, row: number): Ring {
   const heights: number[] = [];
   let radius = 0;
   for (let column = 0; column < count; column += 1) {
-    const r = Math.hypot(at(column, 0) - x, at(column, 1) - y);
+    const [dx, dy] = [at(column, 0) - x, at(column, 1) - y];
+    const r = Math.sqrt(dx * dx + dy * dy);
     radii.push(r);
     heights.push(at(column, 2));
     radius += r / count;

@@ -24,8 +24,9 @@ export interface WareMesh {
 }
 
 const ROWS = 49;
-const COLUMNS = 65;
-const COLUMNS_PER_WAVE = 8;
+/** Cells round the pot, at least; and in a quarter of a wave. */
+const ROUND = 64;
+const LEAST_PER_QUARTER = 2;
 const LEAST: GridSize = { rows: 8, columns: 25 };
 /** A texture may be this large on every machine that draws at all well. */
 const LARGEST_SIDE = 4096;
@@ -34,7 +35,9 @@ const MOST_SAMPLES = 16_000;
 
 /** The coarse grid of every part. */
 export function wareGrid(parts: number, waves: number): GridSize {
-  const columns = Math.max(COLUMNS, COLUMNS_PER_WAVE * waves + 1);
+  // Whole quarters of a wave, so that crests and troughs are met.
+  const quarters = 4 * Math.max(1, Math.round(waves));
+  const columns = quarters * Math.max(LEAST_PER_QUARTER, Math.ceil(ROUND / quarters)) + 1;
   const share = Math.min(1, Math.sqrt(MOST_SAMPLES / (ROWS * columns * Math.max(1, parts))));
   const scaled = (count: number, least: number) => Math.max(least, Math.floor(share * count));
   return {
@@ -176,7 +179,9 @@ function edges(p: Float32Array, grid: Grid, into: Float32Array): void {
       if (row > 0) {
         const a = 3 * vertex;
         const b = 3 * (vertex - step);
-        length += Math.hypot(at(p, a) - at(p, b), at(p, a + 1) - at(p, b + 1), at(p, a + 2) - at(p, b + 2));
+        const [dx, dy, dz] = [at(p, a) - at(p, b), at(p, a + 1) - at(p, b + 1), at(p, a + 2) - at(p, b + 2)];
+        // Not Math.hypot, which is ten times slower and only needed for numbers that single precision does not have.
+        length += Math.sqrt(dx * dx + dy * dy + dz * dz);
       }
       into[WARE_SIZE * vertex + 1] = open ? length : NO_EDGE;
       into[WARE_SIZE * vertex + 2] = length;
@@ -207,7 +212,8 @@ function ring(p: Float32Array, first: number, columns: number): { height: number
   }
   let radius = 0;
   for (let v = first; v < first + columns; v++) {
-    radius += Math.hypot(at(p, 3 * v) - x, at(p, 3 * v + 1) - y) / columns;
+    const [dx, dy] = [at(p, 3 * v) - x, at(p, 3 * v + 1) - y];
+    radius += Math.sqrt(dx * dx + dy * dy) / columns;
   }
   return { height: z, radius };
 }

@@ -47,7 +47,7 @@ function perform(request: Request): SentAnswers[Ask["kind"]] {
     case "solve":
       return solve(ask.design, ask.options, request);
     case "mesh":
-      return meshed(ask.design, ask, request).mesh;
+      return meshed(ask.design, ask, request, true).mesh;
     case "parse": {
       const design = parse(ask.text);
       return { design, link: link(design) };
@@ -57,7 +57,7 @@ function perform(request: Request): SentAnswers[Ask["kind"]] {
 
 function solve(design: Design, options: SolveOptions, given: Given): Solved<SentMesh> {
   const begun = now();
-  const made = meshed(design, options, given);
+  const made = meshed(design, options, given, options.settle);
   const { bounds, positions } = made.mesh;
   const part = options.section === null ? undefined : design.parts[options.section];
   return {
@@ -83,7 +83,7 @@ function now(): number {
 /** What a request brings along. */
 type Given = Pick<Request, "known" | "spare">;
 
-function meshed(design: Design, { rows, columns }: GridSize, { known, spare }: Given) {
+function meshed(design: Design, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
   const guess = spare && known.includes(spare.topology) ? spare.topology : known.at(-1);
   const made = mesh(design, {
     rows,
@@ -103,7 +103,8 @@ function meshed(design: Design, { rows, columns }: GridSize, { known, spare }: G
       normals,
       topology,
       ware: wareOf(round, size, spare?.texels),
-      bounds: boundsOf(positions, round.positions),
+      // Under the hand the coarse mesh will do: its corners stand on crests and troughs.
+      bounds: boundsOf(exact ? positions : round.positions, round.positions),
       lattice: uvs && indices && groups && !known.includes(topology) ? { uvs, indices, groups } : null,
     } satisfies SentMesh,
     coarse: round.positions,
