@@ -123,8 +123,12 @@ export class Visit {
     }, fingerprint);
   }
 
-  /** Drags a slider's thumb to a share of its track, by way of several places. `held` runs before the release. */
-  async drag(name: string, share: number, held?: () => Promise<void>): Promise<void> {
+  /** Drags a slider's thumb to a share of its track, in so many steps. `held` runs before the release. */
+  async drag(
+    name: string,
+    share: number,
+    { steps = 4, held }: { readonly steps?: number; readonly held?: () => Promise<void> } = {},
+  ): Promise<void> {
     const slider = this.slider(name);
     await slider.scrollIntoViewIfNeeded();
     const box = await slider.boundingBox();
@@ -139,7 +143,7 @@ export class Visit {
     const { mouse } = this.page;
     await mouse.move(at(now), y);
     await mouse.down();
-    for (const step of [0.25, 0.5, 0.75, 1]) await mouse.move(at(now + step * (share - now)), y);
+    for (let step = 1; step <= steps; step += 1) await mouse.move(at(now + (step / steps) * (share - now)), y);
     await held?.();
     await mouse.up();
   }
