@@ -53,11 +53,19 @@ export interface Mesh {
   groups: Uint32Array;
   /** Names the grids of the parts and their windings: meshes of equal topology have equal `uvs`, `indices` and `groups`. */
   topology: string;
+  /**
+   * The largest distance between the triangles and the surface, in the unit of the design; rounding is in it. Left out where both `rows` and `columns`
+   * were given without a tolerance: {@link bound} finds it then.
+   */
+  bound?: number;
 }
 
-/** How fine a mesh is. Without any of them it is good for a screen. */
+/**
+ * How fine a mesh is. Without any of them it is good for a screen. What is not given is chosen so that as few vertices as possible hold the tolerance; rows that are chosen
+ * are also placed, closer where the surface bends more, and rows that are given are even.
+ */
 export interface MeshOptions {
-  /** The largest distance between the triangles and the surface, in the unit of the design. */
+  /** The largest distance between the triangles and the surface, in the unit of the design: a promise, or the mesh is refused. */
   tolerance?: number | undefined;
   /** Vertices along `u`, from rim to foot. */
   rows?: number | undefined;
@@ -98,6 +106,12 @@ export function mesh(source: DesignSource, options?: MeshOptions & { into?: unde
  * result if `into` is without them.
  */
 export function mesh(source: DesignSource, options: MeshOptions & { into: Partial<Mesh> }): Remesh;
+
+/**
+ * The largest distance between the surface and the triangles that {@link mesh} makes with these options, in the unit of the design. It is found from second derivatives and does
+ * not fall short: what can be measured is somewhat less.
+ */
+export function bound(source: DesignSource, options?: MeshOptions): number;
 
 /**
  * Exact positions of a part before placement, xyz triples.

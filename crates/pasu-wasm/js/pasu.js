@@ -60,6 +60,10 @@ export function mesh(source, options) {
   return call(bindings.mesh, source, others, into);
 }
 
+export function bound(source, options) {
+  return call(bindings.bound, source, options);
+}
+
 export function evaluate(source, part, at) {
   return call(bindings.evaluate, source, part, at);
 }

@@ -60,6 +60,16 @@ pub fn mesh(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Objec
     sampled().map_err(|error| thrown(&error))?
 }
 
+/// The largest distance between the triangles of such a mesh and the surface.
+///
+/// # Errors
+/// As [`mesh`].
+#[wasm_bindgen]
+pub fn bound(source: &JsValue, options: &JsValue) -> Result<f64, JsValue> {
+    let bounded = || pasu::bound(&source::design(source)?, &options::read(options)?);
+    bounded().map_err(|error| thrown(&error))
+}
+
 /// Positions of a part before placement, xyz triples.
 ///
 /// # Errors

@@ -30,7 +30,7 @@ pub(crate) fn sampled(
     })
 }
 
-/// `{ positions, normals, uvs, indices, groups, topology }`, in the arrays of `into` where these have the right length.
+/// `{ positions, normals, uvs, indices, groups, topology, bound }`, in the arrays of `into` where these have the right length.
 ///
 /// Where `into` already is of this topology, what depends on it alone is not written again: it is handed back where it is given, and left out where not.
 fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> {
@@ -38,6 +38,9 @@ fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> 
     floats(&object, "positions", &mesh.positions, into)?;
     floats(&object, "normals", &mesh.normals, into)?;
     set(&object, "topology", mesh.topology.as_str().into())?;
+    if let Some(bound) = mesh.bound {
+        set(&object, "bound", bound.into())?;
+    }
     if field(into, "topology").as_string().is_some_and(|topology| topology == mesh.topology) {
         for key in ["uvs", "indices", "groups"] {
             let given = field(into, key);

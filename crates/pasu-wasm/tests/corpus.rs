@@ -1,7 +1,7 @@
 //! The reference corpus through the bindings, in Node: the proof that the bindings add nothing and lose nothing.
 
 use js_sys::{Float64Array, JSON, Object, Reflect};
-use pasu_wasm::{derivatives, evaluate, fingerprint};
+use pasu_wasm::{bound, derivatives, evaluate, fingerprint, mesh};
 use serde_json::{Value, json};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -10,6 +10,11 @@ const CORPUS: &str = include_str!("../../../tests/reference/surfaces.json");
 
 /// Written and checked by the native tests.
 const GOLDENS: &str = include_str!("../../../tests/goldens/fingerprints.json");
+
+const GALLERY: &str = include_str!("../../../tests/reference/gallery.json");
+
+/// As [`GOLDENS`]: grid, hash of the places of the rows, bits of the bound.
+const TESSELLATIONS: &str = include_str!("../../../tests/goldens/tessellations.json");
 
 #[wasm_bindgen_test]
 fn every_case_keeps_its_bounds() {
@@ -34,6 +39,24 @@ fn fingerprints_are_the_golden_ones() {
         let name = case["name"].as_str().expect("a name");
         let found = fingerprint(&design).unwrap_or_else(|error| panic!("{name}: {error:?}"));
         assert_eq!(goldens[name].as_str(), Some(found.as_str()), "{name}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn rows_are_placed_where_the_native_ones_are() {
+    let gallery: Vec<Value> = serde_json::from_str(GALLERY).expect("the gallery is JSON");
+    let goldens: serde_json::Map<String, Value> = serde_json::from_str(TESSELLATIONS).expect("the goldens are JSON");
+    assert_eq!(goldens.len(), gallery.len());
+    for exhibit in &gallery {
+        let design = js(&json!({ "pasu": 1, "parts": [{ "shape": exhibit["shape"] }] }));
+        let name = exhibit["name"].as_str().expect("a name");
+        let made =
+            mesh(&design, &JsValue::UNDEFINED, &JsValue::UNDEFINED).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+        let field = |key: &str| Reflect::get(&made, &key.into()).expect("a field");
+        let (topology, known) =
+            (field("topology").as_string().expect("text"), field("bound").as_f64().expect("a number"));
+        assert_eq!(goldens[name].as_str(), Some(format!("{topology} {:016x}", known.to_bits()).as_str()), "{name}");
+        assert_eq!(bound(&design, &JsValue::UNDEFINED), Ok(known), "{name}");
     }
 }
 

@@ -4,7 +4,7 @@ use xxhash_rust::xxh64::Xxh64;
 
 use crate::design::Design;
 use crate::error::Result;
-use crate::mesh::{MeshOptions, mesh};
+use crate::mesh::exact_mesh;
 
 /// The grid of every part. Frozen with format version 1: another grid would be another fingerprint.
 const ROWS: usize = 33;
@@ -18,9 +18,9 @@ const COLUMNS: usize = 97;
 /// placement and every number of the shape do, unless too little to move a vertex by half a unit in its last place.
 ///
 /// # Errors
-/// As [`mesh`].
+/// As [`mesh`](crate::mesh).
 pub fn fingerprint(design: &Design) -> Result<String> {
-    let mesh = mesh(design, &MeshOptions { rows: Some(ROWS), columns: Some(COLUMNS), tolerance: None })?;
+    let mesh = exact_mesh(design, ROWS, COLUMNS)?;
     let mut hash = Xxh64::new(0);
     for position in &mesh.positions {
         // Adding 0 makes 0 of -0, which is the same place.

@@ -36,6 +36,6 @@ pub use design::{
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use fingerprint::fingerprint;
-pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, mesh};
+pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use surface::{Surface, SurfaceJet};

@@ -38,3 +38,9 @@ test("an exhibit opens as a document of its own", () => {
     parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], s: [1, 1], t: [0.5, 0.5] } }],
   });
 });
+
+// The native tests measure meshes of the whole gallery. After a change: npx vitest -u src/document/gallery.test.ts
+test("the gallery that native tests read is this one", async () => {
+  const shown = SHELVES.flatMap((shelf) => shelf.exhibits).map(({ id, shape }) => JSON.stringify({ name: id, shape }));
+  await expect(`[\n${shown.join(",\n")}\n]\n`).toMatchFileSnapshot("../../../tests/reference/gallery.json");
+});

@@ -2,8 +2,9 @@
 
 /// Triangles of a whole design, in model units, after placement.
 ///
-/// Every part is one grid of `rows x columns` vertices, row by row: row `i` is the curve of constant `u_i = i / (rows - 1)`, column `j` that of constant
-/// `v_j = j span / (columns - 1)`. The last column of a closed surface repeats the first, bit for bit in position and normal, so that `uvs` can run from 0 to 1.
+/// Every part is one grid of `rows x columns` vertices, row by row: row `i` is a curve of constant `u`, column `j` that of constant
+/// `v_j = j span / (columns - 1)`. Where the number of rows is given, `u_i = i / (rows - 1)`; where it is chosen, rows are also placed, from 0 to 1, closer where the surface bends more along
+/// `u`, and `uvs` tell where they are. The last column of a closed surface repeats the first, bit for bit in position and normal, so that `uvs` can run from 0 to 1.
 ///
 /// - `positions`: `x, y, z` per vertex. Rounded once, from the exact solution in `f64`.
 /// - `normals`: unit vectors, `X_u x X_v` normalised and turned to point out of the pot; at a pole or a cusp the limit from the inside of the surface.
@@ -26,16 +27,21 @@ pub struct Mesh {
     pub groups: Vec<u32>,
     /// A name for the grids and their windings: meshes with equal names have equal `uvs`, `indices` and `groups`.
     pub topology: String,
+    /// The largest distance between the triangles and the true surface, in model units, whichever of the two it is measured from; the rounding of the positions is in it.
+    /// Known wherever rows or columns were chosen or a tolerance was asked for. `None` where both were given: finding it would take longer than the mesh, so
+    /// [`bound`](crate::bound) does it on demand.
+    pub bound: Option<f64>,
 }
 
 /// How finely to sample a design.
 ///
 /// `rows` and `columns` count vertices (2 to 16 million, whose product over all parts is at most 16 million). What is not given
-/// is chosen from `tolerance`; when that is not given either, from one two-thousandth of each part's size.
+/// is chosen from `tolerance`, so that as few vertices as possible hold it; when that is not given either, from one two-thousandth of each part's size. Rows that are chosen are placed
+/// where they are needed; rows that are given are even.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MeshOptions {
-    /// The largest distance between the triangles and the true surface, in model units; positive. It holds for what is chosen from it: with
-    /// `rows` and `columns` both given it has no effect.
+    /// The largest distance between the triangles and the true surface, in model units; positive. It is a promise, from a bound on
+    /// the second derivatives: where given rows or columns cannot hold it, the mesh is refused.
     pub tolerance: Option<f64>,
     /// Number of vertices along the profile.
     pub rows: Option<usize>,
@@ -52,6 +58,7 @@ impl Mesh {
         self.indices.clear();
         self.groups.clear();
         self.topology.clear();
+        self.bound = None;
     }
 
     /// Number of vertices.

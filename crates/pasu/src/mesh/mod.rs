@@ -1,12 +1,20 @@
 //! From the closed form to triangles.
 
+mod coefficients;
 mod contract;
+mod exact;
 mod grid;
+mod kernel;
+mod lanes;
 mod normal;
 mod orientation;
+mod part;
+mod profile;
+mod ring;
 mod row;
 mod sample;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions};
-pub use sample::{Sampler, VERTEX_LIMIT, mesh};
+pub(crate) use sample::exact_mesh;
+pub use sample::{Sampler, VERTEX_LIMIT, bound, mesh};

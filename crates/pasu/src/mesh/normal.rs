@@ -8,6 +8,9 @@ use crate::surface::{BLOCK, Block, Surface, SurfaceJet};
 /// `X_u x X_v` counts as vanished when it is this small against the lengths of both: then its direction is rounding.
 const VANISHED: f64 = 1e-10;
 
+/// A sum counts as vanished when it is this small against its terms.
+const CANCELLED: f64 = 1e-13;
+
 /// How far into the surface, as a part of `u`, the limit is looked for, in turn.
 const STEPS_INWARD: [f64; 4] = [1e-6, 1e-4, 1e-3, 1e-2];
 
@@ -15,7 +18,11 @@ const STEPS_INWARD: [f64; 4] = [1e-6, 1e-4, 1e-3, 1e-2];
 fn regular(du: DVec3, dv: DVec3) -> Option<DVec3> {
     let normal = du.cross(dv);
     let squared = normal.length_squared();
-    if is_direction(squared, du.length_squared(), dv.length_squared()) { Some(normal / squared.sqrt()) } else { None }
+    if is_direction(squared, [du.length_squared(), dv.length_squared()], [0.0; 2]) {
+        Some(normal / squared.sqrt())
+    } else {
+        None
+    }
 }
 
 /// Unit normals of a block of columns, along `X_u x X_v`.
@@ -25,14 +32,17 @@ pub(super) struct Facing {
 
 impl Facing {
     /// The normals of a block, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`is_direction`] judges.
-    pub(super) fn of(sums: &Sums) -> (Self, u32) {
+    ///
+    /// `terms` are the squared lengths that `X_u` and `X_v` would have if nothing cancelled.
+    pub(super) fn of(sums: &Sums, terms: [f64; 2]) -> (Self, u32) {
         let ([ux, uy, uz], [vx, vy, vz]) = (sums.du, sums.dv);
         let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
         let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         let du = (ux * ux + uy * uy + uz * uz).to_array();
         let dv = (vx * vx + vy * vy + vz * vz).to_array();
         let lanes = squared.to_array();
-        let missing = (0..BLOCK).map(|lane| u32::from(!is_direction(lanes[lane], du[lane], dv[lane])) << lane).sum();
+        let missing =
+            (0..BLOCK).map(|lane| u32::from(!is_direction(lanes[lane], [du[lane], dv[lane]], terms)) << lane).sum();
         let inverse = Block::ONE / squared.sqrt();
         (Facing { normal: normal.map(|component| component * inverse) }, missing)
     }
@@ -52,9 +62,9 @@ impl Facing {
         }
     }
 
-    /// Rounds to single precision, in the direction given by the sign.
-    pub(super) fn write(&self, sign: f64, normals: &mut [[f32; 3]]) {
-        write_single(self.normal.map(|component| component * sign), normals);
+    /// Rounds to single precision.
+    pub(super) fn write(&self, normals: &mut [[f32; 3]]) {
+        write_single(self.normal, normals);
     }
 }
 
@@ -66,11 +76,14 @@ pub(super) fn write_single(vectors: [Block; 3], into: &mut [[f32; 3]]) {
     }
 }
 
-/// Whether a normal of this squared length is more than rounding beside tangents of these.
+/// Whether a normal of this squared length is more than rounding beside tangents of these, which are sums of terms of these.
 ///
-/// A tangent that is itself nothing but rounding beside the other counts as vanished: at a pole the sums for `X_v` cancel to some `1e-16` of `X_u`.
-fn is_direction(squared: f64, du: f64, dv: f64) -> bool {
-    (squared > VANISHED * VANISHED * (du * dv)) & (dv > 1e-26 * du) & (du > 1e-26 * dv) & (squared < f64::MAX)
+/// A tangent that is itself nothing but rounding beside its terms counts as vanished: at a pole the sums for `X_v` cancel to some `1e-16` of them.
+fn is_direction(squared: f64, [du, dv]: [f64; 2], [du_terms, dv_terms]: [f64; 2]) -> bool {
+    (squared > VANISHED * VANISHED * (du * dv))
+        & (du > CANCELLED * CANCELLED * du_terms)
+        & (dv > CANCELLED * CANCELLED * dv_terms)
+        & (squared < f64::MAX)
 }
 
 /// The limit of the unit normal at a pole or cusp, where the surface has this jet.

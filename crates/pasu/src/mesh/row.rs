@@ -30,6 +30,8 @@ pub(super) struct Sums {
 #[derive(Debug, Default)]
 pub(super) struct Row {
     strands: [[Vec<Strand>; 2]; 3],
+    /// The squared lengths that `X_u` and `X_v` would have if nothing cancelled.
+    terms: [f64; 2],
 }
 
 impl Row {
@@ -47,6 +49,18 @@ impl Row {
                 }
             }
         }
+        self.terms = [0.0; 2];
+        for strands in &self.strands {
+            let sizes = strands.iter().flatten().fold([0.0; 2], |[u, v], s| [u + s.slope.abs(), v + s.turned.abs()]);
+            for (terms, size) in self.terms.iter_mut().zip(sizes) {
+                *terms += size * size;
+            }
+        }
+    }
+
+    /// The squared lengths that `X_u` and `X_v` would have if nothing cancelled.
+    pub(super) fn terms(&self) -> [f64; 2] {
+        self.terms
     }
 
     /// The sums at one block of the columns of the same surface.

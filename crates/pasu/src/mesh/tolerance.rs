@@ -1,112 +1,240 @@
-//! Rows and columns from a tolerance.
+//! Rows and columns from a tolerance, and the bound that a grid keeps.
 
-use glam::DMat3;
+use xxhash_rust::xxh64::Xxh64;
 
-use crate::surface::{RowTable, Surface};
+use super::coefficients::POSITION_ERROR;
+use super::contract::MeshOptions;
+use super::profile::{Bend, Profile};
+use super::sample::VERTEX_LIMIT;
+use crate::error::{Code, Error, Result};
 
-/// Suprema over the whole surface of the lengths of `X`, `X_uu`, `X_uv`, `X_vv`, after placement, with `v` scaled to [0, 1].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bounds {
-    pub(super) position: f64,
-    pub(super) uu: f64,
-    pub(super) uv: f64,
-    pub(super) vv: f64,
-}
-
-/// Rows at which the coefficients are bounded: even, and denser towards both ends where fast modes decay.
-const EVEN_ROWS: usize = 256;
-/// Layers of rate 1e6 and less are seen.
-const END_ROWS: i32 = 20;
-
-impl Bounds {
-    /// Bounds the coefficients by their values on rows and, between these, by their own derivatives; then every `cos` and `sin` by 1.
-    pub(super) fn of(surface: &Surface, distinct: &[f64], placement: DMat3) -> Bounds {
-        // Halving steps out of the start, even steps, halving steps into the end.
-        let step = 1.0 / EVEN_ROWS as f64;
-        let from_end = |i: i32| libm::ldexp(step, -i);
-        let rows: Vec<f64> = core::iter::once(0.0)
-            .chain((1..=END_ROWS).rev().map(from_end))
-            .chain((1..EVEN_ROWS).map(|i| i as f64 * step))
-            .chain((1..=END_ROWS).map(|i| 1.0 - from_end(i)))
-            .chain([1.0])
-            .collect();
-        let at: Vec<[Amplitudes; 2]> =
-            rows.iter().map(|&u| amplitudes(&RowTable::at(surface, distinct, u), surface.span())).collect();
-        let mut sup: Amplitudes = [[0.0; 3]; 4];
-        for (pair, gap) in at.windows(2).zip(rows.windows(2).map(|w| w[1] - w[0])) {
-            for quantity in 0..4 {
-                for axis in 0..3 {
-                    let [value, slope] = [0, 1].map(|d| pair[0][d][quantity][axis].max(pair[1][d][quantity][axis]));
-                    sup[quantity][axis] = sup[quantity][axis].max(value + 0.5 * gap * slope);
-                }
-            }
-        }
-        // The columns of a rotation times a scale are orthogonal.
-        let columns = [placement.x_axis, placement.y_axis, placement.z_axis].map(glam::DVec3::length);
-        let size = |v: [f64; 3]| glam::DVec3::new(v[0] * columns[0], v[1] * columns[1], v[2] * columns[2]).length();
-        Bounds { position: size(sup[0]), uu: size(sup[1]), uv: size(sup[2]), vv: size(sup[3]) }
-    }
-
-    /// How far a triangle of a grid with `p = 1 / (rows - 1)` and `q = 1 / (columns - 1)` may be from the surface, at most.
-    ///
-    /// On a right triangle with legs `p`, `q` in the parameters, the linear interpolant of `X` is within
-    /// `(p^2 |X_uu| + 2 p q |X_uv| + q^2 |X_vv|) / 8` (Filip, Magedson and Markot 1986, theorem 2).
-    pub(super) fn deviation(&self, p: f64, q: f64) -> f64 {
-        0.125 * (p * p * self.uu + 2.0 * p * q * self.uv + q * q * self.vv)
-    }
-
-    /// The least numbers of cells along `u` and round `v` for which the deviation is within the tolerance; a number that is given stays,
-    /// and the other is chosen as well as it can be.
-    pub(super) fn cells(&self, tolerance: f64, along: Option<f64>, round: Option<f64>) -> (f64, f64) {
-        let budget = 8.0 * tolerance;
-        // The largest step q with a + 2 b q + c q^2 <= budget, written without cancellation.
-        let step = |a: f64, b: f64, c: f64| {
-            let left = budget - a;
-            if left > 0.0 { left / (b + libm::sqrt(b * b + c * left)) } else { 0.0 }
-        };
-        let cells = |step: f64, least: f64| if step * least >= 1.0 { least } else { libm::ceil(1.0 / step) };
-        // Where a given step already spends the budget, the other is chosen as if it had the whole for itself.
-        let beside = |a: f64, b: f64, c: f64| if a < budget { step(a, b, c) } else { step(0.0, 0.0, c) };
-        let round_for = |p: f64| beside(p * p * self.uu, p * self.uv, self.vv);
-        let along_for = |q: f64| beside(q * q * self.vv, q * self.uv, self.uu);
-        match (along, round) {
-            (Some(along), Some(round)) => (along, round),
-            (Some(along), None) => (along, cells(round_for(1.0 / along), LEAST_ROUND)),
-            (None, Some(round)) => (cells(along_for(1.0 / round), LEAST_ALONG), round),
-            (None, None) => {
-                // For a given budget the fewest cells have p^2 |X_uu| = q^2 |X_vv|; a surface that is straight one way takes the longest
-                // step that way and leaves the budget to the other.
-                let even = libm::sqrt(self.vv / self.uu);
-                let p = libm::sqrt(0.5 * budget / (self.uu + self.uv / even));
-                let p = if p > 0.0 { p.min(1.0 / LEAST_ALONG) } else { 1.0 / LEAST_ALONG };
-                let round = cells(round_for(p), LEAST_ROUND);
-                (cells(along_for(1.0 / round), LEAST_ALONG), round)
-            }
-        }
-    }
-}
+/// Without rows, columns or tolerance a part is sampled to this fraction of its size.
+const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
 
 /// The fewest cells along the profile.
 const LEAST_ALONG: f64 = 1.0;
+
 /// The fewest cells round the axis: with fewer a closed surface would be flat.
 const LEAST_ROUND: f64 = 6.0;
 
-/// For `X`, `X_uu`, `X_uv`, `X_vv` a bound in each component.
-type Amplitudes = [[f64; 3]; 4];
+/// Candidate numbers of columns grow by this factor; what lies between two of them is looked through at the end.
+const COLUMN_STEP: f64 = 1.06;
 
-/// Sums over the modes of `|A|`, `|A''|`, `k |A'|`, `k^2 |A|`, and of their derivatives, where `|A|` stands for the amplitude of `A cos + B sin` and
-/// `k` is taken per whole span.
-fn amplitudes(row: &RowTable<4>, span: f64) -> [Amplitudes; 2] {
-    let mut sums = [[[0.0; 3]; 4]; 2];
-    for (axis, terms) in row.components.iter().enumerate() {
-        for term in terms {
-            let k = (term.k * span).abs();
-            let [a, a_u, a_uu, a_uuu]: [f64; 4] = core::array::from_fn(|d| libm::hypot(term.cos[d], term.sin[d]));
-            let values = [[a, a_uu, k * a_u, k * k * a], [a_u, a_uuu, k * a_uu, k * k * a_u]];
-            for (sum, value) in sums.iter_mut().flatten().zip(values.as_flattened()) {
-                sum[axis] += value;
+/// The most candidates: up to ten times the fewest columns that hold.
+const COLUMN_CANDIDATES: usize = 40;
+
+/// Beyond so many rows the number that a budget takes is as good as the integral over the profile.
+const MANY_ROWS: f64 = 1000.0;
+
+/// How often the budget is halved towards the least that a number of rows can keep.
+const EVENING: usize = 24;
+
+/// A part of the budget kept for the rounding of where rows are.
+const SPARE: f64 = 1e-6;
+
+/// The grid of one part: cells along `u` and round `v`, and where the rows are.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tessellation {
+    /// Whole, but perhaps too large for an integer until it has been held against the limit.
+    pub(super) along: f64,
+    /// As `along`.
+    pub(super) round: f64,
+    /// The `u` of every row, from 0 to 1, where rows have been placed; otherwise they are even.
+    pub(super) rows: Option<Vec<f64>>,
+    /// The largest distance between the triangles and the surface, where it had to be known.
+    pub(super) bound: Option<f64>,
+}
+
+/// What a part has to be bounded: its profile, and how far its vertices are from where they should be.
+struct Part {
+    profile: Profile,
+    rounding: f64,
+}
+
+impl Tessellation {
+    /// The grid for these options. `profile` is asked for only where something depends on it, as it costs much more than a row of vertices; `shift` is how far the
+    /// part is from the origin of the design.
+    ///
+    /// # Errors
+    /// `tolerance-too-fine`.
+    pub(super) fn choose(
+        profile: impl FnOnce() -> Profile,
+        shift: f64,
+        options: &MeshOptions,
+        is_precise: bool,
+        is_bounded: bool,
+    ) -> Result<Tessellation> {
+        let (along, round) = (options.rows.map(|n| n as f64 - 1.0), options.columns.map(|n| n as f64 - 1.0));
+        if let (Some(along), Some(round), None, false) = (along, round, options.tolerance, is_bounded) {
+            return Ok(Tessellation { along, round, rows: None, bound: None });
+        }
+        let part = Part::new(profile(), shift, is_precise);
+        let tolerance = options.tolerance.unwrap_or(part.profile.size * DEFAULT_FINENESS + part.rounding);
+        if options.tolerance.is_some() && !(tolerance > part.rounding) {
+            return Err(part.too_fine(tolerance, &Tessellation { along: 0.0, round: 0.0, rows: None, bound: None }));
+        }
+        let mut chosen = part.grid(tolerance, along, round);
+        let bound = part.bound(&chosen);
+        chosen.bound = Some(bound);
+        match options.tolerance {
+            Some(tolerance) if !(bound <= tolerance * (1.0 + 1e-12)) && part.is_within_limit(&chosen) => {
+                Err(part.too_fine(tolerance, &chosen))
             }
+            _ => Ok(chosen),
         }
     }
-    sums
+}
+
+impl Tessellation {
+    /// The numbers of rows and columns.
+    pub(super) fn counts(&self) -> (usize, usize) {
+        (self.along as usize + 1, self.round as usize + 1)
+    }
+
+    /// The `u` of a row.
+    pub(super) fn row(&self, i: usize) -> f64 {
+        match &self.rows {
+            Some(rows) => rows.get(i).copied().unwrap_or(1.0),
+            None => i as f64 / self.along,
+        }
+    }
+
+    /// Tells apart rows that are placed differently; even rows need none.
+    pub(super) fn hash(&self) -> Option<u64> {
+        let rows = self.rows.as_ref()?;
+        let mut hash = Xxh64::new(0);
+        for u in rows {
+            hash.update(&u.to_le_bytes());
+        }
+        Some(hash.digest())
+    }
+}
+
+impl Part {
+    fn new(profile: Profile, shift: f64, is_precise: bool) -> Self {
+        // In parts of the largest coordinate, in each of three directions: half a unit in its last place, or what sums in single precision may be off.
+        let rounding = (profile.size + shift) * if is_precise { f64::from(f32::EPSILON) } else { 1.8 * POSITION_ERROR };
+        Part { profile, rounding }
+    }
+
+    fn grid(&self, tolerance: f64, along: Option<f64>, round: Option<f64>) -> Tessellation {
+        let budget = 8.0 * (tolerance - self.rounding) * (1.0 - SPARE);
+        let even = |along, round| Tessellation { along, round, rows: None, bound: None };
+        match (along, round) {
+            (Some(along), Some(round)) => even(along, round),
+            (Some(along), None) => even(along, self.round_for(along, budget)),
+            (None, Some(round)) => self.placed(round, budget),
+            (None, None) => self.placed(self.best_round(budget), budget),
+        }
+    }
+
+    /// The fewest cells round the axis with which even cells along `u` hold. Where these spend the budget by themselves, the others are chosen as if they had the whole of it.
+    fn round_for(&self, along: f64, budget: f64) -> f64 {
+        let mut widest = 1.0 / LEAST_ROUND;
+        self.profile.cells(even_rows(along), |p, bend| {
+            let beside = bend.widest(p, budget);
+            let q = if beside > 0.0 { beside } else { bend.widest(0.0, budget) };
+            widest = widest.min(q.max(0.0));
+        });
+        libm::ceil(1.0 / widest)
+    }
+
+    /// The cells round the axis for which the product with the rows that they take is least.
+    fn best_round(&self, budget: f64) -> f64 {
+        let fewest = libm::ceil(libm::sqrt(self.profile.roundest() / budget.max(0.0))).max(LEAST_ROUND);
+        let (mut best, mut least, mut round) = (fewest, f64::INFINITY, fewest);
+        let mut below = fewest;
+        for _ in 0..COLUMN_CANDIDATES {
+            let product = (self.along_for(round, budget) + 1.0) * (round + 1.0);
+            if product < least {
+                (best, least) = (round, product);
+            } else if product > 1.5 * least {
+                break;
+            }
+            round = libm::ceil(round * COLUMN_STEP).max(round + 1.0);
+        }
+        // The fewest columns that take no more rows.
+        let rows = self.along_for(best, budget);
+        below = below.max(libm::floor(best / COLUMN_STEP) - 1.0);
+        while best - below > 1.0 {
+            let middle = libm::floor(0.5 * (below + best));
+            if self.along_for(middle, budget) <= rows { best = middle } else { below = middle }
+        }
+        best
+    }
+
+    /// How many cells along `u` hold beside cells round the axis.
+    fn along_for(&self, round: f64, budget: f64) -> f64 {
+        let q = 1.0 / round;
+        let estimate = self.profile.estimate(q, budget);
+        if !(estimate < MANY_ROWS) {
+            return libm::ceil(estimate.max(LEAST_ALONG));
+        }
+        self.profile.walk(q, budget, usize::MAX, |_| {}).map_or(f64::INFINITY, |n| n as f64)
+    }
+
+    /// Rows placed so that every cell costs about the same, which is what the budget allows or less. Where the columns spend the budget by themselves, as if there were none.
+    fn placed(&self, round: f64, budget: f64) -> Tessellation {
+        let roundest = self.profile.roundest();
+        let q = if self.profile.estimate(1.0 / round, budget).is_finite() { 1.0 / round } else { 0.0 };
+        let estimate = self.profile.estimate(q, budget);
+        let grid = |along, rows| Tessellation { along, round, rows, bound: None };
+        if !((estimate + 1.0) * (round + 1.0) <= 2.0 * VERTEX_LIMIT as f64) {
+            return grid(libm::ceil(estimate), None);
+        }
+        let Some(n_steps) = self.profile.walk(q, budget, VERTEX_LIMIT, |_| {}) else {
+            return grid(libm::ceil(estimate).max(VERTEX_LIMIT as f64), None);
+        };
+        // The same number of steps at the least budget, so that the last is no shorter than it must be.
+        let (mut enough, mut less) = (budget, (q * q * roundest).max(0.25 * budget));
+        if (n_steps as f64) < MANY_ROWS {
+            for _ in 0..EVENING {
+                let middle = 0.5 * (enough + less);
+                match self.profile.walk(q, middle, n_steps, |_| {}) {
+                    Some(_) => enough = middle,
+                    None => less = middle,
+                }
+            }
+        }
+        let mut rows = Vec::with_capacity(n_steps + 1);
+        rows.push(0.0);
+        self.profile.walk(q, enough, n_steps, |u| rows.push(u));
+        grid(rows.len() as f64 - 1.0, Some(rows))
+    }
+
+    /// The largest distance between the triangles of a grid and the surface.
+    fn bound(&self, grid: &Tessellation) -> f64 {
+        if !self.is_within_limit(grid) {
+            return f64::INFINITY;
+        }
+        let (mut cost, q) = (0.0f64, 1.0 / grid.round);
+        let mut visit = |p: f64, bend: Bend| cost = cost.max(bend.cost(p, q));
+        match &grid.rows {
+            Some(rows) => self.profile.cells(rows.iter().copied(), &mut visit),
+            None => self.profile.cells(even_rows(grid.along), &mut visit),
+        }
+        0.125 * cost + self.rounding
+    }
+
+    fn is_within_limit(&self, grid: &Tessellation) -> bool {
+        (grid.along + 1.0) * (grid.round + 1.0) <= VERTEX_LIMIT as f64
+    }
+
+    fn too_fine(&self, tolerance: f64, grid: &Tessellation) -> Error {
+        let rounding = self.rounding;
+        let message = if 2.0 * rounding > tolerance {
+            format!("a mesh in single precision is only good to {rounding:e} for a pot of this size, found {tolerance}")
+        } else {
+            format!(
+                "{} rows of {} vertices cannot hold {tolerance}; leave out rows and columns, or ask for more",
+                grid.along + 1.0,
+                grid.round + 1.0
+            )
+        };
+        Error::new(Code::ToleranceTooFine, "tolerance", message)
+    }
+}
+
+fn even_rows(along: f64) -> impl Iterator<Item = f64> {
+    (0..=along as usize).map(move |i| i as f64 / along)
 }

@@ -159,7 +159,7 @@ impl Basis {
 }
 
 /// The derivatives of a product, by Leibniz' rule.
-fn product<const N: usize>(f: &[f64; N], g: &[f64; N]) -> [f64; N] {
+pub(super) fn product<const N: usize>(f: &[f64; N], g: &[f64; N]) -> [f64; N] {
     let mut jet = [0.0; N];
     for (order, value) in jet.iter_mut().enumerate() {
         let mut binomial = 1.0;

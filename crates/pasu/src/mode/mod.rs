@@ -15,11 +15,14 @@
 
 mod basis;
 mod equation;
+mod expansion;
 mod force;
 mod pair;
 mod rate;
 mod series;
 mod solution;
+mod supremum;
 
 pub use equation::{Equation, Unsolvable};
+pub(crate) use expansion::{Expansion, TERMS};
 pub use solution::{ModeData, ModeSolution};

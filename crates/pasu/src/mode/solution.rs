@@ -34,6 +34,8 @@ pub struct ModeSolution {
     particular: Vec<f64>,
     /// `q` and `q'` at the start, then at the end.
     ends: [[f64; 2]; 2],
+    /// The number of coefficients of the force.
+    force_len: usize,
 }
 
 impl ModeSolution {
@@ -57,10 +59,30 @@ impl ModeSolution {
         };
         let (factors, particular) = equation.basis.absorbed(factors, particular);
         if factors.iter().chain(&particular).all(|f| f.is_finite()) {
-            Ok(ModeSolution { factors, particular, ends: [[data.start, data.start_u], [data.end, data.end_u]] })
+            Ok(ModeSolution {
+                factors,
+                particular,
+                ends: [[data.start, data.start_u], [data.end, data.end_u]],
+                force_len: data.force.len(),
+            })
         } else {
             Err(Unsolvable::Overflow)
         }
+    }
+
+    /// The factors of the equation's basis.
+    pub(super) fn factors(&self) -> [f64; 4] {
+        self.factors
+    }
+
+    /// The polynomial in `u - 1/2`.
+    pub(super) fn particular(&self) -> &[f64] {
+        &self.particular
+    }
+
+    /// The number of coefficients of the force.
+    pub(super) fn force_len(&self) -> usize {
+        self.force_len
     }
 
     /// Whether `q` is 0 everywhere.

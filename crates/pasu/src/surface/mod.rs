@@ -1,10 +1,17 @@
 //! Two-sided PDE surfaces: Fourier boundary data in, closed form out.
 
 mod circle;
+mod circumference;
+mod curves;
 mod jet;
 mod solve;
+mod supremum;
 mod table;
+mod turns;
 
+pub(crate) use circumference::{Circumference, RowSuprema};
+pub(crate) use curves::Curves;
 pub use jet::SurfaceJet;
 pub use solve::Surface;
-pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm, distinct};
+pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm};
+pub(crate) use turns::Turns;

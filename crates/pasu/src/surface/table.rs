@@ -2,9 +2,9 @@
 
 use wide::f64x4;
 
-use super::circle;
 use super::jet::SurfaceJet;
 use super::solve::Surface;
+use super::turns::Turns;
 
 /// Columns that are summed together: two vector registers of doubles for each sum.
 pub(crate) const BLOCK: usize = 4;
@@ -72,14 +72,18 @@ impl ColumnTable {
     /// Tables for `n_columns` columns from `v = 0` to `v = span`, both included. For whole `n` the last column has the bits of the first.
     pub(crate) fn new(surface: &Surface, n_columns: usize) -> Self {
         let distinct = distinct(surface);
-        let steps = (n_columns.max(2) - 1) as f64;
-        // n j is exact for every grid within the vertex limit, so the turn is reduced before the division rounds.
-        let circle = |n: f64, column: usize| circle::of_turns(libm::fmod(n * column as f64, steps) / steps);
-        let mut circles = Vec::with_capacity(n_columns.div_ceil(BLOCK) * distinct.len());
-        for first in (0..n_columns).step_by(BLOCK) {
-            for &n in &distinct {
-                let lanes: [_; BLOCK] = core::array::from_fn(|lane| circle(n, (first + lane).min(n_columns - 1)));
-                circles.push([lanes.map(|(cos, _)| cos).into(), lanes.map(|(_, sin)| sin).into()]);
+        let mut turns = Turns::default();
+        turns.divide(n_columns.max(2) - 1);
+        let mut circles = vec![[Block::ZERO; 2]; n_columns.div_ceil(BLOCK) * distinct.len()];
+        for (index, &n) in distinct.iter().enumerate() {
+            let mut last = (1.0, 0.0);
+            let mut walk = turns.walk(n).take(n_columns);
+            for pair in circles.iter_mut().skip(index).step_by(distinct.len()) {
+                for lane in 0..BLOCK {
+                    last = walk.next().unwrap_or(last);
+                    pair[0].as_mut_array()[lane] = last.0;
+                    pair[1].as_mut_array()[lane] = last.1;
+                }
             }
         }
         ColumnTable { distinct, n_columns, circles }

@@ -65,3 +65,21 @@ pub fn rate(shape: &Shape) -> f64 {
     }
     rate
 }
+
+/// One design of the designer's gallery.
+#[derive(Deserialize)]
+pub struct Exhibit {
+    pub name: String,
+    pub shape: Value,
+}
+
+/// `tests/reference/gallery.json`, which a test of the front end keeps equal to the gallery.
+pub fn gallery() -> Vec<Exhibit> {
+    serde_json::from_str(include_str!("../../../../tests/reference/gallery.json")).expect("the gallery is JSON")
+}
+
+impl Exhibit {
+    pub fn design(&self) -> Design {
+        design_of(&serde_json::to_string(&self.shape).expect("a value is JSON"))
+    }
+}

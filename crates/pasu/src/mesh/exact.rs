@@ -1,0 +1,114 @@
+//! Rows, or single normals, in double precision.
+
+use glam::{DMat3, DVec3};
+
+use super::normal::{self, Facing, write_single};
+use super::part::PartGrid;
+use super::row::Row;
+use crate::surface::{BLOCK, Block, ColumnTable, RowTable};
+
+/// Rows of one part with every sum in double precision, rounded once; poles and cusps have their limits. Tables are made when first needed.
+pub(super) struct ExactRows<'a> {
+    grid: &'a PartGrid,
+    n_columns: usize,
+    table: Option<ColumnTable>,
+    row: Row,
+    u: f64,
+    /// Made only for rows with a pole or cusp, where the normal's limit needs second derivatives.
+    second: Option<RowTable<3>>,
+    /// The matrix for normals, which go by the inverse transpose, whose size does not matter: the cofactors, turned outward.
+    outward: DMat3,
+}
+
+impl<'a> ExactRows<'a> {
+    pub(super) fn new(grid: &'a PartGrid, n_columns: usize) -> Self {
+        // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
+        let outward = cofactors(grid.matrix) * if grid.is_wound_forwards() { 1.0 } else { -1.0 };
+        ExactRows { grid, n_columns, table: None, row: Row::default(), u: 0.0, second: None, outward }
+    }
+
+    /// Fills the row at `u`.
+    pub(super) fn fill(&mut self, u: f64, positions: &mut [f32], normals: &mut [f32]) {
+        self.take(u);
+        let positions = positions.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
+        let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
+        for (block, (positions, normals)) in positions.zip(normals).enumerate() {
+            let (position, facing) = self.block(block);
+            facing.write(normals);
+            write_single(self.placed(position), positions);
+        }
+    }
+
+    /// Fills the normals of the row at `u`, and leaves the positions.
+    pub(super) fn all_normals(&mut self, u: f64, normals: &mut [f32]) {
+        self.take(u);
+        for (block, normals) in normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK).enumerate() {
+            self.block(block).1.write(normals);
+        }
+    }
+
+    /// Fills the normals at some columns of the row at `u`.
+    pub(super) fn normals(&mut self, u: f64, columns: &mut [usize], normals: &mut [f32]) {
+        if columns.is_empty() {
+            return;
+        }
+        self.take(u);
+        columns.sort_unstable();
+        let normals = normals.as_chunks_mut::<3>().0;
+        for here in columns.chunk_by(|a, b| a / BLOCK == b / BLOCK) {
+            let mut written = [[0.0; 3]; BLOCK];
+            self.block(here[0] / BLOCK).1.write(&mut written);
+            for column in here {
+                if let Some(normal) = normals.get_mut(*column) {
+                    *normal = written[column % BLOCK];
+                }
+            }
+        }
+    }
+
+    fn take(&mut self, u: f64) {
+        let table = self.table.get_or_insert_with(|| ColumnTable::new(&self.grid.surface, self.n_columns));
+        self.row.fill(&RowTable::at(&self.grid.surface, &table.distinct, u));
+        self.u = u;
+        self.second = None;
+    }
+
+    /// Positions, not yet placed, and normals at one block of columns.
+    fn block(&mut self, block: usize) -> ([Block; 3], Facing) {
+        let surface = &self.grid.surface;
+        let table = self.table.get_or_insert_with(|| ColumnTable::new(surface, self.n_columns));
+        let sums = self.row.sums(table.block(block));
+        let (mut facing, missing) = Facing::of(&sums, self.row.terms());
+        if missing != 0 {
+            let second = self.second.get_or_insert_with(|| RowTable::at(surface, &table.distinct, self.u));
+            for lane in (0..BLOCK).filter(|lane| missing >> lane & 1 == 1) {
+                let jet = second.jet(|n| table.circle(n, block, lane));
+                // The seam's two columns share the limit, as they share their position.
+                let last = self.n_columns - 1;
+                let column = (block * BLOCK + lane).min(last);
+                let v = if column == last && surface.is_closed() { 0.0 } else { column as f64 / last as f64 };
+                facing.set(lane, normal::limit(surface, self.u, v * surface.span(), &jet));
+            }
+        }
+        if self.outward != DMat3::IDENTITY {
+            facing.turn(self.outward);
+        }
+        (sums.position, facing)
+    }
+
+    /// Scales, turns and moves the positions of a block.
+    fn placed(&self, positions: [Block; 3]) -> [Block; 3] {
+        let (m, shift) = (self.grid.matrix, self.grid.shift);
+        if m == DMat3::IDENTITY && shift == DVec3::ZERO {
+            return positions;
+        }
+        let [x, y, z] = positions;
+        let component = |i: usize| x * m.x_axis[i] + y * m.y_axis[i] + z * m.z_axis[i] + Block::splat(shift[i]);
+        [component(0), component(1), component(2)]
+    }
+}
+
+/// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.
+fn cofactors(m: DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
+}

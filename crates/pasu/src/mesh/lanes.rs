@@ -1,0 +1,78 @@
+//! Four columns at a time in single precision.
+
+use wide::f32x4;
+
+/// A quantity at four columns. Lane by lane its arithmetic is that of `f32`, whatever the instructions, so that every machine computes the same bits.
+pub(super) type Lanes = f32x4;
+
+/// Four vectors, component by component, as they follow each other in an array.
+///
+/// Six shuffles that use every lane of both operands: compilers leave these alone and browsers have one instruction for each.
+#[inline(always)]
+fn interleave([x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
+    let even = |a: Lanes, b: Lanes| shuffle::<0, 2, 4, 6>(a, b);
+    let (xy, yz, zx) = (even(x, y), shuffle::<1, 3, 5, 7>(y, z), shuffle::<0, 2, 5, 7>(z, x));
+    [even(xy, zx), shuffle::<0, 2, 5, 7>(yz, xy), shuffle::<1, 3, 5, 7>(zx, yz)]
+}
+
+/// Lanes `A` to `D` of the eight of both.
+#[inline(always)]
+fn shuffle<const A: usize, const B: usize, const C: usize, const D: usize>(a: Lanes, b: Lanes) -> Lanes {
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    {
+        // Casts and one instruction: taking arrays apart and together again lets the compiler find shuffles of its own, which browsers translate badly.
+        use core::arch::wasm32::{i32x4_shuffle, v128};
+        let (a, b) = (bytemuck::cast::<Lanes, v128>(a), bytemuck::cast::<Lanes, v128>(b));
+        bytemuck::cast(i32x4_shuffle::<A, B, C, D>(a, b))
+    }
+    #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+    {
+        let (a, b) = (a.to_array(), b.to_array());
+        let pick = |i: usize| if i < 4 { a[i] } else { b[i - 4] };
+        Lanes::new([pick(A), pick(B), pick(C), pick(D)])
+    }
+}
+
+/// Writes the vectors of four columns from vertex `at` on, as many of them as fit.
+#[inline(always)]
+pub(super) fn write(vectors: [Lanes; 3], to: &mut [f32], at: usize) {
+    let packed = interleave(vectors);
+    match to.get_mut(3 * at..3 * at + 12) {
+        Some(to) => {
+            for (to, lanes) in to.as_chunks_mut::<4>().0.iter_mut().zip(packed) {
+                *to = lanes.to_array();
+            }
+        }
+        None => {
+            for (to, value) in to.iter_mut().skip(3 * at).zip(packed.iter().flat_map(|lanes| lanes.to_array())) {
+                *to = value;
+            }
+        }
+    }
+}
+
+/// As [`write`], with the order of the four columns turned round.
+#[inline(always)]
+pub(super) fn write_reversed(vectors: [Lanes; 3], to: &mut [f32], at: usize) {
+    write(vectors.map(|lanes| shuffle::<3, 2, 5, 4>(lanes, lanes)), to, at);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_follow_each_other() {
+        let component = |c: f32| Lanes::new([c, c + 1.0, c + 2.0, c + 3.0]);
+        let vectors = [component(10.0), component(20.0), component(30.0)];
+        let expected = [10.0, 20.0, 30.0, 11.0, 21.0, 31.0, 12.0, 22.0, 32.0, 13.0, 23.0, 33.0];
+        let mut to = [0.0; 15];
+        write(vectors, &mut to, 1);
+        assert_eq!(to[3..], expected);
+        write_reversed(vectors, &mut to, 0);
+        assert_eq!(to[..6], [13.0, 23.0, 33.0, 12.0, 22.0, 32.0]);
+        let mut short = [0.0; 9];
+        write(vectors, &mut short, 1);
+        assert_eq!(short, [0.0, 0.0, 0.0, 10.0, 20.0, 30.0, 11.0, 21.0, 31.0]);
+    }
+}

@@ -1,0 +1,149 @@
+//! One part of a design on its grid.
+
+use core::fmt::Write;
+
+use glam::{DMat3, DVec3};
+
+use super::coefficients::{Coefficients, ROWS};
+use super::contract::{Mesh, MeshOptions};
+use super::exact::ExactRows;
+use super::grid::append_triangles;
+use super::kernel::Circles;
+use super::orientation::Orientation;
+use super::profile::Profile;
+use super::ring::Pattern;
+use super::tolerance::Tessellation;
+use crate::design::Part;
+use crate::error::{Code, Error, Result};
+use crate::surface::{Curves, Surface, Turns};
+
+/// One part, ready to be sampled.
+pub(super) struct PartGrid {
+    pub(super) surface: Surface,
+    pub(super) tessellation: Tessellation,
+    /// Whether every sum is to be formed in double precision.
+    pub(super) is_precise: bool,
+    pub(super) matrix: DMat3,
+    pub(super) shift: DVec3,
+    pub(super) orientation: Orientation,
+    index: usize,
+}
+
+/// What sampling needs besides the mesh, kept from one mesh to the next.
+#[derive(Debug, Default)]
+pub(super) struct Workspace {
+    curves: Curves,
+    coefficients: Coefficients,
+    turns: Turns,
+    circles: Circles,
+    pattern: Pattern,
+    /// The columns of a row whose normals are to be formed in double precision.
+    unsure: Vec<usize>,
+}
+
+impl PartGrid {
+    pub(super) fn choose(part: &Part, index: usize, options: &MeshOptions, is_bounded: bool) -> Result<PartGrid> {
+        let surface = Surface::of_part(part, index)?;
+        let matrix = DMat3::from_cols_array_2d(&part.place.matrix()).transpose();
+        let shift = DVec3::from_array(part.place.shift);
+        // A tolerance that is asked for is held to the rounding of single precision itself.
+        let is_precise = options.tolerance.is_some();
+        let tessellation =
+            Tessellation::choose(|| Profile::of(&surface, matrix), shift.length(), options, is_precise, is_bounded)?;
+        let orientation = Orientation::of(&surface, matrix, shift);
+        Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, orientation, index })
+    }
+
+    pub(super) fn n_vertices(&self) -> usize {
+        let (rows, columns) = self.tessellation.counts();
+        rows * columns
+    }
+
+    /// Names the grid and its winding.
+    pub(super) fn append_topology(&self, topology: &mut String) {
+        let (rows, columns) = self.tessellation.counts();
+        let winding = if self.is_wound_forwards() { '+' } else { '-' };
+        // A String takes whatever is written to it.
+        let _ = write!(topology, "{rows}x{columns}{winding}");
+        if let Some(places) = self.tessellation.hash() {
+            let _ = write!(topology, "{places:016x}");
+        }
+    }
+
+    /// Whether triangles go round as `X_u x X_v` does.
+    pub(super) fn is_wound_forwards(&self) -> bool {
+        self.orientation.is_outward != (self.matrix.determinant() < 0.0)
+    }
+
+    /// Appends what depends on the grid alone, and room for positions and normals.
+    pub(super) fn append_to(&self, mesh: &mut Mesh) {
+        let (rows, columns) = self.tessellation.counts();
+        let base = mesh.n_vertices() as u32;
+        mesh.positions.resize(mesh.positions.len() + 3 * rows * columns, 0.0);
+        mesh.normals.resize(mesh.normals.len() + 3 * rows * columns, 0.0);
+        mesh.uvs.reserve(2 * rows * columns);
+        for i in 0..rows {
+            let u = self.tessellation.row(i) as f32;
+            mesh.uvs.extend((0..columns).flat_map(|j| [u, (j as f64 / (columns - 1) as f64) as f32]));
+        }
+        let first = mesh.indices.len() as u32;
+        append_triangles(&mut mesh.indices, base, rows as u32, columns as u32, self.is_wound_forwards());
+        mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.index as u32]);
+    }
+
+    /// Fills positions and normals.
+    ///
+    /// # Errors
+    /// `overflow` for a point beyond single precision.
+    pub(super) fn sample(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
+        let Workspace { curves, coefficients, turns, circles, pattern, unsure } = workspace;
+        let (rows, columns) = self.tessellation.counts();
+        let sign = if self.is_wound_forwards() { 1.0 } else { -1.0 };
+        let mut exact = ExactRows::new(self, columns);
+        if !self.is_precise {
+            turns.divide(columns - 1);
+            curves.prepare(&self.surface, rows);
+            coefficients.prepare(curves, self.matrix, self.shift);
+            circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
+            if let [harmonic] = coefficients.harmonics.as_slice() {
+                pattern.prepare(harmonic.n, columns, turns);
+            }
+        }
+        let mut both = positions.chunks_exact_mut(3 * columns).zip(normals.chunks_exact_mut(3 * columns));
+        for first in (0..rows).step_by(ROWS) {
+            let u = core::array::from_fn(|row| self.tessellation.row((first + row).min(rows - 1)));
+            if !self.is_precise {
+                coefficients.take(&self.surface, curves, u, self.orientation.largest);
+            }
+            for (row, (positions, normals)) in both.by_ref().take(ROWS).enumerate() {
+                if self.is_precise || coefficients.is_exact[row] {
+                    exact.fill(u[row], positions, normals);
+                    self.check(first + row, positions)?;
+                } else if let Some(circle) = coefficients.circle(row) {
+                    if !pattern.write(&circle, sign, positions, normals) {
+                        exact.all_normals(u[row], normals);
+                    }
+                } else {
+                    unsure.clear();
+                    circles.row(coefficients, row, sign as f32, positions, normals, |column| unsure.push(column));
+                    exact.normals(u[row], unsure, normals);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, row: usize, positions: &[f32]) -> Result<()> {
+        match positions.iter().position(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(index) => {
+                let path = format!("parts[{}]", self.index);
+                let message = format!(
+                    "the surface runs beyond what a mesh can hold at row {row}, column {}; numbers up to 3e38 can be held",
+                    index / 3
+                );
+                Err(Error::new(Code::Overflow, path, message))
+            }
+        }
+    }
+}

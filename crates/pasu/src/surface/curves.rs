@@ -1,0 +1,133 @@
+//! The coefficients of a surface at many rows at once.
+
+use super::solve::{Surface, Term};
+use super::table::{BLOCK, Block};
+use crate::mode::{Expansion, TERMS};
+
+/// One datum of one mode, a function of `u` alone.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Curve {
+    /// The component: 0 is `x`.
+    pub(crate) axis: usize,
+    /// Whether it is the coefficient of `sin(k v)`, not of `cos(k v)`.
+    pub(crate) is_sine: bool,
+    pub(crate) n: f64,
+    pub(crate) k: f64,
+    /// Which of its component's terms.
+    term: usize,
+    /// Number of its first expansion, and how many of equal width cover [0, 1]; 0 where the solution itself is asked.
+    first: usize,
+    n_expansions: usize,
+}
+
+/// Every datum of a surface that is not 0, as Taylor expansions on as many intervals as its rate asks for.
+///
+/// A row then costs a polynomial a datum instead of its exponentials. The relative error is some 1e-11 of the datum: for single precision only.
+#[derive(Debug, Default)]
+pub(crate) struct Curves {
+    curves: Vec<Curve>,
+    expansions: Vec<Expansion>,
+}
+
+/// An expansion costs as much as some four rows asked of the solution itself: with fewer rows than this to an interval it does not pay.
+const ROWS_PER_EXPANSION: usize = 6;
+
+impl Curves {
+    /// Takes another surface, of which so many rows will be asked for.
+    pub(crate) fn prepare(&mut self, surface: &Surface, n_rows: usize) {
+        self.curves.clear();
+        self.expansions.clear();
+        for (axis, terms) in surface.components().iter().enumerate() {
+            for (index, term) in terms.iter().enumerate() {
+                let reach = term.equation.reach(&term.cos).min(term.equation.reach(&term.sin));
+                // Half a width of 1 / n, a little more than which is used: rows come four at a time.
+                let n_expansions = libm::ceil(0.5 / reach);
+                let pays = n_expansions * ROWS_PER_EXPANSION as f64 <= n_rows as f64;
+                let n_expansions = if pays { n_expansions as usize } else { 0 };
+                let first = self.expansions.len();
+                let data = [(false, &term.cos), (true, &term.sin)];
+                let mut count = 0;
+                for (is_sine, solution) in data {
+                    if !(solution.is_zero() || is_sine && term.n == 0.0) {
+                        let first = first + count * n_expansions;
+                        let (n, k) = (term.n, term.k);
+                        self.curves.push(Curve { axis, is_sine, n, k, term: index, first, n_expansions });
+                        count += 1;
+                    }
+                }
+                self.expansions.resize(first + count * n_expansions, [0.0; TERMS]);
+                for i in 0..n_expansions {
+                    let half = 0.5 / n_expansions as f64;
+                    let both = term.equation.expansions([&term.cos, &term.sin], (2 * i + 1) as f64 * half, half);
+                    let used = data
+                        .iter()
+                        .zip(both)
+                        .filter(|((is_sine, solution), _)| !(solution.is_zero() || *is_sine && term.n == 0.0));
+                    for (slot, (_, expansion)) in used.enumerate() {
+                        self.expansions[first + slot * n_expansions + i] = expansion;
+                    }
+                }
+            }
+        }
+    }
+
+    /// What there is, in the order of [`Curves::rows`].
+    pub(crate) fn list(&self) -> &[Curve] {
+        &self.curves
+    }
+
+    /// Value and slope of every curve at four rows, one in each lane, in ascending order.
+    pub(crate) fn rows(&self, surface: &Surface, u: [f64; BLOCK], mut visit: impl FnMut(usize, [Block; 2])) {
+        for (index, curve) in self.curves.iter().enumerate() {
+            let Some(term) = surface.components()[curve.axis].get(curve.term) else { continue };
+            let mut values = match self.expansion(curve, u) {
+                Some(values) => values,
+                None => asked(curve, term, u),
+            };
+            for (lane, &u) in u.iter().enumerate() {
+                // The boundary data are met to the bit: a pole is where they are 0.
+                if u == 0.0 || u == 1.0 {
+                    let [value, slope] = jet(curve, term, u);
+                    values[0].as_mut_array()[lane] = value;
+                    values[1].as_mut_array()[lane] = slope;
+                }
+            }
+            visit(index, values);
+        }
+    }
+
+    /// The polynomial of the interval in which all four rows are, or nearly.
+    fn expansion(&self, curve: &Curve, u: [f64; BLOCK]) -> Option<[Block; 2]> {
+        if curve.n_expansions == 0 {
+            return None;
+        }
+        let n = curve.n_expansions as f64;
+        let interval = libm::floor(0.5 * (u[0] + u[BLOCK - 1]) * n).min(n - 1.0);
+        let x = (Block::from(u) * n - interval) * 2.0 - 1.0;
+        let spread = x.to_array();
+        if spread[0].abs().max(spread[BLOCK - 1].abs()) > OVERHANG {
+            return None;
+        }
+        let terms = self.expansions.get(curve.first + interval as usize)?;
+        let (mut value, mut slope) = (Block::splat(terms[TERMS - 1]), Block::ZERO);
+        for &term in terms[..TERMS - 1].iter().rev() {
+            slope = slope * x + value;
+            value = value * x + term;
+        }
+        Some([value, slope * (2.0 * n)])
+    }
+}
+
+/// How far beyond its interval an expansion is used, whose half-width is 1: the terms left out are at most six times as large there.
+const OVERHANG: f64 = 1.14;
+
+fn asked(curve: &Curve, term: &Term, u: [f64; BLOCK]) -> [Block; 2] {
+    let jets = u.map(|u| jet(curve, term, u));
+    [jets.map(|[value, _]| value).into(), jets.map(|[_, slope]| slope).into()]
+}
+
+fn jet(curve: &Curve, term: &Term, u: f64) -> [f64; 2] {
+    let solution = if curve.is_sine { &term.sin } else { &term.cos };
+    let [jet] = term.equation.jets::<2, 1>([solution], u);
+    jet
+}

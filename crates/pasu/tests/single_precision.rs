@@ -1,0 +1,138 @@
+//! Meshes in single precision against the same meshes in double precision.
+
+mod support;
+
+use glam::{DVec3, Vec3};
+use pasu::{Design, MeshOptions, Sampler, mesh};
+use proptest::prelude::*;
+use support::{corpus, design, design_of_case, gallery};
+
+/// The promise of `Mesh`: positions in parts of the largest coordinate.
+const POSITION_ERROR: f64 = 5e-7;
+/// The promise of `Mesh`: normals in radians.
+const NORMAL_ERROR: f64 = 1e-6;
+
+/// The largest errors of positions, in parts of the largest coordinate, and of normals, in radians.
+fn errors(design: &Design, rows: usize, columns: usize) -> (f64, f64) {
+    let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
+    let fast = mesh(design, &options).unwrap();
+    fast.validate().unwrap();
+    // A tolerance is held in double precision, rounded once.
+    let exact = mesh(design, &MeshOptions { tolerance: Some(1e30), ..options }).unwrap();
+    assert_eq!((&fast.indices, &fast.uvs), (&exact.indices, &exact.uvs));
+    let largest = exact.positions.iter().fold(0.0f32, |m, x| m.max(x.abs()));
+    let off = fast.positions.iter().zip(&exact.positions).fold(0.0f64, |m, (a, b)| m.max(f64::from(a - b).abs()));
+    let vectors = |values: &[f32]| -> Vec<DVec3> {
+        values.as_chunks::<3>().0.iter().map(|v| Vec3::from_array(*v).as_dvec3().normalize()).collect()
+    };
+    let tilt = vectors(&fast.normals)
+        .iter()
+        .zip(vectors(&exact.normals))
+        .fold(0.0f64, |m, (a, b)| m.max(a.cross(b).length().atan2(a.dot(b))));
+    // What is left of the single-precision rounding of the exact mesh itself.
+    (off / f64::from(largest), tilt)
+}
+
+fn check(name: &str, design: &Design, rows: usize, columns: usize) {
+    let (position, normal) = errors(design, rows, columns);
+    assert!(position <= POSITION_ERROR, "{name}: positions off by {position:e}, {rows} x {columns}");
+    assert!(normal <= NORMAL_ERROR, "{name}: normals off by {normal:e}, {rows} x {columns}");
+}
+
+#[test]
+fn figures_and_gallery_keep_the_promise() {
+    let figures = corpus().into_iter().map(|case| (case.name.clone(), design_of_case(&case)));
+    let exhibits = gallery().into_iter().map(|exhibit| (exhibit.name.clone(), exhibit.design()));
+    let mut worst = (0.0f64, 0.0f64);
+    for (name, design) in figures.chain(exhibits) {
+        // Quartered, mirrored and too few to be folded; rows by expansions and by themselves.
+        for (rows, columns) in [(65, 129), (64, 128), (7, 9), (2, 4), (33, 14), (257, 61)] {
+            check(&name, &design, rows, columns);
+            let (position, normal) = errors(&design, rows, columns);
+            worst = (worst.0.max(position), worst.1.max(normal));
+        }
+    }
+    println!("positions {:e}, normals {:e}", worst.0, worst.1);
+}
+
+/// A design of up to so many modes, of any kind, placed.
+fn designs() -> impl Strategy<Value = String> {
+    let number = || prop_oneof![3 => -2.0..2.0f64, 1 => Just(0.0)];
+    let datum = || {
+        (prop::array::uniform4(number()), prop::collection::vec(-2.0..2.0f64, 0..3)).prop_map(
+            |([a, b, c, d], force)| {
+                format!(r#"{{ "start": {a}, "end": {b}, "start_u": {c}, "end_u": {d}, "force": {force:?} }}"#)
+            },
+        )
+    };
+    let mode = move || {
+        (prop_oneof![3 => (0..9i32).prop_map(f64::from), 1 => (0..70i32).prop_map(f64::from)], datum(), datum(), 0..3)
+            .prop_map(|(n, cos, sin, kind)| match kind {
+                0 => format!(r#"{{ "n": {n}, "cos": {cos} }}"#),
+                1 => format!(r#"{{ "n": {n}, "sin": {sin} }}"#),
+                _ => format!(r#"{{ "n": {n}, "cos": {cos}, "sin": {sin} }}"#),
+            })
+    };
+    let component = move || {
+        (prop_oneof![Just(2), Just(4)], prop::collection::vec(mode(), 1..7), 0.0..4.0f64, 0.0..3.0f64).prop_map(
+            |(order, modes, t, w)| {
+                format!(r#"{{ "order": {order}, "s": 1, "t": {t}, "w": {w}, "modes": [{}] }}"#, modes.join(", "))
+            },
+        )
+    };
+    let place = prop_oneof![
+        Just(String::new()),
+        (
+            prop::array::uniform3(0.2..3.0f64),
+            prop::array::uniform3(-1.0..1.0f64),
+            -3.0..3.0f64,
+            prop::array::uniform3(-9.0..9.0f64)
+        )
+            .prop_map(|(scale, axis, angle, shift)| format!(
+                r#", "place": {{ "scale": {scale:?}, "axis": {axis:?}, "angle": {angle}, "shift": {shift:?} }}"#
+            )),
+        prop::array::uniform3(-9.0..9.0f64)
+            .prop_map(|shift| format!(r#", "place": {{ "shift": {shift:?}, "scale": [1, -2, 1] }}"#)),
+    ];
+    (prop_oneof![4 => Just("\"2pi\"".to_owned()), 1 => Just("1".to_owned())], component(), component(), component(), place)
+        .prop_map(|(span, x, y, z, place)| {
+            format!(
+                r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "boundary-value", "span": {span}, "x": {x}, "y": {y}, "z": {z} }}{place} }}] }}"#
+            )
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_designs_keep_the_promise(json in designs(), rows in 2..70usize, columns in 4..130usize) {
+        if let Ok(design) = Design::parse(&json) {
+            let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
+            if mesh(&design, &options).is_ok() {
+                check(&json, &design, rows, columns);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sampler_gives_what_a_fresh_one_gives() {
+    let mut sampler = Sampler::new();
+    let grids = [(9, 17), (9, 17), (12, 40), (9, 17)];
+    for exhibit in gallery().iter().take(12) {
+        for (rows, columns) in grids {
+            let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
+            let design = exhibit.design();
+            assert_eq!(
+                sampler.sample(&design, &options).unwrap(),
+                &mesh(&design, &options).unwrap(),
+                "{}",
+                exhibit.name
+            );
+        }
+        let default = MeshOptions::default();
+        assert_eq!(sampler.sample(&exhibit.design(), &default).unwrap(), &mesh(&exhibit.design(), &default).unwrap());
+    }
+    let _ = design;
+}
