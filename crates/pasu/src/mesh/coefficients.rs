@@ -17,8 +17,9 @@ const HALF_UNIT: f64 = 1.0 / 16_777_216.0;
 /// A rounding error is even between plus and minus half a unit in the last place, so that its mean square is that of `0.41 HALF_UNIT` times the number.
 const ROUNDING: f64 = 0.41 * HALF_UNIT;
 
-/// How many standard deviations the error of a sum is allowed. A sum of few terms cannot reach it, and one of many will not, in as many vertices as a mesh may have.
-const DEVIATIONS: f64 = 5.5;
+/// How many standard deviations the error of a sum is allowed. The variance is that of terms all at their amplitude at once, four times what it is at the mean vertex, so that these are
+/// five: a sum of few terms cannot be off by as much, and one of many is not in as many vertices as a mesh may have.
+const DEVIATIONS: f64 = 2.5;
 
 /// The promised largest error of a position, in parts of the largest coordinate.
 pub(super) const POSITION_ERROR: f64 = 5e-7;
@@ -120,12 +121,14 @@ impl Coefficients {
         let mut leans = [false; 3];
         for curve in curves.list() {
             self.slots.push(self.harmonics.iter().position(|harmonic| harmonic.n == curve.n));
-            for axis in 0..3 {
-                if matrix.col(curve.axis)[axis] != 0.0 {
+            for ((factor, leans), has) in
+                matrix.col(curve.axis).to_array().into_iter().zip(&mut leans).zip(&mut self.has)
+            {
+                if factor != 0.0 {
                     if curve.n == 0.0 {
-                        leans[axis] = true;
+                        *leans = true;
                     } else {
-                        self.has[axis][usize::from(curve.is_sine)] = true;
+                        has[usize::from(curve.is_sine)] = true;
                     }
                 }
             }
@@ -184,6 +187,22 @@ impl Coefficients {
                 }
             }
         }
+    }
+
+    /// A coordinate that the placed surface reaches: the largest root mean square of a component over a row, among some rows.
+    pub(super) fn reached(&mut self, surface: &Surface, curves: &Curves) -> f64 {
+        const STEPS: usize = 8;
+        let mut largest = 0.0f64;
+        for i in 0..=STEPS {
+            self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+            for axis in 0..3 {
+                let waves = self.waves.iter().flatten().map(|wave| wave[axis][0] * wave[axis][0]);
+                let constant = self.constants[axis][0];
+                let square = constant * constant + waves.fold(Block::ZERO, |sum, square| sum + square) * 0.5;
+                largest = largest.max(square.to_array()[0]);
+            }
+        }
+        libm::sqrt(largest)
     }
 
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.

@@ -3,14 +3,17 @@
 //! A vertex is a sum of products of a row's coefficients with a column's cosines and sines. Where every `n` is whole, columns `v` and `-v` have the same sums but for the
 //! sign of the sines, and columns half a turn apart but for the sign of the odd `n`: up to four columns are had from one set of sums.
 
+use core::ops::Range;
+
 use super::coefficients::{Coefficients, Layout, Strand};
 use super::lanes::{Lanes, write, write_reversed};
 use crate::surface::Turns;
 
 /// Which columns share their sums.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Fold {
     /// None: the surface does not close, or there are too few columns.
+    #[default]
     Open,
     /// `v` and `-v`.
     Mirrored,
@@ -24,7 +27,7 @@ const LEAST_FOLDED: usize = 12;
 /// Cosines and sines of the columns whose sums are formed, four at a time.
 #[derive(Debug, Default)]
 pub(super) struct Circles {
-    fold: Option<Fold>,
+    fold: Fold,
     n_columns: usize,
     /// Block by block, cosine and sine of each harmonic.
     pairs: Vec<[Lanes; 2]>,
@@ -55,7 +58,7 @@ impl Circles {
         let n_blocks = n_formed.div_ceil(4);
         self.n_harmonics = coefficients.harmonics.len();
         self.n_columns = n_columns;
-        self.fold = Some(fold);
+        self.fold = fold;
         self.pairs.clear();
         self.pairs.resize(n_blocks * self.n_harmonics, [Lanes::ZERO; 2]);
         self.unsure.clear();
@@ -70,6 +73,7 @@ impl Circles {
     }
 
     /// Writes positions and unit normals of one of the four rows, normals times `sign`; calls `repair` with every column whose normal single precision does not hold.
+    #[inline(never)]
     pub(super) fn row(
         &mut self,
         coefficients: &Coefficients,
@@ -86,36 +90,25 @@ impl Circles {
             tilt: coefficients.tilt.map(at),
             sign: Lanes::splat(sign),
             n_even,
+            n_steps: self.n_columns - 1,
             is_mirrored: coefficients.is_mirrored,
             is_turned: coefficients.is_turned,
         };
         let strands = coefficients.strands.as_slice();
         let any = match coefficients.layout {
             Layout::Split { z_is_sine } => {
-                let parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
-                let form = |from: usize, to: usize, circles: &[[Lanes; 2]]| {
-                    let sums = split_sums(&strands[from..to], &circles[from..to], row, z_is_sine);
-                    let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
-                    let mirrored = [[x, -y, z * parity], [xu, -yu, zu * parity], [-xv, yv, -zv * parity]];
-                    [sums, mirrored]
-                };
-                self.fold(task, form, positions, normals)
+                let z_parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
+                self.fold(task, &Split { strands, row, z_is_sine, z_parity }, positions, normals)
             }
             Layout::Both => {
                 let sine_strands = coefficients.sine_strands.as_slice();
-                let form = |from: usize, to: usize, circles: &[[Lanes; 2]]| {
-                    let even = sums::<false>(&strands[from..to], &circles[from..to], row);
-                    let odd = sums::<true>(&sine_strands[from..to], &circles[from..to], row);
-                    let mirrored = [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])];
-                    [[plus(even[0], odd[0]), plus(even[1], odd[1]), plus(even[2], odd[2])], mirrored]
-                };
-                self.fold(task, form, positions, normals)
+                self.fold(task, &Both { strands, sine_strands, row }, positions, normals)
             }
         };
         if any != 0 {
             self.report(repair);
         }
-        if self.fold != Some(Fold::Open) {
+        if self.fold != Fold::Open {
             // The seam has the same bits, down to the sign of 0.
             for array in [positions, normals] {
                 let last = array.len() - 3;
@@ -125,60 +118,30 @@ impl Circles {
     }
 
     /// Forms the sums of each block and writes the columns that are had from them. Returns whether any normal is unsure.
-    #[inline(always)]
-    fn fold(
+    fn fold(&mut self, task: Task, layout: &impl Form, positions: &mut [f32], normals: &mut [f32]) -> u8 {
+        match self.fold {
+            Fold::Quartered if task.is_turned => self.each_block(task, layout, positions, normals, turned_block),
+            Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block),
+            Fold::Mirrored => self.each_block(task, layout, positions, normals, mirrored_block),
+            Fold::Open => self.each_block(task, layout, positions, normals, open_block),
+        }
+    }
+
+    /// Every kind of fold and layout is a function of its own: in one large function browsers run out of registers.
+    #[inline(never)]
+    fn each_block<F: Form>(
         &mut self,
         task: Task,
-        form: impl Fn(usize, usize, &[[Lanes; 2]]) -> [Sums; 2],
+        layout: &F,
         positions: &mut [f32],
         normals: &mut [f32],
+        block: impl Fn(&Task, &F, &[[Lanes; 2]], usize, &mut [f32], &mut [f32]) -> [u8; 4],
     ) -> u8 {
-        let (n, n_steps) = (self.n_harmonics, self.n_columns - 1);
-        let half = n_steps / 2;
+        let n = self.n_harmonics;
         let mut any = 0;
-        for (block, unsure) in self.unsure.iter_mut().enumerate() {
-            let column = 4 * block;
-            let circles = self.pairs.get(block * n..block * n + n).unwrap_or_default();
-            if self.fold != Some(Fold::Quartered) {
-                let [here, mirrored] = form(0, n, circles);
-                let (normal, bad) = task.normal(&here);
-                write(task.position(&here), positions, column);
-                write(normal, normals, column);
-                *unsure = [bad, 0, 0, 0];
-                if self.fold == Some(Fold::Mirrored) {
-                    let to = n_steps - column - 3;
-                    let (normal, bad) = task.mirrored_normal(&mirrored, (normal, bad));
-                    write_reversed(task.position(&mirrored), positions, to);
-                    write_reversed(normal, normals, to);
-                    unsure[1] = bad;
-                }
-            } else {
-                let odd = form(task.n_even, n, circles);
-                let even = if task.n_even > 0 { form(0, task.n_even, circles) } else { [[[Lanes::ZERO; 3]; 3]; 2] };
-                let (to, turned_to) = (column, column + half);
-                let here = added(&even[0], &odd[0]);
-                let first = task.normal(&here);
-                write(task.position(&here), positions, to);
-                write(first.0, normals, to);
-                let there = subtracted(&even[0], &odd[0]);
-                let turned = task.turned_normal(&there, first);
-                write(task.position(&there), positions, turned_to);
-                write(turned.0, normals, turned_to);
-                let (to, turned_to) = (n_steps - column - 3, half - column - 3);
-                let here = added(&even[1], &odd[1]);
-                let mirrored = task.mirrored_normal(&here, first);
-                write_reversed(task.position(&here), positions, to);
-                write_reversed(mirrored.0, normals, to);
-                let there = subtracted(&even[1], &odd[1]);
-                let both = if task.is_mirrored {
-                    task.mirrored_normal(&there, turned)
-                } else {
-                    task.turned_normal(&there, mirrored)
-                };
-                write_reversed(task.position(&there), positions, turned_to);
-                write_reversed(both.0, normals, turned_to);
-                *unsure = [first.1, turned.1, mirrored.1, both.1];
-            }
+        for (index, unsure) in self.unsure.iter_mut().enumerate() {
+            let circles = self.pairs.get(index * n..index * n + n).unwrap_or_default();
+            *unsure = block(&task, layout, circles, 4 * index, positions, normals);
             any |= unsure[0] | unsure[1] | unsure[2] | unsure[3];
         }
         any
@@ -192,9 +155,9 @@ impl Circles {
                 for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
                     let column = 4 * block + lane;
                     let column = match (self.fold, slot) {
-                        (Some(Fold::Quartered), 1) => column + n_steps / 2,
-                        (Some(Fold::Quartered), 2) | (Some(Fold::Mirrored), 1) => n_steps - column,
-                        (Some(Fold::Quartered), 3) => n_steps / 2 - column,
+                        (Fold::Quartered, 1) => column + n_steps / 2,
+                        (Fold::Quartered, 2) | (Fold::Mirrored, 1) => n_steps - column,
+                        (Fold::Quartered, 3) => n_steps / 2 - column,
                         _ => column,
                     };
                     if column <= n_steps {
@@ -206,6 +169,49 @@ impl Circles {
     }
 }
 
+/// How the sums of some of the harmonics are formed.
+trait Form {
+    /// At `v` and at `-v`. Every implementation is inlined into its loop over the columns, or the sums would go through memory.
+    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2];
+}
+
+/// As [`Layout::Split`].
+struct Split<'a> {
+    strands: &'a [[Strand; 3]],
+    row: usize,
+    z_is_sine: bool,
+    /// What becomes of the sums of `z` at `-v`.
+    z_parity: Lanes,
+}
+
+impl Form for Split<'_> {
+    #[inline(always)]
+    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2] {
+        let strands = self.strands.get(harmonics.clone()).unwrap_or_default();
+        let sums = split_sums(strands, circles.get(harmonics).unwrap_or_default(), self.row, self.z_is_sine);
+        let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
+        [sums, [[x, -y, z * self.z_parity], [xu, -yu, zu * self.z_parity], [-xv, yv, -zv * self.z_parity]]]
+    }
+}
+
+/// As [`Layout::Both`].
+struct Both<'a> {
+    strands: &'a [[Strand; 3]],
+    sine_strands: &'a [[Strand; 3]],
+    row: usize,
+}
+
+impl Form for Both<'_> {
+    #[inline(always)]
+    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2] {
+        let circles = circles.get(harmonics.clone()).unwrap_or_default();
+        let even = sums::<false>(self.strands.get(harmonics.clone()).unwrap_or_default(), circles, self.row);
+        let odd = sums::<true>(self.sine_strands.get(harmonics).unwrap_or_default(), circles, self.row);
+        let mirrored = [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])];
+        [added(&even, &odd), mirrored]
+    }
+}
+
 /// What all blocks of a row share.
 #[derive(Clone, Copy)]
 struct Task {
@@ -213,6 +219,7 @@ struct Task {
     tilt: [Lanes; 2],
     sign: Lanes,
     n_even: usize,
+    n_steps: usize,
     is_mirrored: bool,
     is_turned: bool,
 }
@@ -222,6 +229,13 @@ impl Task {
     fn position(&self, sums: &Sums) -> [Lanes; 3] {
         let [[x, _], [y, _], [z, _]] = self.constant;
         plus([x, y, z], sums[0])
+    }
+
+    /// The position half a turn on, where the sums have the other sign and `z` has none.
+    #[inline(always)]
+    fn turned_position(&self, sums: &Sums) -> [Lanes; 3] {
+        let [[x, _], [y, _], [z, _]] = self.constant;
+        [x - sums[0][0], y - sums[0][1], z]
     }
 
     /// The unit normal along `X_u x X_v` and the lanes that single precision does not hold, as bits.
@@ -242,12 +256,109 @@ impl Task {
     fn mirrored_normal(&self, sums: &Sums, (normal, unsure): ([Lanes; 3], u8)) -> ([Lanes; 3], u8) {
         if self.is_mirrored { ([normal[0], -normal[1], normal[2]], unsure) } else { self.normal(sums) }
     }
+}
 
-    /// The same half a turn on.
-    #[inline(always)]
-    fn turned_normal(&self, sums: &Sums, (normal, unsure): ([Lanes; 3], u8)) -> ([Lanes; 3], u8) {
-        if self.is_turned { ([-normal[0], -normal[1], normal[2]], unsure) } else { self.normal(sums) }
-    }
+/// The columns from `column` on, and no others.
+#[inline(always)]
+fn open_block<F: Form>(
+    task: &Task,
+    layout: &F,
+    circles: &[[Lanes; 2]],
+    column: usize,
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> [u8; 4] {
+    let [here, _] = layout.form(0..circles.len(), circles);
+    let first = task.normal(&here);
+    write(task.position(&here), positions, column);
+    write(first.0, normals, column);
+    [first.1, 0, 0, 0]
+}
+
+/// Those and the ones at `-v`.
+#[inline(always)]
+fn mirrored_block<F: Form>(
+    task: &Task,
+    layout: &F,
+    circles: &[[Lanes; 2]],
+    column: usize,
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> [u8; 4] {
+    let [here, mirrored] = layout.form(0..circles.len(), circles);
+    let first = task.normal(&here);
+    write(task.position(&here), positions, column);
+    write(first.0, normals, column);
+    let to = task.n_steps - column - 3;
+    let second = task.mirrored_normal(&mirrored, first);
+    write_reversed(task.position(&mirrored), positions, to);
+    write_reversed(second.0, normals, to);
+    [first.1, second.1, 0, 0]
+}
+
+/// Those and the ones half a turn on.
+#[inline(always)]
+fn quartered_block<F: Form>(
+    task: &Task,
+    layout: &F,
+    circles: &[[Lanes; 2]],
+    column: usize,
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> [u8; 4] {
+    let half = task.n_steps / 2;
+    let odd = layout.form(task.n_even..circles.len(), circles);
+    let even = layout.form(0..task.n_even, circles);
+    let here = added(&even[0], &odd[0]);
+    let first = task.normal(&here);
+    write(task.position(&here), positions, column);
+    write(first.0, normals, column);
+    let there = subtracted(&even[0], &odd[0]);
+    let turned = task.normal(&there);
+    write(task.position(&there), positions, column + half);
+    write(turned.0, normals, column + half);
+    let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
+    let here = added(&even[1], &odd[1]);
+    let second = task.mirrored_normal(&here, first);
+    write_reversed(task.position(&here), positions, to);
+    write_reversed(second.0, normals, to);
+    let there = subtracted(&even[1], &odd[1]);
+    let both = task.mirrored_normal(&there, turned);
+    write_reversed(task.position(&there), positions, turned_to);
+    write_reversed(both.0, normals, turned_to);
+    [first.1, turned.1, second.1, both.1]
+}
+
+/// The same where every `n` is odd and `z` is constant: half a turn on, the sums have the other sign.
+#[inline(always)]
+fn turned_block<F: Form>(
+    task: &Task,
+    layout: &F,
+    circles: &[[Lanes; 2]],
+    column: usize,
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> [u8; 4] {
+    let half = task.n_steps / 2;
+    let [here, mirrored] = layout.form(0..circles.len(), circles);
+    let first = task.normal(&here);
+    write(task.position(&here), positions, column);
+    write(first.0, normals, column);
+    write(task.turned_position(&here), positions, column + half);
+    write(turned(first.0), normals, column + half);
+    let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
+    let second = task.mirrored_normal(&mirrored, first);
+    write_reversed(task.position(&mirrored), positions, to);
+    write_reversed(second.0, normals, to);
+    write_reversed(task.turned_position(&mirrored), positions, turned_to);
+    write_reversed(turned(second.0), normals, turned_to);
+    [first.1, first.1, second.1, second.1]
+}
+
+/// A normal half a turn on.
+#[inline(always)]
+fn turned([x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
+    [-x, -y, z]
 }
 
 #[inline(always)]
@@ -285,7 +396,7 @@ fn sums<const SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: 
     let (mut y, mut yu, mut yv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (mut z, mut zu, mut zv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     for (strand, &[cos, sin]) in strands.iter().zip(circles) {
-        let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row]);
+        let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
         let (a, b) = if SINE { (sin, cos) } else { (cos, sin) };
         x += a * at(0, 0);
         xu += a * at(0, 1);
@@ -308,7 +419,7 @@ fn split_sums(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize, z_is_
     let (mut z, mut zu, mut zv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (first, second) = (usize::from(z_is_sine), usize::from(!z_is_sine));
     for (strand, circle) in strands.iter().zip(circles) {
-        let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row]);
+        let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
         let [cos, sin] = *circle;
         x += cos * at(0, 0);
         xu += cos * at(0, 1);

@@ -27,27 +27,30 @@ fn shuffle<const A: usize, const B: usize, const C: usize, const D: usize>(a: La
     }
     #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
     {
-        let (a, b) = (a.to_array(), b.to_array());
-        let pick = |i: usize| if i < 4 { a[i] } else { b[i - 4] };
-        Lanes::new([pick(A), pick(B), pick(C), pick(D)])
+        let ([a, b, c, d], [e, f, g, h]) = (a.to_array(), b.to_array());
+        let both = [a, b, c, d, e, f, g, h];
+        Lanes::new([both[A], both[B], both[C], both[D]])
     }
 }
 
 /// Writes the vectors of four columns from vertex `at` on, as many of them as fit.
 #[inline(always)]
 pub(super) fn write(vectors: [Lanes; 3], to: &mut [f32], at: usize) {
-    let packed = interleave(vectors);
-    match to.get_mut(3 * at..3 * at + 12) {
+    let [a, b, c] = interleave(vectors);
+    match to.get_mut(3 * at..3 * at + 12).and_then(|to| to.as_mut_array::<12>()) {
         Some(to) => {
-            for (to, lanes) in to.as_chunks_mut::<4>().0.iter_mut().zip(packed) {
-                *to = lanes.to_array();
-            }
+            to[0..4].copy_from_slice(a.as_array());
+            to[4..8].copy_from_slice(b.as_array());
+            to[8..12].copy_from_slice(c.as_array());
         }
-        None => {
-            for (to, value) in to.iter_mut().skip(3 * at).zip(packed.iter().flat_map(|lanes| lanes.to_array())) {
-                *to = value;
-            }
-        }
+        None => write_some([a, b, c], to.get_mut(3 * at..).unwrap_or_default()),
+    }
+}
+
+#[cold]
+fn write_some(packed: [Lanes; 3], to: &mut [f32]) {
+    for (to, value) in to.iter_mut().zip(packed.iter().flat_map(|lanes| lanes.to_array())) {
+        *to = value;
     }
 }
 

@@ -1,47 +1,71 @@
 //! Which side of a surface is its outside.
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use super::row::Row;
-use crate::surface::{BLOCK, ColumnTable, RowTable, Surface};
+use crate::surface::{BLOCK, ColumnTable, Curves, RowTable, Surface};
 
 /// Enough of the surface to know the sign of the volume that it goes round.
 const ROWS: usize = 17;
 /// As [`ROWS`], round the axis; a prime, so that no petal is met at the same place each time.
 const COLUMNS: usize = 61;
 
-/// Which side is outside, and how large the surface is at least.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Orientation {
-    /// Whether `X_u x X_v` points away from the inside.
-    pub(super) is_outward: bool,
-    /// The largest coordinate, in size, of some points of the placed surface.
-    pub(super) largest: f64,
+/// Whether `X_u x X_v` points away from the inside.
+///
+/// Slice by slice, the flux of `(x, y, 0)` through the surface is twice the area that the surface goes round, whatever lies at rim and foot; its sign
+/// tells the side. It is taken about the middle of each row, so that a leaning pot counts by its slices. A surface that goes round nothing keeps `X_u x X_v`.
+pub(super) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
+    let is_level = curves.list().iter().all(|curve| curve.axis != 2 || curve.n == 0.0);
+    let flux = if is_level && surface.is_closed() { level_flux(surface, curves) } else { sampled_flux(surface) };
+    flux >= 0.0
 }
 
-impl Orientation {
-    /// Slice by slice, the flux of `(x, y, 0)` through the surface is twice the area that the surface goes round, whatever lies at rim and foot; its sign
-    /// tells the side. It is taken about the middle of each row, so that a leaning pot counts by its slices. A surface that goes round nothing keeps `X_u x X_v`.
-    pub(super) fn of(surface: &Surface, matrix: DMat3, shift: DVec3) -> Self {
-        let table = ColumnTable::new(surface, COLUMNS + 1);
-        let (mut row, mut points) = (Row::default(), Vec::with_capacity(COLUMNS));
-        let mut flux = 0.0;
-        let mut largest = 0.0f64;
-        for i in 0..ROWS {
+/// The flux where every row is level, in closed form: `z_u` times the integral of `y x_v - x y_v`, which is `-2 pi sum k (a b' - b a')` for
+/// `x = sum a cos + b sin`, `y = sum a' cos + b' sin`. The factor `2 pi` is left out.
+fn level_flux(surface: &Surface, curves: &Curves) -> f64 {
+    let list = curves.list();
+    let mut values = Vec::with_capacity(list.len());
+    (0..ROWS)
+        .map(|i| {
             let u = (i as f64 + 0.5) / ROWS as f64;
-            row.fill(&RowTable::at(surface, &table.distinct, u));
-            points.clear();
-            let blocks = (0..table.n_blocks()).map(|block| row.sums(table.block(block)));
-            points.extend(
-                blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(COLUMNS),
-            );
-            let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / COLUMNS as f64;
-            for (position, du, dv) in &points {
-                let (arm, normal) = (*position - middle, du.cross(*dv));
-                flux += arm.x * normal.x + arm.y * normal.y;
-                largest = largest.max((matrix * *position + shift).abs().max_element());
+            let mut rise = 0.0;
+            values.clear();
+            curves.rows(surface, [u; BLOCK], |index, [value, slope]| {
+                values.push(value.to_array()[0]);
+                if list[index].axis == 2 {
+                    rise += slope.to_array()[0];
+                }
+            });
+            let mut area = 0.0;
+            for (x, a) in list.iter().zip(&values).filter(|(curve, _)| curve.axis == 0) {
+                for (y, b) in list.iter().zip(&values).filter(|(curve, _)| curve.axis == 1 && curve.n == x.n) {
+                    match (x.is_sine, y.is_sine) {
+                        (false, true) => area += x.k * a * b,
+                        (true, false) => area -= x.k * a * b,
+                        _ => {}
+                    }
+                }
             }
+            -rise * area
+        })
+        .sum()
+}
+
+fn sampled_flux(surface: &Surface) -> f64 {
+    let table = ColumnTable::new(surface, COLUMNS + 1);
+    let (mut row, mut points) = (Row::default(), Vec::with_capacity(COLUMNS));
+    let mut flux = 0.0;
+    for i in 0..ROWS {
+        let u = (i as f64 + 0.5) / ROWS as f64;
+        row.fill(&RowTable::at(surface, &table.distinct, u));
+        points.clear();
+        let blocks = (0..table.n_blocks()).map(|block| row.sums(table.block(block)));
+        points.extend(blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(COLUMNS));
+        let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / COLUMNS as f64;
+        for (position, du, dv) in &points {
+            let (arm, normal) = (*position - middle, du.cross(*dv));
+            flux += arm.x * normal.x + arm.y * normal.y;
         }
-        Orientation { is_outward: flux >= 0.0, largest }
     }
+    flux
 }

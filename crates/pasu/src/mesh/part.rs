@@ -9,7 +9,7 @@ use super::contract::{Mesh, MeshOptions};
 use super::exact::ExactRows;
 use super::grid::append_triangles;
 use super::kernel::Circles;
-use super::orientation::Orientation;
+use super::orientation::is_outward;
 use super::profile::Profile;
 use super::ring::Pattern;
 use super::tolerance::Tessellation;
@@ -25,14 +25,15 @@ pub(super) struct PartGrid {
     pub(super) is_precise: bool,
     pub(super) matrix: DMat3,
     pub(super) shift: DVec3,
-    pub(super) orientation: Orientation,
+    /// Whether `X_u x X_v` points away from the inside, before placement.
+    is_outward: bool,
+    curves: Curves,
     index: usize,
 }
 
 /// What sampling needs besides the mesh, kept from one mesh to the next.
 #[derive(Debug, Default)]
 pub(super) struct Workspace {
-    curves: Curves,
     coefficients: Coefficients,
     turns: Turns,
     circles: Circles,
@@ -50,8 +51,10 @@ impl PartGrid {
         let is_precise = options.tolerance.is_some();
         let tessellation =
             Tessellation::choose(|| Profile::of(&surface, matrix), shift.length(), options, is_precise, is_bounded)?;
-        let orientation = Orientation::of(&surface, matrix, shift);
-        Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, orientation, index })
+        let mut curves = Curves::default();
+        curves.prepare(&surface, tessellation.along);
+        let is_outward = is_outward(&surface, &curves);
+        Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index })
     }
 
     pub(super) fn n_vertices(&self) -> usize {
@@ -72,7 +75,7 @@ impl PartGrid {
 
     /// Whether triangles go round as `X_u x X_v` does.
     pub(super) fn is_wound_forwards(&self) -> bool {
-        self.orientation.is_outward != (self.matrix.determinant() < 0.0)
+        self.is_outward != (self.matrix.determinant() < 0.0)
     }
 
     /// Appends what depends on the grid alone, and room for positions and normals.
@@ -96,14 +99,16 @@ impl PartGrid {
     /// # Errors
     /// `overflow` for a point beyond single precision.
     pub(super) fn sample(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
-        let Workspace { curves, coefficients, turns, circles, pattern, unsure } = workspace;
+        let Workspace { coefficients, turns, circles, pattern, unsure } = workspace;
+        let curves = &self.curves;
+        let mut reached = 0.0;
         let (rows, columns) = self.tessellation.counts();
         let sign = if self.is_wound_forwards() { 1.0 } else { -1.0 };
         let mut exact = ExactRows::new(self, columns);
         if !self.is_precise {
             turns.divide(columns - 1);
-            curves.prepare(&self.surface, rows);
             coefficients.prepare(curves, self.matrix, self.shift);
+            reached = coefficients.reached(&self.surface, curves);
             circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
             if let [harmonic] = coefficients.harmonics.as_slice() {
                 pattern.prepare(harmonic.n, columns, turns);
@@ -113,7 +118,7 @@ impl PartGrid {
         for first in (0..rows).step_by(ROWS) {
             let u = core::array::from_fn(|row| self.tessellation.row((first + row).min(rows - 1)));
             if !self.is_precise {
-                coefficients.take(&self.surface, curves, u, self.orientation.largest);
+                coefficients.take(&self.surface, curves, u, reached);
             }
             for (row, (positions, normals)) in both.by_ref().take(ROWS).enumerate() {
                 if self.is_precise || coefficients.is_exact[row] {

@@ -31,8 +31,8 @@ pub(super) enum Basis {
 }
 
 impl Basis {
-    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`.
-    pub(super) fn of(order: Order, b: f64, c: f64) -> Result<Self, Unsolvable> {
+    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`, and what its even and its odd functions are at `u = 1`.
+    pub(super) fn of(order: Order, b: f64, c: f64) -> Result<(Self, [Pair; 2]), Unsolvable> {
         let basis = match order {
             Order::Second => Basis::Single(Rate::new(b)),
             Order::Fourth if largest_rate(order, b, c) <= SERIES_RATE => {
@@ -57,19 +57,20 @@ impl Basis {
             }
         };
         let oscillation = basis.oscillation();
-        if let Basis::Single(rate) = basis {
-            let (c, s) = rate.at(1.0);
+        let halves = basis.halves();
+        if let Basis::Single(_) = basis {
             // The odd function is compared as sin, whose size is 1.
-            for value in [c, s * oscillation.max(1.0)] {
+            for value in [halves[0].first[0], halves[1].first[0] * oscillation.max(1.0)] {
                 if oscillation > 0.0 && value.abs() < 1e-6 * (2.0 + oscillation) {
                     return Err(Unsolvable::Resonant);
                 }
             }
         } else {
-            basis.even_pair().check(oscillation)?;
-            basis.odd_pair().check(oscillation)?;
+            for half in &halves {
+                half.check(oscillation)?;
+            }
         }
-        Ok(basis)
+        Ok((basis, halves))
     }
 
     fn are_apart(sigma_squared: f64, delta_squared: f64) -> bool {
@@ -95,28 +96,18 @@ impl Basis {
         }
     }
 
-    pub(super) fn even_pair(&self) -> Pair {
-        let [first, second, ..] = self.jets::<2>(1.0);
-        let pair = Pair::by_subtraction(first, second);
-        match self {
-            Basis::Products { sigma, delta } => {
-                let ((c, s), (c_delta, s_delta)) = (sigma.at(1.0), delta.at(1.0));
-                Pair { determinant: s * c * delta.scale() + s_delta * c_delta * sigma.scale(), ..pair }
-            }
-            _ => pair,
-        }
-    }
-
-    pub(super) fn odd_pair(&self) -> Pair {
-        let [.., first, second] = self.jets::<2>(1.0);
-        let pair = Pair::by_subtraction(first, second);
-        match self {
-            Basis::Products { sigma, delta } => {
-                let ((c, s), (c_delta, s_delta)) = (sigma.at(1.0), delta.at(1.0));
-                Pair { determinant: s * c * delta.scale() - s_delta * c_delta * sigma.scale(), ..pair }
-            }
-            _ => pair,
-        }
+    /// The even and the odd functions at `u = 1`, with their determinants; order 2 has one of each.
+    fn halves(&self) -> [Pair; 2] {
+        let Basis::Products { sigma, delta } = self else {
+            let [even, more_even, odd, more_odd] = self.jets::<2>(1.0);
+            return [Pair::by_subtraction(even, more_even), Pair::by_subtraction(odd, more_odd)];
+        };
+        let ((c, s), (c_delta, s_delta)) = (sigma.jets::<2>(1.0), delta.jets::<2>(1.0));
+        let (one, other) = (s[0] * c[0] * delta.scale(), s_delta[0] * c_delta[0] * sigma.scale());
+        [
+            Pair { first: product(&c, &c_delta), second: product(&s, &s_delta), determinant: one + other },
+            Pair { first: product(&s, &c_delta), second: product(&c, &s_delta), determinant: one - other },
+        ]
     }
 
     /// The same solution with as much of it in the polynomial as can be: power series add up to one of their own.

@@ -4,6 +4,7 @@ use libm::{hypot, sqrt};
 
 use super::basis::Basis;
 use super::force;
+use super::pair::Pair;
 use super::solution::{ModeData, ModeSolution};
 use crate::design::Order;
 
@@ -29,6 +30,8 @@ pub struct Equation {
     pub(super) b: f64,
     pub(super) c: f64,
     pub(super) basis: Basis,
+    /// The even and the odd functions of the basis at `u = 1`.
+    pub(super) halves: [Pair; 2],
 }
 
 impl Equation {
@@ -49,8 +52,8 @@ impl Equation {
         if !(b.is_finite() && c.is_finite() && s.is_finite()) {
             return Err(Unsolvable::Overflow);
         }
-        let basis = Basis::of(order, b, c)?;
-        Ok(Equation { order, s, b, c, basis })
+        let (basis, halves) = Basis::of(order, b, c)?;
+        Ok(Equation { order, s, b, c, basis, halves })
     }
 
     /// The solution with the given boundary data and force.
@@ -61,6 +64,9 @@ impl Equation {
     /// # Errors
     /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.
     pub fn solve(&self, data: &ModeData) -> Result<ModeSolution, Unsolvable> {
+        if data.is_zero() {
+            return Ok(ModeSolution::zero());
+        }
         let force = force::particular(self, data.force);
         ModeSolution::meeting(self, data, force)
     }

@@ -7,7 +7,7 @@ use super::Unsolvable;
 const RESONANCE: f64 = 2e-6;
 
 /// Value and slope at `u = 1` of two functions, with the determinant `f g' - f' g` where it is known better than by subtraction.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub(super) first: [f64; 2],
     pub(super) second: [f64; 2],

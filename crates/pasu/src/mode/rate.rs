@@ -40,7 +40,9 @@ impl Rate {
     pub(super) fn at(self, u: f64) -> (f64, f64) {
         let x = u - 0.5;
         if self.is_anchored() {
-            let (from_end, from_start) = (exp(-self.root * (1.0 - u)), exp(-self.root * u));
+            // At the ends one of them is 1, which need not be computed.
+            let from_end = if u == 1.0 { 1.0 } else { exp(-self.root * (1.0 - u)) };
+            let from_start = if u == 0.0 { 1.0 } else { exp(-self.root * u) };
             (0.5 * (from_end + from_start), 0.5 * (from_end - from_start) / self.root)
         } else if self.root < 1e-8 {
             // The next terms are below rounding, and sinh(root x) / root may be 0 / 0.

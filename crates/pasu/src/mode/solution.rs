@@ -38,22 +38,33 @@ pub struct ModeSolution {
     force_len: usize,
 }
 
+impl ModeData<'_> {
+    /// Whether nothing but 0 is asked for.
+    pub(super) fn is_zero(&self) -> bool {
+        let &ModeData { start, start_u, end, end_u, force } = self;
+        [start, start_u, end, end_u].iter().chain(force).all(|&x| x == 0.0)
+    }
+}
+
 impl ModeSolution {
+    /// The solution that is 0.
+    pub(super) fn zero() -> Self {
+        ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0 }
+    }
+
     /// Adds to a particular solution the homogeneous one that meets the boundary data.
     pub(super) fn meeting(equation: &Equation, data: &ModeData, particular: Vec<f64>) -> Result<Self, Unsolvable> {
         let [p0, p0_u] = series::jet::<2>(&particular, 0.0);
         let [p1, p1_u] = series::jet::<2>(&particular, 1.0);
         let (q0, q1) = (data.start - p0, data.end - p1);
         let (even, odd) = (0.5 * q0 + 0.5 * q1, 0.5 * q1 - 0.5 * q0);
+        let [even_half, odd_half] = &equation.halves;
         let factors = match equation.order {
-            Order::Second => {
-                let [c, _, s, _] = equation.basis.jets::<1>(1.0);
-                [even / c[0], 0.0, odd / s[0], 0.0]
-            }
+            Order::Second => [even / even_half.first[0], 0.0, odd / odd_half.first[0], 0.0],
             Order::Fourth => {
                 let (q0_u, q1_u) = (data.start_u - p0_u, data.end_u - p1_u);
-                let [a, b] = equation.basis.even_pair().meet(even, 0.5 * q1_u - 0.5 * q0_u);
-                let [c, d] = equation.basis.odd_pair().meet(odd, 0.5 * q0_u + 0.5 * q1_u);
+                let [a, b] = even_half.meet(even, 0.5 * q1_u - 0.5 * q0_u);
+                let [c, d] = odd_half.meet(odd, 0.5 * q0_u + 0.5 * q1_u);
                 [a, b, c, d]
             }
         };

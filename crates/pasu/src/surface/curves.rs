@@ -30,11 +30,14 @@ pub(crate) struct Curves {
 }
 
 /// An expansion costs as much as some four rows asked of the solution itself: with fewer rows than this to an interval it does not pay.
-const ROWS_PER_EXPANSION: usize = 6;
+const ROWS_PER_EXPANSION: f64 = 6.0;
+
+/// Rows that are asked for besides those of the mesh, to know its outside and its size.
+const OTHER_ROWS: f64 = 26.0;
 
 impl Curves {
     /// Takes another surface, of which so many rows will be asked for.
-    pub(crate) fn prepare(&mut self, surface: &Surface, n_rows: usize) {
+    pub(crate) fn prepare(&mut self, surface: &Surface, n_rows: f64) {
         self.curves.clear();
         self.expansions.clear();
         for (axis, terms) in surface.components().iter().enumerate() {
@@ -42,7 +45,7 @@ impl Curves {
                 let reach = term.equation.reach(&term.cos).min(term.equation.reach(&term.sin));
                 // Half a width of 1 / n, a little more than which is used: rows come four at a time.
                 let n_expansions = libm::ceil(0.5 / reach);
-                let pays = n_expansions * ROWS_PER_EXPANSION as f64 <= n_rows as f64;
+                let pays = n_expansions * ROWS_PER_EXPANSION <= n_rows + OTHER_ROWS;
                 let n_expansions = if pays { n_expansions as usize } else { 0 };
                 let first = self.expansions.len();
                 let data = [(false, &term.cos), (true, &term.sin)];

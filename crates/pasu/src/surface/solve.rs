@@ -52,16 +52,24 @@ impl Surface {
     /// `resonant-problem`, naming component and mode, where oscillating solutions leave no unique answer; `out-of-range` where `s` is 0;
     /// `overflow` where the solution leaves the range of doubles.
     pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
-        let component = |axis: Axis, component: &Component| {
+        // What x has solved: y nearly always, and z often, have the same equations.
+        let mut equations: Vec<Equation> = Vec::with_capacity(shape.x.modes.len());
+        let mut component = |axis: Axis, component: &Component| {
+            let Component { order, s, t, w, .. } = *component;
+            let is_as_x = (order, s, t, w) == (shape.x.order, shape.x.s, shape.x.t, shape.x.w);
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let solved =
-                    Equation::new(component.order, component.s, component.t, component.w, k).and_then(|equation| {
-                        let cos = equation.solve(&ModeData::from(&mode.cos))?;
-                        let sin = equation.solve(&ModeData::from(&mode.sin))?;
-                        Ok(Term { n: mode.n, k, equation, cos, sin })
-                    });
+                let known = equations.get(index).filter(|_| is_as_x && shape.x.modes[index].n == mode.n);
+                let equation = known.map_or_else(|| Equation::new(order, s, t, w, k), |known| Ok(known.clone()));
+                let solved = equation.and_then(|equation| {
+                    if axis == Axis::X {
+                        equations.push(equation.clone());
+                    }
+                    let cos = equation.solve(&ModeData::from(&mode.cos))?;
+                    let sin = equation.solve(&ModeData::from(&mode.sin))?;
+                    Ok(Term { n: mode.n, k, equation, cos, sin })
+                });
                 let term = solved.map_err(|why| unsolvable(why, component, axis, mode.n, index, path))?;
                 if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
                     terms.push(term);
