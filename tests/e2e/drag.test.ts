@@ -25,6 +25,7 @@ test("on a machine six times slower the pot stays within two frames of the point
   let inDrag = 0;
   // The first drag teaches what this machine can do. More of them only where other programs take its time.
   const best: number[] = [];
+  let older = 0;
   for (const share of [0.9, 0.2, 0.8, 0.3, 0.7]) {
     await movements(pot);
     await pot.drag("Height", share, {
@@ -33,14 +34,19 @@ test("on a machine six times slower the pot stays within two frames of the point
         inDrag = await vertices();
       },
     });
-    const behind = (await movements(pot)).map((each) => each.behind);
+    const moved = await movements(pot);
+    const behind = moved.map((each) => each.behind);
+    older = Math.max(older, ...moved.map((each) => each.older));
     await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; ${inDrag} of ${atRest} vertices`);
     expect(behind.length).toBeGreaterThan(5);
-    best.push(percentile(behind, 0.95));
+    best.push(percentile(behind, 0.5));
     if (best.length > 1 && Math.min(...best.slice(1)) <= 2) break;
   }
   await slowDown(pot, 1);
   await pot.fingerprintOtherThan(before);
+  // Of what the stage draws, never more than two frames are older than the hand; of what the page presents, which other
+  // programs have a say in, the middle one (the bench tells of the slowest).
+  expect(older).toBeLessThanOrEqual(2);
   expect(Math.min(...best.slice(1))).toBeLessThanOrEqual(2);
   expect(inDrag).toBeLessThan(atRest);
   expect(await vertices()).toBe(atRest);

@@ -8,11 +8,13 @@ export interface Movement {
   readonly change: number;
   /** Frames that the page presented between the event and the frame with this change, or a later one. */
   readonly behind: number;
+  /** Frames of the stage in between, which showed older changes. */
+  readonly older: number;
 }
 
 interface Watched {
   pasuTrace(moment: string, change: number): void;
-  pasuMovements: { change: number; frame: number; behind: number | null }[];
+  pasuMovements: { change: number; frame: number; drawn: number; behind: number | null; older: number }[];
 }
 
 /** Counts frames from now on; to be called before the page opens. */
@@ -21,29 +23,33 @@ export async function watchDrags(pot: Visit): Promise<void> {
     const watched = globalThis as unknown as Watched;
     watched.pasuMovements = [];
     let frame = 0;
+    let drawn = 0;
     const count = () => {
       frame += 1;
       requestAnimationFrame(count);
     };
     requestAnimationFrame(count);
-    let moved: number | null = null;
+    let moved: { readonly frame: number; readonly drawn: number } | null = null;
     addEventListener(
       "pointermove",
       () => {
-        moved = frame;
+        moved = { frame, drawn };
       },
       { capture: true },
     );
     watched.pasuTrace = (moment, change) => {
       if (moment === "asked" && moved !== null) {
-        watched.pasuMovements.push({ change, frame: moved, behind: null });
+        watched.pasuMovements.push({ change, ...moved, behind: null, older: 0 });
         moved = null;
       }
       if (moment !== "drawn") return;
       for (const each of watched.pasuMovements) {
+        if (each.behind !== null || each.change > change) continue;
         // The frame right after the event is the first that could show it: it is not between.
-        if (each.behind === null && each.change <= change) each.behind = Math.max(0, frame - each.frame - 1);
+        each.behind = Math.max(0, frame - each.frame - 1);
+        each.older = drawn - each.drawn;
       }
+      drawn += 1;
     };
   });
 }
@@ -53,7 +59,7 @@ export async function movements(pot: Visit): Promise<readonly Movement[]> {
   return await pot.page.evaluate(() =>
     (globalThis as unknown as Watched).pasuMovements
       .splice(0)
-      .flatMap(({ change, behind }) => (behind === null ? [] : [{ change, behind }])),
+      .flatMap(({ change, behind, older }) => (behind === null ? [] : [{ change, behind, older }])),
   );
 }
 

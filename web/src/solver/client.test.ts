@@ -149,3 +149,16 @@ test("arrays that are given back travel to the worker, once, when the size is ri
   expect(sent[2]?.spare).toBeNull();
   expect(transferred[2]).toEqual([]);
 });
+
+test("a lattice that others put out meanwhile is still there for a mesh under way", async () => {
+  const first = await solved(made("a", 72, true));
+  const late = client.solve(design(""), OPTIONS);
+  const id = port().sent.at(-1)?.id;
+  for (const topology of ["b", "c", "d"]) {
+    const other = client.mesh(topology, design(""), 8, 9);
+    port().reply({ id: port().sent.at(-1)?.id, ok: true, answer: made(topology, 72, true) });
+    await other;
+  }
+  port().reply({ id, ok: true, answer: { mesh: made("a", 72, false) } });
+  expect(await late).toMatchObject({ state: "done", value: { mesh: { indices: first.indices } } });
+});

@@ -5,7 +5,7 @@
 
 import type { Design, Refusal } from "../document/types";
 import type { Answers, Ask, MeshArrays, Parsed, Reply, Request, SentAnswers, Solved, SolveOptions } from "./messages";
-import { Stock } from "./stock";
+import { type Lattices, Stock } from "./stock";
 
 export type Outcome<T> =
   | { readonly state: "done"; readonly value: T }
@@ -25,6 +25,13 @@ interface Job {
   readonly settle: (outcome: Outcome<Answers[Ask["kind"]]>) => void;
 }
 
+interface Sent {
+  readonly job: Job;
+  readonly lane: string;
+  /** What the worker was told that is here. */
+  readonly lattices: Lattices;
+}
+
 interface Lane {
   busy: boolean;
   waiting: Job | null;
@@ -39,7 +46,7 @@ const CRASHED: Refusal = {
 export class SolverClient {
   readonly #start: () => Port;
   readonly #lanes = new Map<string, Lane>();
-  readonly #sent = new Map<number, { readonly job: Job; readonly lane: string }>();
+  readonly #sent = new Map<number, Sent>();
   readonly #stock = new Stock();
   #port: Port | null = null;
   #nextId = 1;
@@ -102,12 +109,13 @@ export class SolverClient {
     lane.busy = true;
     const id = this.#nextId;
     this.#nextId += 1;
-    this.#sent.set(id, { job, lane: name });
+    const { lattices } = this.#stock;
+    this.#sent.set(id, { job, lane: name, lattices });
     const { ask } = job;
     const spare =
       ask.kind === "solve" ? this.#stock.take(ask.design.parts.length * ask.options.rows * ask.options.columns) : null;
     this.#connect().postMessage(
-      { id, ask, known: this.#stock.known, spare },
+      { id, ask, known: [...lattices.keys()], spare },
       spare ? [spare.positions.buffer, spare.normals.buffer, spare.texels.buffer] : [],
     );
   }
@@ -131,14 +139,18 @@ export class SolverClient {
     this.#sent.delete(reply.id);
     this.#release(sent.lane);
     sent.job.settle(
-      reply.ok ? { state: "done", value: this.#whole(reply.answer) } : { state: "refused", refusal: reply.refusal },
+      reply.ok
+        ? { state: "done", value: this.#whole(reply.answer, sent.lattices) }
+        : { state: "refused", refusal: reply.refusal },
     );
   }
 
   /** Adds to a mesh what was not sent because it is here. */
-  #whole(answer: SentAnswers[Ask["kind"]]): Answers[Ask["kind"]] {
+  #whole(answer: SentAnswers[Ask["kind"]], then: Lattices): Answers[Ask["kind"]] {
     if ("design" in answer) return answer;
-    return "mesh" in answer ? { ...answer, mesh: this.#stock.whole(answer.mesh) } : this.#stock.whole(answer);
+    return "mesh" in answer
+      ? { ...answer, mesh: this.#stock.whole(answer.mesh, then) }
+      : this.#stock.whole(answer, then);
   }
 
   #release(name: string): void {

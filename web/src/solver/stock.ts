@@ -8,12 +8,15 @@ const SPARES = 3;
 /** The grid under the hand, that at rest, and one of a comparison. */
 const LATTICES = 3;
 
+export type Lattices = ReadonlyMap<string, Lattice>;
+
 export class Stock {
   #spares: Spare[] = [];
   readonly #lattices = new Map<string, Lattice>();
 
-  get known(): readonly string[] {
-    return [...this.#lattices.keys()];
+  /** The lattices at this moment, by topology. Whoever asks for a mesh holds on to them until it comes: others may put them out. */
+  get lattices(): Lattices {
+    return new Map(this.#lattices);
   }
 
   /** Keeps the arrays of a mesh that is of no more use. */
@@ -27,10 +30,10 @@ export class Stock {
     return this.#spares.splice(index, index < 0 ? 0 : 1)[0] ?? null;
   }
 
-  /** The mesh with its lattice, the very arrays that the last one of this topology had. */
-  whole({ lattice, ...surface }: SentMesh): MeshArrays {
+  /** The mesh with its lattice, the very arrays that the last one of this topology had, or that were there when it was asked for. */
+  whole({ lattice, ...surface }: SentMesh, then: Lattices): MeshArrays {
     const { topology } = surface;
-    const found = lattice ?? this.#lattices.get(topology);
+    const found = this.#lattices.get(topology) ?? lattice ?? then.get(topology);
     if (!found) throw new Error(`the solver sent no lattice for ${topology}`);
     // Put in anew, so that the one that was not used for longest comes first and goes first.
     this.#lattices.delete(topology);
