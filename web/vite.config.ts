@@ -6,6 +6,7 @@ import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { leanRenderer } from "./build/lean-renderer.ts";
 import { offline } from "./build/offline.ts";
+import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -39,5 +40,10 @@ export default defineConfig({
       },
     },
   },
-  plugins: [leanRenderer(), contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
+  plugins: [
+    leanRenderer(),
+    contentSecurityPolicy(),
+    preload({ renderer: here("src/render/stage.ts") }),
+    offline({ worker: here("src/sw/worker.ts") }),
+  ],
 });

@@ -25,9 +25,11 @@ test("the surface follows during the drag; the address waits for its end", async
   const before = await pot.fingerprint();
   const description = () => pot.page.locator("pasu-stage #description").innerText();
   const said = await description();
-  await pot.drag("Height", 0.9, async () => {
-    await expect.poll(description).not.toBe(said);
-    expect(await pot.address()).toBe(VASE);
+  await pot.drag("Height", 0.9, {
+    held: async () => {
+      await expect.poll(description).not.toBe(said);
+      expect(await pot.address()).toBe(VASE);
+    },
   });
   await pot.fingerprintOtherThan(before);
   await expect.poll(() => pot.address()).toMatch(/^#1\/second-order\?height=/);

@@ -12,6 +12,7 @@ import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
 import { base, buttons } from "./styles";
+import { trace } from "./trace";
 
 type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
 
@@ -110,6 +111,13 @@ export class PasuStage extends DesignerElement {
         },
         onContextRestored: () => {
           this.mode = "live";
+        },
+        onDrawn: () => {
+          if (this.drawn) trace("drawn", this.drawn.change);
+        },
+        onCost: (milliseconds, coarsest) => {
+          const times = this.drawn?.solved.times;
+          if (times) this.designer.pace.learn(times.done - times.begun + milliseconds, coarsest);
         },
       });
       this.mode = "live";
@@ -213,26 +221,39 @@ export class PasuStage extends DesignerElement {
 
   override updated(_changed: PropertyValues): void {
     const { designer, stage } = this;
-    const { shown, comparison, state: now } = designer;
+    const { comparison, state: now } = designer;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (shown !== this.drawn) void this.drawStill();
-      this.drawn = shown;
+      if (designer.shown !== this.drawn) void this.drawStill();
+      this.drawn = designer.shown;
     }
     if (!stage) return;
     stage.theme(this.theme());
     stage.unit(unitOf(now.design));
-    if (shown && shown !== this.drawn) {
-      stage.show(shown.solved.mesh, [...looksOf(shown.design)]);
-      if (shown.solved.lines) stage.lines(shown.solved.lines);
-      this.drawn = shown;
-      this.frame(shown, stage);
-    }
+    this.display();
     stage.overlays(now.session.overlays);
     if (comparison !== this.compared) {
       this.compared = comparison;
       stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
     }
+  }
+
+  /** A new surface goes to the stage before the page writes about it. */
+  protected override told(): void {
+    this.display();
+    super.told();
+  }
+
+  private display(): void {
+    const { designer, stage } = this;
+    const { shown } = designer;
+    if (!stage || !shown || shown === this.drawn) return;
+    this.drawn = shown;
+    const before = stage.show(shown.solved.mesh, looksOf(shown.design));
+    if (before) designer.solver.recycle(before);
+    trace("shown", shown.change);
+    if (shown.solved.lines) stage.lines(shown.solved.lines);
+    this.frame(shown, stage);
   }
 
   /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */
