@@ -10,6 +10,9 @@ const STRIPS: usize = 64;
 /// The most strips; a surface of several thin layers may have so many.
 const MOST_STRIPS: usize = 768;
 
+/// The same where there are many modes.
+const MOST_STRIPS_OF_MANY: usize = 192;
+
 /// How often a strip may be halved: layers of rate 1e7 and less are resolved, for faster ones the bound is still one, only larger.
 const MOST_HALVINGS: usize = 24;
 
@@ -116,6 +119,7 @@ impl Profile {
         // The columns of a rotation times a scale are orthogonal, so lengths are those of stretched axes.
         let stretch = [placement.x_axis, placement.y_axis, placement.z_axis].map(DVec3::length);
         let mut circumference = Circumference::new(surface);
+        let most_strips = if circumference.has_many_modes { MOST_STRIPS_OF_MANY } else { MOST_STRIPS };
         let mut row = |u: f64| circumference.suprema(surface, u, stretch);
         let mut strips = Vec::with_capacity(2 * STRIPS);
         let mut before = row(0.0);
@@ -128,7 +132,7 @@ impl Profile {
         for _ in 0..MOST_HALVINGS {
             let coarse = coarse(&strips);
             let n_coarse = coarse.iter().filter(|is_coarse| **is_coarse).count();
-            if n_coarse == 0 || strips.len() + n_coarse > MOST_STRIPS {
+            if n_coarse == 0 || strips.len() + n_coarse > most_strips {
                 break;
             }
             let mut finer = Vec::with_capacity(strips.len() + n_coarse);

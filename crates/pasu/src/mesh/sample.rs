@@ -12,7 +12,7 @@ pub const VERTEX_LIMIT: usize = 16_000_000;
 ///
 /// # Errors
 /// `too-large` beyond [`VERTEX_LIMIT`]; `tolerance-too-fine` where the tolerance cannot be promised (single precision positions, or rows and columns that are
-/// given); `out-of-range` for options outside their range; what [`Surface::solve`] refuses; `overflow` for a point beyond single precision.
+/// given); `out-of-range` for options outside their range; what [`Surface::solve`](crate::Surface::solve) refuses; `overflow` for a point beyond single precision.
 pub fn mesh(design: &Design, options: &MeshOptions) -> Result<Mesh> {
     let mut sampler = Sampler::new();
     sampler.sample(design, options)?;
@@ -44,7 +44,6 @@ impl Sampler {
 
     fn fill(&mut self, grids: &[PartGrid]) -> Result<()> {
         let mut mesh = core::mem::take(&mut self.mesh);
-        mesh.bound = largest_bound(grids);
         self.topology.clear();
         for grid in grids {
             grid.append_topology(&mut self.topology);
@@ -57,6 +56,7 @@ impl Sampler {
                 grid.append_to(&mut mesh);
             }
         }
+        mesh.bound = largest_bound(grids);
         let mut first = 0;
         for grid in grids {
             let range = 3 * first..3 * (first + grid.n_vertices());

@@ -2,26 +2,32 @@
 
 use super::basis::{Basis, product};
 use super::rate::Rate;
-use super::series::falling;
 use super::{Equation, ModeSolution};
 
 impl Equation {
-    /// Bounds of `|q|` and its derivatives up to order `N - 1` on all of `[from, to]`, a part of [0, 1].
+    /// Bounds of `|q|` and its derivatives up to order `N - 1` on all of `[from, to]`, a part of [0, 1], for several solutions.
     ///
     /// Every function of the basis is bounded by itself and the bounds are added up, so the result may be several times too large where they cancel,
     /// but decays with the solution from the boundary that it comes from. A hyperbolic function of `x = u - 1/2` is largest in size at an end of every interval; a
     /// trigonometric one is bounded by 1, or by its argument.
-    pub(crate) fn suprema<const N: usize>(&self, solution: &ModeSolution, from: f64, to: f64) -> [f64; N] {
-        let mut suprema = polynomial::<N>(solution.particular(), (from - 0.5).abs().max((to - 0.5).abs()));
-        if solution.factors() != [0.0; 4] {
-            let basis = self.basis.suprema::<N>(from, to);
+    pub(crate) fn suprema<const N: usize, const M: usize>(
+        &self,
+        solutions: [&ModeSolution; M],
+        from: f64,
+        to: f64,
+    ) -> [[f64; N]; M] {
+        let needs_basis = solutions.iter().any(|solution| solution.factors() != [0.0; 4]);
+        let basis = if needs_basis { self.basis.suprema::<N>(from, to) } else { [[0.0; N]; 4] };
+        let reach = (from - 0.5).abs().max((to - 0.5).abs());
+        solutions.map(|solution| {
+            let mut suprema = polynomial::<N>(solution.particular(), reach);
             for (factor, function) in solution.factors().iter().zip(&basis).filter(|(factor, _)| **factor != 0.0) {
                 for (sum, value) in suprema.iter_mut().zip(function) {
                     *sum += factor.abs() * value;
                 }
             }
-        }
-        suprema
+            suprema
+        })
     }
 }
 
@@ -71,10 +77,16 @@ impl Rate {
 /// Bounds of a polynomial in `x` and its derivatives for `|x| <= reach`.
 fn polynomial<const N: usize>(coefficients: &[f64], reach: f64) -> [f64; N] {
     let mut suprema = [0.0; N];
-    for (order, value) in suprema.iter_mut().enumerate() {
-        for (power, coefficient) in coefficients.iter().enumerate().skip(order).rev() {
-            *value = *value * reach + coefficient.abs() * falling(power, order);
+    for coefficient in coefficients.iter().rev() {
+        for order in (1..N).rev() {
+            suprema[order] = suprema[order] * reach + suprema[order - 1];
         }
+        suprema[0] = suprema[0] * reach + coefficient.abs();
+    }
+    let mut factorial = 1.0;
+    for (order, value) in suprema.iter_mut().enumerate().skip(2) {
+        factorial *= order as f64;
+        *value *= factorial;
     }
     suprema
 }
@@ -97,7 +109,7 @@ mod tests {
                         let Ok(equation) = Equation::new(order, 1.0, t, w, k) else { continue };
                         let Ok(solution) = equation.solve(&data) else { continue };
                         for (from, to) in [(0.0, 0.01), (0.1, 0.5), (0.4, 0.7), (0.9, 1.0)] {
-                            let suprema = equation.suprema::<5>(&solution, from, to);
+                            let [suprema] = equation.suprema::<5, 1>([&solution], from, to);
                             for i in 0..=20 {
                                 let u = from + (to - from) * f64::from(i) / 20.0;
                                 let [jet] = equation.jets::<5, 1>([&solution], u);

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::circle;
 use super::solve::Surface;
-use super::table::{RowTable, distinct};
+use super::table::{BLOCK, Block, RowTable, distinct};
 
 /// Modes beyond this are not sampled but added up.
 const HIGHEST_SAMPLED: f64 = 256.0;
@@ -15,7 +15,7 @@ const SAMPLES_PER_WAVE: f64 = 12.0;
 /// As [`SAMPLES_PER_WAVE`] for surfaces of many modes, where sampling is what takes the time; 8.3 % too large.
 const SAMPLES_PER_WAVE_OF_MANY: f64 = 8.0;
 
-/// From this many modes of all three components together on, a surface has many.
+/// A surface of so many modes in all three components together has many.
 const MANY: usize = 32;
 
 /// The most samples, hence four for each wave of [`HIGHEST_SAMPLED`].
@@ -50,36 +50,38 @@ pub(crate) struct RowSuprema {
 /// square of the gap above the line that joins them.
 #[derive(Debug)]
 pub(crate) struct Circumference {
-    n_samples: usize,
     /// What sampled suprema are multiplied by.
     margin: f64,
     /// For each distinct `n` what is added of its amplitude: nothing, a little, or all of it for one that is not sampled.
     added: Vec<f64>,
     distinct: Vec<f64>,
-    /// For each distinct `n` all cosines, then all sines.
-    circles: Vec<f64>,
-    sum: Vec<f64>,
-    squared: Vec<f64>,
-    waves: Vec<Wave>,
+    /// Whether a row costs so much that few should be asked for.
+    pub(crate) has_many_modes: bool,
+    /// Whether the samples at `-v` are had from those at `v`, and only these are in `circles`.
+    is_mirrored: bool,
+    /// Block by block of samples, cosine and sine of each distinct `n`.
+    circles: Vec<[Block; 2]>,
+    waves: [Vec<Wave>; 3],
 }
 
-/// One mode of one component: coefficients of cosine and sine in `X_uu + g X_u`, `X_uv` and `X_vv`.
+/// One mode of one component.
 #[derive(Debug)]
 struct Wave {
-    axis: usize,
     column: usize,
-    parts: [[f64; 2]; 3],
-    amplitudes: [f64; 3],
+    /// Coefficients of the cosine in `X_uu + g X_u`, of the sine in `X_uv`, of the cosine in `X_vv`.
+    even: [f64; 3],
+    /// As `even`, with sine and cosine exchanged.
+    odd: [f64; 3],
 }
 
 impl Circumference {
     pub(crate) fn new(surface: &Surface) -> Self {
         let distinct = distinct(surface);
+        let has_many_modes = surface.components().iter().map(Vec::len).sum::<usize>() >= MANY;
         let is_sampled = |n: f64| n.abs() <= HIGHEST_SAMPLED;
         let highest = distinct.iter().filter(|n| is_sampled(**n)).fold(1.0f64, |highest, n| highest.max(n.abs()));
-        let n_modes = surface.components().iter().map(Vec::len).sum::<usize>();
-        let per_wave = if n_modes < MANY { SAMPLES_PER_WAVE } else { SAMPLES_PER_WAVE_OF_MANY };
-        let n_samples = (libm::ceil(per_wave * highest) as usize).next_multiple_of(8).clamp(16, MOST_SAMPLES);
+        let per_wave = if has_many_modes { SAMPLES_PER_WAVE_OF_MANY } else { SAMPLES_PER_WAVE };
+        let n_samples = (libm::ceil(per_wave * highest) as usize).next_multiple_of(2 * BLOCK).clamp(16, MOST_SAMPLES);
         let is_closed = surface.is_closed();
         // A row that does not close has a sample at each end.
         let steps = (if is_closed { n_samples } else { n_samples - 1 }) as f64;
@@ -94,22 +96,28 @@ impl Circumference {
                 0.125 * gap * gap
             }
         };
-        let mut circles = Vec::with_capacity(2 * n_samples * distinct.len());
-        for &n in &distinct {
+        // Samples from v = 0 to v = 1/2 and their mirror images, or all from 0 to 1.
+        let n_formed = if is_closed { n_samples / 2 + 1 } else { n_samples };
+        let circle = |n: f64, j: usize| {
             let turns = if is_sampled(n) { n } else { 0.0 };
-            let circle = |j: usize| circle::of_turns(libm::fmod(turns * j as f64, steps) / steps);
-            circles.extend((0..n_samples).map(|j| circle(j).0));
-            circles.extend((0..n_samples).map(|j| circle(j).1));
+            circle::of_turns(libm::fmod(turns * j.min(n_formed - 1) as f64, steps) / steps)
+        };
+        let mut circles = Vec::with_capacity(n_formed.div_ceil(BLOCK) * distinct.len());
+        for first in (0..n_formed).step_by(BLOCK) {
+            for &n in &distinct {
+                let lanes: [_; BLOCK] = core::array::from_fn(|lane| circle(n, first + lane));
+                circles.push([lanes.map(|(cos, _)| cos).into(), lanes.map(|(_, sin)| sin).into()]);
+            }
         }
+        let added = distinct.iter().map(|&n| added(n)).collect();
         Circumference {
-            n_samples,
             margin,
-            added: distinct.iter().map(|&n| added(n)).collect(),
+            added,
             distinct,
+            has_many_modes,
+            is_mirrored: is_closed,
             circles,
-            sum: vec![0.0; n_samples],
-            squared: vec![0.0; n_samples],
-            waves: Vec::with_capacity(n_modes),
+            waves: Default::default(),
         }
     }
 
@@ -117,65 +125,104 @@ impl Circumference {
     pub(crate) fn suprema(&mut self, surface: &Surface, u: f64, stretch: [f64; 3]) -> RowSuprema {
         let row = RowTable::<3>::at(surface, &self.distinct, u);
         let straightening = straightening(&row, &self.distinct, stretch);
-        self.waves.clear();
         let mut size = [0.0; 3];
-        for (axis, terms) in row.components.iter().enumerate() {
+        for (axis, (waves, terms)) in self.waves.iter_mut().zip(&row.components).enumerate() {
+            waves.clear();
             for term in terms {
                 let k = term.k * surface.span();
                 let ([a, a_u, a_uu], [b, b_u, b_uu]) =
                     (term.cos.map(|x| x * stretch[axis]), term.sin.map(|x| x * stretch[axis]));
-                let parts = [
-                    [a_uu + straightening * a_u, b_uu + straightening * b_u],
-                    [k * b_u, -k * a_u],
-                    [-k * k * a, -k * k * b],
-                ];
                 size[axis] += libm::hypot(a, b);
-                let amplitudes = parts.map(|[cos, sin]| libm::hypot(cos, sin));
-                self.waves.push(Wave { axis, column: term.column, parts, amplitudes });
+                waves.push(Wave {
+                    column: term.column,
+                    even: [a_uu + straightening * a_u, -k * a_u, -k * k * a],
+                    odd: [b_uu + straightening * b_u, k * b_u, -k * k * b],
+                });
             }
         }
-        let [uu, uv, vv] = [0, 1, 2].map(|part| self.supremum(part));
+        let [uu, uv, vv] = self.longest();
         RowSuprema { size: length(size), straightening, uu, uv, vv }
     }
 
-    /// The supremum of the length of one of the three vectors.
-    fn supremum(&mut self, part: usize) -> f64 {
-        let largest = self.waves.iter().fold(0.0f64, |largest, wave| largest.max(wave.amplitudes[part]));
-        if largest == 0.0 {
-            return 0.0;
+    /// The suprema of the lengths of the three vectors.
+    fn longest(&mut self) -> [f64; 3] {
+        let mut largest = [0.0f64; 3];
+        for wave in self.waves.iter().flatten() {
+            for (part, largest) in largest.iter_mut().enumerate() {
+                *largest = largest.max(wave.amplitude(part));
+            }
         }
         // Lengths are compared by their squares, which must neither vanish nor overflow.
-        let scale = 1.0 / largest;
-        let can_be_sampled = largest.is_finite() && scale.is_finite() && scale > 0.0;
-        let negligible = NEGLIGIBLE * largest / self.waves.len() as f64;
-        let mut added = [0.0; 3];
-        self.squared.fill(0.0);
-        for (axis, added) in added.iter_mut().enumerate() {
-            self.sum.fill(0.0);
-            for wave in self.waves.iter().filter(|wave| wave.axis == axis) {
-                let (amplitude, share) = (wave.amplitudes[part], self.added[wave.column]);
-                if amplitude <= negligible || share == 1.0 || !can_be_sampled {
-                    *added += amplitude;
-                    continue;
-                }
-                *added += share * amplitude;
-                let first = 2 * self.n_samples * wave.column;
-                let (cosines, sines) = self.circles[first..first + 2 * self.n_samples].split_at(self.n_samples);
-                for (factor, samples) in wave.parts[part].into_iter().zip([cosines, sines]) {
-                    if factor != 0.0 {
-                        let factor = factor * scale;
-                        for (sum, sample) in self.sum.iter_mut().zip(samples) {
-                            *sum += factor * sample;
-                        }
+        let scale = largest.map(|largest| 1.0 / largest);
+        let can_be_sampled = scale.map(|scale| scale.is_finite() && scale > 0.0);
+        let n_waves = self.waves.iter().map(Vec::len).sum::<usize>();
+        let negligible = largest.map(|largest| NEGLIGIBLE * largest / n_waves as f64);
+        let mut added = [[0.0; 3]; 3];
+        for (axis, waves) in self.waves.iter_mut().enumerate() {
+            waves.retain_mut(|wave| {
+                let share = self.added[wave.column];
+                for part in 0..3 {
+                    let amplitude = wave.amplitude(part);
+                    if amplitude <= negligible[part] || share == 1.0 || !can_be_sampled[part] {
+                        added[part][axis] += amplitude;
+                        (wave.even[part], wave.odd[part]) = (0.0, 0.0);
+                    } else {
+                        added[part][axis] += share * amplitude;
+                        wave.even[part] *= scale[part];
+                        wave.odd[part] *= scale[part];
                     }
                 }
+                wave.even != [0.0; 3] || wave.odd != [0.0; 3]
+            });
+        }
+        let sampled = self.sampled();
+        core::array::from_fn(|part| {
+            let sampled =
+                if sampled[part] > 0.0 { largest[part] * libm::sqrt(sampled[part]) * self.margin } else { 0.0 };
+            sampled + length(added[part])
+        })
+    }
+
+    /// The largest square of each length at any sample.
+    fn sampled(&self) -> [f64; 3] {
+        let mut most = [Block::ZERO; 3];
+        for circles in self.circles.chunks_exact(self.distinct.len().max(1)) {
+            let (mut here, mut mirrored) = ([Block::ZERO; 3], [Block::ZERO; 3]);
+            for waves in &self.waves {
+                let (mut even, mut odd) = ([Block::ZERO; 3], [Block::ZERO; 3]);
+                for wave in waves {
+                    let Some(&[cos, sin]) = circles.get(wave.column) else { continue };
+                    if wave.even != [0.0; 3] {
+                        even[0] += cos * wave.even[0];
+                        even[1] += sin * wave.even[1];
+                        even[2] += cos * wave.even[2];
+                    }
+                    if wave.odd != [0.0; 3] {
+                        odd[0] += sin * wave.odd[0];
+                        odd[1] += cos * wave.odd[1];
+                        odd[2] += sin * wave.odd[2];
+                    }
+                }
+                for part in 0..3 {
+                    let (sum, difference) = (even[part] + odd[part], even[part] - odd[part]);
+                    here[part] += sum * sum;
+                    mirrored[part] += difference * difference;
+                }
             }
-            for (squared, sum) in self.squared.iter_mut().zip(&self.sum) {
-                *squared += sum * sum;
+            for part in 0..3 {
+                most[part] = most[part].max(here[part]);
+                if self.is_mirrored {
+                    most[part] = most[part].max(mirrored[part]);
+                }
             }
         }
-        let sampled = self.squared.iter().fold(0.0f64, |largest, &squared| largest.max(squared));
-        largest * libm::sqrt(sampled) * self.margin + length(added)
+        most.map(|most| most.to_array().into_iter().fold(0.0, f64::max))
+    }
+}
+
+impl Wave {
+    fn amplitude(&self, part: usize) -> f64 {
+        libm::hypot(self.even[part], self.odd[part])
     }
 }
 
