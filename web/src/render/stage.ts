@@ -61,6 +61,7 @@ export class Stage {
   private told = "";
   private disposed = false;
   private readonly listeners = new AbortController();
+  private readonly settings = new Map<string, string>();
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -159,8 +160,7 @@ export class Stage {
 
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
-    this.overlay.overlays = overlays;
-    this.changed();
+    if (this.differs("overlays", JSON.stringify(overlays))) this.overlay.overlays = overlays;
   }
 
   /** Goes to a standard view, fitted. */
@@ -194,15 +194,14 @@ export class Stage {
   }
 
   theme(theme: Theme): void {
+    if (!this.differs("theme", theme)) return;
     this.tableau.theme = theme;
     this.overlay.appearance = theme;
-    this.changed();
   }
 
   /** The unit of the dimension labels. */
   unit(unit: Unit): void {
-    this.overlay.measure = unit;
-    this.changed();
+    if (this.differs("unit", unit)) this.overlay.measure = unit;
   }
 
   reducedMotion(reduced: boolean): void {
@@ -285,6 +284,14 @@ export class Stage {
     if (main.bounds) points.push(...this.overlay.outline(main.bounds, pose.azimuth));
     const distance = fitDistance(points, pose.target, axesOf(pose.azimuth, pose.polar), aspect);
     return distance > 0 ? distance : frame.radius;
+  }
+
+  /** Whether a setting is another one than before, which takes a new frame: pages set them again and again. */
+  private differs(name: string, value: string): boolean {
+    if (this.settings.get(name) === value) return false;
+    this.settings.set(name, value);
+    this.changed();
+    return true;
   }
 
   /** Something is different: a quick frame now, a fine one when all is quiet. */

@@ -11,7 +11,6 @@ function turned(
 ): WareMesh & GridSize {
   const positions: number[] = [];
   const normals: number[] = [];
-  const indices: number[] = [];
   for (let i = 0; i < rows; i++) {
     const u = i / (rows - 1);
     const { r, z, nr, nz } = profile(u);
@@ -20,17 +19,11 @@ function turned(
       const angle = 2 * Math.PI * (j === columns - 1 ? 0 : v);
       positions.push(r * Math.cos(angle), r * Math.sin(angle), z);
       normals.push(nr * Math.cos(angle), nr * Math.sin(angle), nz);
-      if (i === 0 || j === 0) continue;
-      const d = i * columns + j;
-      const [a, b, c] = [d - columns - 1, d - columns, d - 1];
-      // Rows go downwards: counter-clockwise from outside.
-      indices.push(a, c, b, b, c, d);
     }
   }
   return {
     positions: new Float32Array(positions),
     normals: new Float32Array(normals),
-    indices: new Uint32Array(indices),
     rows,
     columns,
   };

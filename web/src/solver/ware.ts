@@ -16,11 +16,10 @@ export interface Ware {
   readonly columns: number;
 }
 
-/** Corners and triangles of the coarse grids, part after part, as the solver hands them over. */
+/** The vertices of the coarse grids, part after part, as the solver hands them over. */
 export interface WareMesh {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
-  readonly indices: Uint32Array;
 }
 
 const ROWS = 49;
@@ -64,82 +63,71 @@ interface Grid extends GridSize {
  * - the distance along the profile to the rim;
  * - the distance along the profile to the foot, or the height above the lowest point when the bottom is closed;
  * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
- *
- * The curvature is half the divergence of the normals, taken exactly for the linear interpolation on each triangle and averaged by area
- * at the vertices; where triangles vanish it is 0.
  */
 export function ware(mesh: WareMesh, { rows, columns }: GridSize, into: Float32Array): void {
-  curvature(mesh, into);
   const { positions } = mesh;
   for (let first = 0; 3 * first < positions.length; first += rows * columns) {
     const grid: Grid = { first, rows, columns };
-    smoothSeam(positions, grid, into);
+    curvature(mesh, grid, into);
     straighten(positions, grid, into);
     edges(positions, grid, into);
   }
 }
 
-function curvature(mesh: WareMesh, into: Float32Array): void {
-  const { positions: p, normals: n, indices } = mesh;
-  const area = new Float32Array(p.length / 3);
-  for (let v = 0; v < area.length; v++) into[WARE_SIZE * v] = 0;
-  for (let i = 0; i < indices.length; i += 3) {
-    const a = 3 * at(indices, i);
-    const b = 3 * at(indices, i + 1);
-    const c = 3 * at(indices, i + 2);
-    // Edges opposite to a and b; the third is minus their sum.
-    const ax = at(p, c) - at(p, b);
-    const ay = at(p, c + 1) - at(p, b + 1);
-    const az = at(p, c + 2) - at(p, b + 2);
-    const bx = at(p, a) - at(p, c);
-    const by = at(p, a + 1) - at(p, c + 1);
-    const bz = at(p, a + 2) - at(p, c + 2);
-    let fx = ay * bz - az * by;
-    let fy = az * bx - ax * bz;
-    let fz = ax * by - ay * bx;
-    const twice = Math.sqrt(fx * fx + fy * fy + fz * fz);
-    if (!(twice > 0)) continue;
-    fx /= twice;
-    fy /= twice;
-    fz /= twice;
-    // Normals relative to that of c, so that the edge of c drops out: div n = sum (n_i - n_c) . (f x e_i) / (2 area).
-    const ux = at(n, a) - at(n, c);
-    const uy = at(n, a + 1) - at(n, c + 1);
-    const uz = at(n, a + 2) - at(n, c + 2);
-    const vx = at(n, b) - at(n, c);
-    const vy = at(n, b + 1) - at(n, c + 1);
-    const vz = at(n, b + 2) - at(n, c + 2);
-    const spread =
-      ux * (fy * az - fz * ay) +
-      uy * (fz * ax - fx * az) +
-      uz * (fx * ay - fy * ax) +
-      vx * (fy * bz - fz * by) +
-      vy * (fz * bx - fx * bz) +
-      vz * (fx * by - fy * bx);
-    add(into, area, a / 3, spread, twice);
-    add(into, area, b / 3, spread, twice);
-    add(into, area, c / 3, spread, twice);
-  }
-  for (let v = 0; v < area.length; v++) {
-    const weight = at(area, v);
-    into[WARE_SIZE * v] = weight > 0 ? (0.5 * at(into, WARE_SIZE * v)) / weight : 0;
-  }
-}
+/** A cell whose sides are this close to one line (by the square of the sine of their angle) has no curvature to speak of. */
+const FLAT = 1e-6;
 
-function add(into: Float32Array, area: Float32Array, vertex: number, spread: number, twice: number): void {
-  into[WARE_SIZE * vertex] = at(into, WARE_SIZE * vertex) + spread;
-  area[vertex] = at(area, vertex) + twice;
-}
-
-/** The first and last column of a closed surface are the same line, seen from one side each: they get the mean of both. */
-function smoothSeam(p: Float32Array, grid: Grid, into: Float32Array): void {
-  for (let row = 0; row < grid.rows; row++) {
-    const a = grid.first + row * grid.columns;
-    const b = a + grid.columns - 1;
-    for (let k = 0; k < 3; k++) if (at(p, 3 * a + k) !== at(p, 3 * b + k)) return;
-    const mean = (at(into, WARE_SIZE * a) + at(into, WARE_SIZE * b)) / 2;
-    into[WARE_SIZE * a] = mean;
-    into[WARE_SIZE * b] = mean;
+/**
+ * Half the divergence of the normals from central differences, with the fundamental forms `I` and `II` of the differences:
+ * `(L G - 2 M F + N E) / (2 (E G - F^2))`. Round a closed surface there is no seam; a pole has the mean of the ring beside it;
+ * elsewhere it is 0 where the surface is degenerate.
+ */
+function curvature({ positions: p, normals: n }: WareMesh, { first, rows, columns }: Grid, into: Float32Array): void {
+  const closed = [0, rows - 1].every((row) => {
+    const a = 3 * (first + row * columns);
+    const b = a + 3 * (columns - 1);
+    return at(p, a) === at(p, b) && at(p, a + 1) === at(p, b + 1) && at(p, a + 2) === at(p, b + 2);
+  });
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const vertex = first + row * columns + column;
+      const a = 3 * (row > 0 ? vertex - columns : vertex);
+      const b = 3 * (row < rows - 1 ? vertex + columns : vertex);
+      const c = 3 * (column > 0 ? vertex - 1 : closed ? vertex + columns - 2 : vertex);
+      const d = 3 * (column < columns - 1 ? vertex + 1 : closed ? vertex - columns + 2 : vertex);
+      const ux = at(p, b) - at(p, a);
+      const uy = at(p, b + 1) - at(p, a + 1);
+      const uz = at(p, b + 2) - at(p, a + 2);
+      const vx = at(p, d) - at(p, c);
+      const vy = at(p, d + 1) - at(p, c + 1);
+      const vz = at(p, d + 2) - at(p, c + 2);
+      const nux = at(n, b) - at(n, a);
+      const nuy = at(n, b + 1) - at(n, a + 1);
+      const nuz = at(n, b + 2) - at(n, a + 2);
+      const nvx = at(n, d) - at(n, c);
+      const nvy = at(n, d + 1) - at(n, c + 1);
+      const nvz = at(n, d + 2) - at(n, c + 2);
+      const e = ux * ux + uy * uy + uz * uz;
+      const f = ux * vx + uy * vy + uz * vz;
+      const g = vx * vx + vy * vy + vz * vz;
+      const area = e * g - f * f;
+      const l = nux * ux + nuy * uy + nuz * uz;
+      const m2 = nux * vx + nuy * vy + nuz * vz + nvx * ux + nvy * uy + nvz * uz;
+      const nn = nvx * vx + nvy * vy + nvz * vz;
+      into[WARE_SIZE * vertex] = area > FLAT * e * g ? (l * g - m2 * f + nn * e) / (2 * area) : 0;
+    }
+  }
+  for (const [end, beside] of [
+    [0, 1],
+    [rows - 1, rows - 2],
+  ] as const) {
+    const start = first + end * columns;
+    const middle = start + (columns >> 1);
+    if ([0, 1, 2].some((k) => at(p, 3 * start + k) !== at(p, 3 * middle + k))) continue;
+    const ring = first + beside * columns;
+    let mean = 0;
+    for (let v = ring; v < ring + columns; v++) mean += at(into, WARE_SIZE * v) / columns;
+    for (let v = start; v < start + columns; v++) into[WARE_SIZE * v] = mean;
   }
 }
 
