@@ -11,7 +11,7 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 
 const CONSUMER = `
 import init, {
-  type Derivatives, type Design, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse, PasuError, type PasuErrorCode,
+  bound, type Derivatives, type Design, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse, PasuError, type PasuErrorCode,
 } from "pasu";
 
 const ready: Promise<void> = init(new URL("https://example.org/pasu_bg.wasm"));
@@ -30,6 +30,7 @@ for (const part of design.parts) {
 }
 const text: string = link(design) + fingerprint(text_of(design));
 const made: Mesh = mesh(design, { rows: 3, columns: undefined });
+const off: number = made.bound ?? bound(design, { rows: 3, columns: 5 });
 const numbers: Float32Array = made.positions;
 const indices: Uint32Array = made.indices;
 const at: Float64Array = evaluate(design, 0, [0, 0]);
@@ -38,7 +39,7 @@ try { parse("#1"); } catch (error) {
   if (error instanceof PasuError) { const code: PasuErrorCode = error.code; const path: string = error.path; void code; void path; }
 }
 function text_of(design: Design): string { return JSON.stringify(design); }
-void text; void numbers; void indices; void slopes;
+void text; void off; void numbers; void indices; void slopes;
 
 // @ts-expect-error a part is named by its index
 evaluate(design, "0", at);

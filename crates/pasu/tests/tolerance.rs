@@ -1,5 +1,7 @@
 //! The promise of a tolerance: measured distances against the bound, and how many vertices it takes.
 
+#[path = "support/documents.rs"]
+mod documents;
 mod support;
 
 use std::collections::BTreeMap;
@@ -369,6 +371,31 @@ fn of_the_gallery_are_golden() {
     }
     let golden: BTreeMap<String, String> = serde_json::from_str(&std::fs::read_to_string(GOLDENS).unwrap()).unwrap();
     assert_eq!(found, golden);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Numbers of any size, and tolerances too: a grid with a finite bound, or a refusal.
+    #[test]
+    fn the_oddest_design_is_bounded_or_refused(value in documents::document(), tolerance in prop::option::of(-12.0..12.0f64)) {
+        let design = Design::from_value(&value).unwrap();
+        for (rows, columns) in [(None, None), (Some(7), None), (None, Some(9)), (Some(30), Some(40))] {
+            let options = MeshOptions { rows, columns, tolerance: tolerance.map(|power| 10f64.powf(power)) };
+            match bound(&design, &options) {
+                Ok(bound) => {
+                    prop_assert!(bound.is_finite() && bound >= 0.0, "{bound}");
+                    if let Some(tolerance) = options.tolerance {
+                        prop_assert!(bound <= tolerance * (1.0 + 1e-12));
+                    }
+                }
+                Err(error) => {
+                    let codes = ["too-large", "tolerance-too-fine", "resonant-problem", "overflow", "out-of-range"];
+                    prop_assert!(codes.contains(&error.code()), "{error:?}");
+                }
+            }
+        }
+    }
 }
 
 /// Even rows and columns of which the same bound keeps the tolerance: the fewest vertices, found by trying.

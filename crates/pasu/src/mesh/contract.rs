@@ -28,7 +28,7 @@ pub struct Mesh {
     /// A name for the grids and their windings: meshes with equal names have equal `uvs`, `indices` and `groups`.
     pub topology: String,
     /// The largest distance between the triangles and the true surface, in model units, whichever of the two it is measured from; the rounding of the positions is in it.
-    /// Known wherever rows or columns were chosen or a tolerance was asked for. `None` where both were given: finding it would take longer than the mesh, so
+    /// Known wherever rows or columns were chosen or a tolerance was asked for. `None` where both were given, and where it is beyond all numbers: finding it would take longer than the mesh, so
     /// [`bound`](crate::bound) does it on demand.
     pub bound: Option<f64>,
 }

@@ -92,9 +92,10 @@ pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result
 /// It is [`Mesh::bound`] wherever that is known, and is found also for rows and columns that are both given, at the cost of some hundred rows of vertices.
 ///
 /// # Errors
-/// As [`mesh`], but for `overflow`, which only sampling finds.
+/// As [`mesh`]; `overflow` where second derivatives leave the range of numbers, not where points do, which only sampling finds.
 pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
-    Ok(largest_bound(&choose(design, options, true)?).unwrap_or(0.0))
+    let message = "the surface bends more sharply than numbers can tell";
+    largest_bound(&choose(design, options, true)?).ok_or_else(|| Error::new(Code::Overflow, "parts", message))
 }
 
 /// The largest bound of all parts, if every part has one.

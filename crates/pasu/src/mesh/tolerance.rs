@@ -75,7 +75,7 @@ impl Tessellation {
         }
         let mut chosen = part.grid(tolerance, along, round);
         let bound = part.bound(&chosen);
-        chosen.bound = Some(bound);
+        chosen.bound = Some(bound).filter(|bound| bound.is_finite());
         match options.tolerance {
             Some(tolerance) if !(bound <= tolerance * (1.0 + 1e-12)) && part.is_within_limit(&chosen) => {
                 Err(part.too_fine(tolerance, &chosen))
@@ -131,7 +131,7 @@ impl Part {
     /// The fewest cells round the axis with which even cells along `u` hold. Where these spend the budget by themselves, the others are chosen as if they had the whole of it.
     fn round_for(&self, along: f64, budget: f64) -> f64 {
         let mut widest = 1.0 / LEAST_ROUND;
-        self.profile.cells(even_rows(along), |p, bend| {
+        self.profile.cells(&mut even_rows(along), &mut |p, bend| {
             let beside = bend.widest(p, budget);
             let q = if beside > 0.0 { beside } else { bend.widest(0.0, budget) };
             widest = widest.min(q.max(0.0));
@@ -170,7 +170,7 @@ impl Part {
         if !(estimate < MANY_ROWS) {
             return libm::ceil(estimate.max(LEAST_ALONG));
         }
-        self.profile.walk(q, budget, usize::MAX, |_| {}).map_or(f64::INFINITY, |n| n as f64)
+        self.profile.walk(q, budget, usize::MAX, &mut |_| {}).map_or(f64::INFINITY, |n| n as f64)
     }
 
     /// Rows placed so that every cell costs about the same, which is what the budget allows or less. Where the columns spend the budget by themselves, as if there were none.
@@ -182,7 +182,7 @@ impl Part {
         if !((estimate + 1.0) * (round + 1.0) <= 2.0 * VERTEX_LIMIT as f64) {
             return grid(libm::ceil(estimate), None);
         }
-        let Some(n_steps) = self.profile.walk(q, budget, VERTEX_LIMIT, |_| {}) else {
+        let Some(n_steps) = self.profile.walk(q, budget, VERTEX_LIMIT, &mut |_| {}) else {
             return grid(libm::ceil(estimate).max(VERTEX_LIMIT as f64), None);
         };
         // The same number of steps at the least budget, so that the last is no shorter than it must be.
@@ -190,7 +190,7 @@ impl Part {
         if (n_steps as f64) < MANY_ROWS {
             for _ in 0..EVENING {
                 let middle = 0.5 * (enough + less);
-                match self.profile.walk(q, middle, n_steps, |_| {}) {
+                match self.profile.walk(q, middle, n_steps, &mut |_| {}) {
                     Some(_) => enough = middle,
                     None => less = middle,
                 }
@@ -198,7 +198,7 @@ impl Part {
         }
         let mut rows = Vec::with_capacity(n_steps + 1);
         rows.push(0.0);
-        self.profile.walk(q, enough, n_steps, |u| rows.push(u));
+        self.profile.walk(q, enough, n_steps, &mut |u| rows.push(u));
         grid(rows.len() as f64 - 1.0, Some(rows))
     }
 
@@ -210,8 +210,8 @@ impl Part {
         let (mut cost, q) = (0.0f64, 1.0 / grid.round);
         let mut visit = |p: f64, bend: Bend| cost = cost.max(bend.cost(p, q));
         match &grid.rows {
-            Some(rows) => self.profile.cells(rows.iter().copied(), &mut visit),
-            None => self.profile.cells(even_rows(grid.along), &mut visit),
+            Some(rows) => self.profile.cells(&mut rows.iter().copied(), &mut visit),
+            None => self.profile.cells(&mut even_rows(grid.along), &mut visit),
         }
         0.125 * cost + self.rounding
     }

@@ -222,7 +222,8 @@ impl Circumference {
 
 impl Wave {
     fn amplitude(&self, part: usize) -> f64 {
-        libm::hypot(self.even[part], self.odd[part])
+        let amplitude = libm::hypot(self.even[part], self.odd[part]);
+        if amplitude.is_nan() { f64::INFINITY } else { amplitude }
     }
 }
 
