@@ -4,7 +4,7 @@
  */
 
 import type { OrderKind } from "../document/convert";
-import { describe } from "../document/describe";
+import { describe, describeAccuracy } from "../document/describe";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
@@ -117,6 +117,12 @@ export class Designer {
   get description(): string {
     const facts = this.shown?.solved.facts;
     return this.shown && facts ? describe(facts, unitOf(this.shown.design)) : "";
+  }
+
+  /** How true the picture is, in words; empty while it is not known. */
+  get accuracy(): string {
+    const bound = this.shown?.solved.bound ?? null;
+    return this.shown && bound !== null ? describeAccuracy(bound, unitOf(this.shown.design)) : "";
   }
 
   subscribe(listener: () => void): () => void {

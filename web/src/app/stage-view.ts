@@ -60,6 +60,7 @@ export class PasuStage extends DesignerElement {
   private stage: Stage | null = null;
   private drawn: Shown | null = null;
   private compared: Comparison | null = null;
+  private said = "";
   private framed = -1;
   private framedSize = 0;
   private readonly dark = matchMedia(DARK);
@@ -144,7 +145,7 @@ export class PasuStage extends DesignerElement {
       ${designer.comparison ? this.captions(designer.comparison) : nothing}
       <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
       <div class="foot">
-        <p id="description">${designer.description}</p>
+        <p id="description">${designer.description}${this.accuracy()}</p>
         ${
           this.mode === "still"
             ? nothing
@@ -191,6 +192,13 @@ export class PasuStage extends DesignerElement {
         }
       </div>
     `;
+  }
+
+  /** Keeps its place while a gesture is under way, when nobody knows it. */
+  private accuracy() {
+    const { accuracy } = this.designer;
+    if (accuracy !== "") this.said = accuracy;
+    return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
   }
 
   private note() {
@@ -355,6 +363,9 @@ export class PasuStage extends DesignerElement {
         background: var(--sheet);
         color: var(--soft);
         font-size: 0.9rem;
+      }
+      .accuracy[data-old] {
+        visibility: hidden;
       }
       #description:empty {
         visibility: hidden;

@@ -1,6 +1,6 @@
 import { expect, describe as group, test } from "vitest";
 import { boundsOf } from "../solver/bounds";
-import { type Box, describe, type Facts, facts, type Grid } from "./describe";
+import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
 function pot(radius: (u: number, v: number) => number, height: (u: number, v: number) => number, turn = 1): Grid {
@@ -60,4 +60,14 @@ group("a pot in words", () => {
 
 test("nothing is said of nothing", () => {
   expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] })).toBeNull();
+});
+
+test.each([
+  [0.001234, "0.0013 cm"],
+  [0.02, "0.02 cm"],
+  [0.0996, "0.1 cm"],
+  [17.2, "18 cm"],
+  [0, "0 cm"],
+])("an accuracy of %d is never called better than it is", (bound, words) => {
+  expect(describeAccuracy(bound, "cm")).toBe(`Drawn to within ${words} of the true surface.`);
 });

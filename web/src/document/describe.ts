@@ -176,6 +176,13 @@ export function describe(shape: Facts, unit: Unit): string {
   return `${clauses.join(", ")}.${open}${parts}`;
 }
 
+/** How far the picture's triangles may be from the surface, in words; rounded up, because it is a promise. */
+export function describeAccuracy(bound: number, unit: Unit): string {
+  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  const promised = bound > 0 ? Math.ceil(bound / place) * place : 0;
+  return `Drawn to within ${formatNumber(promised, 2)} ${unit} of the true surface.`;
+}
+
 function noun(shape: Facts, across: number): string {
   const slenderness = across > 0 ? shape.height / across : 1;
   if (slenderness < 0.3) return "a plate";

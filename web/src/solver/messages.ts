@@ -82,6 +82,8 @@ export interface Solved<Mesh = MeshArrays> {
   readonly lines: LineArrays | null;
   readonly section: Section | null;
   readonly facts: Facts | null;
+  /** The largest distance of the triangles from the true surface; known once the gesture is over. */
+  readonly bound: number | null;
   readonly fingerprint: string;
   readonly link: string;
   readonly times: Times;

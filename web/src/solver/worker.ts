@@ -1,6 +1,6 @@
 /** The solver's worker: the only importer of the package. Answers one request after the other. */
 
-import init, { derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu";
+import init, { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu";
 import type { Grid } from "../document/describe";
 import { facts } from "../document/describe";
 import type { Design, Part, Refusal } from "../document/types";
@@ -70,6 +70,7 @@ function solve(design: Design, options: SolveOptions, given: Given): Solved<Sent
       : null,
     section: part && options.section !== null ? sectionOf(design, part, options.section) : null,
     facts: bounds && facts(gridsOf(made.coarse, made.mesh.ware), bounds),
+    bound: options.settle ? bound(design, { rows: options.rows, columns: options.columns }) : null,
     fingerprint: options.settle ? fingerprint(design) : "",
     link: options.settle ? link(design) : "",
     times: { begun, ...made.times, done: now() },
