@@ -52,20 +52,17 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals at some columns of the row at `u`.
-    pub(super) fn normals(&mut self, u: f64, columns: &mut [usize], normals: &mut [f32]) {
-        if columns.is_empty() {
-            return;
-        }
+    /// Fills the normals at the columns of the row at `u` that are wanted.
+    pub(super) fn normals(&mut self, u: f64, wanted: &[bool], normals: &mut [f32]) {
         self.take(u);
-        columns.sort_unstable();
-        let normals = normals.as_chunks_mut::<3>().0;
-        for here in columns.chunk_by(|a, b| a / BLOCK == b / BLOCK) {
-            let mut written = [[0.0; 3]; BLOCK];
-            self.block(here[0] / BLOCK).1.write(&mut written);
-            for column in here {
-                if let Some(normal) = normals.get_mut(*column) {
-                    *normal = written[column % BLOCK];
+        let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
+        for (block, (normals, wanted)) in normals.zip(wanted.chunks(BLOCK)).enumerate() {
+            if wanted.contains(&true) {
+                let mut written = [[0.0; 3]; BLOCK];
+                self.block(block).1.write(&mut written);
+                for ((normal, written), _) in normals.iter_mut().zip(written).zip(wanted).filter(|(_, wanted)| **wanted)
+                {
+                    *normal = written;
                 }
             }
         }

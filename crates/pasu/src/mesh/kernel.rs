@@ -12,11 +12,9 @@ use crate::surface::Turns;
 /// Which columns share their sums.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Fold {
-    /// None: the surface does not close, or there are too few columns.
+    /// None: the surface does not close, or the number of steps round it is odd or very small.
     #[default]
     Open,
-    /// `v` and `-v`.
-    Mirrored,
     /// `v`, `-v` and both half a turn on.
     Quartered,
 }
@@ -43,16 +41,10 @@ impl Circles {
     /// Makes the tables for a number of columns.
     pub(super) fn prepare(&mut self, coefficients: &Coefficients, is_closed: bool, turns: &Turns, n_columns: usize) {
         let n_steps = n_columns - 1;
-        let fold = if !is_closed || n_steps < LEAST_FOLDED {
-            Fold::Open
-        } else if n_steps % 2 == 1 {
-            Fold::Mirrored
-        } else {
-            Fold::Quartered
-        };
+        let folds = is_closed && n_steps >= LEAST_FOLDED && n_steps.is_multiple_of(2);
+        let fold = if folds { Fold::Quartered } else { Fold::Open };
         let n_formed = match fold {
             Fold::Open => n_columns,
-            Fold::Mirrored => n_steps / 2 + 1,
             Fold::Quartered => n_steps / 4 + 1,
         };
         let n_blocks = n_formed.div_ceil(4);
@@ -72,7 +64,7 @@ impl Circles {
         }
     }
 
-    /// Writes positions and unit normals of one of the four rows, normals times `sign`; calls `repair` with every column whose normal single precision does not hold.
+    /// Writes positions and unit normals of one of the four rows, normals times `sign`; marks every column whose normal single precision does not hold and says whether there are any.
     #[inline(never)]
     pub(super) fn row(
         &mut self,
@@ -81,8 +73,8 @@ impl Circles {
         sign: f32,
         positions: &mut [f32],
         normals: &mut [f32],
-        repair: impl FnMut(usize),
-    ) {
+        unsure: &mut [bool],
+    ) -> bool {
         let (n_even, row) = (coefficients.n_even, row & 3);
         let at = |lanes: Lanes| Lanes::splat(lanes.to_array()[row]);
         let task = Task {
@@ -92,13 +84,17 @@ impl Circles {
             n_even,
             n_steps: self.n_columns - 1,
             is_mirrored: coefficients.is_mirrored,
-            is_turned: coefficients.is_turned,
         };
         let strands = coefficients.strands.as_slice();
         let any = match coefficients.layout {
             Layout::Split { z_is_sine } => {
                 let z_parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
-                self.fold(task, &Split { strands, row, z_is_sine, z_parity }, positions, normals)
+                let layout = Split { strands, row, z_is_sine, z_parity };
+                if coefficients.is_turned && self.fold == Fold::Quartered {
+                    self.each_block(task, &layout, positions, normals, turned_block)
+                } else {
+                    self.fold(task, &layout, positions, normals)
+                }
             }
             Layout::Both => {
                 let sine_strands = coefficients.sine_strands.as_slice();
@@ -106,7 +102,7 @@ impl Circles {
             }
         };
         if any != 0 {
-            self.report(repair);
+            self.mark(unsure);
         }
         if self.fold != Fold::Open {
             // The seam has the same bits, down to the sign of 0.
@@ -115,14 +111,13 @@ impl Circles {
                 array.copy_within(0..3, last);
             }
         }
+        any != 0
     }
 
     /// Forms the sums of each block and writes the columns that are had from them. Returns whether any normal is unsure.
     fn fold(&mut self, task: Task, layout: &impl Form, positions: &mut [f32], normals: &mut [f32]) -> u8 {
         match self.fold {
-            Fold::Quartered if task.is_turned => self.each_block(task, layout, positions, normals, turned_block),
             Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block),
-            Fold::Mirrored => self.each_block(task, layout, positions, normals, mirrored_block),
             Fold::Open => self.each_block(task, layout, positions, normals, open_block),
         }
     }
@@ -162,21 +157,21 @@ impl Circles {
         any
     }
 
-    /// The columns of the lanes that were found unsure.
-    fn report(&self, mut repair: impl FnMut(usize)) {
+    /// Marks the columns of the lanes that were found unsure.
+    fn mark(&self, unsure: &mut [bool]) {
         let n_steps = self.n_columns - 1;
-        for (block, unsure) in self.unsure.iter().enumerate() {
-            for (slot, lanes) in unsure.iter().enumerate() {
+        for (block, slots) in self.unsure.iter().enumerate() {
+            for (slot, lanes) in slots.iter().enumerate() {
                 for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
                     let column = 4 * block + lane;
                     let column = match (self.fold, slot) {
                         (Fold::Quartered, 2) => column + n_steps / 2,
-                        (Fold::Quartered | Fold::Mirrored, 1) => n_steps - column,
+                        (Fold::Quartered, 1) => n_steps - column,
                         (Fold::Quartered, 3) => n_steps / 2 - column,
                         _ => column,
                     };
-                    if column <= n_steps {
-                        repair(column);
+                    if let Some(unsure) = unsure.get_mut(column) {
+                        *unsure = true;
                     }
                 }
             }
@@ -287,7 +282,6 @@ struct Task {
     n_even: usize,
     n_steps: usize,
     is_mirrored: bool,
-    is_turned: bool,
 }
 
 impl Task {
@@ -341,22 +335,7 @@ fn open_block<F: Form>(
     [first.1, 0, 0, 0]
 }
 
-/// Those and the ones at `-v`.
-#[inline(always)]
-fn mirrored_block<F: Form>(
-    task: &Task,
-    layout: &F,
-    circles: &[[Lanes; 2]],
-    column: usize,
-    positions: &mut [f32],
-    normals: &mut [f32],
-) -> [u8; 4] {
-    let formed = layout.form(0..circles.len(), circles);
-    let [first, second] = two_blocks(task, layout, formed, [column, task.n_steps - column - 3], positions, normals);
-    [first, second, 0, 0]
-}
-
-/// Those and the ones half a turn on.
+/// Those, the ones at `-v` and both half a turn on.
 #[inline(always)]
 fn quartered_block<F: Form>(
     task: &Task,
