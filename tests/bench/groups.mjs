@@ -43,7 +43,7 @@ export async function* groups({ bench, pasu, vase, turned }, { quick }) {
   yield await memory(bench, vase, turned, 2 * rounds + 1);
   yield await solving(bench, vase, 2 * rounds + 1);
   yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
-  for (const side of [64, 128, 256, 512]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
+  for (const side of [65, 129, 257, 513]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
 }
 
 /** Sampling, against what else JavaScript could do. */
@@ -60,7 +60,7 @@ async function everyWave(bench, design, rounds) {
 }
 
 async function sampling(what, bench, design, contendersOf, targets, rounds) {
-  const side = 512;
+  const side = 513;
   const subject = new bench.Subject(JSON.stringify(design));
   subject.show(side, side);
   const { positions, normals } = subject;
@@ -84,7 +84,7 @@ async function sampling(what, bench, design, contendersOf, targets, rounds) {
     return name in targets ? { ...row, at_least: targets[name] } : row;
   });
   return {
-    group: `Kernel, ${side} x ${side}, ${what}`,
+    group: `Kernel, ${side - 1} x ${side - 1} cells, ${what}`,
     unit: "ns per vertex",
     rows: [
       { name: "Pasu", samples: scaled(samples[0], perVertex) },
@@ -96,7 +96,7 @@ async function sampling(what, bench, design, contendersOf, targets, rounds) {
 
 /** Sampling, against filling the memory that it writes: three numbers of four bytes each for position and normal. */
 async function memory(bench, vase, turned, rounds) {
-  const side = 1024;
+  const side = 1025;
   const block = new bench.Memory(24 * side ** 2);
   const designs = [...MODES.map((modes) => firstModes(vase, modes)), turned];
   const names = [...MODES.map((modes) => `Pasu, K = ${modes}`), "Pasu, turned"];
@@ -112,7 +112,7 @@ async function memory(bench, vase, turned, rounds) {
   const perVertex = 1e6 / side ** 2;
   const limits = [...OF_FILL, TURNED_OF_FILL];
   return {
-    group: `Memory, ${side} x ${side}, 24 bytes a vertex`,
+    group: `Memory, ${side - 1} x ${side - 1} cells, 24 bytes a vertex`,
     unit: "ns per vertex",
     rows: [
       { name: FILL, samples: scaled(samples[0], perVertex) },
@@ -210,7 +210,7 @@ async function whole(bench, pasu, design, side, rounds) {
   subject.free();
   const name = "sampling alone";
   return {
-    group: `Whole way, ${side} x ${side}, K = 4`,
+    group: `Whole way, ${side - 1} x ${side - 1} cells, K = 4`,
     unit: "ms",
     rows: [
       { name, samples: samples[0] },

@@ -26,7 +26,7 @@ fn main() -> Result<()> {
 
 /// Sampling against the closed form at every vertex.
 fn kernel(modes: usize, rounds: usize) -> Result<()> {
-    const SIDE: usize = 512;
+    const SIDE: usize = 513;
     let design = designs::vase(modes)?;
     let at = grid(SIDE);
     let mut sampler = Sampler::new();
@@ -45,13 +45,13 @@ fn kernel(modes: usize, rounds: usize) -> Result<()> {
     let scale = 1e9 / (SIDE * SIDE) as f64;
     let mut direct = row(direct, scale);
     direct["against"] = json!("Pasu");
-    print(&format!("Kernel, {SIDE} x {SIDE}, K = {modes}"), "ns per vertex", vec![row(pasu, scale), direct]);
+    print(&format!("Kernel, {0} x {0} cells, K = {modes}", SIDE - 1), "ns per vertex", vec![row(pasu, scale), direct]);
     Ok(())
 }
 
 /// Sampling against filling the memory that it writes.
 fn memory(rounds: usize) -> Result<()> {
-    const SIDE: usize = 1024;
+    const SIDE: usize = 1025;
     let designs = [designs::vase(1)?, designs::vase(4)?, designs::vase(8)?, designs::turned()?];
     let names = ["Pasu, K = 1", "Pasu, K = 4", "Pasu, K = 8", "Pasu, turned"];
     let mut samplers = [Sampler::new(), Sampler::new(), Sampler::new(), Sampler::new()];
@@ -69,7 +69,7 @@ fn memory(rounds: usize) -> Result<()> {
         }
         row
     });
-    print(&format!("Memory, {SIDE} x {SIDE}, 24 bytes a vertex"), "ns per vertex", rows.collect());
+    print(&format!("Memory, {0} x {0} cells, 24 bytes a vertex", SIDE - 1), "ns per vertex", rows.collect());
     Ok(())
 }
 
