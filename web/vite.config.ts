@@ -39,5 +39,9 @@ export default defineConfig({
       },
     },
   },
-  plugins: [leanRenderer(), contentSecurityPolicy(), offline({ worker: here("src/sw/worker.ts") })],
+  plugins: [
+    leanRenderer({ sources: here("src") }),
+    contentSecurityPolicy(),
+    offline({ worker: here("src/sw/worker.ts") }),
+  ],
 });
