@@ -6,6 +6,7 @@ import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { leanRenderer } from "./build/lean-renderer.ts";
 import { offline } from "./build/offline.ts";
+import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -42,6 +43,7 @@ export default defineConfig({
   plugins: [
     leanRenderer({ sources: here("src") }),
     contentSecurityPolicy(),
+    preload({ renderer: here("src/render/stage.ts") }),
     offline({ worker: here("src/sw/worker.ts") }),
   ],
 });

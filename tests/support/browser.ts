@@ -19,11 +19,19 @@ const QUIET = [
   "--no-first-run",
 ];
 
+/** What a browser is started with. */
+export interface LaunchOptions {
+  /** Whether it draws WebGL. */
+  readonly webgl?: boolean;
+  /** Flags beside the usual ones. */
+  readonly flags?: readonly string[];
+}
+
 /** Starts a browser. Every test opens its own context, which is a fresh profile. */
-export async function launch({ webgl = true } = {}): Promise<Browser> {
+export async function launch({ webgl = true, flags = [] }: LaunchOptions = {}): Promise<Browser> {
   const executablePath = process.env.PASU_BROWSER ?? USUAL.find(existsSync);
   return await chromium.launch({
     ...(executablePath === undefined ? {} : { executablePath }),
-    args: [...QUIET, webgl ? "--enable-unsafe-swiftshader" : "--disable-3d-apis"],
+    args: [...QUIET, webgl ? "--enable-unsafe-swiftshader" : "--disable-3d-apis", ...flags],
   });
 }

@@ -36,8 +36,21 @@ export interface Site {
 /** The site that `cargo xtask build` makes. */
 export const DIST = fileURLToPath(new URL("../../web/dist", import.meta.url));
 
-/** Serves a folder on a free port, or on a given one (to come back after an outage at the same address). */
-export async function serve(folder: string = DIST, port = 0): Promise<Site> {
+/** Headers of a page whose clocks are exact to some microseconds: it shares its process with nothing from elsewhere. */
+export const ISOLATED = {
+  "cross-origin-opener-policy": "same-origin",
+  "cross-origin-embedder-policy": "require-corp",
+} as const;
+
+/**
+ * Serves a folder on a free port, or on a given one (to come back after an outage at the same address). `headers` come to
+ * those of every file, or in their place.
+ */
+export async function serve(
+  folder: string = DIST,
+  port = 0,
+  headers: (file: string) => Readonly<Record<string, string>> = () => ({}),
+): Promise<Site> {
   let current = folder;
   const missing: string[] = [];
   const server = createServer(async (request, response) => {
@@ -49,7 +62,12 @@ export async function serve(folder: string = DIST, port = 0): Promise<Site> {
       return;
     }
     const type = TYPES[extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "content-type": type, "cache-control": "no-cache", "x-content-type-options": "nosniff" });
+    response.writeHead(200, {
+      "content-type": type,
+      "cache-control": "no-cache",
+      "x-content-type-options": "nosniff",
+      ...headers(file),
+    });
     if (request.method === "HEAD") response.end();
     else createReadStream(file).pipe(response);
   });

@@ -60,8 +60,32 @@ export async function atRest(pot: Visit): Promise<number> {
   }, frames);
 }
 
-/** Reads a PNG of 8-bit RGB or RGBA, as browsers write them. */
+/** Where two pictures of the same size differ: by how many of 255 levels in the mean, and in what share of their pixels visibly. */
+export function difference(a: Buffer, b: Buffer): { readonly mean: number; readonly share: number } {
+  const [one, other] = [pixels(a), pixels(b)];
+  if (one.width !== other.width || one.height !== other.height) throw new Error("pictures of different sizes");
+  const visible = 12;
+  let sum = 0;
+  let seen = 0;
+  const count = one.width * one.height;
+  for (let i = 0; i < 3 * count; i += 3) {
+    const apart = Math.max(...[0, 1, 2].map((k) => Math.abs((one.rgb[i + k] ?? 0) - (other.rgb[i + k] ?? 0))));
+    sum += apart;
+    if (apart > visible) seen += 1;
+  }
+  return { mean: sum / count, share: seen / count };
+}
+
+/** A picture's size and how many colours it has. */
 export function sight(png: Buffer): Sight {
+  const { width, height, rgb } = pixels(png);
+  const tones = new Set<number>();
+  for (let i = 0; i < rgb.length; i += 3) tones.add(rgb.readUIntBE(i, 3));
+  return { width, height, tones: tones.size };
+}
+
+/** Reads a PNG of 8-bit RGB or RGBA, as browsers write them. */
+function pixels(png: Buffer): { readonly width: number; readonly height: number; readonly rgb: Buffer } {
   const width = png.readUInt32BE(16);
   const height = png.readUInt32BE(20);
   const bytes = png[25] === 6 ? 4 : 3;
@@ -73,7 +97,7 @@ export function sight(png: Buffer): Sight {
   }
   const rows = inflateSync(Buffer.concat(parts));
   const stride = width * bytes;
-  const tones = new Set<number>();
+  const rgb = Buffer.alloc(3 * width * height);
   let above = Buffer.alloc(stride);
   for (let y = 0; y < height; y += 1) {
     const filter = rows[y * (stride + 1)] ?? 0;
@@ -84,10 +108,10 @@ export function sight(png: Buffer): Sight {
       const corner = i >= bytes ? (above[i - bytes] ?? 0) : 0;
       row[i] = ((row[i] ?? 0) + predicted(filter, left, up, corner)) & 255;
     }
-    for (let i = 0; i < stride; i += bytes) tones.add(row.readUIntBE(i, 3));
+    for (let x = 0; x < width; x += 1) row.copy(rgb, 3 * (y * width + x), x * bytes, x * bytes + 3);
     above = row;
   }
-  return { width, height, tones: tones.size };
+  return { width, height, rgb };
 }
 
 /** The filters of PNG (RFC 2083, section 6). */

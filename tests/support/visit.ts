@@ -7,6 +7,8 @@ import type { Browser, BrowserContext, BrowserContextOptions, Download, Locator,
 export interface VisitOptions extends BrowserContextOptions {
   /** What follows the address, with its `#`. */
   readonly link?: string;
+  /** Runs before the page opens: the place to count or to measure what it does from its first moment. */
+  readonly before?: (there: Visit) => Promise<void>;
 }
 
 /** A small desktop window, just wide enough for the whole bar: software WebGL pays by the pixel. Without damped motion the camera is where it goes at once. */
@@ -28,13 +30,14 @@ export const PHONE: BrowserContextOptions = {
 export async function visit(
   browser: Browser,
   url: string,
-  { link = "", ...options }: VisitOptions = {},
+  { link = "", before, ...options }: VisitOptions = {},
 ): Promise<Visit> {
   const context = await browser.newContext({ ...DESKTOP, ...options });
   context.setDefaultTimeout(PATIENCE);
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   const there = new Visit(context, await context.newPage(), url);
   await there.listen();
+  await before?.(there);
   await there.page.goto(url + link);
   return there;
 }
@@ -120,8 +123,12 @@ export class Visit {
     }, fingerprint);
   }
 
-  /** Drags a slider's thumb to a share of its track, by way of several places. `held` runs before the release. */
-  async drag(name: string, share: number, held?: () => Promise<void>): Promise<void> {
+  /** Drags a slider's thumb to a share of its track, in so many steps. `held` runs before the release. */
+  async drag(
+    name: string,
+    share: number,
+    { steps = 4, held }: { readonly steps?: number; readonly held?: () => Promise<void> } = {},
+  ): Promise<void> {
     const slider = this.slider(name);
     await slider.scrollIntoViewIfNeeded();
     const box = await slider.boundingBox();
@@ -136,7 +143,7 @@ export class Visit {
     const { mouse } = this.page;
     await mouse.move(at(now), y);
     await mouse.down();
-    for (const step of [0.25, 0.5, 0.75, 1]) await mouse.move(at(now + step * (share - now)), y);
+    for (let step = 1; step <= steps; step += 1) await mouse.move(at(now + (step / steps) * (share - now)), y);
     await held?.();
     await mouse.up();
   }

@@ -2,7 +2,8 @@
 
 import "./app/pasu-app";
 import { Designer } from "./app/designer";
-import { SolverClient, startWorker } from "./solver/client";
+import { SolverClient } from "./solver/client";
+import { startWorker } from "./solver/start";
 import { browserShelf } from "./state/storage";
 import { registerOffline } from "./sw/register";
 

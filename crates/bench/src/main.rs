@@ -1,85 +1,168 @@
-//! How fast surfaces are computed, natively: the closed form at every vertex, against the mesh, which samples it from
-//! tables and adds normals.
+//! The native part of `cargo xtask bench`: prints one line of JSON for each group of contenders that take turns.
+//! One thread.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
-use pasu::{Design, MeshOptions, Result};
+use bench::designs;
+use bench::finite_difference::{Fourier, Problem};
+use bench::rounds::{Contender, take_turns};
+use pasu::{Design, MeshOptions, Result, Sampler, Surface};
+use serde_json::{Value, json};
 
-/// Vertices along each side of the grid.
-const SIDE: usize = 256;
-
-/// Every measurement is repeated for this long; the fastest run counts, because everything else only adds to it.
-const FOR: Duration = Duration::from_millis(500);
+/// Turns of every contender, and with `--quick`.
+const ROUNDS: [usize; 2] = [15, 3];
 
 fn main() -> Result<()> {
-    println!("{SIDE} x {SIDE} vertices, native, one thread; the fastest of the runs in {FOR:?} each\n");
-    println!("modes  closed form per vertex   mesh with normals   ratio   solving alone");
+    let quick = std::env::args().any(|argument| argument == "--quick");
+    let rounds = ROUNDS[usize::from(quick)];
     for modes in [1, 4, 8] {
-        let design = Design::parse(&vase(modes))?;
-        let at = grid();
-        let points = fastest(|| pasu::evaluate(&design, 0, &at))?;
-        let options = MeshOptions { rows: Some(SIDE), columns: Some(SIDE), ..MeshOptions::default() };
-        let mesh = fastest(|| pasu::mesh(&design, &options))?;
-        let solving = fastest(|| pasu::evaluate(&design, 0, &[0.5, 0.0]))?;
-        println!(
-            "{modes:>5}  {:>8.1} ns {:>6.2} ms  {:>8.1} ns {:>6.2} ms   {:>5.1}  {:>10.1} us",
-            per_vertex(points),
-            milliseconds(points),
-            per_vertex(mesh),
-            milliseconds(mesh),
-            points.as_secs_f64() / mesh.as_secs_f64(),
-            1e3 * milliseconds(solving),
-        );
+        kernel(modes, rounds)?;
     }
+    memory(rounds)?;
+    solving(rounds)?;
+    baseline("order 4", &designs::vase(8)?, rounds)?;
+    baseline("order 2", &designs::vase_of_second_order(8)?, rounds)
+}
+
+/// Sampling against the closed form at every vertex.
+fn kernel(modes: usize, rounds: usize) -> Result<()> {
+    const SIDE: usize = 513;
+    let design = designs::vase(modes)?;
+    let at = grid(SIDE);
+    let mut sampler = Sampler::new();
+    let options = MeshOptions { rows: Some(SIDE), columns: Some(SIDE), ..MeshOptions::default() };
+    let exact = pasu::evaluate(&design, 0, &at)?;
+    let sampled = sampler.sample(&design, &options)?;
+    let size = exact.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+    let off = exact.iter().zip(&sampled.positions).fold(0.0f64, |off, (a, b)| off.max((a - f64::from(*b)).abs()));
+    assert!(off < 1e-6 * size, "sampled and exact positions differ by {off}");
+    let mut contenders = [
+        sampling("Pasu", &mut sampler, &design, SIDE),
+        Contender::new("closed form per vertex, without normals", || pasu::evaluate(&design, 0, &at)),
+    ];
+    take_turns(&mut contenders, rounds);
+    let [pasu, direct] = &contenders;
+    let scale = 1e9 / (SIDE * SIDE) as f64;
+    let mut direct = row(direct, scale);
+    direct["against"] = json!("Pasu");
+    print(&format!("Kernel, {0} x {0} cells, K = {modes}", SIDE - 1), "ns per vertex", vec![row(pasu, scale), direct]);
     Ok(())
 }
 
-/// A fourth-order vase with so many modes in `x` and in `y`.
-fn vase(modes: usize) -> String {
-    let component = |data: &str| {
-        let modes: Vec<String> = (1..=modes)
-            .map(|n| {
-                let size = 1.0 / (n * n) as f64;
-                format!(
-                    r#"{{ "n": {n}, "{data}": {{ "start": {size}, "end": {}, "start_u": -1, "end_u": 0.5 }} }}"#,
-                    0.6 * size
-                )
-            })
-            .collect();
-        format!(r#"{{ "order": 4, "s": 1, "t": 3, "w": 1.5, "modes": [{}] }}"#, modes.join(", "))
+/// Sampling against filling the memory that it writes.
+fn memory(rounds: usize) -> Result<()> {
+    const SIDE: usize = 1025;
+    let designs = [designs::vase(1)?, designs::vase(4)?, designs::vase(8)?, designs::turned()?];
+    let names = ["Pasu, K = 1", "Pasu, K = 4", "Pasu, K = 8", "Pasu, turned"];
+    let mut samplers = [Sampler::new(), Sampler::new(), Sampler::new(), Sampler::new()];
+    let mut bytes = vec![0u8; 24 * SIDE * SIDE];
+    let mut contenders = vec![Contender::new("memset", || black_box(&mut bytes).fill(0))];
+    for ((design, name), sampler) in designs.iter().zip(names).zip(&mut samplers) {
+        contenders.push(sampling(name, sampler, design, SIDE));
+    }
+    take_turns(&mut contenders, rounds);
+    let scale = 1e9 / (SIDE * SIDE) as f64;
+    let rows = contenders.iter().enumerate().map(|(index, contender)| {
+        let mut row = row(contender, scale);
+        if index > 0 {
+            row["against"] = json!("memset");
+        }
+        row
+    });
+    print(&format!("Memory, {0} x {0} cells, 24 bytes a vertex", SIDE - 1), "ns per vertex", rows.collect());
+    Ok(())
+}
+
+/// Solving 64 modes in each component.
+fn solving(rounds: usize) -> Result<()> {
+    let shape = designs::shape(&designs::vase(64)?);
+    let (rows, columns) = (128, 256);
+    let problem = Problem::new(&shape, rows, columns);
+    let mut fourier = Fourier::new(rows, columns);
+    let error = problem.error(&Surface::solve(&shape, "shape")?, fourier.solve(&problem));
+    let alike = designs::shape(&designs::vase_of_one_equation(64)?);
+    let mut contenders = [
+        Contender::new("Pasu, an equation for each component", || Surface::solve(&shape, "shape")),
+        Contender::new("Pasu, one equation for all", || Surface::solve(&alike, "shape")),
+        Contender::new("finite differences, FFT and bands", || fourier.solve(&problem)[0][0]),
+    ];
+    take_turns(&mut contenders, rounds);
+    let [each, one, fast] = &contenders;
+    let mut fast = row(fast, 1e6);
+    fast["against"] = json!(each.name);
+    fast["note"] = json!(format!("{rows} x {columns} points, error {error:.1e}"));
+    print("Solving 64 modes per component", "us", vec![row(each, 1e6), row(one, 1e6), fast]);
+    Ok(())
+}
+
+/// Solving and sampling against finite differences on the same grid.
+fn baseline(order: &str, design: &Design, rounds: usize) -> Result<()> {
+    const SIDE: usize = 128;
+    let shape = designs::shape(design);
+    let surface = Surface::solve(&shape, "shape")?;
+    let problem = Problem::new(&shape, SIDE, SIDE);
+    let coarse = Problem::new(&shape, SIDE / 2, SIDE / 2);
+    let (mut sampler, mut fourier) = (Sampler::new(), Fourier::new(SIDE, SIDE));
+    let fast_note = {
+        let error = problem.error(&surface, fourier.solve(&problem));
+        note(error, coarse.error(&surface, Fourier::new(SIDE / 2, SIDE / 2).solve(&coarse)))
     };
-    let height = r#"{ "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{ "n": 0, "cos": { "start": 3 } }] }"#;
-    format!(
-        r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "boundary-value", "span": "2pi", "x": {}, "y": {}, "z": {height} }} }}] }}"#,
-        component("cos"),
-        component("sin")
-    )
+    let mut contenders = vec![
+        sampling("Pasu, solved and sampled with normals", &mut sampler, design, SIDE),
+        Contender::new("finite differences, FFT and bands", || fourier.solve(&problem)[0][0]),
+    ];
+    #[cfg_attr(not(feature = "sparse"), expect(unused_mut, reason = "the sparse solver adds its own"))]
+    let mut notes = vec![None, Some(fast_note)];
+    #[cfg(feature = "sparse")]
+    {
+        use bench::finite_difference::sparse;
+        let error = problem.error(&surface, &sparse::solve(&problem));
+        notes.push(Some(note(error, coarse.error(&surface, &sparse::solve(&coarse)))));
+        contenders.push(Contender::new("finite differences, sparse LU", || sparse::solve(&problem)));
+    }
+    take_turns(&mut contenders, rounds);
+    let first = contenders[0].name;
+    let rows = contenders.iter().zip(notes).enumerate().map(|(index, (contender, note))| {
+        let mut row = row(contender, 1e3);
+        if index > 0 {
+            row["against"] = json!(first);
+        }
+        row["note"] = json!(note);
+        row
+    });
+    print(&format!("Numerical baseline, {SIDE} x {SIDE}, K = 8, {order}"), "ms", rows.collect());
+    Ok(())
+}
+
+/// How far off a numerical solution is, and with which power of the step its error falls.
+///
+/// # Panics
+/// When it is so far off that it solves something else.
+fn note(error: f64, of_half: f64) -> String {
+    assert!(error < 1e-3, "finite differences are off by {error}");
+    format!("error {error:.1e}, falls with the step to the power {:.1}", (of_half / error).log2())
+}
+
+/// Solves and samples into the same arrays again and again.
+fn sampling<'a>(name: &'static str, sampler: &'a mut Sampler, design: &'a Design, side: usize) -> Contender<'a> {
+    let options = MeshOptions { rows: Some(side), columns: Some(side), ..MeshOptions::default() };
+    Contender::new(name, move || sampler.sample(design, &options).map(|mesh| mesh.positions[0]))
 }
 
 /// The parameters of every vertex.
-fn grid() -> Vec<f64> {
-    let step = |index: usize| index as f64 / (SIDE - 1) as f64;
-    (0..SIDE)
-        .flat_map(|row| (0..SIDE).flat_map(move |column| [step(row), std::f64::consts::TAU * step(column)]))
+fn grid(side: usize) -> Vec<f64> {
+    let step = |index: usize| index as f64 / (side - 1) as f64;
+    (0..side)
+        .flat_map(|row| (0..side).flat_map(move |column| [step(row), std::f64::consts::TAU * step(column)]))
         .collect()
 }
 
-fn fastest<T>(mut run: impl FnMut() -> Result<T>) -> Result<Duration> {
-    let start = Instant::now();
-    let mut best = Duration::MAX;
-    while start.elapsed() < FOR {
-        let before = Instant::now();
-        black_box(run()?);
-        best = best.min(before.elapsed());
-    }
-    Ok(best)
+fn row(contender: &Contender, scale: f64) -> Value {
+    let samples: Vec<f64> = contender.samples.iter().map(|seconds| scale * seconds).collect();
+    json!({ "name": contender.name, "samples": samples })
 }
 
-fn per_vertex(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e9 / (SIDE * SIDE) as f64
-}
-
-fn milliseconds(time: Duration) -> f64 {
-    time.as_secs_f64() * 1e3
+#[expect(clippy::print_stdout, reason = "standard output is where xtask reads the rows")]
+fn print(group: &str, unit: &str, rows: Vec<Value>) {
+    println!("{}", json!({ "runner": "native", "group": group, "unit": unit, "rows": rows }));
 }

@@ -33,9 +33,19 @@ export default function init(source) {
   return loading;
 }
 
+/** Whether the engine has 128-bit SIMD: a module of two of its instructions. */
+const HAS_SIMD = WebAssembly.validate(
+  Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11),
+);
+
 async function instantiate(source) {
-  const found = source ?? (await onDisk());
+  const found = source ?? (await onDisk()) ?? (HAS_SIMD ? undefined : scalarModule());
   await load(found === undefined ? undefined : { module_or_path: found });
+}
+
+/** The module that gives the same bits without SIMD, for engines of before 2023. */
+function scalarModule() {
+  return new URL("./pasu_scalar_bg.wasm", import.meta.url);
 }
 
 /** The module's bytes where this very file is imported by its path in Node, whose fetch() does not read files. */
@@ -43,7 +53,7 @@ async function onDisk() {
   if (!import.meta.url.startsWith("file:")) return undefined;
   const files = "node:fs/promises"; // a name that bundlers for browsers leave alone
   const { readFile } = await import(/* @vite-ignore */ files);
-  return readFile(new URL("./pasu_bg.wasm", import.meta.url));
+  return readFile(HAS_SIMD ? new URL("./pasu_bg.wasm", import.meta.url) : scalarModule());
 }
 
 export function parse(source) {

@@ -9,9 +9,12 @@ use wasm_bindgen::{JsCast, JsValue};
 /// A mesh of more vertices than this is not kept to be overwritten: its memory would never be free for anything else.
 const KEPT: usize = 1 << 20;
 
+/// As many are kept: who shows a fine mesh and a coarse one of every design asks for both in turn.
+const SAMPLERS: usize = 2;
+
 thread_local! {
-    /// Its arrays are overwritten by every mesh, so that a drag allocates nothing.
-    static SAMPLER: RefCell<Sampler> = RefCell::default();
+    /// Their arrays are overwritten by every mesh of the same options, so that a drag allocates nothing. The one used last comes last.
+    static KEPT_SAMPLERS: RefCell<Vec<(MeshOptions, Sampler)>> = RefCell::default();
 }
 
 /// Samples a design and writes the mesh into `into`, as [`object`] does.
@@ -20,11 +23,16 @@ pub(crate) fn sampled(
     options: &MeshOptions,
     into: &JsValue,
 ) -> Result<core::result::Result<Object, JsValue>> {
-    SAMPLER.with_borrow_mut(|sampler| {
+    KEPT_SAMPLERS.with_borrow_mut(|kept| {
+        let found = kept.iter().position(|(of, _)| of == options);
+        let mut sampler = found.map_or_else(Sampler::new, |index| kept.remove(index).1);
         let mesh = sampler.sample(design, options)?;
         let object = object(mesh, into);
-        if mesh.n_vertices() > KEPT {
-            *sampler = Sampler::new();
+        if mesh.n_vertices() <= KEPT {
+            kept.push((*options, sampler));
+            if kept.len() > SAMPLERS {
+                kept.remove(0);
+            }
         }
         Ok(object)
     })

@@ -44,7 +44,7 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
         return Ok(found);
     }
     if Path::new("/etc/debian_version").exists() && is_root() {
-        println!("installing Debian's chromium");
+        eprintln!("installing Debian's chromium");
         let apt = |arguments: &[&str]| {
             command::run(Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
         };
@@ -52,11 +52,11 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
             apt(&["update", "-q"]).and_then(|()| apt(&["install", "-y", "-q", "--no-install-recommends", "chromium"]));
         match (done, installed()) {
             (Ok(()), Some(found)) => return Ok(found),
-            (Err(error), _) => println!("that did not work: {error:#}"),
-            (Ok(()), None) => println!("that did not bring a browser"),
+            (Err(error), _) => eprintln!("that did not work: {error:#}"),
+            (Ok(()), None) => eprintln!("that did not bring a browser"),
         }
     }
-    println!("installing Playwright's chromium");
+    eprintln!("installing Playwright's chromium");
     command::run(node::script(workspace, "playwright-core/cli.js").args(["install", "--no-shell", "chromium"]))
         .ok()
         .and_then(|()| downloaded(workspace))

@@ -25,7 +25,7 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<()> {
     if stamp.is_fresh() && web.join("node_modules").is_dir() {
         return Ok(());
     }
-    println!("installing npm packages");
+    eprintln!("installing npm packages");
     stamp.clear();
     let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
     command::run(Command::new(npm).args(["ci", "--no-audit", "--no-fund"]).current_dir(&web))

@@ -68,6 +68,11 @@ fn rust(report: &mut Report, workspace: &Workspace) {
             cargo(&["clippy", "--package", "pasu-wasm", "--all-targets"]).args(target).args(["--", "-D", "warnings"]),
         )
     });
+    // The benchmarks are no default members. Without the feature `sparse`, whose solver takes a minute to compile.
+    report.check("clippy for the benchmarks", || {
+        let packages = ["--package", "bench", "--package", "bench-wasm"];
+        command::run(cargo(&["clippy", "--all-targets"]).args(packages).args(["--", "-D", "warnings"]))
+    });
     report.check("documentation", || {
         command::run(cargo(&["doc", "--no-deps", "--package", "pasu", "--quiet"]).env("RUSTDOCFLAGS", "-D warnings"))
     });
@@ -93,7 +98,9 @@ fn front_end(report: &mut Report, workspace: &Workspace) {
     report.check("Biome", || command::run(node::script(workspace, "@biomejs/biome/bin/biome").args(["ci", ".."])));
     report.tests("library in Node", node_count, || {
         let mut tests = Command::new("node");
-        tests.args(["--test", "--test-reporter=tap", "tests/package/"]).current_dir(workspace.root());
+        tests
+            .args(["--test", "--test-reporter=tap", "tests/package/", "tests/bench/agreement.test.mjs"])
+            .current_dir(workspace.root());
         Ok(tests)
     });
     report.tests("front-end unit tests", vitest_count, || {

@@ -56,8 +56,10 @@ const WASM_OPT: [&str; 9] = [
 /// Builds the package into `crates/pasu-wasm/pkg`; unchanged inputs rebuild nothing.
 pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     wasm_target::ensure(workspace)?;
-    let compiled = compile(workspace, care)?;
-    let mut inputs = vec![compiled.clone(), workspace.bindings().join("js"), workspace.root().join("Cargo.toml")];
+    let compiled = compile(workspace, "pasu-wasm", care, Lanes::Simd)?;
+    let scalar = compile(workspace, "pasu-wasm", care, Lanes::Scalar)?;
+    let mut inputs =
+        vec![compiled.clone(), scalar.clone(), workspace.bindings().join("js"), workspace.root().join("Cargo.toml")];
     inputs.extend(COPIED.iter().map(|(from, _)| workspace.root().join(from)));
     // This program's own text decides too: it holds the options of the steps below.
     inputs.push(workspace.root().join("crates/xtask/src/wasm_package.rs"));
@@ -66,10 +68,18 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
         return Ok(());
     }
     stamp.clear();
-    println!("writing the package crates/pasu-wasm/pkg");
+    eprintln!("writing the package crates/pasu-wasm/pkg");
     let package = workspace.package();
     fs::create_dir_all(&package)?;
-    bind(workspace, &compiled, care)?;
+    let bound = bind(workspace, &compiled, "pasu", care, "bindgen")?;
+    write(&package.join("pasu_bg.wasm"), &fs::read(bound.module)?)?;
+    let glue = fs::read(bound.script)?;
+    write(&package.join("bindings.js"), &glue)?;
+    let bound = bind(workspace, &scalar, "pasu", care, "bindgen-scalar")?;
+    if fs::read(bound.script)? != glue {
+        bail!("the module without SIMD has bindings of its own, but pasu.js loads both by those of the other");
+    }
+    write(&package.join("pasu_scalar_bg.wasm"), &fs::read(bound.module)?)?;
     for (from, to) in COPIED {
         let from = workspace.root().join(from);
         write(&package.join(to), &fs::read(&from).with_context(|| format!("cannot read {}", from.display()))?)?;
@@ -78,25 +88,69 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     stamp.save()
 }
 
-/// Compiles the bindings and returns the module.
-fn compile(workspace: &Workspace, care: Care) -> Result<PathBuf> {
-    command::run(
-        Command::new(cargo())
-            .args(["build", "--package", "pasu-wasm", "--lib", "--target", wasm_target::TRIPLE])
-            .args(["--profile", care.profile()])
-            .current_dir(workspace.root()),
-    )?;
-    Ok(workspace.target().join(wasm_target::TRIPLE).join(care.profile()).join("pasu_wasm.wasm"))
+/// Builds the module that only the benchmarks use, with the same care, into `crates/bench-wasm/pkg`.
+pub(crate) fn build_bench(workspace: &Workspace) -> Result<()> {
+    wasm_target::ensure(workspace)?;
+    let care = Care::Release;
+    let compiled = compile(workspace, "bench-wasm", care, Lanes::Simd)?;
+    let own_text = workspace.root().join("crates/xtask/src/wasm_package.rs");
+    let stamp = Stamp::of(workspace, "bench-module", &format!("{care:?}"), &[compiled.clone(), own_text])?;
+    let folder = workspace.root().join("crates/bench-wasm/pkg");
+    if stamp.is_fresh() && folder.join("bench.js").is_file() {
+        return Ok(());
+    }
+    stamp.clear();
+    fs::create_dir_all(&folder)?;
+    let bound = bind(workspace, &compiled, "bench", care, "bindgen")?;
+    write(&folder.join("bench_bg.wasm"), &fs::read(bound.module)?)?;
+    write(&folder.join("bench.js"), &fs::read(bound.script)?)?;
+    stamp.save()
 }
 
-/// Turns the module into `bindings.js` and `pasu_bg.wasm`.
-fn bind(workspace: &Workspace, compiled: &Path, care: Care) -> Result<()> {
-    let scratch = workspace.target().join("xtask").join("bindgen");
+/// Whether a module uses 128-bit SIMD.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Lanes {
+    /// As `.cargo/config.toml` says.
+    Simd,
+    /// For browsers of before 2023: the same bits, some three times as slowly.
+    Scalar,
+}
+
+/// Compiles one crate of bindings and returns the module.
+fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes) -> Result<PathBuf> {
+    let mut command = Command::new(cargo());
+    command
+        .args(["build", "--package", package, "--lib", "--target", wasm_target::TRIPLE])
+        .args(["--profile", care.profile()])
+        .current_dir(workspace.root());
+    let target = match lanes {
+        Lanes::Simd => workspace.target().to_owned(),
+        // Other flags in the same folder would compile everything anew each time.
+        Lanes::Scalar => workspace.target().join("scalar"),
+    };
+    if lanes == Lanes::Scalar {
+        // Takes the place of the flags in .cargo/config.toml.
+        command.env("RUSTFLAGS", "-C llvm-args=-inline-threshold=50").arg("--target-dir").arg(&target);
+    }
+    command::run(&mut command)?;
+    let file = format!("{}.wasm", package.replace('-', "_"));
+    Ok(target.join(wasm_target::TRIPLE).join(care.profile()).join(file))
+}
+
+/// A module with its bindings.
+struct Bound {
+    module: PathBuf,
+    script: PathBuf,
+}
+
+/// Turns the module into `<name>.js` and `<name>_bg.wasm`, in a folder of its own.
+fn bind(workspace: &Workspace, compiled: &Path, name: &str, care: Care, folder: &str) -> Result<Bound> {
+    let scratch = workspace.target().join("xtask").join(folder);
     fs::create_dir_all(&scratch)?;
     Bindgen::new()
         .input_path(compiled)
         .web(true)?
-        .out_name("pasu")
+        .out_name(name)
         .typescript(false)
         // Without this, `init()` would demand an argument and bundlers would not see the module.
         .omit_default_module_path(false)
@@ -104,13 +158,11 @@ fn bind(workspace: &Workspace, compiled: &Path, care: Care) -> Result<()> {
         .remove_producers_section(true)
         .remove_name_section(care == Care::Release)
         .generate(&scratch)?;
-    let module = scratch.join("pasu_bg.wasm");
+    let module = scratch.join(format!("{name}_bg.wasm"));
     if care == Care::Release {
         optimise(workspace, &module)?;
     }
-    let package = workspace.package();
-    write(&package.join("pasu_bg.wasm"), &fs::read(&module)?)?;
-    write(&package.join("bindings.js"), &fs::read(scratch.join("pasu.js"))?)
+    Ok(Bound { module, script: scratch.join(format!("{name}.js")) })
 }
 
 /// Runs npm's wasm-opt. A wasm-opt of the operating system may be years older and break the module in silence.

@@ -90,6 +90,8 @@ fn unlisted_assets(dist: &Path, manifest: &Value) -> Result<Vec<String>> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "js" || extension == "wasm"))
         .filter_map(|path| Some(format!("assets/{}", path.file_name()?.to_str()?)))
         .filter(|name| !listed.contains(name.as_str()) || name.ends_with(".wasm"))
+        // In the place of the other module, where a browser has no SIMD.
+        .filter(|name| !name.contains("pasu_scalar"))
         .collect())
 }
 

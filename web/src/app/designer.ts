@@ -4,12 +4,13 @@
  */
 
 import type { OrderKind } from "../document/convert";
-import { describe } from "../document/describe";
+import { describe, describeAccuracy } from "../document/describe";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
 import { setPath } from "../document/path";
 import type { Design, Look, Refusal } from "../document/types";
+import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays, Parsed, Solved } from "../solver/messages";
 import * as actions from "../state/actions";
@@ -19,11 +20,15 @@ import type { Change, State } from "../state/store";
 import { Store } from "../state/store";
 import { fileName, MAX_FILE_BYTES, saveBlob } from "./files";
 import { gridFor } from "./grid";
+import { Pace } from "./pace";
+import { trace } from "./trace";
 
 /** What is on the stage: the last design that the solver accepted. */
 export interface Shown {
   readonly design: Design;
   readonly solved: Solved;
+  /** The number of the change that led here, counted from 1. */
+  readonly change: number;
   /** Whether this is the fine mesh of a finished gesture. */
   readonly settled: boolean;
   /** Which opened design this is: the camera goes to each once, edits never move it. */
@@ -63,10 +68,15 @@ export interface Surroundings {
 export class Designer {
   readonly store: Store;
   readonly solver: SolverClient;
+  /** How fine the grid is during a gesture. */
+  readonly pace = new Pace();
+  /** The grid of a design now; measurements put their own here. */
+  grid = (design: Design): GridSize => gridFor(design, this.store.inGesture ? this.pace.step : 0);
   readonly #around: Surroundings;
   readonly #listeners = new Set<() => void>();
   #told = false;
   #framing = 0;
+  #changes = 0;
   #travelled = false;
   #warned = false;
   #saved: Design;
@@ -107,6 +117,12 @@ export class Designer {
   get description(): string {
     const facts = this.shown?.solved.facts;
     return this.shown && facts ? describe(facts, unitOf(this.shown.design)) : "";
+  }
+
+  /** How true the picture is, in words; empty while it is not known. */
+  get accuracy(): string {
+    const bound = this.shown?.solved.bound ?? null;
+    return this.shown && bound !== null ? describeAccuracy(bound, unitOf(this.shown.design)) : "";
   }
 
   subscribe(listener: () => void): () => void {
@@ -282,25 +298,36 @@ export class Designer {
     // Who goes on working has read why a link or file was not opened; the address may be written again.
     if (redesigned && this.shown !== null) this.openProblem = null;
     const gestureEnded = !this.store.inGesture && !(this.shown?.settled && this.shown.design === design);
-    const drawn = Object.values(session.overlays).some(Boolean);
-    const linesMissing = drawn && this.shown !== null && this.shown.solved.lines === null;
+    const solved = this.shown?.solved;
+    const missing = solved !== undefined && this.#wants().some((name) => solved[name] === null);
     const otherPart = session.part !== before.session.part;
-    if (this.#started && (redesigned || gestureEnded || linesMissing || otherPart)) this.#solve();
+    if (this.#started && (redesigned || gestureEnded || missing || otherPart)) this.#solve();
     if (session !== before.session) keepSettings(this.#around.shelf, state);
     if (session.compare !== before.session.compare || redesigned) void this.#compare();
     this.#tell();
   }
 
+  /** What is computed besides the mesh, even while a gesture has no time for more. */
+  #wants(): readonly ("lines" | "section")[] {
+    const { overlays, tab } = this.state.session;
+    const lines = overlays.isoU || overlays.isoV || overlays.boundary;
+    return [...(lines ? (["lines"] as const) : []), ...(tab === "profile" ? (["section"] as const) : [])];
+  }
+
   #solve(): void {
     const { design, session } = this.state;
     const inGesture = this.store.inGesture;
+    const wants = this.#wants();
+    this.#changes += 1;
+    const change = this.#changes;
     this.status = this.status === "starting" ? "starting" : "solving";
     const options = {
-      ...gridFor(design, inGesture),
-      lines: Object.values(session.overlays).some(Boolean),
-      part: session.part,
+      ...this.grid(design),
+      lines: wants.includes("lines"),
+      section: !inGesture || wants.includes("section") ? session.part : null,
       settle: !inGesture,
     };
+    trace("asked", change);
     const framing = this.#framing;
     const travelled = this.#travelled;
     void this.solver.solve(design, options).then((outcome) => {
@@ -313,7 +340,8 @@ export class Designer {
         this.#tell();
         return;
       }
-      this.shown = { design, solved: outcome.value, settled: options.settle, framing, travelled };
+      trace("solved", change, outcome.value.times);
+      this.shown = { design, solved: outcome.value, change, settled: options.settle, framing, travelled };
       if (current) {
         this.#travelled = false;
         this.problem = null;
@@ -342,7 +370,7 @@ export class Designer {
       return;
     }
     const other = setPath(design, ["parts", session.part, "shape"], made.shape);
-    const { rows, columns } = gridFor(other, this.store.inGesture);
+    const { rows, columns } = this.grid(other);
     const outcome = await this.solver.mesh("compare", other, rows, columns);
     if (outcome.state === "superseded" || this.state.session.compare !== order) return;
     this.comparisonProblem = outcome.state === "refused" ? outcome.refusal : null;

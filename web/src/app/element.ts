@@ -18,12 +18,17 @@ export abstract class DesignerElement extends LitElement {
   set designer(designer: Designer) {
     this.#leave?.();
     this.#designer = designer;
-    this.#leave = this.isConnected ? designer.subscribe(() => this.requestUpdate()) : null;
+    this.#leave = this.isConnected ? designer.subscribe(() => this.told()) : null;
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#leave ??= this.#designer?.subscribe(() => this.requestUpdate()) ?? null;
+    this.#leave ??= this.#designer?.subscribe(() => this.told()) ?? null;
+  }
+
+  /** The designer changed. */
+  protected told(): void {
+    this.requestUpdate();
   }
 
   override disconnectedCallback(): void {

@@ -1,43 +1,44 @@
-/** How finely a design is sampled for the screen: coarse under the hand, fine at rest. */
+/** How finely a design is sampled for the screen: as fine as the hand allows during a gesture, fine at rest. */
 
-import { filled } from "../document/kinds";
-import type { Design, Shape } from "../document/types";
+import type { Design } from "../document/types";
+import { type GridSize, wavesOf } from "../document/waves";
 
-export interface GridSize {
-  readonly rows: number;
-  readonly columns: number;
+/** Rows and columns are counted in these, so that the overlay's lines stand at the same places on every grid. */
+const CELLS_UP = 12;
+const CELLS_ROUND = 24;
+
+interface Fineness {
+  /** In cells: a grid has one row, and one column, more than these. */
+  readonly up: number;
+  readonly round: number;
+  /** Columns that one wave needs to look round. */
+  readonly perWave: number;
 }
 
-const COARSE: GridSize = { rows: 96, columns: 161 };
-const FINE: GridSize = { rows: 192, columns: 321 };
-/** Columns that one wave needs to look round. */
-const COLUMNS_PER_WAVE = 16;
-const MAX_COLUMNS = 1025;
+/** From the finest, which is that at rest, to the coarsest. */
+const STEPS: readonly Fineness[] = [
+  { up: 192, round: 336, perWave: 16 },
+  { up: 144, round: 240, perWave: 12 },
+  { up: 96, round: 168, perWave: 10 },
+  { up: 72, round: 120, perWave: 8 },
+  { up: 48, round: 96, perWave: 8 },
+];
+
+/** The index of the coarsest grid. */
+export const COARSEST = STEPS.length - 1;
+
+const MOST_ROUND = 1032;
 /** All parts together; a phone turns this many over without stutter. */
 const MAX_VERTICES = 1_500_000;
 
-export function gridFor(design: Design, inGesture: boolean): GridSize {
-  const { rows, columns } = inGesture ? COARSE : FINE;
-  const waves = Math.max(1, ...design.parts.map((part) => highestFrequency(part.shape)));
-  const wanted = Math.min(MAX_COLUMNS, Math.max(columns, Math.ceil(COLUMNS_PER_WAVE * waves) + 1));
-  const share = Math.min(1, Math.sqrt(MAX_VERTICES / (rows * wanted * design.parts.length)));
-  return { rows: Math.max(16, Math.floor(rows * share)), columns: Math.max(33, Math.floor(wanted * share)) };
+/** The grid of every part; `step` is from 0, as at rest, to {@link COARSEST}. */
+export function gridFor(design: Design, step: number): GridSize {
+  const { up, round, perWave } = STEPS[Math.min(step, COARSEST)] as Fineness;
+  const wanted = Math.min(MOST_ROUND, Math.max(round, perWave * wavesOf(design)));
+  const share = Math.min(1, Math.sqrt(MAX_VERTICES / (up * wanted * design.parts.length)));
+  const whole = (cells: number, of: number) => Math.max(1, Math.floor((share * cells) / of)) * of + 1;
+  return { rows: whole(up, CELLS_UP), columns: whole(wanted + CELLS_ROUND - 1, CELLS_ROUND) };
 }
 
 /** Thumbnails are small. */
 export const THUMBNAIL_GRID: GridSize = { rows: 64, columns: 161 };
-
-function highestFrequency(shape: Shape): number {
-  switch (shape.kind) {
-    case "second-order":
-      return Math.max(...(filled(shape).n ?? [1]).map(Math.abs));
-    case "mixed-order":
-      return Math.max(...(filled(shape).n ?? [1]).map(Math.abs));
-    case "fourth-order":
-      return 1;
-    case "bloor-wilson":
-      return Math.abs(shape.n1);
-    case "boundary-value":
-      return Math.max(0, ...[shape.x, shape.y, shape.z].flatMap(({ modes }) => modes.map((mode) => Math.abs(mode.n))));
-  }
-}

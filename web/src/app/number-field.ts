@@ -108,6 +108,7 @@ export class PasuNumber extends LitElement {
                 .value=${String(this.value)}
                 @input=${this.slid}
                 @change=${this.finish}
+                @pointerup=${this.finish}
                 @pointercancel=${this.cancel}
                 @keydown=${this.sliderKey}
                 @keyup=${this.keyUp}
@@ -139,6 +140,7 @@ export class PasuNumber extends LitElement {
     if (value !== this.value) this.send(value, true);
   };
 
+  /** Letting go counts too: a slider that is back where the drag began says nothing of a change. */
   private readonly finish = (): void => {
     if (!this.inGesture) return;
     this.inGesture = false;

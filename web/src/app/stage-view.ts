@@ -12,6 +12,7 @@ import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
 import { base, buttons } from "./styles";
+import { trace } from "./trace";
 
 type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
 
@@ -59,6 +60,7 @@ export class PasuStage extends DesignerElement {
   private stage: Stage | null = null;
   private drawn: Shown | null = null;
   private compared: Comparison | null = null;
+  private said = "";
   private framed = -1;
   private framedSize = 0;
   private readonly dark = matchMedia(DARK);
@@ -111,6 +113,13 @@ export class PasuStage extends DesignerElement {
         onContextRestored: () => {
           this.mode = "live";
         },
+        onDrawn: () => {
+          if (this.drawn) trace("drawn", this.drawn.change);
+        },
+        onCost: (milliseconds, coarsest) => {
+          const times = this.drawn?.solved.times;
+          if (times) this.designer.pace.learn(times.done - times.begun + milliseconds, coarsest);
+        },
       });
       this.mode = "live";
     } catch {
@@ -136,7 +145,7 @@ export class PasuStage extends DesignerElement {
       ${designer.comparison ? this.captions(designer.comparison) : nothing}
       <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
       <div class="foot">
-        <p id="description">${designer.description}</p>
+        <p id="description">${designer.description}${this.accuracy()}</p>
         ${
           this.mode === "still"
             ? nothing
@@ -185,6 +194,13 @@ export class PasuStage extends DesignerElement {
     `;
   }
 
+  /** Keeps its place while a gesture is under way, when nobody knows it. */
+  private accuracy() {
+    const { accuracy } = this.designer;
+    if (accuracy !== "") this.said = accuracy;
+    return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
+  }
+
   private note() {
     switch (this.mode) {
       case "loading":
@@ -213,26 +229,39 @@ export class PasuStage extends DesignerElement {
 
   override updated(_changed: PropertyValues): void {
     const { designer, stage } = this;
-    const { shown, comparison, state: now } = designer;
+    const { comparison, state: now } = designer;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (shown !== this.drawn) void this.drawStill();
-      this.drawn = shown;
+      if (designer.shown !== this.drawn) void this.drawStill();
+      this.drawn = designer.shown;
     }
     if (!stage) return;
     stage.theme(this.theme());
     stage.unit(unitOf(now.design));
-    if (shown && shown !== this.drawn) {
-      stage.show(shown.solved.mesh, [...looksOf(shown.design)]);
-      if (shown.solved.lines) stage.lines(shown.solved.lines);
-      this.drawn = shown;
-      this.frame(shown, stage);
-    }
+    this.display();
     stage.overlays(now.session.overlays);
     if (comparison !== this.compared) {
       this.compared = comparison;
       stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
     }
+  }
+
+  /** A new surface goes to the stage before the page writes about it. */
+  protected override told(): void {
+    this.display();
+    super.told();
+  }
+
+  private display(): void {
+    const { designer, stage } = this;
+    const { shown } = designer;
+    if (!stage || !shown || shown === this.drawn) return;
+    this.drawn = shown;
+    const before = stage.show(shown.solved.mesh, looksOf(shown.design));
+    if (before) designer.solver.recycle(before);
+    trace("shown", shown.change);
+    if (shown.solved.lines) stage.lines(shown.solved.lines);
+    this.frame(shown, stage);
   }
 
   /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */
@@ -334,6 +363,9 @@ export class PasuStage extends DesignerElement {
         background: var(--sheet);
         color: var(--soft);
         font-size: 0.9rem;
+      }
+      .accuracy[data-old] {
+        visibility: hidden;
       }
       #description:empty {
         visibility: hidden;

@@ -1,5 +1,6 @@
 import { expect, describe as group, test } from "vitest";
-import { describe, type Facts, facts, type Grid } from "./describe";
+import { boundsOf } from "../solver/bounds";
+import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
 function pot(radius: (u: number, v: number) => number, height: (u: number, v: number) => number, turn = 1): Grid {
@@ -16,7 +17,8 @@ function pot(radius: (u: number, v: number) => number, height: (u: number, v: nu
   return { positions, first: 0, rows, columns };
 }
 
-const words = (grid: Grid) => describe(facts([grid]) as Facts, "cm");
+const box = (grid: Grid) => boundsOf(grid.positions) as Box;
+const words = (grid: Grid) => describe(facts([grid], box(grid)) as Facts, "cm");
 const up = (height: number) => (u: number) => height * (1 - u);
 
 group("a pot in words", () => {
@@ -52,10 +54,20 @@ group("a pot in words", () => {
   });
   test("several parts", () => {
     const grid = pot(() => 1, up(3));
-    expect(describe(facts([grid, grid]) as Facts, "mm")).toContain("It is made of two parts.");
+    expect(describe(facts([grid, grid], box(grid)) as Facts, "mm")).toContain("It is made of two parts.");
   });
 });
 
 test("nothing is said of nothing", () => {
-  expect(facts([])).toBeNull();
+  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] })).toBeNull();
+});
+
+test.each([
+  [0.001234, "0.0013 cm"],
+  [0.02, "0.02 cm"],
+  [0.0996, "0.1 cm"],
+  [17.2, "18 cm"],
+  [0, "0 cm"],
+])("an accuracy of %d is never called better than it is", (bound, words) => {
+  expect(describeAccuracy(bound, "cm")).toBe(`Drawn to within ${words} of the true surface.`);
 });

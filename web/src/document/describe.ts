@@ -1,7 +1,7 @@
 /** The shape in words: what someone who cannot see the pot should know about it. */
 
 import { formatNumber } from "./number";
-import type { Unit } from "./types";
+import type { Triple, Unit } from "./types";
 
 /** The vertices of one part as a grid, row by row from `u = 0` to `u = 1`. */
 export interface Grid {
@@ -55,11 +55,16 @@ interface Ring {
   readonly height: number;
 }
 
+/** The box that a placed mesh fills. */
+export interface Box {
+  readonly min: Triple;
+  readonly max: Triple;
+}
+
 /** Measures the placed mesh. `grids` has at least one part; the outline is read from the first. */
-export function facts(grids: readonly Grid[]): Facts | null {
+export function facts(grids: readonly Grid[], { min: low, max: high }: Box): Facts | null {
   const body = grids[0];
   if (!body || body.rows < 2 || body.columns < 3) return null;
-  const { low, high } = bounds(grids);
   const rings = Array.from({ length: body.rows }, (_, row) => ringOf(body, row));
   const start = rings[0];
   const end = rings[rings.length - 1];
@@ -83,24 +88,6 @@ export function facts(grids: readonly Grid[]): Facts | null {
   };
 }
 
-function bounds(grids: readonly Grid[]): {
-  low: [number, number, number];
-  high: [number, number, number];
-} {
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (const { positions, first, rows, columns } of grids) {
-    for (let i = 3 * first; i < 3 * (first + rows * columns); i += 3) {
-      for (let axis = 0; axis < 3; axis += 1) {
-        const value = positions[i + axis] ?? 0;
-        if (value < (low[axis] ?? 0)) low[axis] = value;
-        if (value > (high[axis] ?? 0)) high[axis] = value;
-      }
-    }
-  }
-  return { low, high };
-}
-
 function ringOf(grid: Grid, row: number): Ring {
   const { positions, first, columns } = grid;
   const count = columns - 1;
@@ -117,7 +104,8 @@ function ringOf(grid: Grid, row: number): Ring {
   const heights: number[] = [];
   let radius = 0;
   for (let column = 0; column < count; column += 1) {
-    const r = Math.hypot(at(column, 0) - x, at(column, 1) - y);
+    const [dx, dy] = [at(column, 0) - x, at(column, 1) - y];
+    const r = Math.sqrt(dx * dx + dy * dy);
     radii.push(r);
     heights.push(at(column, 2));
     radius += r / count;
@@ -186,6 +174,13 @@ export function describe(shape: Facts, unit: Unit): string {
   const open = shape.closed ? "" : " The wall does not close.";
   const parts = shape.parts > 1 ? ` It is made of ${NUMBER_WORDS[shape.parts] ?? shape.parts} parts.` : "";
   return `${clauses.join(", ")}.${open}${parts}`;
+}
+
+/** How far the picture's triangles may be from the surface, in words; rounded up, because it is a promise. */
+export function describeAccuracy(bound: number, unit: Unit): string {
+  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  const promised = bound > 0 ? Math.ceil(bound / place) * place : 0;
+  return `Drawn to within ${formatNumber(promised, 2)} ${unit} of the true surface.`;
 }
 
 function noun(shape: Facts, across: number): string {

@@ -1,26 +1,43 @@
-import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial, type Vector3 } from "three";
+import { DoubleSide, GLSL3, RawShaderMaterial } from "three";
 import { CLAYS } from "./clay";
 import { GLAZES, type StageLook } from "./glaze";
+import type { PotUniforms } from "./pot";
 import { STUDIO_GLSL, type Studio, TONE_GLSL } from "./studio";
 
 const VERTEX = /* glsl */ `
 precision highp float;
 in vec3 position;
 in vec3 normal;
-in vec4 ware;
+in vec3 place;  // u, v / span, part
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 uniform vec4 frame;
 uniform vec3 shift;
+uniform highp sampler2D ware;
+uniform float wareRows;
 out vec3 vObject;
 out vec3 vScene;
 out vec3 vNormal;
 out vec4 vWare;
+
+// Between the samples by hand: not every GPU filters textures of floats.
+vec4 wareAt(vec3 where) {
+  ivec2 last = textureSize(ware, 0) - 1;
+  vec2 p = vec2(where.y * float(last.x), where.z * wareRows + where.x * (wareRows - 1.0));
+  ivec2 a = min(ivec2(p), last);
+  ivec2 b = min(a + 1, last);
+  vec2 f = p - vec2(a);
+  vec4 near = mix(texelFetch(ware, a, 0), texelFetch(ware, ivec2(b.x, a.y), 0), f.x);
+  vec4 far = mix(texelFetch(ware, ivec2(a.x, b.y), 0), texelFetch(ware, b, 0), f.x);
+  return mix(near, far, f.y);
+}
+
 void main() {
+  vec4 wares = wareAt(place);
   vObject = (position - frame.xyz) * frame.w;
   vScene = vObject + shift;
   vNormal = normal;
-  vWare = vec4(ware.x / frame.w, ware.yz * frame.w, ware.w);
+  vWare = vec4(wares.x / frame.w, wares.yz * frame.w, wares.w);
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
 `;
@@ -129,11 +146,9 @@ void main() {
 
 /**
  * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
- * on a pot (`ware.ts`) and needs no environment map to be made before the first picture.
- *
- * @param shift where the pot stands in scene space
+ * on a pot and needs no environment map to be made before the first picture.
  */
-export function ceramic(look: StageLook, studio: Studio, shift: IUniform<Vector3>): RawShaderMaterial {
+export function ceramic(look: StageLook, studio: Studio, pot: PotUniforms): RawShaderMaterial {
   const clay = CLAYS[look.clay];
   const glaze = GLAZES[look.glaze];
   const log2 = (x: number) => Math.log2(Math.max(x, 1e-4));
@@ -152,7 +167,7 @@ export function ceramic(look: StageLook, studio: Studio, shift: IUniform<Vector3
       wall: studio.wall,
       floor_: studio.floor,
       noise: studio.noise,
-      shift,
+      ...pot,
       clayColour: { value: clay.colour },
       grainColour: { value: clay.grain },
       clay: { value: [clay.grog, clay.roughness] },

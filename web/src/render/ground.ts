@@ -210,7 +210,7 @@ export class Ground {
     for (const pot of pots) {
       const footprint = new Mesh(pot.object.geometry, this.cover);
       footprint.frustumCulled = false;
-      (this.cover.uniforms as { shift: { value: Vector3 } }).shift.value = pot.shift.value;
+      (this.cover.uniforms as { shift: { value: Vector3 } }).shift.value = pot.uniforms.shift.value;
       this.pass(renderer, footprint, first);
     }
     const uniforms = this.blur.uniforms as { image: { value: unknown }; direction: { value: number[] } };

@@ -2,7 +2,7 @@
 export { CLAY_NAMES, type ClayName } from "./clay";
 export { GLAZE_NAMES, type GlazeName, type StageLook } from "./glaze";
 export { lengthText, type Unit } from "./length";
-export { MeshError, type StageMesh } from "./mesh";
+export type { StageMesh } from "./mesh";
 export type { StageLines, StageOverlays } from "./overlay/overlays";
 export type { CameraPose, ViewName } from "./pose";
 export { Stage, type StageOptions } from "./stage";

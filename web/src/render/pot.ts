@@ -1,21 +1,45 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, type RawShaderMaterial, Vector3 } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  DynamicDrawUsage,
+  FloatType,
+  type IUniform,
+  Mesh,
+  type RawShaderMaterial,
+  RGBAFormat,
+  Vector3,
+} from "three";
 import { ceramic } from "./ceramic";
 import { isDark, type StageLook } from "./glaze";
-import { type Bounds, boundsOf, checkMesh, type StageMesh } from "./mesh";
+import type { Bounds, StageMesh, StageWare } from "./mesh";
 import type { Studio } from "./studio";
 import { at } from "./triple";
-import { WARE_SIZE, ware } from "./ware";
 
 const DEFAULT_LOOK: StageLook = { glaze: "celadon", clay: "stoneware" };
+const EMPTY = new Uint32Array();
+const NOWHERE = new Float32Array();
 
-/** One design on the GPU: its buffers, kept and overwritten while sizes stay the same, and a material per look. */
+/** What the shader of a pot needs to know of it. */
+export interface PotUniforms {
+  /** Where it stands in scene space. */
+  readonly shift: IUniform<Vector3>;
+  /** See {@link StageWare}. */
+  readonly ware: IUniform<DataTexture>;
+  readonly wareRows: IUniform<number>;
+}
+
+/** One design on the GPU: its buffers, kept and overwritten while the grid stays the same, and a material per look. */
 export class Pot {
   readonly object: Mesh<BufferGeometry, RawShaderMaterial[]>;
-  /** Where it stands in scene space. */
-  readonly shift = { value: new Vector3() };
-  bounds: Bounds | null = null;
+  readonly uniforms: PotUniforms = {
+    shift: { value: new Vector3() },
+    ware: { value: table({ texels: new Float32Array(4), rows: 1, columns: 1 }) },
+    wareRows: { value: 1 },
+  };
   /** Whether its first part is dark. */
   dark = false;
+  private mesh: StageMesh | null = null;
   private readonly materials = new Map<string, RawShaderMaterial>();
   private used: RawShaderMaterial[] = [];
 
@@ -25,52 +49,58 @@ export class Pot {
     this.object.visible = false;
   }
 
+  get bounds(): Bounds | null {
+    return this.mesh?.bounds ?? null;
+  }
+
   /** The corners that the mesh is made of, in model units. */
   get positions(): Float32Array {
-    return (this.object.geometry.getAttribute("position")?.array as Float32Array | undefined) ?? new Float32Array(0);
+    return this.mesh?.positions ?? NOWHERE;
   }
 
   get indices(): Uint32Array {
-    return (this.object.geometry.getIndex()?.array as Uint32Array | undefined) ?? new Uint32Array(0);
+    return this.mesh?.indices ?? EMPTY;
   }
 
-  /**
-   * Shows another mesh. Its arrays are copied.
-   *
-   * @throws {MeshError} when it cannot be drawn; what was shown stays
-   */
-  update(mesh: StageMesh, looks: readonly StageLook[]): void {
-    checkMesh(mesh);
-    let geometry = this.object.geometry;
-    // Indices depend on the grid alone, so equal sizes nearly always mean equal indices; the arrays are only ever replaced as a whole.
-    const fits =
-      geometry.getAttribute("position")?.array.length === mesh.positions.length && equal(this.indices, mesh.indices);
-    if (!fits) {
-      geometry.dispose();
-      geometry = new BufferGeometry();
-      const attribute = (size: number, length: number) =>
-        new BufferAttribute(new Float32Array(length), size).setUsage(DynamicDrawUsage);
-      geometry.setAttribute("position", attribute(3, mesh.positions.length));
-      geometry.setAttribute("normal", attribute(3, mesh.normals.length));
-      geometry.setAttribute("ware", attribute(WARE_SIZE, (mesh.positions.length / 3) * WARE_SIZE));
-      geometry.setIndex(new BufferAttribute(mesh.indices.slice(), 1));
-      this.object.geometry = geometry;
+  /** Shows another mesh, whose arrays are its own from now on. Gives back the one before. */
+  update(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
+    const before = this.mesh;
+    this.mesh = mesh;
+    if (before?.indices === mesh.indices) {
+      const { geometry } = this.object;
+      refill(geometry.getAttribute("position") as BufferAttribute, mesh.positions);
+      refill(geometry.getAttribute("normal") as BufferAttribute, mesh.normals);
+    } else {
+      this.object.geometry.dispose();
+      this.object.geometry = geometryOf(mesh);
     }
-    write(geometry.getAttribute("position") as BufferAttribute, mesh.positions);
-    write(geometry.getAttribute("normal") as BufferAttribute, mesh.normals);
-    const wares = geometry.getAttribute("ware") as BufferAttribute;
-    ware(mesh, wares.array as Float32Array);
-    wares.needsUpdate = true;
+    this.glaze(mesh.ware);
     this.dark = isDark(looks[0] ?? DEFAULT_LOOK);
     this.dress(mesh.groups, looks);
-    this.bounds = mesh.indices.length > 0 ? boundsOf(mesh.positions) : null;
-    this.object.visible = this.bounds !== null;
+    this.object.visible = mesh.bounds !== null;
+    return before;
   }
 
   /** Gives up everything on the GPU; the arrays stay in memory. */
   release(): void {
     this.object.geometry.dispose();
+    this.uniforms.ware.value.dispose();
     for (const material of this.materials.values()) material.dispose();
+  }
+
+  private glaze(ware: StageWare): void {
+    const { uniforms } = this;
+    const before = uniforms.ware.value;
+    const { width, height } = before.image;
+    const lines = ware.texels.length / (4 * ware.columns);
+    if (width === ware.columns && height === lines) {
+      before.image.data = ware.texels;
+      before.needsUpdate = true;
+    } else {
+      before.dispose();
+      uniforms.ware.value = table(ware);
+    }
+    uniforms.wareRows.value = ware.rows;
   }
 
   /** One draw call per run of parts that look the same. */
@@ -99,20 +129,45 @@ export class Pot {
   private material(key: string, look: StageLook): RawShaderMaterial {
     let material = this.materials.get(key);
     if (!material) {
-      material = ceramic(look, this.studio, this.shift);
+      material = ceramic(look, this.studio, this.uniforms);
       this.materials.set(key, material);
     }
     return material;
   }
 }
 
-function write(attribute: BufferAttribute, values: Float32Array): void {
-  attribute.array.set(values);
+function geometryOf(mesh: StageMesh): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3).setUsage(DynamicDrawUsage));
+  geometry.setAttribute("normal", new BufferAttribute(mesh.normals, 3).setUsage(DynamicDrawUsage));
+  geometry.setAttribute("place", new BufferAttribute(placesOf(mesh), 3));
+  geometry.setIndex(new BufferAttribute(mesh.indices, 1));
+  return geometry;
+}
+
+/** The received array is the attribute's own from now on; it goes into the buffer that is there. */
+function refill(attribute: BufferAttribute, values: Float32Array): void {
+  attribute.array = values;
   attribute.needsUpdate = true;
 }
 
-function equal(a: Uint32Array, b: Uint32Array): boolean {
-  if (a.length !== b.length) return false;
-  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
-  return true;
+/** Where each vertex is in the tables of the glaze: u, v / span, part. */
+function placesOf({ uvs, indices, groups }: StageMesh): Float32Array {
+  const vertices = uvs.length / 2;
+  const places = new Float32Array(3 * vertices);
+  for (let v = 0; v < vertices; v++) {
+    places[3 * v] = at(uvs, 2 * v);
+    places[3 * v + 1] = at(uvs, 2 * v + 1);
+  }
+  for (let g = 0; g < groups.length; g += 3) {
+    const end = at(groups, g) + at(groups, g + 1);
+    for (let i = at(groups, g); i < end; i++) places[3 * at(indices, i) + 2] = at(groups, g + 2);
+  }
+  return places;
+}
+
+function table({ texels, columns }: StageWare): DataTexture {
+  const texture = new DataTexture(texels, columns, texels.length / (4 * columns), RGBAFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
 }

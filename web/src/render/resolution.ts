@@ -47,7 +47,12 @@ export class Resolution {
     return { ratio: Math.max(full * ratio, Math.min(LOWEST_RATIO, full)), samples };
   }
 
-  /** Learns from the time between two frames of one movement. */
+  /** Whether nothing coarser is left. */
+  get coarsest(): boolean {
+    return this.step === STEPS.length - 1;
+  }
+
+  /** Learns from the time between two frames of one movement, or from what one frame cost. */
   learn(milliseconds: number): void {
     if (milliseconds > SLOW) this.streak = Math.max(this.streak, 0) + 1;
     else if (milliseconds < QUICK) this.streak = Math.min(this.streak, 0) - 1;

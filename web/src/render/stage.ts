@@ -10,6 +10,7 @@ import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
 import { Resolution } from "./resolution";
 import { Screen } from "./screen";
+import { Stopwatch } from "./stopwatch";
 import type { Theme } from "./studio";
 import { Tableau } from "./tableau";
 
@@ -23,6 +24,10 @@ export interface StageOptions {
   onContextRestored?(): void;
   /** The camera came to rest somewhere else. */
   onCamera?(camera: CameraPose): void;
+  /** A frame was drawn, as far as this thread is concerned. */
+  onDrawn?(): void;
+  /** What a frame with a new mesh cost, until the GPU was done with it, and whether it was drawn as coarsely as is ever done. */
+  onCost?(milliseconds: number, coarsest: boolean): void;
 }
 
 /** Turning by the height of the stage turns the pot by half a turn. */
@@ -44,6 +49,7 @@ export class Stage {
   private readonly resizes: ResizeObserver;
   private readonly screen: Screen;
   private readonly overlay: Overlays;
+  private readonly stopwatch: Stopwatch;
   private size = { width: 0, height: 0 };
   private drawn = 0;
   private placed = false;
@@ -55,6 +61,7 @@ export class Stage {
   private told = "";
   private disposed = false;
   private readonly listeners = new AbortController();
+  private readonly settings = new Map<string, string>();
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -90,10 +97,11 @@ export class Stage {
       throw error;
     }
     this.screen = new Screen(this.context.renderer);
+    this.stopwatch = new Stopwatch(this.context.renderer.getContext() as WebGL2RenderingContext);
     this.tableau = new Tableau(options.theme);
     this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.unit);
     this.tableau.scene.add(...this.overlay.objects);
-    for (const tenant of [this.screen, this.tableau, this.overlay]) this.context.admit(tenant);
+    for (const tenant of [this.screen, this.tableau, this.overlay, this.stopwatch]) this.context.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
     this.loop = new Loop((seconds) => this.draw(seconds));
     this.gesture = new Gesture(this.canvas, {
@@ -122,19 +130,18 @@ export class Stage {
   }
 
   /**
-   * Shows a mesh; `looks[part]` is the glaze and clay of each part. Arrays are copied. The camera stays, except that the first pot shown is
-   * fitted into the view.
-   *
-   * @throws {MeshError} for a mesh that cannot be drawn; what was shown stays
+   * Shows a mesh; `looks[part]` is the glaze and clay of each part. Its arrays belong to the stage until it gives the mesh back, which it
+   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view.
    */
-  show(mesh: StageMesh, looks: StageLook[]): void {
-    this.tableau.show(mesh, looks);
+  show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
+    const before = this.tableau.show(mesh, looks);
     this.overlay.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place("three-quarter", true);
     }
     this.changed();
+    return before;
   }
 
   /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
@@ -145,11 +152,7 @@ export class Stage {
     this.loop.invalidate();
   }
 
-  /**
-   * The lines of the present mesh, for the overlays.
-   *
-   * @throws {MeshError} for a coordinate that is not finite
-   */
+  /** The lines of the present mesh, for the overlays. */
   lines(lines: StageLines): void {
     this.overlay.lines = lines;
     this.changed();
@@ -157,8 +160,7 @@ export class Stage {
 
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
-    this.overlay.overlays = overlays;
-    this.changed();
+    if (this.differs("overlays", JSON.stringify(overlays))) this.overlay.overlays = overlays;
   }
 
   /** Goes to a standard view, fitted. */
@@ -192,15 +194,14 @@ export class Stage {
   }
 
   theme(theme: Theme): void {
+    if (!this.differs("theme", theme)) return;
     this.tableau.theme = theme;
     this.overlay.appearance = theme;
-    this.changed();
   }
 
   /** The unit of the dimension labels. */
   unit(unit: Unit): void {
-    this.overlay.measure = unit;
-    this.changed();
+    if (this.differs("unit", unit)) this.overlay.measure = unit;
   }
 
   reducedMotion(reduced: boolean): void {
@@ -285,6 +286,14 @@ export class Stage {
     return distance > 0 ? distance : frame.radius;
   }
 
+  /** Whether a setting is another one than before, which takes a new frame: pages set them again and again. */
+  private differs(name: string, value: string): boolean {
+    if (this.settings.get(name) === value) return false;
+    this.settings.set(name, value);
+    this.changed();
+    return true;
+  }
+
   /** Something is different: a quick frame now, a fine one when all is quiet. */
   private changed(): void {
     this.movedAt = performance.now();
@@ -365,6 +374,14 @@ export class Stage {
     this.overlay.label(this.camera.view, width, height);
     this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
     this.drawn++;
+    // A frame after a rest says nothing by its distance from the one before: its own cost is taken.
+    if (busy && seconds === 0) {
+      this.stopwatch.measure(now, (milliseconds) => {
+        this.resolution.learn(milliseconds);
+        this.options.onCost?.(milliseconds, this.resolution.coarsest);
+      });
+    }
+    this.options.onDrawn?.();
     if (!moving) this.tell();
     // What was drawn in haste is drawn again once all is quiet.
     if (busy && !this.gesturing) this.loop.later(REST_DELAY);

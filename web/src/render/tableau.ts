@@ -45,10 +45,10 @@ export class Tableau implements Tenant {
     furnish(this.studio, theme);
   }
 
-  /** @throws {MeshError} */
-  show(mesh: StageMesh, looks: readonly StageLook[]): void {
-    this.main.update(mesh, looks);
+  /** Gives back the mesh that was shown before. */
+  show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
     this.stale = true;
+    return this.main.update(mesh, looks);
   }
 
   /** Takes the backdrop away, as for a picture that is cut out, or puts it back. */
@@ -57,22 +57,14 @@ export class Tableau implements Tenant {
     this.ground.narrow = cutOut;
   }
 
-  /** Puts a second pot to the right of the first, or takes it away. @throws {MeshError} */
+  /** Puts a second pot to the right of the first, or takes it away. */
   compare(other: { mesh: StageMesh; looks: readonly StageLook[] } | null): void {
     if (other) {
       if (!this.beside) {
-        const pot = new Pot(this.studio);
-        try {
-          pot.update(other.mesh, other.looks);
-        } catch (error) {
-          pot.release();
-          throw error;
-        }
-        this.beside = pot;
-        this.scene.add(pot.object);
-      } else {
-        this.beside.update(other.mesh, other.looks);
+        this.beside = new Pot(this.studio);
+        this.scene.add(this.beside.object);
       }
+      this.beside.update(other.mesh, other.looks);
     } else if (this.beside) {
       this.scene.remove(this.beside.object);
       this.beside.release();
@@ -106,14 +98,14 @@ export class Tableau implements Tenant {
     return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
   }
 
-  /** Points (xyz, model units) that a fitted view must contain: a few hundred of the vertices. */
+  /** Points (xyz, model units) that a fitted view must contain: some thousands of the vertices. */
   outline(): number[] {
     const points: number[] = [];
     const add = (pot: Pot, by: Triple) => {
       const p = pot.positions;
       const vertices = p.length / 3;
       // An odd stride wanders over the columns of a grid instead of following some of them.
-      const stride = 2 * Math.floor(vertices / 3000) + 1;
+      const stride = 2 * Math.floor(vertices / 20_000) + 1;
       for (let v = 0; v < vertices; v += stride) {
         for (let k = 0; k < 3; k++) points.push((p[3 * v + k] as number) + (by[k] as number));
       }
@@ -157,7 +149,7 @@ export class Tableau implements Tenant {
     const { centre, radius } = this.frame;
     this.studio.frame.value.set(...centre, 1 / radius);
     const offset = this.offset;
-    this.beside?.shift.value.set(offset[0] / radius, offset[1] / radius, offset[2] / radius);
+    this.beside?.uniforms.shift.value.set(offset[0] / radius, offset[1] / radius, offset[2] / radius);
     const contents = this.contents();
     this.studio.table.value = contents.min[2];
     const pots = [this.main, ...(this.beside ? [this.beside] : [])].filter((pot) => pot.bounds);

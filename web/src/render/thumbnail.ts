@@ -11,7 +11,6 @@ export interface Thumbnails {
   /**
    * Draws a pot, fitted, on a transparent ground, at the canvas's own size in pixels.
    *
-   * @throws {MeshError} for a mesh that cannot be drawn
    * @throws {Error} when there is no graphics context to be had
    */
   draw(mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement): Promise<void>;

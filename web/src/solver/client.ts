@@ -4,7 +4,8 @@
  */
 
 import type { Design, Refusal } from "../document/types";
-import type { Answers, Ask, MeshArrays, Parsed, Reply, Request, Solved, SolveOptions } from "./messages";
+import type { Answers, Ask, MeshArrays, Parsed, Reply, Request, SentAnswers, Solved, SolveOptions } from "./messages";
+import { type Lattices, Stock } from "./stock";
 
 export type Outcome<T> =
   | { readonly state: "done"; readonly value: T }
@@ -13,7 +14,7 @@ export type Outcome<T> =
 
 /** The part of the Worker interface that is used, so that tests need no browser. */
 export interface Port {
-  postMessage(message: Request): void;
+  postMessage(message: Request, transfer: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -22,6 +23,13 @@ export interface Port {
 interface Job {
   readonly ask: Ask;
   readonly settle: (outcome: Outcome<Answers[Ask["kind"]]>) => void;
+}
+
+interface Sent {
+  readonly job: Job;
+  readonly lane: string;
+  /** What the worker was told that is here. */
+  readonly lattices: Lattices;
 }
 
 interface Lane {
@@ -38,7 +46,8 @@ const CRASHED: Refusal = {
 export class SolverClient {
   readonly #start: () => Port;
   readonly #lanes = new Map<string, Lane>();
-  readonly #sent = new Map<number, { readonly job: Job; readonly lane: string }>();
+  readonly #sent = new Map<number, Sent>();
+  readonly #stock = new Stock();
   #port: Port | null = null;
   #nextId = 1;
 
@@ -53,6 +62,14 @@ export class SolverClient {
 
   solve(design: Design, options: SolveOptions): Promise<Outcome<Solved>> {
     return this.#ask("solve", { kind: "solve", design, options }) as Promise<Outcome<Solved>>;
+  }
+
+  /**
+   * Takes back a mesh that nobody shows any more. Its arrays travel to the worker, where a later mesh is written over them,
+   * so that a drag allocates nothing.
+   */
+  recycle(mesh: MeshArrays): void {
+    this.#stock.add(mesh);
   }
 
   /** A mesh alone. Requests of the same lane supersede each other; give each thumbnail a lane of its own. */
@@ -92,8 +109,15 @@ export class SolverClient {
     lane.busy = true;
     const id = this.#nextId;
     this.#nextId += 1;
-    this.#sent.set(id, { job, lane: name });
-    this.#connect().postMessage({ id, ask: job.ask });
+    const { lattices } = this.#stock;
+    this.#sent.set(id, { job, lane: name, lattices });
+    const { ask } = job;
+    const spare =
+      ask.kind === "solve" ? this.#stock.take(ask.design.parts.length * ask.options.rows * ask.options.columns) : null;
+    this.#connect().postMessage(
+      { id, ask, known: [...lattices.keys()], spare },
+      spare ? [spare.positions.buffer, spare.normals.buffer, spare.texels.buffer] : [],
+    );
   }
 
   #connect(): Port {
@@ -114,7 +138,19 @@ export class SolverClient {
     }
     this.#sent.delete(reply.id);
     this.#release(sent.lane);
-    sent.job.settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
+    sent.job.settle(
+      reply.ok
+        ? { state: "done", value: this.#whole(reply.answer, sent.lattices) }
+        : { state: "refused", refusal: reply.refusal },
+    );
+  }
+
+  /** Adds to a mesh what was not sent because it is here. */
+  #whole(answer: SentAnswers[Ask["kind"]], then: Lattices): Answers[Ask["kind"]] {
+    if ("design" in answer) return answer;
+    return "mesh" in answer
+      ? { ...answer, mesh: this.#stock.whole(answer.mesh, then) }
+      : this.#stock.whole(answer, then);
   }
 
   #release(name: string): void {
@@ -138,9 +174,4 @@ export class SolverClient {
     this.#release(blamed.lane);
     blamed.job.settle({ state: "refused", refusal: CRASHED });
   }
-}
-
-/** The real worker, in a file of its own that the bundler finds by this very expression. */
-export function startWorker(): Port {
-  return new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
 }

@@ -2,14 +2,40 @@
 
 import type { Facts } from "../document/describe";
 import type { Design, Refusal } from "../document/types";
+import type { GridSize } from "../document/waves";
+import type { Bounds } from "./bounds";
+import type { Ware } from "./ware";
 
-/** The arrays of a mesh, as the package documents them: a grid of rows by columns for every part. */
-export interface MeshArrays {
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
+/** What depends on the grid alone. Meshes of the same topology share these very arrays. */
+export interface Lattice {
   readonly uvs: Float32Array;
   readonly indices: Uint32Array;
   readonly groups: Uint32Array;
+}
+
+/** What is different in every mesh. */
+export interface Surface {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly topology: string;
+  readonly ware: Ware;
+  readonly bounds: Bounds | null;
+}
+
+/** A mesh as the package documents it, a grid of rows by columns for every part, with what its picture needs besides. */
+export interface MeshArrays extends Surface, Lattice {}
+
+/** A mesh on its way: the page has the lattice already, or it comes along. */
+export interface SentMesh extends Surface {
+  readonly lattice: Lattice | null;
+}
+
+/** Arrays of an earlier mesh, to be written over. */
+export interface Spare {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly texels: Float32Array;
+  readonly topology: string;
 }
 
 /** Curves on the placed surface, xyz triples. */
@@ -31,24 +57,36 @@ export interface Section {
   readonly slopes: Float64Array;
 }
 
-export interface SolveOptions {
-  readonly rows: number;
-  readonly columns: number;
+export interface SolveOptions extends GridSize {
   /** Whether the overlay lines are wanted. */
   readonly lines: boolean;
-  /** The part whose section is wanted. */
-  readonly part: number;
+  /** The part whose section is wanted, if any. */
+  readonly section: number | null;
   /** Whether the gesture is over: link and fingerprint are computed then. */
   readonly settle: boolean;
 }
 
-export interface Solved {
-  readonly mesh: MeshArrays;
+/** Times of the worker, in milliseconds on the clock of the page's `performance.timeOrigin + performance.now()`. */
+export interface Times {
+  readonly begun: number;
+  /** The mesh stood. */
+  readonly meshed: number;
+  /** The coarse mesh for the glaze stood: with the one before, what solving took and what sampling. */
+  readonly glazed: number;
+  /** Everything stood. */
+  readonly done: number;
+}
+
+export interface Solved<Mesh = MeshArrays> {
+  readonly mesh: Mesh;
   readonly lines: LineArrays | null;
   readonly section: Section | null;
   readonly facts: Facts | null;
+  /** The largest distance of the triangles from the true surface; known once the gesture is over. */
+  readonly bound: number | null;
   readonly fingerprint: string;
   readonly link: string;
+  readonly times: Times;
 }
 
 export interface Parsed {
@@ -58,7 +96,7 @@ export interface Parsed {
 
 export type Ask =
   | { readonly kind: "solve"; readonly design: Design; readonly options: SolveOptions }
-  | { readonly kind: "mesh"; readonly design: Design; readonly rows: number; readonly columns: number }
+  | ({ readonly kind: "mesh"; readonly design: Design } & GridSize)
   | { readonly kind: "parse"; readonly text: string };
 
 export interface Answers {
@@ -67,11 +105,26 @@ export interface Answers {
   readonly parse: Parsed;
 }
 
+/** What is sent in the place of {@link Answers}. */
+export interface SentAnswers {
+  readonly solve: Solved<SentMesh>;
+  readonly mesh: SentMesh;
+  readonly parse: Parsed;
+}
+
 export interface Request {
   readonly id: number;
   readonly ask: Ask;
+  /** The topologies whose lattice the page has. */
+  readonly known: readonly string[];
+  readonly spare: Spare | null;
+}
+
+/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
+export interface Begin {
+  readonly module: WebAssembly.Module | null;
 }
 
 export type Reply =
-  | { readonly id: number; readonly ok: true; readonly answer: Answers[Ask["kind"]] }
+  | { readonly id: number; readonly ok: true; readonly answer: SentAnswers[Ask["kind"]] }
   | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };

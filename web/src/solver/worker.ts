@@ -1,25 +1,36 @@
 /** The solver's worker: the only importer of the package. Answers one request after the other. */
 
-import init, { derivatives, evaluate, fingerprint, link, mesh, PasuError, parse } from "pasu";
+import init, { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu";
 import type { Grid } from "../document/describe";
 import { facts } from "../document/describe";
 import type { Design, Part, Refusal } from "../document/types";
+import { type GridSize, wavesOf } from "../document/waves";
+import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
-import type { Answers, Ask, MeshArrays, Reply, Request, Section, Solved, SolveOptions } from "./messages";
+import type { Ask, Begin, Reply, Request, Section, SentAnswers, SentMesh, Solved, SolveOptions } from "./messages";
+import { WARE_SIZE, type Ware, ware, wareGrid } from "./ware";
 
 const SECTION_POINTS = 129;
 const TAU = 2 * Math.PI;
 
-const ready = init();
+/** The last coarse mesh, written over by every next one; it never leaves the worker. */
+let coarse: Partial<Mesh> = {};
 
-self.addEventListener("message", (event: MessageEvent<Request>) => {
-  void respond(event.data);
+let begin: (ready: Promise<void>) => void;
+const ready = new Promise<void>((resolve) => {
+  begin = resolve;
 });
 
-async function respond({ id, ask }: Request): Promise<void> {
+self.addEventListener("message", ({ data }: MessageEvent<Request | Begin>) => {
+  if ("module" in data) begin(data.module ? init(data.module) : init());
+  else void respond(data);
+});
+
+async function respond(request: Request): Promise<void> {
+  const { id } = request;
   try {
     await ready;
-    const answer = perform(ask);
+    const answer = perform(request);
     post({ id, ok: true, answer }, buffersOf(answer));
   } catch (error) {
     post({ id, ok: false, refusal: refusalOf(error), broken: error instanceof WebAssembly.RuntimeError }, []);
@@ -30,12 +41,13 @@ function post(reply: Reply, transfer: Transferable[]): void {
   self.postMessage(reply, { transfer });
 }
 
-function perform(ask: Ask): Answers[Ask["kind"]] {
+function perform(request: Request): SentAnswers[Ask["kind"]] {
+  const { ask } = request;
   switch (ask.kind) {
     case "solve":
-      return solve(ask.design, ask.options);
+      return solve(ask.design, ask.options, request);
     case "mesh":
-      return arraysOf(ask.design, ask.rows, ask.columns);
+      return meshed(ask.design, ask, request, true).mesh;
     case "parse": {
       const design = parse(ask.text);
       return { design, link: link(design) };
@@ -43,40 +55,75 @@ function perform(ask: Ask): Answers[Ask["kind"]] {
   }
 }
 
-function solve(design: Design, options: SolveOptions): Solved {
-  const { rows, columns } = options;
-  const made = arraysOf(design, rows, columns);
-  const grids = gridsOf(made, rows, columns);
-  const part = design.parts[options.part];
+function solve(design: Design, options: SolveOptions, given: Given): Solved<SentMesh> {
+  const begun = now();
+  const made = meshed(design, options, given, options.settle);
+  const { bounds, positions } = made.mesh;
+  const part = options.section === null ? undefined : design.parts[options.section];
   return {
-    mesh: made,
+    mesh: made.mesh,
     lines: options.lines
       ? linesOf(
-          grids,
+          gridsOf(positions, options),
           design.parts.map((each, index) => tangentsOf(design, each, index)),
         )
       : null,
-    section: part ? sectionOf(design, part, options.part) : null,
-    facts: facts(grids),
+    section: part && options.section !== null ? sectionOf(design, part, options.section) : null,
+    facts: bounds && facts(gridsOf(made.coarse, made.mesh.ware), bounds),
+    bound: options.settle ? bound(design, { rows: options.rows, columns: options.columns }) : null,
     fingerprint: options.settle ? fingerprint(design) : "",
     link: options.settle ? link(design) : "",
+    times: { begun, ...made.times, done: now() },
   };
 }
 
-function arraysOf(design: Design, rows: number, columns: number): MeshArrays {
-  const { positions, normals, uvs, indices, groups } = mesh(design, { rows, columns });
-  return { positions, normals, uvs, indices, groups };
+function now(): number {
+  return performance.timeOrigin + performance.now();
+}
+
+/** What a request brings along. */
+type Given = Pick<Request, "known" | "spare">;
+
+function meshed(design: Design, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
+  const guess = spare && known.includes(spare.topology) ? spare.topology : known.at(-1);
+  const made = mesh(design, {
+    rows,
+    columns,
+    into: { ...(spare && { positions: spare.positions, normals: spare.normals }), ...(guess && { topology: guess }) },
+  });
+  const meshedAt = now();
+  const { positions, normals, topology, uvs, indices, groups } = made;
+  const size = wareGrid(design.parts.length, wavesOf(design));
+  // What is given and still holds is handed back: this mesh is always whole.
+  const round = mesh(design, { ...size, into: coarse }) as Mesh;
+  coarse = round;
+  const glazed = now();
+  return {
+    mesh: {
+      positions,
+      normals,
+      topology,
+      ware: wareOf(round, size, spare?.texels),
+      // Under the hand the coarse mesh will do: its corners stand on crests and troughs.
+      bounds: boundsOf(exact ? positions : round.positions, round.positions),
+      lattice: uvs && indices && groups && !known.includes(topology) ? { uvs, indices, groups } : null,
+    } satisfies SentMesh,
+    coarse: round.positions,
+    times: { meshed: meshedAt, glazed },
+  };
+}
+
+function wareOf(round: Mesh, size: GridSize, old: Float32Array | undefined): Ware {
+  const length = (WARE_SIZE * round.positions.length) / 3;
+  const texels = old?.length === length ? old : new Float32Array(length);
+  ware(round, size, texels);
+  return { texels, ...size };
 }
 
 /** Every part was sampled on the same grid, so its vertices follow those of the part before. */
-function gridsOf(made: MeshArrays, rows: number, columns: number): readonly Grid[] {
-  const parts = Math.round(made.positions.length / (3 * rows * columns));
-  return Array.from({ length: parts }, (_, index) => ({
-    positions: made.positions,
-    first: index * rows * columns,
-    rows,
-    columns,
-  }));
+function gridsOf(positions: Float32Array, { rows, columns }: GridSize): readonly Grid[] {
+  const parts = Math.round(positions.length / (3 * rows * columns));
+  return Array.from({ length: parts }, (_, index) => ({ positions, first: index * rows * columns, rows, columns }));
 }
 
 function spanOf({ shape }: Part): number {
@@ -124,8 +171,9 @@ function refusalOf(error: unknown): Refusal {
   return { code: "internal", path: "", message: `The solver could not be used: ${message}` };
 }
 
-function buffersOf(answer: Answers[Ask["kind"]]): Transferable[] {
+function buffersOf(answer: SentAnswers[Ask["kind"]]): Transferable[] {
   if ("design" in answer) return [];
-  const arrays = "mesh" in answer ? answer.mesh : answer;
-  return [arrays.positions, arrays.normals, arrays.uvs, arrays.indices, arrays.groups].map((array) => array.buffer);
+  const { positions, normals, ware: wares, lattice } = "mesh" in answer ? answer.mesh : answer;
+  const arrays = [positions, normals, wares.texels, ...(lattice ? [lattice.uvs, lattice.indices, lattice.groups] : [])];
+  return arrays.map((array) => array.buffer);
 }

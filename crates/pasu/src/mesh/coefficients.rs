@@ -105,16 +105,15 @@ impl Coefficients {
     pub(super) fn prepare(&mut self, curves: &Curves, matrix: DMat3, shift: DVec3) {
         (self.matrix, self.shift) = (matrix, shift);
         self.harmonics.clear();
+        let is_odd = |harmonic: &Harmonic| libm::fmod(harmonic.n, 2.0) != 0.0;
         for curve in curves.list() {
             let harmonic = Harmonic { n: curve.n, k: curve.k };
             if curve.n != 0.0 && !self.harmonics.contains(&harmonic) {
-                self.harmonics.push(harmonic);
+                let order = |other: &Harmonic| (is_odd(other), -other.n.abs());
+                let place = self.harmonics.partition_point(|earlier| order(earlier) <= order(&harmonic));
+                self.harmonics.insert(place, harmonic);
             }
         }
-        let is_odd = |harmonic: &Harmonic| libm::fmod(harmonic.n, 2.0) != 0.0;
-        self.harmonics.sort_unstable_by(|a, b| {
-            is_odd(a).cmp(&is_odd(b)).then(b.n.abs().total_cmp(&a.n.abs())).then(a.n.total_cmp(&b.n))
-        });
         self.n_even = self.harmonics.iter().take_while(|harmonic| !is_odd(harmonic)).count();
         self.slots.clear();
         self.has = [[false; 2]; 3];

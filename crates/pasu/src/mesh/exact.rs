@@ -7,6 +7,9 @@ use super::part::PartGrid;
 use super::row::Row;
 use crate::surface::{BLOCK, Block, ColumnTable, RowTable};
 
+/// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
+const MOST_WITHOUT: usize = 256;
+
 /// Rows of one part with every sum in double precision, rounded once; poles and cusps have their limits. Tables are made when first needed.
 pub(super) struct ExactRows<'a> {
     grid: &'a PartGrid,
@@ -16,6 +19,8 @@ pub(super) struct ExactRows<'a> {
     u: f64,
     /// Made only for rows with a pole or cusp, where the normal's limit needs second derivatives.
     second: Option<RowTable<3>>,
+    /// How many vertices were met that have no normal, nor a limit of one.
+    n_without: usize,
     /// The matrix for normals, which go by the inverse transpose, whose size does not matter: the cofactors, turned outward.
     outward: DMat3,
 }
@@ -24,7 +29,7 @@ impl<'a> ExactRows<'a> {
     pub(super) fn new(grid: &'a PartGrid, n_columns: usize) -> Self {
         // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
         let outward = cofactors(grid.matrix) * if grid.is_wound_forwards() { 1.0 } else { -1.0 };
-        ExactRows { grid, n_columns, table: None, row: Row::default(), u: 0.0, second: None, outward }
+        ExactRows { grid, n_columns, table: None, row: Row::default(), u: 0.0, second: None, n_without: 0, outward }
     }
 
     /// Fills the row at `u`.
@@ -47,20 +52,17 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals at some columns of the row at `u`.
-    pub(super) fn normals(&mut self, u: f64, columns: &mut [usize], normals: &mut [f32]) {
-        if columns.is_empty() {
-            return;
-        }
+    /// Fills the normals at the columns of the row at `u` that are wanted.
+    pub(super) fn normals(&mut self, u: f64, wanted: &[bool], normals: &mut [f32]) {
         self.take(u);
-        columns.sort_unstable();
-        let normals = normals.as_chunks_mut::<3>().0;
-        for here in columns.chunk_by(|a, b| a / BLOCK == b / BLOCK) {
-            let mut written = [[0.0; 3]; BLOCK];
-            self.block(here[0] / BLOCK).1.write(&mut written);
-            for column in here {
-                if let Some(normal) = normals.get_mut(*column) {
-                    *normal = written[column % BLOCK];
+        let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
+        for (block, (normals, wanted)) in normals.zip(wanted.chunks(BLOCK)).enumerate() {
+            if wanted.contains(&true) {
+                let mut written = [[0.0; 3]; BLOCK];
+                self.block(block).1.write(&mut written);
+                for ((normal, written), _) in normals.iter_mut().zip(written).zip(wanted).filter(|(_, wanted)| **wanted)
+                {
+                    *normal = written;
                 }
             }
         }
@@ -87,7 +89,14 @@ impl<'a> ExactRows<'a> {
                 let last = self.n_columns - 1;
                 let column = (block * BLOCK + lane).min(last);
                 let v = if column == last && surface.is_closed() { 0.0 } else { column as f64 / last as f64 };
-                facing.set(lane, normal::limit(surface, self.u, v * surface.span(), &jet));
+                let limit = if self.n_without < MOST_WITHOUT {
+                    normal::limit(surface, self.u, v * surface.span(), &jet)
+                } else {
+                    None
+                };
+                self.n_without += usize::from(limit.is_none());
+                // Where there is none, the axis is as good as any.
+                facing.set(lane, limit.unwrap_or(DVec3::Z));
             }
         }
         if self.outward != DMat3::IDENTITY {

@@ -12,11 +12,9 @@ use crate::surface::Turns;
 /// Which columns share their sums.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Fold {
-    /// None: the surface does not close, or there are too few columns.
+    /// None: the surface does not close, or the number of steps round it is odd or very small.
     #[default]
     Open,
-    /// `v` and `-v`.
-    Mirrored,
     /// `v`, `-v` and both half a turn on.
     Quartered,
 }
@@ -43,16 +41,10 @@ impl Circles {
     /// Makes the tables for a number of columns.
     pub(super) fn prepare(&mut self, coefficients: &Coefficients, is_closed: bool, turns: &Turns, n_columns: usize) {
         let n_steps = n_columns - 1;
-        let fold = if !is_closed || n_steps < LEAST_FOLDED {
-            Fold::Open
-        } else if n_steps % 2 == 1 {
-            Fold::Mirrored
-        } else {
-            Fold::Quartered
-        };
+        let folds = is_closed && n_steps >= LEAST_FOLDED && n_steps.is_multiple_of(2);
+        let fold = if folds { Fold::Quartered } else { Fold::Open };
         let n_formed = match fold {
             Fold::Open => n_columns,
-            Fold::Mirrored => n_steps / 2 + 1,
             Fold::Quartered => n_steps / 4 + 1,
         };
         let n_blocks = n_formed.div_ceil(4);
@@ -72,7 +64,7 @@ impl Circles {
         }
     }
 
-    /// Writes positions and unit normals of one of the four rows, normals times `sign`; calls `repair` with every column whose normal single precision does not hold.
+    /// Writes positions and unit normals of one of the four rows, normals times `sign`; marks every column whose normal single precision does not hold and says whether there are any.
     #[inline(never)]
     pub(super) fn row(
         &mut self,
@@ -81,8 +73,8 @@ impl Circles {
         sign: f32,
         positions: &mut [f32],
         normals: &mut [f32],
-        repair: impl FnMut(usize),
-    ) {
+        unsure: &mut [bool],
+    ) -> bool {
         let (n_even, row) = (coefficients.n_even, row & 3);
         let at = |lanes: Lanes| Lanes::splat(lanes.to_array()[row]);
         let task = Task {
@@ -92,13 +84,17 @@ impl Circles {
             n_even,
             n_steps: self.n_columns - 1,
             is_mirrored: coefficients.is_mirrored,
-            is_turned: coefficients.is_turned,
         };
         let strands = coefficients.strands.as_slice();
         let any = match coefficients.layout {
             Layout::Split { z_is_sine } => {
                 let z_parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
-                self.fold(task, &Split { strands, row, z_is_sine, z_parity }, positions, normals)
+                let layout = Split { strands, row, z_is_sine, z_parity };
+                if coefficients.is_turned && self.fold == Fold::Quartered {
+                    self.each_block(task, &layout, positions, normals, turned_block)
+                } else {
+                    self.fold(task, &layout, positions, normals)
+                }
             }
             Layout::Both => {
                 let sine_strands = coefficients.sine_strands.as_slice();
@@ -106,7 +102,7 @@ impl Circles {
             }
         };
         if any != 0 {
-            self.report(repair);
+            self.mark(unsure);
         }
         if self.fold != Fold::Open {
             // The seam has the same bits, down to the sign of 0.
@@ -115,14 +111,13 @@ impl Circles {
                 array.copy_within(0..3, last);
             }
         }
+        any != 0
     }
 
     /// Forms the sums of each block and writes the columns that are had from them. Returns whether any normal is unsure.
     fn fold(&mut self, task: Task, layout: &impl Form, positions: &mut [f32], normals: &mut [f32]) -> u8 {
         match self.fold {
-            Fold::Quartered if task.is_turned => self.each_block(task, layout, positions, normals, turned_block),
             Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block),
-            Fold::Mirrored => self.each_block(task, layout, positions, normals, mirrored_block),
             Fold::Open => self.each_block(task, layout, positions, normals, open_block),
         }
     }
@@ -139,29 +134,44 @@ impl Circles {
     ) -> u8 {
         let n = self.n_harmonics;
         let mut any = 0;
+        // The last columns of a row that is not folded need not be four.
+        let n_whole = if self.fold == Fold::Open { self.n_columns / 4 } else { usize::MAX };
+        let (mut last_positions, mut last_normals) = ([0.0; 12], [0.0; 12]);
         for (index, unsure) in self.unsure.iter_mut().enumerate() {
             let circles = self.pairs.get(index * n..index * n + n).unwrap_or_default();
-            *unsure = block(&task, layout, circles, 4 * index, positions, normals);
+            let (positions, normals, column) = if index < n_whole {
+                (&mut *positions, &mut *normals, 4 * index)
+            } else {
+                (last_positions.as_mut_slice(), last_normals.as_mut_slice(), 0)
+            };
+            *unsure = block(&task, layout, circles, column, positions, normals);
             any |= unsure[0] | unsure[1] | unsure[2] | unsure[3];
+        }
+        if n_whole < self.unsure.len() {
+            for (array, last) in [(positions, last_positions), (normals, last_normals)] {
+                for (to, value) in array.iter_mut().skip(12 * n_whole).zip(last) {
+                    *to = value;
+                }
+            }
         }
         any
     }
 
-    /// The columns of the lanes that were found unsure.
-    fn report(&self, mut repair: impl FnMut(usize)) {
+    /// Marks the columns of the lanes that were found unsure.
+    fn mark(&self, unsure: &mut [bool]) {
         let n_steps = self.n_columns - 1;
-        for (block, unsure) in self.unsure.iter().enumerate() {
-            for (slot, lanes) in unsure.iter().enumerate() {
+        for (block, slots) in self.unsure.iter().enumerate() {
+            for (slot, lanes) in slots.iter().enumerate() {
                 for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
                     let column = 4 * block + lane;
                     let column = match (self.fold, slot) {
-                        (Fold::Quartered, 1) => column + n_steps / 2,
-                        (Fold::Quartered, 2) | (Fold::Mirrored, 1) => n_steps - column,
+                        (Fold::Quartered, 2) => column + n_steps / 2,
+                        (Fold::Quartered, 1) => n_steps - column,
                         (Fold::Quartered, 3) => n_steps / 2 - column,
                         _ => column,
                     };
-                    if column <= n_steps {
-                        repair(column);
+                    if let Some(unsure) = unsure.get_mut(column) {
+                        *unsure = true;
                     }
                 }
             }
@@ -170,9 +180,18 @@ impl Circles {
 }
 
 /// How the sums of some of the harmonics are formed.
+///
+/// Every implementation is inlined into its loop over the columns, or the sums would go through memory.
 trait Form {
-    /// At `v` and at `-v`. Every implementation is inlined into its loop over the columns, or the sums would go through memory.
-    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2];
+    /// What the sums at `v` and at `-v` are had from.
+    type Formed: Copy;
+    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> Self::Formed;
+    fn added(a: Self::Formed, b: Self::Formed) -> Self::Formed;
+    fn subtracted(a: Self::Formed, b: Self::Formed) -> Self::Formed;
+    /// The sums at `v`.
+    fn here(&self, formed: Self::Formed) -> Sums;
+    /// The sums at `-v`.
+    fn mirrored(&self, formed: Self::Formed) -> Sums;
 }
 
 /// As [`Layout::Split`].
@@ -185,12 +204,32 @@ struct Split<'a> {
 }
 
 impl Form for Split<'_> {
+    type Formed = Sums;
+
     #[inline(always)]
-    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2] {
+    fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> Sums {
         let strands = self.strands.get(harmonics.clone()).unwrap_or_default();
-        let sums = split_sums(strands, circles.get(harmonics).unwrap_or_default(), self.row, self.z_is_sine);
-        let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
-        [sums, [[x, -y, z * self.z_parity], [xu, -yu, zu * self.z_parity], [-xv, yv, -zv * self.z_parity]]]
+        split_sums(strands, circles.get(harmonics).unwrap_or_default(), self.row, self.z_is_sine)
+    }
+
+    #[inline(always)]
+    fn added(a: Sums, b: Sums) -> Sums {
+        added(&a, &b)
+    }
+
+    #[inline(always)]
+    fn subtracted(a: Sums, b: Sums) -> Sums {
+        subtracted(&a, &b)
+    }
+
+    #[inline(always)]
+    fn here(&self, formed: Sums) -> Sums {
+        formed
+    }
+
+    #[inline(always)]
+    fn mirrored(&self, [[x, y, z], [xu, yu, zu], [xv, yv, zv]]: Sums) -> Sums {
+        [[x, -y, z * self.z_parity], [xu, -yu, zu * self.z_parity], [-xv, yv, -zv * self.z_parity]]
     }
 }
 
@@ -202,13 +241,35 @@ struct Both<'a> {
 }
 
 impl Form for Both<'_> {
+    /// The sums of the cosine strands and those of the sine strands.
+    type Formed = [Sums; 2];
+
     #[inline(always)]
     fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> [Sums; 2] {
         let circles = circles.get(harmonics.clone()).unwrap_or_default();
         let even = sums::<false>(self.strands.get(harmonics.clone()).unwrap_or_default(), circles, self.row);
         let odd = sums::<true>(self.sine_strands.get(harmonics).unwrap_or_default(), circles, self.row);
-        let mirrored = [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])];
-        [added(&even, &odd), mirrored]
+        [even, odd]
+    }
+
+    #[inline(always)]
+    fn added(a: [Sums; 2], b: [Sums; 2]) -> [Sums; 2] {
+        [added(&a[0], &b[0]), added(&a[1], &b[1])]
+    }
+
+    #[inline(always)]
+    fn subtracted(a: [Sums; 2], b: [Sums; 2]) -> [Sums; 2] {
+        [subtracted(&a[0], &b[0]), subtracted(&a[1], &b[1])]
+    }
+
+    #[inline(always)]
+    fn here(&self, [even, odd]: [Sums; 2]) -> Sums {
+        added(&even, &odd)
+    }
+
+    #[inline(always)]
+    fn mirrored(&self, [even, odd]: [Sums; 2]) -> Sums {
+        [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])]
     }
 }
 
@@ -221,7 +282,6 @@ struct Task {
     n_even: usize,
     n_steps: usize,
     is_mirrored: bool,
-    is_turned: bool,
 }
 
 impl Task {
@@ -268,35 +328,14 @@ fn open_block<F: Form>(
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> [u8; 4] {
-    let [here, _] = layout.form(0..circles.len(), circles);
+    let here = layout.here(layout.form(0..circles.len(), circles));
     let first = task.normal(&here);
     write(task.position(&here), positions, column);
     write(first.0, normals, column);
     [first.1, 0, 0, 0]
 }
 
-/// Those and the ones at `-v`.
-#[inline(always)]
-fn mirrored_block<F: Form>(
-    task: &Task,
-    layout: &F,
-    circles: &[[Lanes; 2]],
-    column: usize,
-    positions: &mut [f32],
-    normals: &mut [f32],
-) -> [u8; 4] {
-    let [here, mirrored] = layout.form(0..circles.len(), circles);
-    let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    let to = task.n_steps - column - 3;
-    let second = task.mirrored_normal(&mirrored, first);
-    write_reversed(task.position(&mirrored), positions, to);
-    write_reversed(second.0, normals, to);
-    [first.1, second.1, 0, 0]
-}
-
-/// Those and the ones half a turn on.
+/// Those, the ones at `-v` and both half a turn on.
 #[inline(always)]
 fn quartered_block<F: Form>(
     task: &Task,
@@ -306,27 +345,35 @@ fn quartered_block<F: Form>(
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> [u8; 4] {
-    let half = task.n_steps / 2;
-    let odd = layout.form(task.n_even..circles.len(), circles);
     let even = layout.form(0..task.n_even, circles);
-    let here = added(&even[0], &odd[0]);
+    let odd = layout.form(task.n_even..circles.len(), circles);
+    let (all, half) = (task.n_steps, task.n_steps / 2);
+    let first = two_blocks(task, layout, F::added(even, odd), [column, all - column - 3], positions, normals);
+    // Half a turn on and mirrored is mirrored and half a turn back.
+    let second =
+        two_blocks(task, layout, F::subtracted(even, odd), [column + half, half - column - 3], positions, normals);
+    [first[0], first[1], second[0], second[1]]
+}
+
+/// The columns that the sums are of, and those that mirror them.
+#[inline(always)]
+fn two_blocks<F: Form>(
+    task: &Task,
+    layout: &F,
+    formed: F::Formed,
+    [to, mirrored_to]: [usize; 2],
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> [u8; 2] {
+    let here = layout.here(formed);
     let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    let there = subtracted(&even[0], &odd[0]);
-    let turned = task.normal(&there);
-    write(task.position(&there), positions, column + half);
-    write(turned.0, normals, column + half);
-    let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
-    let here = added(&even[1], &odd[1]);
-    let second = task.mirrored_normal(&here, first);
-    write_reversed(task.position(&here), positions, to);
-    write_reversed(second.0, normals, to);
-    let there = subtracted(&even[1], &odd[1]);
-    let both = task.mirrored_normal(&there, turned);
-    write_reversed(task.position(&there), positions, turned_to);
-    write_reversed(both.0, normals, turned_to);
-    [first.1, turned.1, second.1, both.1]
+    write(task.position(&here), positions, to);
+    write(first.0, normals, to);
+    let mirrored = layout.mirrored(formed);
+    let second = task.mirrored_normal(&mirrored, first);
+    write_reversed(task.position(&mirrored), positions, mirrored_to);
+    write_reversed(second.0, normals, mirrored_to);
+    [first.1, second.1]
 }
 
 /// The same where every `n` is odd and `z` is constant: half a turn on, the sums have the other sign.
@@ -340,19 +387,21 @@ fn turned_block<F: Form>(
     normals: &mut [f32],
 ) -> [u8; 4] {
     let half = task.n_steps / 2;
-    let [here, mirrored] = layout.form(0..circles.len(), circles);
+    let formed = layout.form(0..circles.len(), circles);
+    let here = layout.here(formed);
     let first = task.normal(&here);
     write(task.position(&here), positions, column);
     write(first.0, normals, column);
     write(task.turned_position(&here), positions, column + half);
     write(turned(first.0), normals, column + half);
     let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
+    let mirrored = layout.mirrored(formed);
     let second = task.mirrored_normal(&mirrored, first);
     write_reversed(task.position(&mirrored), positions, to);
     write_reversed(second.0, normals, to);
     write_reversed(task.turned_position(&mirrored), positions, turned_to);
     write_reversed(turned(second.0), normals, turned_to);
-    [first.1, first.1, second.1, second.1]
+    [first.1, second.1, first.1, second.1]
 }
 
 /// A normal half a turn on.

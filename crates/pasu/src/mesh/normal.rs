@@ -89,14 +89,14 @@ fn is_direction(squared: f64, [du, dv]: [f64; 2], [du_terms, dv_terms]: [f64; 2]
 /// The limit of the unit normal at a pole or cusp, where the surface has this jet.
 ///
 /// By Taylor's formula a step `h` into the surface turns `X_u x X_v = 0` into `h (X_uu x X_v + X_u x X_uv)`, which is the limit's direction. Where that vanishes
-/// too, the normal a little further in is taken; where the surface is a curve or a point all over, the axis `z` is as good as any.
-pub(super) fn limit(surface: &Surface, u: f64, v: f64, jet: &SurfaceJet) -> DVec3 {
+/// too, the normal a little further in is taken. There is none where the surface is a curve or a point all over.
+pub(super) fn limit(surface: &Surface, u: f64, v: f64, jet: &SurfaceJet) -> Option<DVec3> {
     let inward = if u < 0.5 { 1.0 } else { -1.0 };
     let turned = inward * (jet.duu.cross(jet.dv) + jet.du.cross(jet.duv));
     let size = jet.duu.length() * jet.dv.length() + jet.du.length() * jet.duv.length();
     let length = turned.length();
     if length.is_finite() && length > 1e-9 * size {
-        return turned / length;
+        return Some(turned / length);
     }
     for step in STEPS_INWARD {
         for (u, v) in
@@ -104,9 +104,9 @@ pub(super) fn limit(surface: &Surface, u: f64, v: f64, jet: &SurfaceJet) -> DVec
         {
             let jet = surface.at(u, v);
             if let Some(normal) = regular(jet.du, jet.dv) {
-                return normal;
+                return Some(normal);
             }
         }
     }
-    DVec3::Z
+    None
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::row::Row;
-use crate::surface::{BLOCK, ColumnTable, Curves, RowTable, Surface};
+use crate::surface::{BLOCK, ColumnTable, Curves, Surface};
 
 /// Enough of the surface to know the sign of the volume that it goes round.
 const ROWS: usize = 17;
@@ -16,7 +16,8 @@ const COLUMNS: usize = 61;
 /// tells the side. It is taken about the middle of each row, so that a leaning pot counts by its slices. A surface that goes round nothing keeps `X_u x X_v`.
 pub(super) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
     let is_level = curves.list().iter().all(|curve| curve.axis != 2 || curve.n == 0.0);
-    let flux = if is_level && surface.is_closed() { level_flux(surface, curves) } else { sampled_flux(surface) };
+    let flux =
+        if is_level && surface.is_closed() { level_flux(surface, curves) } else { sampled_flux(surface, curves) };
     flux >= 0.0
 }
 
@@ -51,20 +52,24 @@ fn level_flux(surface: &Surface, curves: &Curves) -> f64 {
         .sum()
 }
 
-fn sampled_flux(surface: &Surface) -> f64 {
-    let table = ColumnTable::new(surface, COLUMNS + 1);
-    let (mut row, mut points) = (Row::default(), Vec::with_capacity(COLUMNS));
+/// The flux as a sum over columns. On a closed surface it is a trigonometric polynomial of three times the largest `n` at most, of which evenly spaced columns give the integral.
+fn sampled_flux(surface: &Surface, curves: &Curves) -> f64 {
+    let highest = curves.list().iter().fold(0.0f64, |n, curve| n.max(curve.n.abs()));
+    let n_columns =
+        if surface.is_closed() && 3.0 * highest < COLUMNS as f64 { 3 * highest as usize + 1 } else { COLUMNS };
+    let table = ColumnTable::new(surface, n_columns + 1);
+    let (mut row, mut points) = (Row::default(), Vec::with_capacity(n_columns));
     let mut flux = 0.0;
     for i in 0..ROWS {
-        let u = (i as f64 + 0.5) / ROWS as f64;
-        row.fill(&RowTable::at(surface, &table.distinct, u));
+        row.fill_roughly(surface, curves, &table.distinct, (i as f64 + 0.5) / ROWS as f64);
         points.clear();
         let blocks = (0..table.n_blocks()).map(|block| row.sums(table.block(block)));
-        points.extend(blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(COLUMNS));
-        let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / COLUMNS as f64;
+        points
+            .extend(blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(n_columns));
+        let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / n_columns as f64;
         for (position, du, dv) in &points {
             let (arm, normal) = (*position - middle, du.cross(*dv));
-            flux += arm.x * normal.x + arm.y * normal.y;
+            flux += (arm.x * normal.x + arm.y * normal.y) / n_columns as f64;
         }
     }
     flux

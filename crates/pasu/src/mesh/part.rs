@@ -38,8 +38,8 @@ pub(super) struct Workspace {
     turns: Turns,
     circles: Circles,
     pattern: Pattern,
-    /// The columns of a row whose normals are to be formed in double precision.
-    unsure: Vec<usize>,
+    /// Whether the normal at a column of a row is to be formed in double precision.
+    unsure: Vec<bool>,
 }
 
 impl PartGrid {
@@ -130,8 +130,10 @@ impl PartGrid {
                     }
                 } else {
                     unsure.clear();
-                    circles.row(coefficients, row, sign as f32, positions, normals, |column| unsure.push(column));
-                    exact.normals(u[row], unsure, normals);
+                    unsure.resize(columns, false);
+                    if circles.row(coefficients, row, sign as f32, positions, normals, unsure) {
+                        exact.normals(u[row], unsure, normals);
+                    }
                 }
             }
         }

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::surface::{Block, RowTable, RowTerm};
+use crate::surface::{BLOCK, Block, Curves, RowTable, RowTerm, Surface};
 
 /// One datum of one mode at one row: adds `value cos(k v)` to the position, `slope cos(k v)` to `X_u` and `turned sin(k v)` to `X_v`; a datum of
 /// `sin(k v)` has the two exchanged.
@@ -49,6 +49,32 @@ impl Row {
                 }
             }
         }
+        self.measure();
+    }
+
+    /// Takes the coefficients of a row to the digits that [`Curves`] promise.
+    pub(super) fn fill_roughly(&mut self, surface: &Surface, curves: &Curves, distinct: &[f64], u: f64) {
+        for strands in self.strands.as_flattened_mut() {
+            strands.clear();
+        }
+        let list = curves.list();
+        curves.rows(surface, [u; BLOCK], |index, values| {
+            let (Some(curve), [value, slope]) = (list.get(index), values.map(|block| block.to_array()[0])) else {
+                return;
+            };
+            let column = distinct.iter().position(|n| *n == curve.n).unwrap_or(0);
+            let k = if curve.is_sine { curve.k } else { -curve.k };
+            self.strands[curve.axis][usize::from(curve.is_sine)].push(Strand {
+                value,
+                slope,
+                turned: k * value,
+                column,
+            });
+        });
+        self.measure();
+    }
+
+    fn measure(&mut self) {
         self.terms = [0.0; 2];
         for strands in &self.strands {
             let sizes = strands.iter().flatten().fold([0.0; 2], |[u, v], s| [u + s.slope.abs(), v + s.turned.abs()]);

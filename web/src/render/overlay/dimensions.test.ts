@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { boundsOf } from "../mesh";
+import { boundsOf } from "../../solver/bounds";
 import type { Triple } from "../triple";
 import { dimensionsOf } from "./dimensions";
 

@@ -1,7 +1,7 @@
 import { type Camera, type Object3D, Vector2, Vector3 } from "three";
 import type { Tenant } from "../context";
 import { lengthText, type Unit } from "../length";
-import { type Bounds, checkFinite, MeshError } from "../mesh";
+import type { Bounds } from "../mesh";
 import type { Pot } from "../pot";
 import type { Studio, Theme } from "../studio";
 import type { Triple } from "../triple";
@@ -101,17 +101,7 @@ export class Overlays implements Tenant {
     this.appearance = theme;
   }
 
-  /** @throws {MeshError} for a coordinate that is not finite */
   set lines(lines: StageLines) {
-    for (const [i, line] of lines.iso_u.entries()) checkFinite(`iso_u[${i}]`, line);
-    for (const [i, line] of lines.iso_v.entries()) checkFinite(`iso_v[${i}]`, line);
-    if (lines.rim) checkFinite("rim", lines.rim);
-    if (lines.foot) checkFinite("foot", lines.foot);
-    for (const [i, { at, along }] of lines.tangents.entries()) {
-      if (at.length < 3 || along.length < 3) throw new MeshError(`tangents[${i}] has less than three coordinates`);
-      checkFinite(`tangents[${i}].at`, at);
-      checkFinite(`tangents[${i}].along`, along);
-    }
     this.given = lines;
     this.stale = true;
   }

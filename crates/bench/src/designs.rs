@@ -1,0 +1,97 @@
+//! The designs of `tests/bench`, from which JavaScript takes the same ones.
+
+use pasu::{BoundaryValue, Design, Result};
+use serde_json::Value;
+
+/// A vase of 64 modes in each component, each with a profile of its own.
+const VASE: &str = include_str!("../../../tests/bench/vase.json");
+
+/// A turned vase: every row is a circle about the axis.
+const TURNED: &str = include_str!("../../../tests/bench/turned.json");
+
+/// The vase with the first so many modes of each component.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase(modes: usize) -> Result<Design> {
+    Design::parse(&document(modes).to_string())
+}
+
+/// The vase with the equation of `x` in every component.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase_of_one_equation(modes: usize) -> Result<Design> {
+    let mut document = document(modes);
+    let shape = &mut document["parts"][0]["shape"];
+    for factor in ["s", "t", "w"] {
+        for component in ["y", "z"] {
+            shape[component][factor] = shape["x"][factor].clone();
+        }
+    }
+    Design::parse(&document.to_string())
+}
+
+/// The same boundary curves joined by the equation of order 2, `s X_uu + t X_vv = 0`.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase_of_second_order(modes: usize) -> Result<Design> {
+    let mut document = document(modes);
+    for name in ["x", "y", "z"] {
+        let component = &mut document["parts"][0]["shape"][name];
+        component["order"] = 2.into();
+        remove(component, "w");
+        for mode in component["modes"].as_array_mut().into_iter().flatten() {
+            for datum in ["cos", "sin"] {
+                if let Some(datum) = mode.get_mut(datum) {
+                    remove(datum, "start_u");
+                    remove(datum, "end_u");
+                }
+            }
+        }
+    }
+    Design::parse(&document.to_string())
+}
+
+fn document(modes: usize) -> Value {
+    let mut document: Value = serde_json::from_str(VASE).unwrap_or_default();
+    for component in ["x", "y", "z"] {
+        if let Some(list) = document["parts"][0]["shape"][component]["modes"].as_array_mut() {
+            list.truncate(modes);
+        }
+    }
+    document
+}
+
+fn remove(object: &mut Value, field: &str) {
+    if let Some(object) = object.as_object_mut() {
+        object.remove(field);
+    }
+}
+
+/// The turned vase.
+///
+/// # Errors
+/// When the file is no design.
+pub fn turned() -> Result<Design> {
+    Design::parse(TURNED)
+}
+
+/// The boundary-value problem of a design's first part.
+pub fn shape(design: &Design) -> BoundaryValue {
+    design.parts()[0].shape.boundary_value()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_vase_has_as_many_modes_as_asked_for() {
+        for modes in [1, 4, 8, 64] {
+            let shape = shape(&vase(modes).unwrap());
+            assert_eq!([&shape.x, &shape.y, &shape.z].map(|component| component.modes.len()), [modes; 3]);
+        }
+    }
+}

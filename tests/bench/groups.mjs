@@ -1,0 +1,229 @@
+// What is measured in Node and in Chromium: groups of contenders that take turns.
+
+import { agree } from "./agreement.mjs";
+import {
+  CLOSED_FORM,
+  contenders,
+  HAND_TUNED,
+  MIRRORED,
+  PARAMETRIC_GEOMETRY,
+  PLAIN_LOOPS,
+} from "./contenders/index.mjs";
+import { firstModes, withEveryWave, withOneEquation } from "./designs.mjs";
+import { takeTurns } from "./rounds.mjs";
+
+/** Modes in each component. */
+const MODES = [1, 4, 8];
+
+/** How many times slower than Pasu a contender is to be at least, for each number of modes. */
+const SLOWER = {
+  [HAND_TUNED]: [3, 4, 5.5],
+  [MIRRORED]: [3, 4, 5.5],
+  [PLAIN_LOOPS]: [8, 13, 16],
+  [CLOSED_FORM]: [60, 115, 170],
+  [PARAMETRIC_GEOMETRY]: [160, 270, 380],
+};
+
+/** How many times slower than `memory.fill` Pasu is to be at most. */
+const OF_FILL = [2.5, 4, 5];
+const TURNED_OF_FILL = 1.5;
+
+/** How many microseconds solving 64 modes in each component is to take at most. */
+const SOLVING = 50;
+
+/**
+ * Measures and yields one group after the other.
+ *
+ * `bench` is the module of crates/bench-wasm and `pasu` the package, both loaded; `vase` and `turned` are the designs.
+ */
+export async function* groups({ bench, pasu, vase, turned }, { quick }) {
+  const rounds = quick ? 3 : 15;
+  for (const [index, modes] of MODES.entries()) yield await kernel(bench, firstModes(vase, modes), index, rounds);
+  yield await everyWave(bench, withEveryWave(firstModes(vase, 4)), rounds);
+  yield await memory(bench, vase, turned, 2 * rounds + 1);
+  yield await solving(bench, vase, 2 * rounds + 1);
+  yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
+  for (const side of [65, 129, 257, 513]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
+}
+
+/** Sampling, against what else JavaScript could do. */
+async function kernel(bench, design, index, rounds) {
+  const targets = Object.fromEntries(Object.entries(SLOWER).map(([name, slower]) => [name, slower[index]]));
+  return await sampling(`K = ${MODES[index]}`, bench, design, contenders, targets, rounds);
+}
+
+/** The same where no two components have the sums of one kind of wave only, and nothing can be left out. */
+async function everyWave(bench, design, rounds) {
+  const fast = (...grid) =>
+    contenders(...grid).filter(({ name }) => [HAND_TUNED, MIRRORED, PLAIN_LOOPS].includes(name));
+  return await sampling("K = 4 of cosines and as many of sines", bench, design, fast, {}, rounds);
+}
+
+async function sampling(what, bench, design, contendersOf, targets, rounds) {
+  const side = 513;
+  const subject = new bench.Subject(JSON.stringify(design));
+  subject.show(side, side);
+  const { positions, normals } = subject;
+  const others = contendersOf(design, side, side);
+  for (const other of others) {
+    other.run();
+    agree(other, { positions, normals });
+  }
+  const samples = await takeTurns(
+    [
+      { run: (times) => subject.sample(side, side, times) },
+      { run: (times) => subject.solve(times) },
+      ...others.map((other) => ({ ...other, run: (times) => repeat(other.run, times) })),
+    ],
+    rounds,
+  );
+  subject.free();
+  const perVertex = 1e6 / side ** 2;
+  const rows = others.map(({ name }, other) => {
+    const row = { name, samples: scaled(samples[other + 2], perVertex), against: "Pasu" };
+    return name in targets ? { ...row, at_least: targets[name] } : row;
+  });
+  return {
+    group: `Kernel, ${side - 1} x ${side - 1} cells, ${what}`,
+    unit: "ns per vertex",
+    rows: [
+      { name: "Pasu", samples: scaled(samples[0], perVertex) },
+      { name: "Pasu, of which solving", samples: scaled(samples[1], perVertex) },
+      ...rows,
+    ],
+  };
+}
+
+/** Sampling, against filling the memory that it writes: three numbers of four bytes each for position and normal. */
+async function memory(bench, vase, turned, rounds) {
+  const side = 1025;
+  const block = new bench.Memory(24 * side ** 2);
+  const designs = [...MODES.map((modes) => firstModes(vase, modes)), turned];
+  const names = [...MODES.map((modes) => `Pasu, K = ${modes}`), "Pasu, turned"];
+  const subjects = designs.map((design) => new bench.Subject(JSON.stringify(design)));
+  const samples = await takeTurns(
+    [
+      { run: (times) => block.fill(times) },
+      ...subjects.map((subject) => ({ run: (times) => subject.sample(side, side, times) })),
+    ],
+    rounds,
+  );
+  for (const used of [block, ...subjects]) used.free();
+  const perVertex = 1e6 / side ** 2;
+  const limits = [...OF_FILL, TURNED_OF_FILL];
+  return {
+    group: `Memory, ${side - 1} x ${side - 1} cells, 24 bytes a vertex`,
+    unit: "ns per vertex",
+    rows: [
+      { name: FILL, samples: scaled(samples[0], perVertex) },
+      ...names.map((name, index) => ({
+        name,
+        samples: scaled(samples[index + 1], perVertex),
+        against: FILL,
+        at_most: limits[index],
+      })),
+    ],
+  };
+}
+
+const FILL = "memory.fill";
+
+/** Solving alone, of a design whose components share an equation and of one whose components do not. */
+async function solving(bench, vase, rounds) {
+  const text = JSON.stringify(vase);
+  const subject = new bench.Subject(text);
+  const alike = new bench.Subject(JSON.stringify(withOneEquation(vase)));
+  const numerical = new bench.Baseline(text, 128, 256);
+  const note = `128 x 256 points, error ${checkedError(numerical).toExponential(1)}`;
+  const samples = await takeTurns(
+    [subject, alike, numerical].map((solver) => ({ run: (times) => solver.solve(times) })),
+    rounds,
+  );
+  for (const used of [subject, alike, numerical]) used.free();
+  const [each, one, baseline] = samples.map((list) => scaled(list, 1e3));
+  return {
+    group: "Solving 64 modes per component",
+    unit: "us",
+    rows: [
+      { name: "Pasu, an equation for each component", samples: each, median_at_most: SOLVING },
+      { name: "Pasu, one equation for all", samples: one, median_at_most: SOLVING },
+      {
+        name: "finite differences, FFT and bands",
+        samples: baseline,
+        against: "Pasu, an equation for each component",
+        note,
+      },
+    ],
+  };
+}
+
+/** How far a numerical solution is off; refuses one that solves something else. */
+function checkedError(numerical) {
+  const error = numerical.error();
+  if (!(error < 1e-3)) throw new Error(`finite differences are off by ${error}`);
+  return error;
+}
+
+/** Solving and sampling, against a numerical solution on the same grid. */
+async function baseline(bench, design, rounds) {
+  const side = 128;
+  const text = JSON.stringify(design);
+  const subject = new bench.Subject(text);
+  const numerical = new bench.Baseline(text, side, side);
+  const note = `error ${checkedError(numerical).toExponential(1)}`;
+  const samples = await takeTurns(
+    [{ run: (times) => subject.sample(side, side, times) }, { run: (times) => numerical.solve(times) }],
+    rounds,
+  );
+  for (const used of [subject, numerical]) used.free();
+  const name = "Pasu, solved and sampled with normals";
+  return {
+    group: `Numerical baseline, ${side} x ${side}, K = 8, order 4`,
+    unit: "ms",
+    rows: [
+      { name, samples: samples[0] },
+      { name: "finite differences, FFT and bands", samples: samples[1], against: name, note },
+    ],
+  };
+}
+
+/** `mesh()` of the package, from a plain object to the caller's own arrays, against sampling alone. */
+async function whole(bench, pasu, design, side, rounds) {
+  const options = { rows: side, columns: side };
+  const subject = new bench.Subject(JSON.stringify(design));
+  subject.show(side, side);
+  let into = pasu.mesh(design, options);
+  agree({ name: "mesh()", ...into }, subject);
+  const samples = await takeTurns(
+    [
+      { run: (times) => subject.sample(side, side, times) },
+      { run: (times) => repeat(() => pasu.mesh(design, options), times), litters: true },
+      {
+        run: (times) =>
+          repeat(() => {
+            into = pasu.mesh(design, { ...options, into });
+          }, times),
+      },
+    ],
+    rounds,
+  );
+  subject.free();
+  const name = "sampling alone";
+  return {
+    group: `Whole way, ${side - 1} x ${side - 1} cells, K = 4`,
+    unit: "ms",
+    rows: [
+      { name, samples: samples[0] },
+      { name: "mesh()", samples: samples[1], against: name },
+      { name: "mesh() into the arrays of the last", samples: samples[2], against: name },
+    ],
+  };
+}
+
+function repeat(run, times) {
+  for (let i = 0; i < times; i++) run();
+}
+
+function scaled(samples, factor) {
+  return samples.map((sample) => sample * factor);
+}

@@ -1,0 +1,70 @@
+// A drag seen from inside the page: which frame showed which change, and how many frames passed since the hand moved.
+
+import type { Visit } from "./visit.ts";
+
+/** One movement of the pointer that changed the pot. */
+export interface Movement {
+  /** The number of the change. */
+  readonly change: number;
+  /** Frames that the page presented between the event and the frame with this change, or a later one. */
+  readonly behind: number;
+  /** Frames of the stage in between, which showed older changes. */
+  readonly older: number;
+}
+
+interface Watched {
+  pasuTrace(moment: string, change: number): void;
+  pasuMovements: { change: number; frame: number; drawn: number; behind: number | null; older: number }[];
+}
+
+/** Counts frames from now on; to be called before the page opens. */
+export async function watchDrags(pot: Visit): Promise<void> {
+  await pot.context.addInitScript(() => {
+    const watched = globalThis as unknown as Watched;
+    watched.pasuMovements = [];
+    let frame = 0;
+    let drawn = 0;
+    const count = () => {
+      frame += 1;
+      requestAnimationFrame(count);
+    };
+    requestAnimationFrame(count);
+    let moved: { readonly frame: number; readonly drawn: number } | null = null;
+    addEventListener(
+      "pointermove",
+      () => {
+        moved = { frame, drawn };
+      },
+      { capture: true },
+    );
+    watched.pasuTrace = (moment, change) => {
+      if (moment === "asked" && moved !== null) {
+        watched.pasuMovements.push({ change, ...moved, behind: null, older: 0 });
+        moved = null;
+      }
+      if (moment !== "drawn") return;
+      for (const each of watched.pasuMovements) {
+        if (each.behind !== null || each.change > change) continue;
+        // The frame right after the event is the first that could show it: it is not between.
+        each.behind = Math.max(0, frame - each.frame - 1);
+        each.older = drawn - each.drawn;
+      }
+      drawn += 1;
+    };
+  });
+}
+
+/** The movements of all drags so far that were drawn, and forgets them. */
+export async function movements(pot: Visit): Promise<readonly Movement[]> {
+  return await pot.page.evaluate(() =>
+    (globalThis as unknown as Watched).pasuMovements
+      .splice(0)
+      .flatMap(({ change, behind, older }) => (behind === null ? [] : [{ change, behind, older }])),
+  );
+}
+
+/** Runs the page's thread so many times slower than it is. */
+export async function slowDown(pot: Visit, rate: number): Promise<void> {
+  const session = await pot.context.newCDPSession(pot.page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate });
+}

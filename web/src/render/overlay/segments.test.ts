@@ -1,0 +1,36 @@
+import { describe, expect, it } from "vitest";
+import { edgesOf, ofArrows, ofPolylines } from "./segments";
+
+describe("segments", () => {
+  it("are the pieces of polylines", () => {
+    const line = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0]);
+    expect([...ofPolylines([line, new Float32Array(3), new Float32Array()])]).toEqual([
+      0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0,
+    ]);
+  });
+
+  it("have every edge of the triangles once", () => {
+    const edges = edgesOf(new Uint32Array([0, 1, 2, 2, 1, 3]));
+    const names = new Set<string>();
+    for (let i = 0; i < edges.length; i += 2) names.add([edges[i], edges[i + 1]].sort().join("-"));
+    expect([...names].sort()).toEqual(["0-1", "0-2", "1-2", "1-3", "2-3"]);
+    expect(edges).toHaveLength(10);
+  });
+
+  it("make no arrow without a direction, and finite ones in every direction", () => {
+    const at = new Float32Array([1, 2, 3]);
+    expect(ofArrows([{ at, along: new Float32Array(3) }], 1)).toHaveLength(0);
+    for (const along of [
+      [0, 0, 1],
+      [0, 0, -5],
+      [1, 0, 0],
+      [1e-20, 1e-20, 0],
+    ]) {
+      const arrow = ofArrows([{ at, along: new Float32Array(along) }], 0.5);
+      expect(arrow).toHaveLength(18);
+      expect(arrow.every(Number.isFinite)).toBe(true);
+      const [x, y, z] = [3, 4, 5].map((k) => (arrow[k] as number) - (at[k - 3] as number)) as [number, number, number];
+      expect(Math.hypot(x, y, z)).toBeCloseTo(0.5, 5);
+    }
+  });
+});

@@ -1,0 +1,42 @@
+/** What the vertices of a mesh fill. */
+
+import type { Triple } from "../document/types";
+
+export interface Bounds {
+  readonly min: Triple;
+  readonly max: Triple;
+  /** The middle of the box. */
+  readonly centre: Triple;
+  /** The largest distance of a point from the centre. */
+  readonly radius: number;
+}
+
+/**
+ * The bounds of xyz triples, or null when there are none. The box is exact; the radius is that of `sample`, fewer points of
+ * the same surface, because the camera and the light need no better one.
+ */
+export function boundsOf(positions: Float32Array, sample = positions): Bounds | null {
+  if (positions.length < 3) return null;
+  let [x0, y0, z0] = [Infinity, Infinity, Infinity];
+  let [x1, y1, z1] = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i] as number;
+    const y = positions[i + 1] as number;
+    const z = positions[i + 2] as number;
+    if (x < x0) x0 = x;
+    if (x > x1) x1 = x;
+    if (y < y0) y0 = y;
+    if (y > y1) y1 = y;
+    if (z < z0) z0 = z;
+    if (z > z1) z1 = z;
+  }
+  const centre: Triple = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2];
+  let squared = 0;
+  for (let i = 0; i < sample.length; i += 3) {
+    const x = (sample[i] as number) - centre[0];
+    const y = (sample[i + 1] as number) - centre[1];
+    const z = (sample[i + 2] as number) - centre[2];
+    squared = Math.max(squared, x * x + y * y + z * z);
+  }
+  return { min: [x0, y0, z0], max: [x1, y1, z1], centre, radius: Math.sqrt(squared) };
+}
