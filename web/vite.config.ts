@@ -41,7 +41,7 @@ export default defineConfig({
     },
   },
   plugins: [
-    leanRenderer(),
+    leanRenderer({ sources: here("src") }),
     contentSecurityPolicy(),
     preload({ renderer: here("src/render/stage.ts") }),
     offline({ worker: here("src/sw/worker.ts") }),

@@ -1,17 +1,15 @@
-// Leaves out of three's renderer what the designer never asks it for, a quarter of its weight: the sources of the
-// built-in materials (every material here brings its whole program), headsets, and prefiltered environment maps.
+// Leaves out of three's renderer what the designer never asks it for, half of its weight: built-in materials with their lights, shadows
+// and sources (every material here brings its whole program), headsets, environment maps, and every function that nobody calls.
 
-import type { Plugin } from "vite";
+import { readdirSync, readFileSync } from "node:fs";
+import { basename, dirname, join } from "node:path";
+import { type Plugin, parseAst } from "vite";
+import { withoutUnmentioned } from "./unmentioned.ts";
 
-const RENDERER = /[\\/]three[\\/]build[\\/]three\.module\.js$/;
+const THREE = /[\\/]three[\\/]build[\\/]three\.(?:core|module)\.js$/;
+const FILES = ["three.core.js", "three.module.js"];
 
-/** A piece of shader source at the top level, which only the built-in programs are put together from. */
-const SOURCE = /^(var|const) (\w+) = "(?:[^"\\]|\\.)*";$/gm;
-
-/** Three 0.187 has 108 before its table of them; far fewer would mean that this plugin no longer does anything. */
-const FEWEST = 80;
-
-/** What stands in for a class: no more than the renderer touches while the feature is off. */
+/** What stands in for a class or a function: no more than the renderer touches while the feature is off. */
 const STAND_INS: Readonly<Record<string, string>> = {
   WebXRManager: `class WebXRManager extends EventDispatcher {
   constructor() { super(); this.enabled = false; this.isPresenting = false; this.cameraAutoUpdate = false; }
@@ -22,29 +20,141 @@ const STAND_INS: Readonly<Record<string, string>> = {
 }`,
   WebXRDepthSensing: "",
   PMREMGenerator: "class PMREMGenerator { dispose() {} }",
+  WebGLBackground: `function WebGLBackground( renderer, environments, state, objects, alpha, premultipliedAlpha ) {
+  const clearColor = new Color( 0x000000 );
+  let clearAlpha = alpha === true ? 0 : 1;
+  function setClear() {
+    clearColor.getRGB( _rgb, getUnlitUniformColorSpace( renderer ) );
+    state.buffers.color.setClear( _rgb.r, _rgb.g, _rgb.b, clearAlpha, premultipliedAlpha );
+  }
+  return {
+    getClearColor() { return clearColor; },
+    setClearColor( color, alpha = 1 ) { clearColor.set( color ); clearAlpha = alpha; setClear(); },
+    getClearAlpha() { return clearAlpha; },
+    setClearAlpha( alpha ) { clearAlpha = alpha; setClear(); },
+    render() { setClear(); },
+    addToRenderList() {},
+    dispose() {},
+  };
+}`,
+  WebGLClipping: `function WebGLClipping() {
+  return { numPlanes: 0, numIntersection: 0, uniform: { value: null }, init() { return false; }, setState() {}, setGlobalState() {}, beginShadows() {}, endShadows() {} };
+}`,
+  WebGLEnvironments: "function WebGLEnvironments() { return { get() { return null; }, dispose() {} }; }",
+  WebGLLights: "function WebGLLights() { return { state: { version: 0 }, setup() {}, setupView() {} }; }",
+  WebGLMaterials: `function WebGLMaterials() {
+  return { refreshFogUniforms() {}, refreshMaterialUniforms( uniforms, material ) { material.uniformsNeedUpdate = false; } };
+}`,
+  WebGLMorphtargets: "function WebGLMorphtargets() { return { update() {} }; }",
+  WebGLOutput: "class WebGLOutput {}",
+  WebGLShadowMap: "function WebGLShadowMap() { return { enabled: false, render() {} }; }",
+  WebGLUniformsGroups: "function WebGLUniformsGroups() { return { bind() {}, update() {}, dispose() {} }; }",
+  // A material whose programs are put together here cannot be told from one that brings its own but by this.
+  WebGLPrograms: `function WebGLPrograms( renderer, environments, extensions, capabilities, bindingStates ) {
+  const programs = [];
+  const programsMap = new Map();
+  return {
+    programs,
+    getParameters( material, lights, shadows, scene, object ) {
+      if ( ! material.isRawShaderMaterial ) throw new Error( 'The designer leaves out ' + material.type );
+      const { type, name, vertexShader, fragmentShader, defines, glslVersion, index0AttributeName } = material;
+      return {
+        shaderType: type, shaderName: name, vertexShader, fragmentShader, defines, glslVersion, index0AttributeName,
+        hasPositionAttribute: object.geometry.attributes.position !== undefined,
+        outputColorSpace: renderer.getRenderTarget() === null ? renderer.outputColorSpace : ColorManagement.workingColorSpace,
+        toneMapping: NoToneMapping, vertexAlphas: false, vertexTangents: false,
+        morphTargets: false, morphNormals: false, morphColors: false, morphTargetsCount: 0,
+        isRawShaderMaterial: true, rendererExtensionParallelShaderCompile: false,
+      };
+    },
+    getProgramCacheKey( { vertexShader, fragmentShader, defines, index0AttributeName, hasPositionAttribute } ) {
+      return JSON.stringify( [ vertexShader, fragmentShader, defines, index0AttributeName, hasPositionAttribute ] );
+    },
+    getUniforms( material ) { return material.uniforms; },
+    acquireProgram( parameters, cacheKey ) {
+      let program = programsMap.get( cacheKey );
+      if ( program !== undefined ) {
+        program.usedTimes += 1;
+      } else {
+        program = new WebGLProgram( renderer, cacheKey, parameters, bindingStates );
+        programs.push( program );
+        programsMap.set( cacheKey, program );
+      }
+      return program;
+    },
+    releaseProgram( program ) {
+      program.usedTimes -= 1;
+      if ( program.usedTimes > 0 ) return;
+      programs.splice( programs.indexOf( program ), 1 );
+      programsMap.delete( program.cacheKey );
+      program.destroy();
+    },
+    releaseShaderCache() {},
+    dispose() {},
+  };
+}`,
 };
 
+/** What is left out within functions: from one text up to another, and what stands there instead. */
+const CUTS: readonly (readonly [from: string, to: string, instead: string])[] = [
+  // Of a program, all but what a material brings.
+  ["const shadowMapTypeDefine = generateShadowMapTypeDefine(", "const customDefines = ", ""],
+  [
+    "} else {\n\n\t\tprefixVertex = [\n\n\t\t\tgeneratePrecision(",
+    "vertexShader = resolveIncludes( vertexShader );",
+    "}\n",
+  ],
+  ["vertexShader = resolveIncludes( vertexShader );", "const vertexGlsl = ", ""],
+  // The stage asks for these while developing only, and a build is not developing.
+  ["if ( renderer.debug.checkShaderErrors ) {", "// Clean up", ""],
+  ["function renderTransmissionPass(", "function renderObjects(", "function renderTransmissionPass() {}\n"],
+];
+
 /** A material or a map that needs what is left out would fail at once, which the browser tests would see. */
-export function leanRenderer(): Plugin {
+export function leanRenderer({ sources }: { sources: string }): Plugin {
+  let lean: Map<string, string> | undefined;
   return {
     name: "pasu:lean-renderer",
     apply: "build",
     transform(code, id) {
-      if (!RENDERER.test(id.split("?")[0] ?? "")) return null;
-      let emptied = 0;
-      const table = code.indexOf("const ShaderChunk = {");
-      const sources = code.slice(0, Math.max(0, table)).replace(SOURCE, (_, keyword: string, name: string) => {
-        emptied += 1;
-        return `${keyword} ${name} = "";`;
-      });
-      if (emptied < FEWEST) this.error(`three's shader sources are not where they were: found ${emptied}`);
-      let lean = sources + code.slice(table);
-      for (const [name, standIn] of Object.entries(STAND_INS)) {
-        const whole = lean.match(new RegExp(`^class ${name}\\b[\\s\\S]*?^}`, "m"))?.[0];
-        if (whole === undefined) this.error(`three's ${name} is not where it was`);
-        lean = lean.replace(whole, () => standIn);
-      }
-      return { code: lean, map: null };
+      const path = id.split("?")[0] ?? "";
+      if (!THREE.test(path)) return null;
+      lean ??= leaned(dirname(path), sources);
+      return { code: lean.get(basename(path)) ?? code, map: null };
     },
   };
+}
+
+/** The texts of three by file name, without what the designer cannot reach. */
+function leaned(folder: string, sources: string): Map<string, string> {
+  const texts = FILES.map((name) => {
+    const text = readFileSync(join(folder, name), "utf8");
+    const code = name === "three.module.js" ? withStandIns(text) : text;
+    return { code, tree: parseAst(code) };
+  });
+  const shaken = withoutUnmentioned(texts, wordsOf(sources));
+  return new Map(FILES.map((name, index) => [name, shaken[index] ?? ""]));
+}
+
+/** Every word of our own sources. */
+function wordsOf(sources: string): Set<string> {
+  const files = readdirSync(sources, { recursive: true, encoding: "utf8" });
+  const texts = files.filter((name) => name.endsWith(".ts") && !name.endsWith(".test.ts"));
+  return new Set(texts.flatMap((name) => readFileSync(join(sources, name), "utf8").match(/[\w$]+/g) ?? []));
+}
+
+function withStandIns(code: string): string {
+  let lean = code;
+  for (const [name, standIn] of Object.entries(STAND_INS)) {
+    const whole = lean.match(new RegExp(`^(?:class|function) ${name}\\b[\\s\\S]*?^}`, "m"))?.[0];
+    if (whole === undefined) throw new Error(`three's ${name} is not where it was`);
+    lean = lean.replace(whole, () => standIn);
+  }
+  for (const [from, to, instead] of CUTS) {
+    const start = lean.indexOf(from);
+    const end = lean.indexOf(to, start);
+    if (start < 0 || end < 0) throw new Error(`three's text is not what it was: ${from}`);
+    lean = lean.slice(0, start) + instead + lean.slice(end);
+  }
+  return lean;
 }

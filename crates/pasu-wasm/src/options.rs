@@ -37,10 +37,18 @@ pub(crate) fn read(options: &JsValue) -> Result<MeshOptions> {
 
 fn count(number: f64, path: String) -> Result<usize> {
     if !number.is_finite() {
-        return Err(Error::new(Code::NotFinite, path, format!("expected a whole number, found {number}")));
+        return Err(Error::new(
+            Code::NotFinite,
+            path,
+            format!("expected a whole number, found {}", Value::Number(number).described()),
+        ));
     }
     if !(0.0..=LARGEST).contains(&number) || number.fract() != 0.0 {
-        return Err(Error::new(Code::OutOfRange, path, format!("expected a whole number, found {number}")));
+        return Err(Error::new(
+            Code::OutOfRange,
+            path,
+            format!("expected a whole number, found {}", Value::Number(number).described()),
+        ));
     }
     Ok(number as usize)
 }

@@ -1,6 +1,6 @@
 //! Points of a design in double precision.
 
-use crate::design::{Design, Part};
+use crate::design::{Design, Part, plain};
 use crate::error::{Code, Error, Result};
 use crate::surface::{Surface, SurfaceJet};
 
@@ -53,11 +53,11 @@ fn for_each_point(design: &Design, part: usize, at: &[f64], mut visit: impl FnMu
     for (i, point) in at.chunks_exact(2).enumerate() {
         let (u, v) = (point[0], point[1]);
         if !(0.0..=1.0).contains(&u) {
-            let message = format!("expected u from 0 to 1, found {u}");
+            let message = format!("expected u from 0 to 1, found {}", plain(u));
             return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i), message));
         }
         if !v.is_finite() {
-            let message = format!("expected a finite v, found {v}");
+            let message = format!("expected a finite v, found {}", plain(v));
             return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message));
         }
         visit(&surface.at(u, v));

@@ -1,6 +1,7 @@
 //! The design document: what a person has chosen, as data.
 
 mod boundary_value;
+mod decimal;
 mod document;
 mod family;
 mod fields;
@@ -27,6 +28,7 @@ pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Spa
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub use look::{Clay, Glaze, Look};
+pub(crate) use number::plain;
 pub use part::Part;
 pub use placement::Placement;
 pub use shape::Shape;

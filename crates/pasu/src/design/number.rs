@@ -1,37 +1,49 @@
 //! Numbers as documents and links hold them: twelve significant digits, one way of writing each.
 
+use super::decimal::Decimal;
+
 /// The nearest number of twelve significant decimal digits; negative zero becomes zero.
 ///
 /// Twelve digits are a hundred times finer than any result of the solver is promised, and coarse enough that sums and
 /// products that differ only in their last bits (`0.1 + 0.2`) are written alike. Idempotent.
 pub(crate) fn rounded(x: f64) -> f64 {
-    let near = format!("{x:.11e}").parse().unwrap_or(x);
-    if near == 0.0 { 0.0 } else { near }
+    with_sign(x, Decimal::rounded(x, 12, None))
 }
 
 /// Twelve decimal places: for the components of unit vectors, where noise next to 1 must become 0.
 pub(crate) fn rounded_in_unit(x: f64) -> f64 {
-    let near = format!("{x:.12}").parse().unwrap_or(x);
-    if near == 0.0 { 0.0 } else { near }
+    with_sign(x, Decimal::rounded(x, 0, Some(12)))
+}
+
+fn with_sign(x: f64, size: Decimal) -> f64 {
+    if !x.is_finite() {
+        return x;
+    }
+    match size.nearest() {
+        0.0 => 0.0,
+        size => size.copysign(x),
+    }
 }
 
 /// The shortest decimal digits that read back as `x`, and the power of ten of the last of them: `x = digits * 10^power`.
-struct Decimal {
+struct Written {
     negative: bool,
     digits: String,
     power: i32,
 }
 
-impl Decimal {
+impl Written {
     /// `None` when `x` is not finite.
-    fn new(x: f64) -> Option<Decimal> {
-        // Rust writes the shortest digits that read back exactly: `-1.25e-3`.
-        let text = format!("{x:e}");
-        let (mantissa, exponent) = text.split_once('e')?;
-        let unsigned = mantissa.strip_prefix('-').unwrap_or(mantissa);
-        let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-        let power = exponent.parse::<i32>().ok()? - i32::try_from(fraction.len()).ok()?;
-        Some(Decimal { negative: x < 0.0, digits: format!("{whole}{fraction}"), power })
+    fn new(x: f64) -> Option<Written> {
+        if !x.is_finite() {
+            return None;
+        }
+        let Decimal { digits, power } = Decimal::shortest(x);
+        let mut digits: String = digits.iter().map(|digit| char::from(b'0' + digit)).collect();
+        if digits.is_empty() {
+            digits.push('0');
+        }
+        Some(Written { negative: x < 0.0, digits, power })
     }
 
     fn sign(&self) -> &'static str {
@@ -56,7 +68,7 @@ impl Decimal {
 ///
 /// The same text as `JSON.stringify` gives, so that a document saved by a page and one written by this crate are equal.
 pub(crate) fn plain(x: f64) -> String {
-    let Some(decimal) = Decimal::new(x) else {
+    let Some(decimal) = Written::new(x) else {
         return if x.is_nan() { "NaN".into() } else { format!("{}Infinity", if x < 0.0 { "-" } else { "" }) };
     };
     let leading = decimal.power + decimal.digits.len() as i32 - 1;
@@ -71,7 +83,7 @@ pub(crate) fn plain(x: f64) -> String {
 
 /// The shortest text that reads back as `x`, for links: `.2`, `-12.5`, `1e5`, `15e-8`. `x` is finite.
 pub(crate) fn shortest(x: f64) -> String {
-    let Some(decimal) = Decimal::new(x) else { return plain(x) };
+    let Some(decimal) = Written::new(x) else { return plain(x) };
     let plain = decimal.plain("");
     if decimal.power == 0 {
         return plain;

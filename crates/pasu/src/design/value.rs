@@ -29,11 +29,11 @@ pub enum Value {
 }
 
 /// How deep a value may nest. A design nests nine deep; a JavaScript object that contains itself has no bottom.
-const DEEPEST: usize = 64;
+pub(super) const DEEPEST: usize = 64;
 
 impl Value {
     /// What was found, for a message: `-3`, `"abc"`, `a list of 2`.
-    pub(crate) fn described(&self) -> String {
+    pub fn described(&self) -> String {
         match self {
             Value::Null => "nothing".into(),
             Value::Bool(b) => b.to_string(),

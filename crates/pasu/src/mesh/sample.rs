@@ -2,7 +2,7 @@
 
 use super::contract::{Mesh, MeshOptions};
 use super::part::{PartGrid, Workspace};
-use crate::design::Design;
+use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 
 /// The most vertices that a mesh may have.
@@ -116,7 +116,9 @@ fn choose(design: &Design, options: &MeshOptions, is_bounded: bool) -> Result<Ve
                 Code::TooLarge,
                 format!("parts[{index}]"),
                 format!(
-                    "needs {rows} rows of {columns} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns"
+                    "needs {} rows of {} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns",
+                    plain(rows),
+                    plain(columns)
                 ),
             ));
         }
@@ -134,7 +136,7 @@ fn check(options: &MeshOptions) -> Result<()> {
     }
     match options.tolerance {
         Some(tolerance) if !(tolerance > 0.0 && tolerance.is_finite()) => {
-            let message = format!("expected a distance greater than 0 in model units, found {tolerance}");
+            let message = format!("expected a distance greater than 0 in model units, found {}", plain(tolerance));
             Err(Error::new(Code::OutOfRange, "tolerance", message))
         }
         _ => Ok(()),

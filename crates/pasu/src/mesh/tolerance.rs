@@ -6,6 +6,7 @@ use super::coefficients::POSITION_ERROR;
 use super::contract::MeshOptions;
 use super::profile::{Bend, Profile};
 use super::sample::VERTEX_LIMIT;
+use crate::design::plain;
 use crate::error::{Code, Error, Result};
 
 /// Without rows, columns or tolerance a part is sampled to this fraction of its size.
@@ -221,14 +222,16 @@ impl Part {
     }
 
     fn too_fine(&self, tolerance: f64, grid: &Tessellation) -> Error {
-        let rounding = self.rounding;
-        let message = if 2.0 * rounding > tolerance {
-            format!("a mesh in single precision is only good to {rounding:e} for a pot of this size, found {tolerance}")
+        let (rounding, tolerance_found) = (plain(self.rounding), plain(tolerance));
+        let message = if 2.0 * self.rounding > tolerance {
+            format!(
+                "a mesh in single precision is only good to {rounding} for a pot of this size, found {tolerance_found}"
+            )
         } else {
             format!(
-                "{} rows of {} vertices cannot hold {tolerance}; leave out rows and columns, or ask for more",
-                grid.along + 1.0,
-                grid.round + 1.0
+                "{} rows of {} vertices cannot hold {tolerance_found}; leave out rows and columns, or ask for more",
+                plain(grid.along + 1.0),
+                plain(grid.round + 1.0)
             )
         };
         Error::new(Code::ToleranceTooFine, "tolerance", message)

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::circle;
 use super::jet::SurfaceJet;
-use crate::design::{Axis, BoundaryValue, Component, Span};
+use crate::design::{Axis, BoundaryValue, Component, Span, plain};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Equation, ModeData, ModeSolution, Unsolvable};
 
@@ -123,6 +123,7 @@ fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index:
         Axis::Z => "z",
     };
     let Component { s, t, w, .. } = component;
+    let [s, t, w, n] = [*s, *t, *w, n].map(plain);
     let path = format!("{path}.{name}.modes[{index}]");
     match why {
         Unsolvable::NoHighestDerivative => {

@@ -2,6 +2,7 @@
 
 use super::damaged;
 use super::wrapping::encoded;
+use crate::design::decimal::parse;
 use crate::design::document::Design;
 use crate::design::fields::{Field, Size};
 use crate::design::limits::VERSION;
@@ -88,9 +89,9 @@ pub(super) fn read(text: &str) -> Result<Design> {
 
 /// What is not a number stays a text: the reader refuses it and says where.
 fn value(field: &Field, text: &str) -> Value {
-    let number = |text: &str| match text.trim().parse::<f64>() {
-        Ok(number) => Value::Number(number),
-        Err(_) => Value::Text(text.trim().to_owned()),
+    let number = |text: &str| match parse(text.trim()) {
+        Some(number) => Value::Number(number),
+        None => Value::Text(text.trim().to_owned()),
     };
     match field.size {
         Size::One => number(text),
