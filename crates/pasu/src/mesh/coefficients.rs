@@ -155,10 +155,9 @@ impl Coefficients {
         self.gather(surface, curves, u);
         let sizes = self.sizes();
         let [position, tangent_u, tangent_v] = sizes;
-        for row in 0..ROWS {
-            let error = DEVIATIONS * libm::sqrt(position.variance.to_array()[row]);
-            let fits = position.length.to_array()[row] < f64::from(f32::MAX);
-            self.is_exact[row] = !(fits && error <= POSITION_ERROR * largest);
+        let error = (position.variance.sqrt() * DEVIATIONS).to_array();
+        for ((is_exact, error), length) in self.is_exact.iter_mut().zip(error).zip(position.length.to_array()) {
+            *is_exact = !(length < f64::from(f32::MAX) && error <= POSITION_ERROR * largest);
         }
         let scales = [power_of_two(tangent_u.length), power_of_two(tangent_v.length)];
         for (tilt, (size, scale)) in self.tilt.iter_mut().zip([tangent_u, tangent_v].iter().zip(scales)) {
@@ -274,7 +273,7 @@ impl Coefficients {
                 let whole = sum[i] + constant;
                 squares[i] += constant * constant + whole * whole * n_parts;
                 sizes[i].length += whole * whole;
-                sizes[i].variance = sizes[i].variance.max(squares[i]);
+                sizes[i].variance = sizes[i].variance.fast_max(squares[i]);
             }
         }
         for size in &mut sizes {

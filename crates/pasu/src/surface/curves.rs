@@ -81,16 +81,24 @@ impl Curves {
 
     /// Value and slope of every curve at four rows, one in each lane, in ascending order.
     pub(crate) fn rows(&self, surface: &Surface, u: [f64; BLOCK], mut visit: impl FnMut(usize, [Block; 2])) {
+        // The boundary data are met to the bit: a pole is where they are 0.
+        let is_end = u.map(|u| u == 0.0 || u == 1.0);
+        let has_end = is_end.contains(&true);
+        // Curves of one rate follow each other.
+        let mut place = Place::of(u, 0);
         for (index, curve) in self.curves.iter().enumerate() {
             let Some(term) = surface.components()[curve.axis].get(curve.term) else { continue };
-            let mut values = match self.expansion(curve, u) {
-                Some(values) => values,
+            if place.n_expansions != curve.n_expansions {
+                place = Place::of(u, curve.n_expansions);
+            }
+            let expansion = place.interval.and_then(|interval| self.expansions.get(curve.first + interval));
+            let mut values = match expansion {
+                Some(expansion) => place.evaluated(expansion),
                 None => asked(curve, term, u),
             };
-            for (lane, &u) in u.iter().enumerate() {
-                // The boundary data are met to the bit: a pole is where they are 0.
-                if u == 0.0 || u == 1.0 {
-                    let [value, slope] = jet(curve, term, u);
+            if has_end {
+                for (lane, _) in is_end.iter().enumerate().filter(|(_, is_end)| **is_end) {
+                    let [value, slope] = jet(curve, term, u[lane]);
                     values[0].as_mut_array()[lane] = value;
                     values[1].as_mut_array()[lane] = slope;
                 }
@@ -98,26 +106,35 @@ impl Curves {
             visit(index, values);
         }
     }
+}
 
-    /// The polynomial of the interval in which all four rows are, or nearly.
-    fn expansion(&self, curve: &Curve, u: [f64; BLOCK]) -> Option<[Block; 2]> {
-        if curve.n_expansions == 0 {
-            return None;
+/// Where four rows are among so many equal intervals.
+struct Place {
+    n_expansions: usize,
+    /// The interval in which all four are, or nearly.
+    interval: Option<usize>,
+    /// From -1 to 1 in that interval.
+    x: Block,
+}
+
+impl Place {
+    fn of(u: [f64; BLOCK], n_expansions: usize) -> Self {
+        let n = n_expansions as f64;
+        let interval = (0.5 * (u[0] + u[BLOCK - 1]) * n).min(n - 1.0) as usize;
+        let x = (Block::from(u) * n - interval as f64) * 2.0 - 1.0;
+        let [first, .., last] = x.to_array();
+        let is_near = n_expansions > 0 && first.abs() <= OVERHANG && last.abs() <= OVERHANG;
+        Place { n_expansions, interval: is_near.then_some(interval), x }
+    }
+
+    /// Value and slope, by Horner's rule.
+    fn evaluated(&self, expansion: &Expansion) -> [Block; 2] {
+        let (mut value, mut slope) = (Block::splat(expansion[TERMS - 1]), Block::ZERO);
+        for m in (0..TERMS - 1).rev() {
+            slope = slope * self.x + value;
+            value = value * self.x + Block::splat(expansion[m]);
         }
-        let n = curve.n_expansions as f64;
-        let interval = libm::floor(0.5 * (u[0] + u[BLOCK - 1]) * n).min(n - 1.0);
-        let x = (Block::from(u) * n - interval) * 2.0 - 1.0;
-        let spread = x.to_array();
-        if spread[0].abs().max(spread[BLOCK - 1].abs()) > OVERHANG {
-            return None;
-        }
-        let terms = self.expansions.get(curve.first + interval as usize)?;
-        let (mut value, mut slope) = (Block::splat(terms[TERMS - 1]), Block::ZERO);
-        for &term in terms[..TERMS - 1].iter().rev() {
-            slope = slope * x + value;
-            value = value * x + term;
-        }
-        Some([value, slope * (2.0 * n)])
+        [value, slope * (2.0 * self.n_expansions as f64)]
     }
 }
 
