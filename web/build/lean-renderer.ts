@@ -46,6 +46,7 @@ const STAND_INS: Readonly<Record<string, string>> = {
   return { refreshFogUniforms() {}, refreshMaterialUniforms( uniforms, material ) { material.uniformsNeedUpdate = false; } };
 }`,
   WebGLMorphtargets: "function WebGLMorphtargets() { return { update() {} }; }",
+  getDFGLUT: "function getDFGLUT() {}",
   WebGLOutput: "class WebGLOutput {}",
   WebGLShadowMap: "function WebGLShadowMap() { return { enabled: false, render() {} }; }",
   WebGLUniformsGroups: "function WebGLUniformsGroups() { return { bind() {}, update() {}, dispose() {} }; }",
@@ -95,8 +96,29 @@ const STAND_INS: Readonly<Record<string, string>> = {
 }`,
 };
 
+/** Kinds of things that the designer never makes: what asks for them is told no, and the bundler drops what follows from yes. */
+const NEVER = [
+  ...["isBatchedMesh", "isInstancedMesh", "isLOD", "isLightProbeGrid", "isLineLoop"],
+  ...["isSkinnedMesh", "isSprite", "isArrayCamera"],
+  ...["isMeshLambertMaterial", "isMeshPhongMaterial", "isMeshStandardMaterial", "isMeshToonMaterial", "isNodeMaterial"],
+  ...["isShadowMaterial", "isSpriteMaterial"],
+  ...["isCompressedArrayTexture", "isCompressedTexture", "isExternalTexture", "isFramebufferTexture", "isHTMLTexture"],
+  ...[
+    "isVideoTexture",
+    "isWebGL3DRenderTarget",
+    "isWebGLArrayRenderTarget",
+    "isWebGLCubeRenderTarget",
+    "isXRRenderTarget",
+  ],
+  ...["isFloat16BufferAttribute", "isInstancedInterleavedBuffer", "isInterleavedBuffer"],
+  ...["isInterleavedBufferAttribute"],
+];
+
 /** What is left out within functions: from one text up to another, and what stands there instead. */
 const CUTS: readonly (readonly [from: string, to: string, instead: string])[] = [
+  // Colours are numbers here, not names.
+  ["\tsetStyle( style, colorSpace", "\t/**\n\t * Returns a new color with copied values from", ""],
+  ["Color.NAMES = _colorKeywords;", "\n", ""],
   // Of a program, all but what a material brings.
   ["const shadowMapTypeDefine = generateShadowMapTypeDefine(", "const customDefines = ", ""],
   [
@@ -127,12 +149,13 @@ export function leanRenderer({ sources }: { sources: string }): Plugin {
 
 /** The texts of three by file name, without what the designer cannot reach. */
 function leaned(folder: string, sources: string): Map<string, string> {
-  const texts = FILES.map((name) => {
-    const text = readFileSync(join(folder, name), "utf8");
-    const code = name === "three.module.js" ? withStandIns(text) : text;
+  const texts = withStandIns(FILES.map((name) => readFileSync(join(folder, name), "utf8"))).map((text) => {
+    const code = withoutKinds(text);
     return { code, tree: parseAst(code) };
   });
   const shaken = withoutUnmentioned(texts, wordsOf(sources));
+  const made = NEVER.filter((kind) => shaken.some((text) => text.includes(`this.${kind} = `)));
+  if (made.length > 0) throw new Error(`the designer makes what it was said never to make: ${made}`);
   return new Map(FILES.map((name, index) => [name, shaken[index] ?? ""]));
 }
 
@@ -143,18 +166,35 @@ function wordsOf(sources: string): Set<string> {
   return new Set(texts.flatMap((name) => readFileSync(join(sources, name), "utf8").match(/[\w$]+/g) ?? []));
 }
 
-function withStandIns(code: string): string {
-  let lean = code;
+function withoutKinds(code: string): string {
+  return code.replace(new RegExp(`\\b[\\w$]+(?:\\.[\\w$]+)*\\.(?:${NEVER.join("|")})\\b(?! =[^=])`, "g"), "false");
+}
+
+/** The texts with what stands in for features, each of which is in one of them. */
+function withStandIns(texts: readonly string[]): string[] {
+  const lean = [...texts];
+  const replace = (name: string, span: (text: string) => readonly [number, number] | undefined, instead: string) => {
+    const index = lean.findIndex((text) => span(text) !== undefined);
+    const text = lean[index];
+    const found = text === undefined ? undefined : span(text);
+    if (text === undefined || found === undefined) throw new Error(`three's ${name} is not where it was`);
+    lean[index] = text.slice(0, found[0]) + instead + text.slice(found[1]);
+  };
   for (const [name, standIn] of Object.entries(STAND_INS)) {
-    const whole = lean.match(new RegExp(`^(?:class|function) ${name}\\b[\\s\\S]*?^}`, "m"))?.[0];
-    if (whole === undefined) throw new Error(`three's ${name} is not where it was`);
-    lean = lean.replace(whole, () => standIn);
+    const whole = new RegExp(`^(?:class|function) ${name}\\b[\\s\\S]*?^}`, "m");
+    const span = (text: string) => {
+      const match = whole.exec(text);
+      return match ? ([match.index, match.index + match[0].length] as const) : undefined;
+    };
+    replace(name, span, standIn);
   }
   for (const [from, to, instead] of CUTS) {
-    const start = lean.indexOf(from);
-    const end = lean.indexOf(to, start);
-    if (start < 0 || end < 0) throw new Error(`three's text is not what it was: ${from}`);
-    lean = lean.slice(0, start) + instead + lean.slice(end);
+    const span = (text: string) => {
+      const start = text.indexOf(from);
+      const end = start < 0 ? -1 : text.indexOf(to, start);
+      return end < 0 ? undefined : ([start, end] as const);
+    };
+    replace(from, span, instead);
   }
   return lean;
 }

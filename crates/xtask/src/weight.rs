@@ -1,6 +1,6 @@
 //! What the designer weighs: the bytes that travel before the first picture.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -30,18 +30,34 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     files.extend(unlisted_assets(&dist, &manifest)?);
 
     let mut total = 0;
+    let mut parts: BTreeMap<&str, usize> = BTreeMap::new();
     println!("weight to the first picture (gzip)");
     for file in &files {
         let bytes = fs::read(dist.join(file)).with_context(|| format!("web/dist/{file} is missing"))?;
         let size = gzip_size(&bytes)?;
         total += size;
+        *parts.entry(part(file)).or_default() += size;
         println!("  {:>8.1} kB  {file}", size as f64 / 1000.0);
     }
+    let parts: Vec<String> =
+        parts.iter().map(|(part, size)| format!("{part} {:.1} kB", *size as f64 / 1000.0)).collect();
+    println!("  {}", parts.join(", "));
     println!("  {:>8.1} kB  of {:.0} kB", total as f64 / 1000.0, budget as f64 / 1000.0);
     if total as u64 > budget {
         bail!("the designer weighs {total} bytes, more than its budget of {budget} (web/weight.json)");
     }
     Ok(())
+}
+
+/// Whose weight a file is.
+fn part(file: &str) -> &'static str {
+    if file.ends_with(".wasm") {
+        "module"
+    } else if file.contains("/three-") {
+        "three"
+    } else {
+        "page"
+    }
 }
 
 /// The manifest's key of a module that has a chunk of its own: its path, or, where several share it, a key made of its name.

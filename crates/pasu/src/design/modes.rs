@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::boundary_value::{BoundaryValue, Component, Datum, Mode, Order, Span};
 use super::limits::FORCE;
-use super::number::rounded;
+use super::number::{plain, rounded};
 use super::path::Path;
 use super::reader::{self, Range, Record};
 use super::table::{self, Entry, optional, required};
@@ -176,7 +176,7 @@ impl Component {
         }
         for mode in &mut modes {
             if !(mode.cos.is_finite() && mode.sin.is_finite()) {
-                let message = format!("the data given for n = {} add up to more than a number can hold", mode.n);
+                let message = format!("the data given for n = {} add up to more than a number can hold", plain(mode.n));
                 return Err(path.field("modes").error(Code::Overflow, message));
             }
             mode.cos.canonical();

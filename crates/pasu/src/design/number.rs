@@ -29,8 +29,9 @@ fn rounded_by_doubles(x: f64) -> Option<f64> {
     }
     let scaled = size * power;
     let whole = libm::round(scaled);
-    // Next to a power of ten the number of digits is not known for certain.
-    let is_sure = scaled > LEAST * 1.001 && whole < 9.99e11 && (scaled - whole).abs() < 0.49;
+    // Next to a power of ten the number of digits is not known for certain, but what is as good as the power itself is rounded to it either way.
+    let is_clear = scaled > LEAST * 1.001 && whole < 9.99e11 || (scaled - LEAST).abs() < 1e-3;
+    let is_sure = is_clear && (scaled - whole).abs() < 0.49;
     is_sure.then(|| (whole / power).copysign(x))
 }
 

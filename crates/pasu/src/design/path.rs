@@ -25,6 +25,7 @@ impl<'a> Path<'a> {
     }
 
     /// An error at this place.
+    #[inline(never)]
     pub(crate) fn error(&self, code: Code, message: impl Into<String>) -> Error {
         Error::new(code, self.to_string(), message)
     }

@@ -44,6 +44,7 @@ pub(crate) struct Record<'a> {
 
 impl<'a> Record<'a> {
     /// An object whose fields have yet to be compared with what the format knows ([`Record::only`]).
+    #[inline(never)]
     pub(crate) fn open(value: &'a Value, path: Path<'a>, what: &str) -> Result<Self> {
         match value {
             Value::Record(fields) => Ok(Record { fields, path }),
@@ -52,6 +53,7 @@ impl<'a> Record<'a> {
     }
 
     /// Refuses repeated fields and fields not among `known`.
+    #[inline(never)]
     pub(crate) fn only(self, known: &[&str]) -> Result<Self> {
         for (index, (name, value)) in self.fields.iter().enumerate() {
             let path = self.path.field(name);
@@ -71,11 +73,13 @@ impl<'a> Record<'a> {
     }
 
     /// The value of a field; `None` when it is absent, null or undefined.
+    #[inline(never)]
     pub(crate) fn get(&self, name: &str) -> Option<&'a Value> {
         self.fields.iter().find(|(field, _)| field == name).map(|(_, value)| value).filter(|v| **v != Value::Null)
     }
 
     /// The value of a field that must be there.
+    #[inline(never)]
     pub(crate) fn require(&self, name: &str, expected: &str) -> Result<&'a Value> {
         self.get(name).ok_or_else(|| {
             self.path.field(name).error(Code::MissingField, format!("expected {expected}, found nothing"))
@@ -84,6 +88,7 @@ impl<'a> Record<'a> {
 }
 
 /// A finite number within its range.
+#[inline(never)]
 pub(crate) fn number(value: &Value, path: &Path, range: Range) -> Result<f64> {
     match *value {
         Value::Number(x) if !x.is_finite() => {
@@ -98,6 +103,7 @@ pub(crate) fn number(value: &Value, path: &Path, range: Range) -> Result<f64> {
 }
 
 /// Exactly as many numbers as there are places in `into`.
+#[inline(never)]
 pub(crate) fn numbers(value: &Value, path: &Path, range: Range, into: &mut [f64]) -> Result<()> {
     let expected = format!("a list of {} numbers", into.len());
     let items = list(value, path, &expected)?;
@@ -111,6 +117,7 @@ pub(crate) fn numbers(value: &Value, path: &Path, range: Range, into: &mut [f64]
 }
 
 /// A whole number from 0 to `u32::MAX`.
+#[inline(never)]
 pub(crate) fn whole(value: &Value, path: &Path) -> Result<u32> {
     const EXPECTED: &str = "a whole number, 0 or greater";
     match *value {
@@ -126,6 +133,7 @@ pub(crate) fn whole(value: &Value, path: &Path) -> Result<u32> {
 }
 
 /// An array of any length.
+#[inline(never)]
 pub(crate) fn list<'a>(value: &'a Value, path: &Path, expected: &str) -> Result<&'a [Value]> {
     match value {
         Value::List(items) => Ok(items),
@@ -134,6 +142,7 @@ pub(crate) fn list<'a>(value: &'a Value, path: &Path, expected: &str) -> Result<
 }
 
 /// A title or a name: plain text, one line. An empty one is none.
+#[inline(never)]
 pub(crate) fn label(value: &Value, path: &Path) -> Result<Option<String>> {
     let text = text(value, path, "a text")?;
     let count = text.chars().count();
@@ -149,6 +158,7 @@ pub(crate) fn label(value: &Value, path: &Path) -> Result<Option<String>> {
 }
 
 /// A string.
+#[inline(never)]
 pub(crate) fn text<'a>(value: &'a Value, path: &Path, expected: &str) -> Result<&'a str> {
     match value {
         Value::Text(text) => Ok(text),
@@ -157,6 +167,7 @@ pub(crate) fn text<'a>(value: &'a Value, path: &Path, expected: &str) -> Result<
 }
 
 /// One of a closed set of names, by its index.
+#[inline(never)]
 pub(crate) fn name(value: &Value, path: &Path, names: &[&str]) -> Result<usize> {
     let expected = alternatives(names);
     let found = text(value, path, &expected)?;
@@ -192,6 +203,7 @@ pub(crate) fn without_null(value: &Value, path: &Path) -> Result<()> {
 }
 
 /// A value of another type than the format has at this place.
+#[inline(never)]
 pub(crate) fn wrong_type(value: &Value, path: &Path, expected: &str) -> Error {
     path.error(Code::WrongType, format!("expected {expected}, found {}", value.described()))
 }
