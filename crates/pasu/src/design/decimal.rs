@@ -101,12 +101,14 @@ impl Decimal {
             _ => {}
         }
         let mut whole = Whole::default();
-        for digit in &decimal.digits {
-            whole.multiply_add(10, u32::from(*digit));
+        for nine in decimal.digits.chunks(9) {
+            let number = nine.iter().fold(0, |number, digit| 10 * number + u32::from(*digit));
+            whole.multiply_add(10_u32.pow(nine.len() as u32), number);
         }
         while decimal.power > 0 {
-            whole.multiply_add(10, 0);
-            decimal.power -= 1;
+            let step = decimal.power.unsigned_abs().min(9);
+            whole.multiply_add(10_u32.pow(step), 0);
+            decimal.power -= step as i32;
         }
         // As many binary places as leave more than 64 bits after the division; 10^3 < 2^10.
         let places = decimal.power.unsigned_abs() * 10 / 3 + 96;
@@ -195,9 +197,12 @@ fn exact(mantissa: u64, exponent: i32) -> Vec<u8> {
     whole.multiply_add(1, (mantissa >> 32) as u32);
     whole.shift(32);
     whole.multiply_add(1, mantissa as u32);
-    // 2^-1 is 5 * 10^-1.
-    for _ in exponent..0 {
-        whole.multiply_add(5, 0);
+    // 2^-1 is 5 * 10^-1; 5^13 < 2^32.
+    let mut fives = exponent.min(0).unsigned_abs();
+    while fives > 0 {
+        let step = fives.min(13);
+        whole.multiply_add(5_u32.pow(step), 0);
+        fives -= step;
     }
     whole.shift(exponent.max(0).unsigned_abs());
     whole.digits()
