@@ -32,6 +32,9 @@ pub(crate) struct Curves {
 /// An expansion costs as much as some four rows asked of the solution itself: with fewer rows than this to an interval it does not pay.
 const ROWS_PER_EXPANSION: f64 = 6.0;
 
+/// More are not made: 7 MB. What has no expansion is asked of the solution itself.
+const MOST_EXPANSIONS: f64 = 65_536.0;
+
 /// Rows that are asked for besides those of the mesh, to know its outside and its size.
 const OTHER_ROWS: f64 = 26.0;
 
@@ -46,8 +49,9 @@ impl Curves {
                 // Half a width of 1 / n, a little more than which is used: rows come four at a time.
                 let n_expansions = libm::ceil(0.5 / reach);
                 let pays = n_expansions * ROWS_PER_EXPANSION <= n_rows + OTHER_ROWS;
-                let n_expansions = if pays { n_expansions as usize } else { 0 };
                 let first = self.expansions.len();
+                let has_room = first as f64 + 2.0 * n_expansions <= MOST_EXPANSIONS;
+                let n_expansions = if pays && has_room { n_expansions as usize } else { 0 };
                 let data = [(false, &term.cos), (true, &term.sin)];
                 let mut count = 0;
                 for (is_sine, solution) in data {
