@@ -58,6 +58,8 @@ pub(super) struct Coefficients {
     slots: Vec<Option<usize>>,
     matrix: DMat3,
     shift: DVec3,
+    /// The matrix only stretches along the axes, and no harmonic comes twice in a component: every datum has a place of its own.
+    is_axial: bool,
     /// Value and slope of what does not depend on `v`, for each component.
     constants: [[Block; 2]; 3],
     /// The same of what goes with the cosine and with the sine of each harmonic.
@@ -88,6 +90,7 @@ impl Default for Coefficients {
             slots: Vec::new(),
             matrix: DMat3::IDENTITY,
             shift: DVec3::ZERO,
+            is_axial: true,
             constants: [[Block::ZERO; 2]; 3],
             waves: [Vec::new(), Vec::new()],
             has: [[false; 2]; 3],
@@ -104,6 +107,12 @@ impl Coefficients {
     /// Takes another surface, placed by a matrix and a shift.
     pub(super) fn prepare(&mut self, curves: &Curves, matrix: DMat3, shift: DVec3) {
         (self.matrix, self.shift) = (matrix, shift);
+        let names = curves.list().iter().map(|curve| (curve.axis, curve.is_sine, curve.n));
+        let is_twofold = names
+            .clone()
+            .enumerate()
+            .any(|(index, name)| name.2 != 0.0 && names.clone().skip(index + 1).any(|other| other == name));
+        self.is_axial = matrix == DMat3::from_diagonal(matrix.diagonal()) && !is_twofold;
         self.harmonics.clear();
         let is_odd = |harmonic: &Harmonic| libm::fmod(harmonic.n, 2.0) != 0.0;
         for curve in curves.list() {
@@ -218,22 +227,31 @@ impl Coefficients {
 
     /// The coefficients in double precision, placed.
     fn gather(&mut self, surface: &Surface, curves: &Curves, u: [f64; ROWS]) {
-        let zero = [[Block::ZERO; 2]; 3];
         self.constants = self.shift.to_array().map(|shift| [Block::splat(shift), Block::ZERO]);
-        for waves in &mut self.waves {
-            waves.fill(zero);
+        // Where every datum has a place of its own, those of the rows before are written over.
+        if !self.is_axial {
+            for waves in &mut self.waves {
+                waves.fill([[Block::ZERO; 2]; 3]);
+            }
         }
         let list = curves.list();
         curves.rows(surface, u, |index, [value, slope]| {
             let (Some(curve), Some(slot)) = (list.get(index), self.slots.get(index)) else { return };
-            let target = match slot {
-                None => &mut self.constants,
-                Some(harmonic) => &mut self.waves[usize::from(curve.is_sine)][*harmonic],
-            };
-            for (target, factor) in target.iter_mut().zip(self.matrix.col(curve.axis).to_array()) {
-                if factor != 0.0 {
-                    target[0] += value * factor;
-                    target[1] += slope * factor;
+            let factors = self.matrix.col(curve.axis).to_array();
+            match slot {
+                Some(harmonic) if self.is_axial => {
+                    let factor = factors[curve.axis];
+                    self.waves[usize::from(curve.is_sine)][*harmonic][curve.axis] = [value * factor, slope * factor];
+                }
+                slot => {
+                    let target = match slot {
+                        None => &mut self.constants,
+                        Some(harmonic) => &mut self.waves[usize::from(curve.is_sine)][*harmonic],
+                    };
+                    for (target, factor) in target.iter_mut().zip(factors).filter(|(_, factor)| *factor != 0.0) {
+                        target[0] += value * factor;
+                        target[1] += slope * factor;
+                    }
                 }
             }
         });
