@@ -10,7 +10,8 @@
 //!   of `second-order`, `mixed-order` and `bloor-wilson`, the foot of `fourth-order`), and `v` in [0, span] round the axis.
 //! - **Winding.** Triangles are counter-clockwise seen from outside; normals point out of the pot.
 //! - **Units.** Lengths are in the unit of the design, angles in radians.
-//! - **Numbers.** `f64` throughout; a mesh is rounded to `f32` once, at the end. Elementary functions come from `libm` and nothing is fused,
+//! - **Numbers.** The solution, points and derivatives are `f64` throughout. A [mesh](Mesh) is summed in `f32` from coefficients in `f64`, with stated errors; one
+//!   that keeps a tolerance is summed in `f64` and rounded once. Elementary functions come from `libm` and nothing is fused,
 //!   so that every machine computes the same bits. No result is NaN or infinite: what cannot be computed is an [`Error`].
 //!
 //! # Sources

@@ -87,6 +87,12 @@ impl Decimal {
 
     /// The nearest number, ties to even; infinity beyond the largest.
     pub(super) fn nearest(mut self) -> f64 {
+        if self.digits.len() <= 15 && self.power.unsigned_abs() <= 22 {
+            // Both are whole numbers that a double holds exactly, so that the one operation rounds once.
+            let whole = self.digits.iter().fold(0.0, |sum, digit| 10.0 * sum + f64::from(*digit));
+            let power = (0..self.power.unsigned_abs()).fold(1.0, |power, _| 10.0 * power);
+            return if self.power < 0 { whole / power } else { whole * power };
+        }
         if let Some(rest) = self.digits.get(MOST_DIGITS..).filter(|rest| !rest.is_empty()) {
             self.power = self.power.saturating_add(rest.len() as i32 - 1);
             let any = rest.iter().any(|digit| *digit != 0);
