@@ -494,6 +494,19 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
+        /* Under the pot: above it a third line would lie over the rim. */
+        .accuracy {
+          position: absolute;
+          inset: auto auto 24px 8px;
+          padding: 0 7px;
+          border-radius: 7px;
+          background: var(--sheet);
+          font-size: 0.68rem;
+          white-space: nowrap;
+        }
+        .captions ~ .foot .accuracy {
+          display: none;
+        }
         .captions {
           inset: auto 0 24px;
           padding-right: 104px;
