@@ -114,7 +114,7 @@ pub(crate) fn build_bench(workspace: &Workspace) -> Result<()> {
 enum Lanes {
     /// As `.cargo/config.toml` says.
     Simd,
-    /// For browsers of before 2023: the same bits, some three times as slowly.
+    /// For browsers of before 2023: the same bits, more slowly.
     Scalar,
 }
 
