@@ -26,6 +26,7 @@ mod evaluate;
 mod fingerprint;
 mod mesh;
 mod mode;
+mod solid;
 mod surface;
 
 #[cfg(feature = "typescript")]
@@ -39,4 +40,5 @@ pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use fingerprint::fingerprint;
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
+pub use solid::{Face, FaceJet, FaceKind};
 pub use surface::{Surface, SurfaceJet};

@@ -1,0 +1,51 @@
+//! The smooth pieces of which the boundary of a pot is made.
+
+use glam::DVec3;
+
+/// What a piece of the boundary is to a potter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum FaceKind {
+    /// The wall seen from outside.
+    Outer,
+    /// The wall seen from inside.
+    Lining,
+    /// The edge between the two at an opening.
+    Rim,
+    /// What the pot stands on: the underside of the base, or of the foot ring.
+    Underside,
+    /// The inner side of the foot ring.
+    FootRing,
+    /// The underside of the base within the foot ring.
+    Recess,
+    /// The upper side of the base.
+    Floor,
+    /// The wall of the drain hole.
+    Drain,
+    /// What closes an open end of a solid for vase mode.
+    Lid,
+}
+
+/// Position and first derivatives of a face at one point, in model units, after placement.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FaceJet {
+    /// `F(a, v)`.
+    pub position: DVec3,
+    /// `F_a`.
+    pub da: DVec3,
+    /// `F_v`.
+    pub dv: DVec3,
+}
+
+/// One smooth piece `F(a, v)` of the boundary, `a` in [0, 1] and `v` in [0, 2 pi], closed in `v`. Neighbours share whole boundary curves `a = 0` or `a = 1`;
+/// a boundary may shrink to a point.
+pub trait Face {
+    /// What it is.
+    fn kind(&self) -> FaceKind;
+
+    /// Position and derivatives.
+    fn jet(&self, a: f64, v: f64) -> FaceJet;
+
+    /// 1 or -1, so that `outward() * (F_a x F_v)` points out of the clay.
+    fn outward(&self) -> f64;
+}
