@@ -35,14 +35,23 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
 export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
 export type Kind = Shape["kind"];
 
+/** What makes a surface a pot. */
+export type Wall = Frozen<pasu.Wall> & {
+  readonly side?: "inside" | "outside";
+  readonly rim?: "flat" | "rounded";
+  readonly foot?: readonly [number, number];
+  readonly drain?: number;
+};
+
 export type Placement = Frozen<pasu.Placement>;
 export type Look = Frozen<pasu.Look>;
 export type GlazeName = NonNullable<pasu.Look["glaze"]>;
 export type ClayName = NonNullable<pasu.Look["clay"]>;
 export type Unit = NonNullable<pasu.Design["unit"]>;
 
-export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {
+export interface Part extends Omit<Frozen<pasu.Part>, "shape" | "wall"> {
   readonly shape: Shape;
+  readonly wall?: Wall;
 }
 
 export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {

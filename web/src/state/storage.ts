@@ -19,6 +19,8 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   unlocked: "browser",
   explain: "browser",
   compare: "nowhere",
+  map: "nowhere",
+  fill: "nowhere",
 };
 
 /** The design as last left in this browser. */
@@ -85,8 +87,8 @@ export function readSettings(shelf: Shelf | null): Session {
 
 function overlaysFrom(kept: unknown): Overlays {
   if (!isRecord(kept)) return NEW_SESSION.overlays;
-  const on = (name: keyof Overlays) => kept[name] === true;
-  return { isoU: on("isoU"), isoV: on("isoV"), wireframe: on("wireframe"), boundary: on("boundary"), axes: on("axes") };
+  const names = Object.keys(NEW_SESSION.overlays);
+  return Object.fromEntries(names.map((name) => [name, kept[name] === true])) as unknown as Overlays;
 }
 
 function oneOf<T>(all: readonly T[], value: unknown, fallback: T): T {

@@ -1,0 +1,166 @@
+/**
+ * The page's side of the maker, whose work may take seconds. One request is under way at a time, and of every kind at most one
+ * waits: a newer one takes its place, and the older resolves as "superseded". What is under way and of no more use is
+ * given a moment to end by itself; then its worker is ended and another started, which takes no longer than a blink.
+ */
+
+import type { Refusal } from "../document/types";
+import type { Answers, Ask, Kind, Reply, Request } from "./messages";
+
+export type Outcome<T> =
+  | { readonly state: "done"; readonly value: T }
+  | { readonly state: "refused"; readonly refusal: Refusal }
+  | { readonly state: "superseded" };
+
+/** The part of the Worker interface that is used, so that tests need no browser. */
+export interface Port {
+  postMessage(message: Request): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** Runs something after so many milliseconds; what comes back takes that back. */
+export type Later = (run: () => void, milliseconds: number) => () => void;
+
+interface Job {
+  readonly ask: Ask;
+  readonly settle: (outcome: Outcome<Answers[Kind]>) => void;
+}
+
+/** Work that nobody waits for any more may go on for so long. */
+const PATIENCE_MS = 150;
+
+/** What a person looks at comes first. */
+const ORDER: readonly Kind[] = ["open", "write", "water", "solid", "paint", "measure", "check"];
+
+const CRASHED: Refusal = {
+  code: "maker-stopped",
+  path: "",
+  message: "The part of Pasu that makes pots stopped on this design and was started again. Change something, or try again.",
+};
+
+const SUPERSEDED = { state: "superseded" } as const;
+
+export class MakerClient {
+  readonly #start: () => Port;
+  readonly #later: Later;
+  readonly #waiting = new Map<Kind, Job>();
+  #port: Port | null = null;
+  #under: { readonly id: number; readonly job: Job } | null = null;
+  #nextId = 1;
+  #stay: (() => void) | null = null;
+
+  constructor(start: () => Port, later: Later = timer) {
+    this.#start = start;
+    this.#later = later;
+  }
+
+  /** Whether anything is under way. */
+  get busy(): boolean {
+    return this.#under !== null;
+  }
+
+  ask<K extends Kind>(ask: Extract<Ask, { kind: K }>): Promise<Outcome<Answers[K]>> {
+    return new Promise((settle) => {
+      const job: Job = { ask, settle: settle as Job["settle"] };
+      this.#waiting.get(ask.kind)?.settle(SUPERSEDED);
+      this.#waiting.set(ask.kind, job);
+      if (this.#under?.job.ask.kind === ask.kind) this.#abandon();
+      this.#next();
+    });
+  }
+
+  /** Takes back what was asked of these kinds; whoever asked hears "superseded". What is under way ends at once. */
+  cancel(...kinds: readonly Kind[]): void {
+    for (const kind of kinds) {
+      const job = this.#waiting.get(kind);
+      this.#waiting.delete(kind);
+      job?.settle(SUPERSEDED);
+    }
+    if (this.#under && kinds.includes(this.#under.job.ask.kind)) {
+      this.#end(SUPERSEDED);
+      this.#next();
+    }
+  }
+
+  dispose(): void {
+    this.cancel(...ORDER);
+    this.#port?.terminate();
+    this.#port = null;
+  }
+
+  #next(): void {
+    if (this.#under) return;
+    const kind = ORDER.find((each) => this.#waiting.has(each));
+    const job = kind && this.#waiting.get(kind);
+    if (!job) return;
+    this.#waiting.delete(job.ask.kind);
+    const id = this.#nextId;
+    this.#nextId += 1;
+    this.#under = { id, job };
+    this.#connect().postMessage({ id, ask: job.ask });
+  }
+
+  #connect(): Port {
+    if (this.#port) return this.#port;
+    const port = this.#start();
+    port.onmessage = (event) => {
+      if (port === this.#port) this.#receive(event.data);
+    };
+    port.onerror = () => {
+      if (port === this.#port) this.#crash();
+    };
+    this.#port = port;
+    return port;
+  }
+
+  #receive(reply: Reply): void {
+    const under = this.#under;
+    if (under?.id !== reply.id) return;
+    if (!reply.ok && reply.broken) {
+      this.#crash();
+      return;
+    }
+    this.#rest();
+    this.#under = null;
+    const { settle } = under.job;
+    if (this.#waiting.has(under.job.ask.kind)) settle(SUPERSEDED);
+    else settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
+    this.#next();
+  }
+
+  /** Nobody waits for what is under way any more. */
+  #abandon(): void {
+    this.#stay ??= this.#later(() => {
+      this.#stay = null;
+      this.#end(SUPERSEDED);
+      this.#next();
+    }, PATIENCE_MS);
+  }
+
+  #crash(): void {
+    this.#end({ state: "refused", refusal: CRASHED });
+    this.#next();
+  }
+
+  /** Ends the worker and with it what is under way. */
+  #end(outcome: Outcome<Answers[Kind]>): void {
+    this.#rest();
+    this.#port?.terminate();
+    this.#port = null;
+    const under = this.#under;
+    this.#under = null;
+    under?.job.settle(outcome);
+  }
+
+  #rest(): void {
+    this.#stay?.();
+    this.#stay = null;
+  }
+}
+
+function timer(run: () => void, milliseconds: number): () => void {
+  const id = setTimeout(run, milliseconds);
+  return () => clearTimeout(id);
+}
