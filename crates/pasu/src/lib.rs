@@ -24,6 +24,7 @@ mod design;
 mod error;
 mod evaluate;
 mod fingerprint;
+mod measure;
 mod mesh;
 mod mode;
 mod solid;
