@@ -25,6 +25,7 @@ mod design;
 mod error;
 mod evaluate;
 mod fingerprint;
+mod measure;
 mod mesh;
 mod mode;
 mod solid;
