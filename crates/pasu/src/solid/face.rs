@@ -49,7 +49,9 @@ pub trait Face {
     fn jet(&self, a: f64, v: f64) -> FaceJet;
 
     /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
-    fn is_exact(&self) -> bool;
+    fn is_exact(&self) -> bool {
+        true
+    }
 
     /// 1 or -1, so that `outward() * (F_a x F_v)` points out of the clay.
     fn outward(&self) -> f64;
