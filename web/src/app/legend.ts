@@ -18,11 +18,12 @@ export class PasuLegend extends LitElement {
     if (!painted) return html`<p class="note">${map.note}</p>`;
     const [low, high] = rangeOf(map, painted.low, painted.high);
     const words = (value: number) => mapWords(map.name, value, unit);
+    const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
     return html`
       <div class="ramp" role="img" aria-label="${map.label}: colours from ${words(low)} to ${words(high)}"></div>
       <p class="ends" aria-hidden="true">
-        <span>${painted.least < low ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
-        ><span>${painted.greatest > high ? "≥ " : ""}${words(high)}</span>
+        <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
+        ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
       </p>
       <p class="note">${map.note} On this pot: ${words(painted.least)} to ${words(painted.greatest)}.</p>
     `;

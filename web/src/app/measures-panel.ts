@@ -8,8 +8,8 @@ import { verdict } from "../document/report-words";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./map-choice";
-import { base, buttons } from "./styles";
 import { sentenceStyles, sentences } from "./sentences";
+import { base, buttons } from "./styles";
 import "./water-control";
 
 @customElement("pasu-measures")
@@ -53,7 +53,9 @@ export class PasuMeasures extends DesignerElement {
     const piece = workshop?.measures;
     if (!piece?.value || !piece.of) {
       const why = piece?.problem?.message;
-      return why ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>` : html`<p class="wait">Measuring…</p>`;
+      return why
+        ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
+        : html`<p class="wait">Measuring…</p>`;
     }
     const groups = measureGroups(piece.value, now.session.part, unitOf(piece.of));
     return html`

@@ -139,7 +139,7 @@ export class PasuPanel extends DesignerElement {
     css`
       :host {
         display: grid;
-        grid-template-rows: auto 1fr;
+        grid-template: auto 1fr / minmax(0, 1fr);
         min-height: 0;
         min-width: 0;
         background: var(--sheet);
@@ -186,6 +186,15 @@ export class PasuPanel extends DesignerElement {
       }
       .part .field {
         flex: 1;
+      }
+      @media (max-width: 379px) {
+        .tabs {
+          padding: 0 6px;
+        }
+        [role="tab"] {
+          padding: 0 2px;
+          font-size: 0.88rem;
+        }
       }
       @media (max-width: 859px) {
         .body {

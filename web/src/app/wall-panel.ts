@@ -76,7 +76,7 @@ export class PasuWall extends DesignerElement {
       ${choices("Rim", RIMS, wall.rim ?? "flat", (rim) => designer.apply(setRim(designer.state, rim)))}
       ${choices("Clay is laid", SIDES, wall.side ?? "inside", (side) => designer.apply(setSide(designer.state, side)))}
       <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
-        ${icon("make")}<span>Export a file to make it</span>
+        ${icon("make")}<span>Export it for making</span>
       </button>
     `;
   }

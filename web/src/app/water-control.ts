@@ -5,14 +5,11 @@ import { customElement } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { holdsText } from "../document/measure-words";
 import { lengthWords, volumeWords } from "../document/quantities";
-import { setFill } from "../state/wall-actions";
+import { toggleOverlay } from "../state/actions";
+import { setFill, setWater } from "../state/wall-actions";
 import { DesignerElement } from "./element";
 import { base, buttons } from "./styles";
-
-/** What is poured in at first. */
-const FIRST_FILL = 0.7;
-const STEP = 0.01;
-const COARSE_STEP = 0.1;
+import { fillAfter } from "./water-keys";
 
 @customElement("pasu-water")
 export class PasuWater extends DesignerElement {
@@ -33,7 +30,7 @@ export class PasuWater extends DesignerElement {
                 class="button outlined"
                 type="button"
                 aria-pressed=${fill === null ? "false" : "true"}
-                @click=${() => designer.apply(setFill(designer.state, fill === null ? FIRST_FILL : null))}
+                @click=${() => designer.apply(setWater(designer.state, fill === null))}
               >
                 ${fill === null ? "Fill it" : "Pour it out"}
               </button>`
@@ -57,7 +54,15 @@ export class PasuWater extends DesignerElement {
               <p class="hint">
                 ${lengthWords(fill * (range.high - range.low), unit, 3)} deep.
                 ${fill < 1 ? html`To the brim: ${volumeWords(measures.capacity?.brim.value ?? 0, unit, 3)}.` : "This is the brim."}
-              </p>`
+              </p>
+              <label>
+                <input
+                  type="checkbox"
+                  .checked=${session.overlays.cut}
+                  @change=${() => designer.apply(toggleOverlay(designer.state, "cut"))}
+                />
+                <span>Cut open</span>
+              </label>`
           : html`<p class="hint">${holdsText(measures, unit)}</p>`
       }
     </section>`;
@@ -73,11 +78,10 @@ export class PasuWater extends DesignerElement {
   /** The browser's own steps of a slider without steps differ from one to the next. */
   private readonly key = (event: KeyboardEvent): void => {
     const { designer } = this;
-    const now = designer.state.session.fill;
-    const steps = STEPS[event.key];
-    if (steps === undefined || now === null || event.ctrlKey || event.metaKey || event.altKey) return;
+    const fill = fillAfter(event, designer.state.session.fill);
+    if (fill === null) return;
     event.preventDefault();
-    designer.apply(setFill(designer.state, Math.round((now + steps) / STEP) * STEP));
+    designer.apply(setFill(designer.state, fill));
   };
 
   static override readonly styles = [
@@ -93,7 +97,21 @@ export class PasuWater extends DesignerElement {
         font-size: 1rem;
         font-weight: 650;
       }
-      input {
+      label {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        width: fit-content;
+        cursor: pointer;
+      }
+      [type="checkbox"] {
+        width: 18px;
+        height: 18px;
+        margin: 0;
+        accent-color: var(--accent);
+      }
+      [type="range"] {
         width: 100%;
         height: 34px;
         margin: 0;
@@ -112,15 +130,6 @@ export class PasuWater extends DesignerElement {
     `,
   ];
 }
-
-const STEPS: Readonly<Record<string, number>> = {
-  ArrowUp: STEP,
-  ArrowRight: STEP,
-  ArrowDown: -STEP,
-  ArrowLeft: -STEP,
-  PageUp: COARSE_STEP,
-  PageDown: -COARSE_STEP,
-};
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -4,9 +4,9 @@
  * for what somebody looks at.
  */
 
-import { holdsText, waterRange } from "../document/measure-words";
-import type { MapName, Measures, Report } from "../document/making";
 import { unitOf } from "../document/look";
+import type { MapName, Measures, Report } from "../document/making";
+import { holdsText, waterRange } from "../document/measure-words";
 import type { Design, Refusal } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
@@ -35,6 +35,8 @@ interface Pieces {
 }
 
 type Shown = keyof Pieces;
+
+type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Workshop {
   readonly maker: MakerClient;
@@ -132,7 +134,7 @@ export class Workshop {
   }
 
   /** Sees to it that a piece is there, or that it is not. */
-  #want<K extends Shown>(name: K, ask: Extract<Ask, { kind: K }> | null, key: string): void {
+  #want<K extends Shown>(name: K, ask: Extract<DesignAsk, { kind: K }> | null, key: string): void {
     const asked = this.#asked.get(name);
     if (!ask) {
       if (asked) {
@@ -142,7 +144,7 @@ export class Workshop {
       if (this.#pieces[name] !== NOTHING) this.#put(name, NOTHING);
       return;
     }
-    const { design } = ask;
+    const { design }: DesignAsk = ask;
     if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
     const mine = { of: design, key };
     this.#asked.set(name, mine);

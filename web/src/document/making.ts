@@ -117,4 +117,5 @@ export interface Report {
   readonly ok: boolean;
   readonly findings: readonly Finding[];
   readonly triangles: number;
+  readonly meshes: readonly { readonly part: number; readonly triangles: number; readonly bound: number }[];
 }

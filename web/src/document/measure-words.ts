@@ -51,7 +51,12 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
     {
       title: "Capacity",
       lines: [
-        quantity("To the brim", brim, (value) => volumeWords(value, unit), stopped ? "with the drain hole stopped" : undefined),
+        quantity(
+          "To the brim",
+          brim,
+          (value) => volumeWords(value, unit),
+          stopped ? "with the drain hole stopped" : undefined,
+        ),
         quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), (value) => lengthWords(value, unit)),
       ],
     },
@@ -88,7 +93,10 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
       name,
       value: lengthWords(z - bottom, unit),
       error: errorWords(at.error),
-      note: off > 1e-6 * Math.abs(z - bottom) ? `above the foot, ${lengthWords(off, unit, 3)} from the axis` : "above the foot",
+      note:
+        off > 1e-6 * Math.abs(z - bottom)
+          ? `above the foot, ${lengthWords(off, unit, 3)} from the axis`
+          : "above the foot",
     });
   };
   heavy("Centre of mass", centre.empty);
@@ -139,9 +147,7 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
 function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
   const end = (extreme: { readonly value: number } | null, otherwise: string) =>
     extreme ? formatNumber(extreme.value, 4) : otherwise;
-  return [
-    { name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error: "" },
-  ];
+  return [{ name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error: "" }];
 }
 
 function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {

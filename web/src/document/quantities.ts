@@ -28,9 +28,7 @@ export function millilitres(value: number, unit: Unit): number {
 /** In ml below a litre, else in l: what jugs are marked with, whatever the unit of the design. */
 export function volumeWords(value: number, unit: Unit, digits = DIGITS): string {
   const ml = millilitres(value, unit);
-  return Math.abs(ml) < 999.5
-    ? `${formatNumber(ml, digits)}${GAP}ml`
-    : `${formatNumber(ml / 1000, digits)}${GAP}l`;
+  return Math.abs(ml) < 999.5 ? `${formatNumber(ml, digits)}${GAP}ml` : `${formatNumber(ml / 1000, digits)}${GAP}l`;
 }
 
 export function massWords(grams: number): string {

@@ -48,7 +48,9 @@ test("how it stands, empty and full", () => {
         tipping: { empty: { degrees: empty, toward: 0 }, full: full === null ? null : { degrees: full, toward: 0 } },
       }),
     );
-  expect(tip(24, 19.6)).toEqual(["good: It stands: empty it tips when tilted by 24 degrees, and when full by 20 degrees."]);
+  expect(tip(24, 19.6)).toEqual([
+    "good: It stands: empty it tips when tilted by 24 degrees, and when full by 20 degrees.",
+  ]);
   expect(tip(24, null)).toEqual(["good: It stands: empty it tips when tilted by 24 degrees."]);
   expect(tip(8, 5)).toEqual(["warning: It tips easily: empty when tilted by 8 degrees, and when full by 5 degrees."]);
   expect(tip(0, null)).toEqual(["error: It falls over: its weight is not above its foot."]);
@@ -70,7 +72,7 @@ test("findings are given the name of their place, once", () => {
   expect(findingWords(finding, OUTLINE)).toBe("The wall is thin, at the rim.");
   expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE)).toBe("Thin at the rim.");
   expect(findingWords({ ...finding, at: null }, OUTLINE)).toBe("The wall is thin.");
-  expect(texts(measures({}), { ok: true, findings: [], triangles: 12 })).toEqual([
+  expect(texts(measures({}), { ok: true, findings: [], triangles: 12, meshes: [] })).toEqual([
     "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
   ]);
 });

@@ -33,7 +33,10 @@ export function verdict(
   outline: Outline,
   unit: Unit,
 ): readonly Sentence[] {
-  const sentences = [...(report ? checked(report, outline) : []), ...(measures ? measured(measures, outline, unit) : [])];
+  const sentences = [
+    ...(report ? checked(report, outline) : []),
+    ...(measures ? measured(measures, outline, unit) : []),
+  ];
   return sentences.toSorted((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity));
 }
 
@@ -56,10 +59,7 @@ export function findingWords({ message, at }: Finding, outline: Outline): string
 
 function measured(measures: Measures, outline: Outline, unit: Unit): readonly Sentence[] {
   const several = measures.parts.length > 1;
-  return [
-    ...measures.parts.flatMap((part) => ofPart(part, outline, unit, several)),
-    ...stands(measures),
-  ];
+  return [...measures.parts.flatMap((part) => ofPart(part, outline, unit, several)), ...stands(measures)];
 }
 
 function ofPart(part: PartMeasures, outline: Outline, unit: Unit, several: boolean): readonly Sentence[] {
@@ -73,10 +73,16 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, several: boole
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
     if (least.value < asked * (1 - THINNED)) {
-      say("warning", `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`);
+      say(
+        "warning",
+        `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,
+      );
     }
     if (least.value * MILLIMETRES[unit] < LEAST_PRINTED_MM) {
-      say("warning", `The wall is only ${lengthWords(least.value * MILLIMETRES[unit], "mm", 2)} thick ${where(least.at)}: too thin for most clay and most printers at this size.`);
+      say(
+        "warning",
+        `The wall is only ${lengthWords(least.value * MILLIMETRES[unit], "mm", 2)} thick ${where(least.at)}: too thin for most clay and most printers at this size.`,
+      );
     }
   }
   if (overhang) {

@@ -36,12 +36,7 @@ export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | Bound
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */
-export type Wall = Frozen<pasu.Wall> & {
-  readonly side?: "inside" | "outside";
-  readonly rim?: "flat" | "rounded";
-  readonly foot?: readonly [number, number];
-  readonly drain?: number;
-};
+export type Wall = Frozen<pasu.Wall>;
 
 export type Placement = Frozen<pasu.Placement>;
 export type Look = Frozen<pasu.Look>;
@@ -49,9 +44,8 @@ export type GlazeName = NonNullable<pasu.Look["glaze"]>;
 export type ClayName = NonNullable<pasu.Look["clay"]>;
 export type Unit = NonNullable<pasu.Design["unit"]>;
 
-export interface Part extends Omit<Frozen<pasu.Part>, "shape" | "wall"> {
+export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {
   readonly shape: Shape;
-  readonly wall?: Wall;
 }
 
 export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {

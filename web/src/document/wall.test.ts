@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { firstFoot, firstWall, sameSurface, wallFields, wallNumber, wallRange, withWallNumber } from "./wall";
 import type { Part } from "./types";
+import { firstFoot, firstWall, sameSurface, wallFields, wallNumber, wallRange, withWallNumber } from "./wall";
 
 test.each([
   [3.6, 0.15],

@@ -98,7 +98,6 @@ export function wallRange(field: WallField, size: number): { readonly max: numbe
 /** Whether anything but walls differs between two designs that share what is the same. */
 export function sameSurface(a: readonly Part[], b: readonly Part[]): boolean {
   return (
-    a.length === b.length &&
-    a.every((part, index) => part.shape === b[index]?.shape && part.place === b[index]?.place)
+    a.length === b.length && a.every((part, index) => part.shape === b[index]?.shape && part.place === b[index]?.place)
   );
 }

@@ -37,7 +37,8 @@ const ORDER: readonly Kind[] = ["open", "write", "water", "solid", "paint", "mea
 const CRASHED: Refusal = {
   code: "maker-stopped",
   path: "",
-  message: "The part of Pasu that makes pots stopped on this design and was started again. Change something, or try again.",
+  message:
+    "The part of Pasu that makes pots stopped on this design and was started again. Change something, or try again.",
 };
 
 const SUPERSEDED = { state: "superseded" } as const;

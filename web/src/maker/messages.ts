@@ -1,5 +1,6 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { Format } from "../document/format";
 import type { Making, MapName, Measures, Product, Report } from "../document/making";
 import type { Design, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
@@ -53,7 +54,7 @@ export type Ask =
   | { readonly kind: "check"; readonly design: Design; readonly making: Making }
   | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)
   | { readonly kind: "water"; readonly design: Design; readonly level: number }
-  | { readonly kind: "write"; readonly design: Design; readonly format: string; readonly making: Making }
+  | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array };
 
 export interface Answers {

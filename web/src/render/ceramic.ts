@@ -74,6 +74,7 @@ uniform vec4 layer;       // opacity, breaking, mottle, streak
 uniform vec3 surface;     // speckle, roughness, coat
 #ifdef SOLID
 in float vLining;
+uniform float level;      // of the water, in scene space
 #endif
 #ifdef CUT
 uniform vec4 cut;         // the plane before which everything is taken away
@@ -147,6 +148,9 @@ void main() {
 
   // Light that reaches this place: the inside by its opening, the underside by the table, hollows by their walls.
   float depth = min(vWare.w, 100.0);
+#ifdef CUT
+  depth *= 0.25;  // the light comes in by the cut
+#endif
   float fromFoot = 2.2 * min(vWare.z, 100.0);
   float open = max(1.0 / (1.0 + 1.15 * depth * depth + 0.35 * depth), lean.y / (1.0 + fromFoot * fromFoot));
   open = mix(1.0, open, within);
@@ -168,6 +172,13 @@ void main() {
   float mirrorAccess = min(1.0, access * access * 1.2) ;
 
   vec3 light = albedo * irradiance(ns) * matt * (1.0 - fresnel) + mirrored * fresnel * mirrorAccess;
+#ifdef SOLID
+  // Under water: what the way down and back lets through, and what the water scatters.
+  if (inside && vScene.z < level) {
+    vec3 through = exp2(-vec3(1.5, 0.5, 0.32) * min(level - vScene.z + 0.25, 2.0));
+    light = light * through + vec3(0.02, 0.13, 0.19) * (1.0 - through.r);
+  }
+#endif
   colour = vec4(toScreen(light), 1.0);
 }
 `;

@@ -1,6 +1,7 @@
 /** What the page remembers that is not part of the design. */
 
 import type { OrderKind } from "../document/convert";
+import type { Format } from "../document/format";
 import type { MapName } from "../document/making";
 
 export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
@@ -35,6 +36,8 @@ export interface Session {
   readonly map: MapName | null;
   /** How high the water stands, from 0 at the floor to 1 where it spills; null without water. */
   readonly fill: number | null;
+  /** What was last chosen for files: the clay stays the same from pot to pot. */
+  readonly export: { readonly format: Format; readonly shrinkage: number };
 }
 
 export const NEW_SESSION: Session = {
@@ -47,4 +50,5 @@ export const NEW_SESSION: Session = {
   compare: null,
   map: null,
   fill: null,
+  export: { format: "3mf", shrinkage: 0 },
 };

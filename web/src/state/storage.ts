@@ -3,6 +3,7 @@
  * person the convenience and nothing else: every access is allowed to fail.
  */
 
+import { FORMAT_NAMES } from "../document/format";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
 import type { State } from "./store";
@@ -21,6 +22,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   compare: "nowhere",
   map: "nowhere",
   fill: "nowhere",
+  export: "browser",
 };
 
 /** The design as last left in this browser. */
@@ -81,6 +83,7 @@ export function readSettings(shelf: Shelf | null): Session {
     theme: oneOf<ThemeChoice>(THEMES, kept.theme, NEW_SESSION.theme),
     overlays: overlaysFrom(kept.overlays),
     explain: kept.explain === true,
+    export: exportFrom(kept.export),
     unlocked: Array.isArray(kept.unlocked) ? kept.unlocked.filter((name) => typeof name === "string") : [],
   };
 }
@@ -89,6 +92,14 @@ function overlaysFrom(kept: unknown): Overlays {
   if (!isRecord(kept)) return NEW_SESSION.overlays;
   const names = Object.keys(NEW_SESSION.overlays);
   return Object.fromEntries(names.map((name) => [name, kept[name] === true])) as unknown as Overlays;
+}
+
+function exportFrom(kept: unknown): Session["export"] {
+  const { format, shrinkage } = isRecord(kept) ? kept : {};
+  return {
+    format: oneOf(FORMAT_NAMES, format, NEW_SESSION.export.format),
+    shrinkage: typeof shrinkage === "number" && shrinkage > 0 && shrinkage < 50 ? shrinkage : 0,
+  };
 }
 
 function oneOf<T>(all: readonly T[], value: unknown, fallback: T): T {

@@ -40,9 +40,18 @@ export function setFootRing(state: State, ring: boolean): Change {
   });
 }
 
-/** Pours water in up to a share of the depth, or out. */
-export function setFill(state: State, fill: number | null): Change {
-  const share = fill === null ? null : Math.min(1, Math.max(0, fill));
+/** How full a pot is at first. */
+const FIRST_FILL = 0.7;
+
+/** Pours water in, and cuts the pot open to show it; or out again, and closes the pot. */
+export function setWater(state: State, water: boolean): Change {
+  const overlays = { ...state.session.overlays, cut: water };
+  return { undo: "none", session: { fill: water ? FIRST_FILL : null, overlays } };
+}
+
+/** Moves the water to a share of the depth. */
+export function setFill(state: State, fill: number): Change {
+  const share = Math.min(1, Math.max(0, fill));
   return share === state.session.fill ? NOTHING : { undo: "none", session: { fill: share } };
 }
 

@@ -1,0 +1,62 @@
+/** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
+
+import init, { check, measure, open, PasuError, paint, solid, water, write } from "pasu";
+import type { Refusal } from "../document/types";
+import type { Answers, Ask, Begin, Kind, Reply, Request } from "./messages";
+import { paintedOf } from "./painted";
+import { solidOf } from "./solid";
+
+let begin: (ready: Promise<void>) => void;
+const ready = new Promise<void>((resolve) => {
+  begin = resolve;
+});
+
+self.addEventListener("message", ({ data }: MessageEvent<Request | Begin>) => {
+  if ("module" in data) begin(data.module ? init(data.module) : init());
+  else void respond(data);
+});
+
+async function respond({ id, ask }: Request): Promise<void> {
+  try {
+    await ready;
+    const answer = perform(ask);
+    post({ id, ok: true, answer }, buffersOf(answer));
+  } catch (error) {
+    post({ id, ok: false, refusal: refusalOf(error), broken: error instanceof WebAssembly.RuntimeError }, []);
+  }
+}
+
+function post(reply: Reply, transfer: Transferable[]): void {
+  self.postMessage(reply, { transfer });
+}
+
+function perform(ask: Ask): Answers[Kind] {
+  switch (ask.kind) {
+    case "solid":
+      return solidOf(ask.design, solid(ask.design));
+    case "measure":
+      return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
+    case "check":
+      return check(ask.design, ask.making);
+    case "paint":
+      return paintedOf(paint(ask.design, ask.map, { rows: ask.rows, columns: ask.columns }));
+    case "water":
+      return { ...water(ask.design, ask.level), level: ask.level };
+    case "write":
+      return { bytes: write(ask.design, ask.format, ask.making) };
+    case "open":
+      return open(ask.bytes) ?? null;
+  }
+}
+
+function refusalOf(error: unknown): Refusal {
+  if (error instanceof PasuError) return { code: error.code, path: error.path, message: error.message };
+  const message = error instanceof Error ? error.message : String(error);
+  return { code: "internal", path: "", message: `This could not be made: ${message}` };
+}
+
+/** Arrays travel; they are not copied. */
+function buffersOf(answer: Answers[Kind]): Transferable[] {
+  if (typeof answer !== "object" || answer === null) return [];
+  return Object.values(answer).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+}
