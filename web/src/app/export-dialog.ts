@@ -35,6 +35,10 @@ const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
   { value: "capacity", label: "Capacity" },
 ];
 
+/** The dialogue asks for itself, whatever the panels ask meanwhile. */
+const MEASURING = "export measure";
+const CHECKING = "export check";
+
 /** More is not listed: the first say enough. */
 const MOST_SENTENCES = 6;
 
@@ -66,7 +70,7 @@ export class PasuExport extends DesignerElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.ended = true;
-    this.designer.workshop?.maker.cancel("write");
+    this.designer.workshop?.maker.cancel("write", MEASURING, CHECKING);
   }
 
   private get format(): Format {
@@ -237,7 +241,8 @@ export class PasuExport extends DesignerElement {
       this.close();
       return;
     }
-    const outcome = await workshop.maker.ask({ kind: "measure", design: designer.state.design, product, fill: null });
+    const { design } = designer.state;
+    const outcome = await workshop.maker.ask({ kind: "measure", design, product, fill: null }, MEASURING);
     if (this.ended || outcome.state === "superseded" || product !== this.chosen.product) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     this.measures = outcome.state === "done" ? outcome.value : null;
@@ -257,7 +262,7 @@ export class PasuExport extends DesignerElement {
     if (asked === this.asked && this.report) return;
     this.asked = asked;
     this.report = null;
-    const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making });
+    const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making }, CHECKING);
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     this.report = outcome.state === "done" ? outcome.value : null;

@@ -452,8 +452,9 @@ function explain(problem: Refusal, comfort: string) {
 }
 
 /** Whether anything is looked at that the maker makes. */
-function wantsMaking({ parts }: Design, { tab, fill, map }: Session): boolean {
-  return tab === "wall" || tab === "measures" || fill !== null || map !== null || parts.some(({ wall }) => wall);
+function wantsMaking({ parts }: Design, { tab, fill, map, overlays }: Session): boolean {
+  const looked = tab === "wall" || tab === "measures" || overlays.cut;
+  return looked || fill !== null || map !== null || parts.some(({ wall }) => wall);
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

@@ -11,7 +11,7 @@ import type { Stage } from "../render/stage";
 import type { Designer, Shown } from "./designer";
 import "./water-handle";
 import type { PasuWaterHandle } from "./water-handle";
-import type { Workshop } from "./workshop";
+import type { Piece, Workshop } from "./workshop";
 
 export class StageMade {
   readonly #designer: Designer;
@@ -39,12 +39,12 @@ export class StageMade {
     const now = [shown, solid, water, painted, measures, map, overlays, fill, theme];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
-    const fits = solid.of !== null && sameSurface(solid.of.parts, shown.design.parts);
-    this.#made.show(fits ? solid.value : null, looksOf(shown.design));
-    this.#made.cut(overlays.cut && fits && solid.value !== null);
-    this.#made.pour(fill !== null && fits && water.value ? water.value : null);
+    const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
+    this.#made.show(fits(solid) ? solid.value : null, looksOf(shown.design));
+    this.#made.cut(overlays.cut);
+    this.#made.pour(fill !== null && fits(water) ? water.value : null);
     this.#paint(workshop, shown, map);
-    this.#made.say(overlays.axes && fits ? wordsOf(workshop, shown) : [], theme);
+    this.#made.say(overlays.axes && measures.of === shown.design ? wordsOf(workshop, shown) : [], theme);
   }
 
   #paint({ painted }: Workshop, shown: Shown, map: MapName | null): void {

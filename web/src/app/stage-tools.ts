@@ -80,13 +80,12 @@ export class PasuStageTools extends DesignerElement {
 
   private overlays() {
     const { designer } = this;
-    const { design, session } = designer.state;
-    const walled = design.parts.some(({ wall }) => wall);
-    return OVERLAYS.filter(({ name }) => name !== "cut" || walled).map(
+    const { overlays } = designer.state.session;
+    return OVERLAYS.map(
       ({ name, label }) => html`<label class="check">
         <input
           type="checkbox"
-          .checked=${session.overlays[name]}
+          .checked=${overlays[name]}
           @change=${() => designer.apply(toggleOverlay(designer.state, name))}
         />
         <span>${label}</span>

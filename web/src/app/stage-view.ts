@@ -6,7 +6,6 @@ import { looksOf, unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { type Comparison, type Shown, UNFETCHED } from "./designer";
 import { DesignerElement } from "./element";
-import "./stage-captions";
 import type { StageMade } from "./stage-made";
 import "./stage-tools";
 import { VIEWS, ZOOM } from "./stage-tools";
@@ -168,6 +167,7 @@ export class PasuStage extends DesignerElement {
     this.made?.update(this.theme());
     if (comparison !== this.compared) {
       this.compared = comparison;
+      if (comparison) void import("./stage-captions");
       stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
     }
   }

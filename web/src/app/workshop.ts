@@ -104,8 +104,7 @@ export class Workshop {
     if (rests || rewalled) {
       this.#want("solid", walled ? { kind: "solid", design } : null, "");
       const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null;
-      const product = walled ? "pot" : "solid";
-      this.#want("measure", looked ? { kind: "measure", design, product, fill: null } : null, product);
+      this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
     }
     if (rests) {
       const checked = session.tab === "measures" && walled;

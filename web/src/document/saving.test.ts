@@ -48,6 +48,11 @@ test("a tolerance in millimetres of the file is one of the design", () => {
   expect(making({ tolerance: "0.1", size: "height", measure: "20" })).toMatchObject({ tolerance: 0.005 });
 });
 
+test("what holds nothing has no size by what it holds", () => {
+  const made = makingOf({ ...CHOICES, size: "capacity", measure: "500" }, { ...MEASURES, capacity: null }, "cm");
+  expect(made).toMatchObject({ field: "measure" });
+});
+
 test.each([
   [{ shrinkage: "60" }, "shrinkage"],
   [{ shrinkage: "-1" }, "shrinkage"],

@@ -79,6 +79,9 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
   if (choices.size !== "designed" && (measure === null || measure <= 0)) {
     return { field: "measure", text: "A number greater than 0." };
   }
+  if (choices.size === "capacity" && !measures.capacity) {
+    return { field: "measure", text: "This holds nothing: choose its height or width." };
+  }
   const size = measure === null ? {} : { size: sizeOf(choices.size, measure, unit) };
   const sized: Making = { product: choices.product, ...size, ...(shrinkage > 0 ? { shrinkage } : {}) };
   if (choices.tolerance.trim() === "") return sized;

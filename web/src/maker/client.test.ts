@@ -73,6 +73,15 @@ test("one under way at a time, what is looked at first, the latest of each kind 
   expect(client.busy).toBe(false);
 });
 
+test("whoever asks for something of its own has a lane of its own", async () => {
+  const panel = check("a");
+  const dialogue = client.ask({ kind: "check", design: design("b"), making: {} }, "dialogue");
+  port().answer("for the panel");
+  port().answer("for the dialogue");
+  expect(await panel).toEqual({ state: "done", value: "for the panel" });
+  expect(await dialogue).toEqual({ state: "done", value: "for the dialogue" });
+});
+
 test("what is of no more use may end by itself within a moment", async () => {
   const old = solid("a");
   const young = solid("b");

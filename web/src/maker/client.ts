@@ -1,5 +1,5 @@
 /**
- * The page's side of the maker, whose work may take seconds. One request is under way at a time, and of every kind at most one
+ * The page's side of the maker, whose work may take seconds. One request is under way at a time, and of every lane at most one
  * waits: a newer one takes its place, and the older resolves as "superseded". What is under way and of no more use is
  * given a moment to end by itself; then its worker is ended and another started, which takes no longer than a blink.
  */
@@ -25,6 +25,7 @@ export type Later = (run: () => void, milliseconds: number) => () => void;
 
 interface Job {
   readonly ask: Ask;
+  readonly lane: string;
   readonly settle: (outcome: Outcome<Answers[Kind]>) => void;
 }
 
@@ -46,7 +47,7 @@ const SUPERSEDED = { state: "superseded" } as const;
 export class MakerClient {
   readonly #start: () => Port;
   readonly #later: Later;
-  readonly #waiting = new Map<Kind, Job>();
+  readonly #waiting = new Map<string, Job>();
   #port: Port | null = null;
   #under: { readonly id: number; readonly job: Job } | null = null;
   #nextId = 1;
@@ -62,41 +63,42 @@ export class MakerClient {
     return this.#under !== null;
   }
 
-  ask<K extends Kind>(ask: Extract<Ask, { kind: K }>): Promise<Outcome<Answers[K]>> {
+  /** Requests of the same lane supersede each other; whoever asks for something of its own takes a lane of its own. */
+  ask<K extends Kind>(ask: Extract<Ask, { kind: K }>, lane: string = ask.kind): Promise<Outcome<Answers[K]>> {
     return new Promise((settle) => {
-      const job: Job = { ask, settle: settle as Job["settle"] };
-      this.#waiting.get(ask.kind)?.settle(SUPERSEDED);
-      this.#waiting.set(ask.kind, job);
-      if (this.#under?.job.ask.kind === ask.kind) this.#abandon();
+      const job: Job = { ask, lane, settle: settle as Job["settle"] };
+      this.#waiting.get(lane)?.settle(SUPERSEDED);
+      this.#waiting.set(lane, job);
+      if (this.#under?.job.lane === lane) this.#abandon();
       this.#next();
     });
   }
 
-  /** Takes back what was asked of these kinds; whoever asked hears "superseded". What is under way ends at once. */
-  cancel(...kinds: readonly Kind[]): void {
-    for (const kind of kinds) {
-      const job = this.#waiting.get(kind);
-      this.#waiting.delete(kind);
+  /** Takes back what was asked in these lanes; whoever asked hears "superseded". What is under way ends at once. */
+  cancel(...lanes: readonly string[]): void {
+    for (const lane of lanes) {
+      const job = this.#waiting.get(lane);
+      this.#waiting.delete(lane);
       job?.settle(SUPERSEDED);
     }
-    if (this.#under && kinds.includes(this.#under.job.ask.kind)) {
+    if (this.#under && lanes.includes(this.#under.job.lane)) {
       this.#end(SUPERSEDED);
       this.#next();
     }
   }
 
   dispose(): void {
-    this.cancel(...ORDER);
+    this.cancel(...this.#waiting.keys(), this.#under?.job.lane ?? "");
     this.#port?.terminate();
     this.#port = null;
   }
 
   #next(): void {
     if (this.#under) return;
-    const kind = ORDER.find((each) => this.#waiting.has(each));
-    const job = kind && this.#waiting.get(kind);
+    const rank = ({ ask }: Job) => ORDER.indexOf(ask.kind);
+    const [job] = [...this.#waiting.values()].sort((a, b) => rank(a) - rank(b));
     if (!job) return;
-    this.#waiting.delete(job.ask.kind);
+    this.#waiting.delete(job.lane);
     const id = this.#nextId;
     this.#nextId += 1;
     this.#under = { id, job };
@@ -126,7 +128,7 @@ export class MakerClient {
     this.#rest();
     this.#under = null;
     const { settle } = under.job;
-    if (this.#waiting.has(under.job.ask.kind)) settle(SUPERSEDED);
+    if (this.#waiting.has(under.job.lane)) settle(SUPERSEDED);
     else settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
     this.#next();
   }
