@@ -42,6 +42,9 @@ OPTIONS = (
     "--skirts=0",
     "--fill-density=0",
     "--no-ensure-vertical-shell-thickness",
+    # The wider generator and the search for a hidden seam take five times as long.
+    "--perimeter-generator=classic",
+    "--seam-position=rear",
 )
 HOLLOW = ("--perimeters=1", "--top-solid-layers=1", "--bottom-solid-layers=1")
 VASE = ("--spiral-vase", "--perimeters=1", "--top-solid-layers=0", "--bottom-solid-layers=1")
