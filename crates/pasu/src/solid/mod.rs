@@ -16,7 +16,9 @@ mod weave;
 
 pub use face::{Face, FaceJet, FaceKind};
 pub use make::solid;
+pub(crate) use make::{Made, make};
 pub use making::{Making, Product, Scale, Size};
 pub use mesh::SolidMesh;
 pub use piece::Piece;
 pub use pot::Pot;
+pub(crate) use skin::{place, short};
