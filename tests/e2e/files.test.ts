@@ -24,7 +24,12 @@ async function verdict(pot: Visit): Promise<void> {
 const text = (bytes: Buffer, length: number) => bytes.toString("latin1", 0, length);
 
 /** How each file begins, and whether it holds its design. */
-const FILES: readonly (readonly [label: string, extension: string, begins: (bytes: Buffer) => boolean, opens: boolean])[] = [
+const FILES: readonly (readonly [
+  label: string,
+  extension: string,
+  begins: (bytes: Buffer) => boolean,
+  opens: boolean,
+])[] = [
   ["3MF", "3mf", (bytes) => text(bytes, 4) === "PK\u0003\u0004", true],
   ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), true],
   ["STEP", "step", (bytes) => text(bytes, 13) === "ISO-10303-21;", true],

@@ -157,5 +157,7 @@ test("colours show a map with its legend, and the glaze comes back", async () =>
     before = picture;
   }
   await choice.selectOption({ label: "the glaze" });
-  await expect.poll(async () => difference(glazed, await stagePicture(pot)).share, { timeout: 20_000 }).toBeLessThan(0.001);
+  await expect
+    .poll(async () => difference(glazed, await stagePicture(pot)).share, { timeout: 20_000 })
+    .toBeLessThan(0.001);
 });

@@ -2,12 +2,10 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import type { Format } from "../document/format";
 import { unitOf } from "../document/look";
-import type { Making, Measures, Product, Report } from "../document/making";
 import { formatNumber } from "../document/number";
 import { lengthWords, millilitres } from "../document/quantities";
-import { checked, type Sentence } from "../document/report-words";
+import { asSentence, checked, type Sentence } from "../document/report-words";
 import {
   type Choices,
   FORMATS,
@@ -18,7 +16,7 @@ import {
   scaleOf,
   sizesOf,
 } from "../document/saving";
-import type { Refusal } from "../document/types";
+import type { Format, Making, Measures, Product, Refusal, Report } from "../document/types";
 import { setExport } from "../state/actions";
 import { choiceStyles, choices } from "./choices";
 import "./dialog";
@@ -176,7 +174,7 @@ export class PasuExport extends DesignerElement {
   private outcome(making: Making | null) {
     const { measures, report, refusal } = this;
     if (refusal)
-      return html`<section class="outcome">${sentences([{ severity: "error", text: refusal.message }])}</section>`;
+      return html`<section class="outcome">${sentences([{ severity: "error", text: asSentence(refusal.message) }])}</section>`;
     if (!measures) return html`<section class="outcome" aria-busy="true"><p class="wait">Measuring…</p></section>`;
     const unit = unitOf(this.designer.state.design);
     if (!making) return nothing;
@@ -205,7 +203,8 @@ export class PasuExport extends DesignerElement {
   }
 
   private verdict(report: Report): readonly Sentence[] {
-    const all = checked(report, this.designer.shown?.solved.facts?.outline ?? []);
+    const { shown, state: now } = this.designer;
+    const all = checked(report, shown?.solved.facts?.outline ?? [], unitOf(now.design));
     const rest = all.length - MOST_SENTENCES;
     if (rest <= 0) return all;
     return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
@@ -279,7 +278,7 @@ export class PasuExport extends DesignerElement {
     this.saving = false;
     if (this.ended || outcome.state === "superseded") return;
     if (outcome.state === "refused") {
-      this.failure = outcome.refusal.message;
+      this.failure = asSentence(outcome.refusal.message);
       return;
     }
     const { shrinkage = 0 } = making;

@@ -3,8 +3,9 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../document/look";
-import type { MapName } from "../document/making";
 import { MAPS, mapOf } from "../document/maps";
+import { asSentence } from "../document/report-words";
+import type { MapName } from "../document/types";
 import { setMap } from "../state/wall-actions";
 import { DesignerElement } from "./element";
 import { base, fields } from "./styles";
@@ -38,7 +39,7 @@ export class PasuMaps extends DesignerElement {
         map === null
           ? nothing
           : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .unit=${unitOf(design)}></pasu-legend>
-              ${painted?.problem ? html`<p class="problem" role="status">${painted.problem.message}</p>` : nothing}`
+              ${painted?.problem ? html`<p class="problem" role="status">${asSentence(painted.problem.message)}</p>` : nothing}`
       } `;
   }
 

@@ -4,7 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { type Group, type Line, measureGroups } from "../document/measure-words";
-import { verdict } from "../document/report-words";
+import { asSentence, verdict } from "../document/report-words";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./map-choice";
@@ -40,7 +40,7 @@ export class PasuMeasures extends DesignerElement {
       <h3 id="made">Can it be made?</h3>
       ${
         problem
-          ? sentences([{ severity: "error", text: problem.message }])
+          ? sentences([{ severity: "error", text: asSentence(problem.message) }])
           : found.length > 0
             ? sentences(found)
             : html`<p class="wait">Measuring…</p>`
@@ -52,7 +52,7 @@ export class PasuMeasures extends DesignerElement {
     const { workshop, state: now } = this.designer;
     const piece = workshop?.measures;
     if (!piece?.value || !piece.of) {
-      const why = piece?.problem?.message;
+      const why = piece?.problem && asSentence(piece.problem.message);
       return why
         ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
         : html`<p class="wait">Measuring…</p>`;

@@ -1,9 +1,9 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with the workshop. */
 
 import { looksOf, unitOf } from "../document/look";
-import type { MapName } from "../document/making";
 import { mapOf, rangeOf } from "../document/maps";
 import { lengthWords, volumeWords } from "../document/quantities";
+import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { type Hold, Made, type Word } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";

@@ -371,6 +371,12 @@ export class PasuStage extends DesignerElement {
         }
       }
       @media (max-width: 379px) {
+        #description {
+          max-width: 100%;
+          overflow: hidden;
+          text-overflow: ellipsis;
+          white-space: nowrap;
+        }
         .accuracy {
           display: none;
         }

@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { pathText } from "../document/path";
+import { asSentence } from "../document/report-words";
 import type { Wall } from "../document/types";
 import { type WallField, wallFields, wallNumber, wallRange } from "../document/wall";
 import { toggleExplain } from "../state/actions";
@@ -85,7 +86,8 @@ export class PasuWall extends DesignerElement {
   private verdict() {
     const { workshop } = this.designer;
     const problem = workshop?.solid.problem;
-    if (problem) return html`<p class="problem" role="status">${icon("warn")}<span>${problem.message}</span></p>`;
+    if (problem)
+      return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>`;
     const held = workshop?.holds;
     return html`<p class="holds" role="status">${held ?? nothing}</p>`;
   }
@@ -118,7 +120,7 @@ export class PasuWall extends DesignerElement {
     const { problem, state, workshop } = this.designer;
     const path = pathText(["parts", state.session.part, "wall", ...field.path]);
     const named = [problem, workshop?.solid.problem].find((each) => each?.path === path);
-    return named?.message ?? "";
+    return named ? asSentence(named.message) : "";
   }
 
   static override readonly styles = [

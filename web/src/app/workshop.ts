@@ -5,9 +5,8 @@
  */
 
 import { unitOf } from "../document/look";
-import type { MapName, Measures, Report } from "../document/making";
 import { holdsText, waterRange } from "../document/measure-words";
-import type { Design, Refusal } from "../document/types";
+import type { Design, MapName, Measures, Refusal, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Painted, Solid } from "../maker/messages";

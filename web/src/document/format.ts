@@ -1,5 +1,5 @@
-/** The files that a pot can be saved as. */
+/** The files that a pot can be saved as, in the order in which they are offered. */
 
-export type Format = "stl" | "3mf" | "glb" | "obj" | "ply" | "step" | "svg";
+import type { Format } from "./types";
 
 export const FORMAT_NAMES: readonly Format[] = ["3mf", "stl", "step", "svg", "glb", "obj", "ply"];

@@ -1,8 +1,7 @@
 /** The colour maps: what each shows, its unit, and its colours, told apart with every kind of colour vision. */
 
-import type { MapName } from "./making";
 import { formatNumber } from "./number";
-import type { Unit } from "./types";
+import type { MapName, Unit } from "./types";
 
 export type Rgb = readonly [number, number, number];
 

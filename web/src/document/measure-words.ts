@@ -1,9 +1,9 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
-import type { Capacity, Curvature, Measures, PartMeasures, Quantity } from "./making";
 import { formatNumber } from "./number";
 import { angleWords, areaWords, errorWords, lengthWords, massWords, volumeWords } from "./quantities";
-import type { Triple, Unit } from "./types";
+import { asSentence } from "./report-words";
+import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "./types";
 
 /** One line of the panel. */
 export interface Line {
@@ -65,8 +65,8 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
 
 /** Why a design holds nothing. */
 export function emptyReason({ parts }: Measures): string {
-  const reason = parts.find((part) => part.reason !== null)?.reason;
-  return reason ?? "It holds nothing: it has no floor.";
+  const reasons = parts.map((part) => part.capacityReason ?? part.reason);
+  return asSentence(reasons.find((reason) => reason !== null) ?? "it holds nothing");
 }
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
@@ -102,12 +102,9 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
   heavy("Centre of mass", centre.empty);
   heavy("Centre of mass, full", centre.full);
   if (footprint) {
-    lines.push({
-      name: "Footprint",
-      value: areaWords(footprint.hullArea, unit),
-      error: "",
-      note: `of which ${areaWords(footprint.area, unit)} touch the table`,
-    });
+    const { area, hullArea } = footprint;
+    const touching = `of which ${areaWords(area.value, unit)} touch the table`;
+    lines.push(quantity("Footprint", hullArea, (value) => areaWords(value, unit), touching));
   }
   const tips = (name: string, tip: { readonly degrees: number; readonly toward: number } | null) => {
     if (tip) lines.push({ name, value: angleWords(tip.degrees), error: "", note: `towards ${angleWords(tip.toward)}` });
@@ -123,10 +120,10 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
   const lines: Line[] = [];
   if (thickness) {
     const { least, greatest } = thickness;
-    const same = formatNumber(least.value, 4) === formatNumber(greatest.value, 4);
+    const same = formatNumber(least.value, 4) === formatNumber(greatest, 4);
     lines.push({
       name: "Thickness",
-      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest.value)}`,
+      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest)}`,
       error: "",
       ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
     });

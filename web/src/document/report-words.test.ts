@@ -1,8 +1,7 @@
 import { expect, test } from "vitest";
-import type { Measures, PartMeasures, Report } from "./making";
 import type { Outline } from "./places";
 import { findingWords, verdict } from "./report-words";
-import type { Triple } from "./types";
+import type { Measures, PartMeasures, Report, Triple } from "./types";
 
 const OUTLINE: Outline = [
   [0, 2],
@@ -34,7 +33,7 @@ test("an overhang is told by its angle and place", () => {
 });
 
 test("a wall is told where it was thinned and where it is too thin to print", () => {
-  const thickness = { asked: 0.3, least: { value: 0.07, at: RIM }, greatest: { value: 0.3, at: SHOULDER } };
+  const thickness = { asked: 0.3, least: { value: 0.07, at: RIM }, greatest: 0.3, thinned: 0.1 };
   expect(texts(measures({}, { thickness }))).toEqual([
     "warning: The wall is thinned to 0.07 cm at the rim, where the pot bends too tightly for 0.3 cm.",
     "warning: The wall is only 0.7 mm thick at the rim: too thin for most clay and most printers at this size.",
@@ -67,12 +66,23 @@ test("the worst comes first, and parts are named where there are several", () =>
   expect(texts(made)[0]).toBe("error: lid: The surface does not close.");
 });
 
+test("what the checks say of a thinned wall is told once, with its unit and place", () => {
+  const thickness = { asked: 0.3, least: { value: 0.12, at: RIM }, greatest: 0.3, thinned: 0.034 };
+  const finding = { code: "thinned", severity: "warning", part: 0, message: "thin", at: SHOULDER } as const;
+  const report = { ok: true, findings: [finding], meshes: [{ part: 0, thinnest: 0.12, thinned: 0.034 }] };
+  expect(texts(measures({}, { thickness }), report as unknown as Report)).toEqual([
+    "warning: The wall is thinned to 0.12 cm at the shoulder, where the pot bends more tightly or comes closer to itself than the wall is thick: 3.4 % of it is thinner than asked for.",
+    "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  ]);
+});
+
 test("findings are given the name of their place, once", () => {
   const finding = { code: "thinned", severity: "warning", part: 0, message: "The wall is thin.", at: RIM } as const;
-  expect(findingWords(finding, OUTLINE)).toBe("The wall is thin, at the rim.");
+  expect(findingWords(finding, OUTLINE)).toBe("The wall is thin (at the rim).");
   expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE)).toBe("Thin at the rim.");
-  expect(findingWords({ ...finding, at: null }, OUTLINE)).toBe("The wall is thin.");
-  expect(texts(measures({}), { ok: true, findings: [], triangles: 12, meshes: [] })).toEqual([
+  const { at: _, ...nowhere } = finding;
+  expect(findingWords(nowhere, OUTLINE)).toBe("The wall is thin.");
+  expect(texts(measures({}), { ok: true, findings: [] } as unknown as Report)).toEqual([
     "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
   ]);
 });

@@ -1,9 +1,9 @@
 /** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
 
-import type { Finding, Measures, PartMeasures, Report } from "./making";
+import { formatNumber } from "./number";
 import { type Outline, placeOf } from "./places";
 import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
-import type { Triple, Unit } from "./types";
+import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
 
 export type Severity = "error" | "warning" | "note" | "good";
 
@@ -21,8 +21,8 @@ const LEAST_PRINTED_MM = 0.8;
 /** A pot that tips sooner than this is knocked over by a cat. */
 const STEADY_DEGREES = 10;
 
-/** A wall thinner by less than this share was not thinned; it was rounded. */
-const THINNED = 0.001;
+/** The code of a finding of the checks. */
+const THINNED = "thinned";
 
 const ORDER: readonly Severity[] = ["error", "warning", "note", "good"];
 
@@ -33,46 +33,73 @@ export function verdict(
   outline: Outline,
   unit: Unit,
 ): readonly Sentence[] {
-  const sentences = [
-    ...(report ? checked(report, outline) : []),
-    ...(measures ? measured(measures, outline, unit) : []),
-  ];
-  return sentences.toSorted((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity));
+  const thinned = (report?.findings ?? []).filter(({ code }) => code === THINNED).map(({ part }) => part);
+  return [
+    ...(report ? checked(report, outline, unit) : []),
+    ...(measures ? measured(measures, outline, unit, thinned) : []),
+  ].sort((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity));
 }
 
 /** What the checks say of the very triangles that a file holds. */
-export function checked({ findings, ok }: Report, outline: Outline): readonly Sentence[] {
-  const sentences = findings.map((finding) => ({ severity: finding.severity, text: findingWords(finding, outline) }));
+export function checked(report: Report, outline: Outline, unit: Unit): readonly Sentence[] {
+  const sentences = report.findings.map((finding) => ({
+    severity: finding.severity,
+    text: finding.code === THINNED ? thinnedWords(finding, report, outline, unit) : findingWords(finding, outline),
+  }));
   const closed: Sentence = {
     severity: "good",
     text: "The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
   };
-  return ok ? [...sentences, closed] : sentences;
+  return report.ok ? [...sentences, closed] : sentences;
 }
 
-/** A finding with the name of its place, which the message leaves out. */
+/** A finding as a sentence, with the name of its place. */
 export function findingWords({ message, at }: Finding, outline: Outline): string {
-  if (!at || outline.length < 2) return message;
+  const sentence = asSentence(message);
+  if (!at || outline.length < 2) return sentence;
   const place = placeOf(at, outline);
-  return message.includes(place) ? message : `${message.replace(/\.$/, "")}, at the ${place}.`;
+  return sentence.includes(place) ? sentence : `${sentence.slice(0, -1)} (at the ${place}).`;
 }
 
-function measured(measures: Measures, outline: Outline, unit: Unit): readonly Sentence[] {
+/** A message of the library as a sentence of its own. */
+export function asSentence(message: string): string {
+  const ended = /[.!?]$/.test(message) ? message : `${message}.`;
+  return ended.charAt(0).toUpperCase() + ended.slice(1);
+}
+
+/** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
+function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
+  const mesh = meshes.find((each) => each.part === part);
+  if (!mesh?.thinnest || !at) return findingWords({ code: THINNED, severity: "warning", part, message }, outline);
+  const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
+  return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} at the ${placeOf(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
+}
+
+function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
   const several = measures.parts.length > 1;
-  return [...measures.parts.flatMap((part) => ofPart(part, outline, unit, several)), ...stands(measures)];
+  return [
+    ...measures.parts.flatMap((part) => ofPart(part, outline, unit, several, thinned.includes(part.part))),
+    ...stands(measures),
+  ];
 }
 
-function ofPart(part: PartMeasures, outline: Outline, unit: Unit, several: boolean): readonly Sentence[] {
+function ofPart(
+  part: PartMeasures,
+  outline: Outline,
+  unit: Unit,
+  several: boolean,
+  told: boolean,
+): readonly Sentence[] {
   const sentences: Sentence[] = [];
   const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
   const say = (severity: Severity, text: string) => sentences.push({ severity, text: `${name}${text}` });
-  const where = (at: Triple) => `at the ${placeOf(at, outline)}`;
-  if (!part.isPot && part.reason) say("error", part.reason);
+  const where = (at: Triple | null) => (at ? `at the ${placeOf(at, outline)}` : "in places");
+  if (!part.isPot && part.reason) say("error", asSentence(part.reason));
   const { thickness, overhang } = part;
   if (thickness) {
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
-    if (least.value < asked * (1 - THINNED)) {
+    if (part.thickness?.thinned && !told) {
       say(
         "warning",
         `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { Measures } from "./making";
 import { type Choices, makingOf, scaleOf, sizesOf } from "./saving";
+import type { Measures } from "./types";
 
 const MEASURES = {
   height: { value: 10, error: 0 },

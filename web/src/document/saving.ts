@@ -1,10 +1,8 @@
 /** From what a person chooses in the export dialogue to what is made, and how large that will be. */
 
-import type { Format } from "./format";
-import type { Making, Measures, Product } from "./making";
 import { formatNumber, parseNumber } from "./number";
 import { MILLIMETRES, millilitres } from "./quantities";
-import type { Unit } from "./types";
+import type { Format, Making, Measures, Product, Unit } from "./types";
 
 export interface FormatNote {
   readonly format: Format;
@@ -120,9 +118,9 @@ export interface Scale {
 
 export function scaleOf({ size, shrinkage = 0 }: Making, { height, width, capacity }: Measures, unit: Unit): Scale {
   let factor = 1;
-  if (size && "height" in size) factor = size.height / height.value;
-  else if (size && "width" in size) factor = size.width / width.greatest.value;
-  else if (size && capacity) factor = Math.cbrt(size.capacity / capacity.brim.value);
+  if (size?.height !== undefined) factor = size.height / height.value;
+  else if (size?.width !== undefined) factor = size.width / width.greatest.value;
+  else if (size?.capacity !== undefined && capacity) factor = Math.cbrt(size.capacity / capacity.brim.value);
   const larger = 1 / (1 - shrinkage / 100);
   return { size: factor, shrinkage: larger, millimetres: factor * larger * MILLIMETRES[unit] };
 }

@@ -1,8 +1,6 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
-import type { Format } from "../document/format";
-import type { Making, MapName, Measures, Product, Report } from "../document/making";
-import type { Design, Refusal } from "../document/types";
+import type { Design, Format, Making, MapName, Measures, Product, Refusal, Report } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 

@@ -1,8 +1,8 @@
 /** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
 
 import init, { check, measure, open, PasuError, paint, solid, water, write } from "pasu";
-import type { Refusal } from "../document/types";
-import type { Answers, Ask, Begin, Kind, Reply, Request } from "./messages";
+import type { Design, Refusal } from "../document/types";
+import type { Answers, Ask, Begin, Kind, Reply, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { solidOf } from "./solid";
 
@@ -33,7 +33,7 @@ function post(reply: Reply, transfer: Transferable[]): void {
 function perform(ask: Ask): Answers[Kind] {
   switch (ask.kind) {
     case "solid":
-      return solidOf(ask.design, solid(ask.design));
+      return drawn(ask.design);
     case "measure":
       return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
     case "check":
@@ -47,6 +47,16 @@ function perform(ask: Ask): Answers[Kind] {
     case "open":
       return open(ask.bytes) ?? null;
   }
+}
+
+/** Parts that are no pots are drawn by the solver alone. */
+function drawn(design: Design): Solid {
+  const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
+  if (walled.length === design.parts.length) return solidOf(design, solid(design));
+  const parts = walled.map((part) => design.parts[part]);
+  const made = solid({ ...design, parts });
+  const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
+  return solidOf(design, { ...made, faces });
 }
 
 function refusalOf(error: unknown): Refusal {

@@ -1,8 +1,7 @@
 /** What the page remembers that is not part of the design. */
 
 import type { OrderKind } from "../document/convert";
-import type { Format } from "../document/format";
-import type { MapName } from "../document/making";
+import type { Format, MapName } from "../document/types";
 
 export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
 export const TABS: readonly Tab[] = ["shape", "profile", "order", "look", "wall", "measures"];

@@ -91,7 +91,9 @@ export function readSettings(shelf: Shelf | null): Session {
 function overlaysFrom(kept: unknown): Overlays {
   if (!isRecord(kept)) return NEW_SESSION.overlays;
   const names = Object.keys(NEW_SESSION.overlays);
-  return Object.fromEntries(names.map((name) => [name, kept[name] === true])) as unknown as Overlays;
+  const overlays = Object.fromEntries(names.map((name) => [name, kept[name] === true])) as unknown as Overlays;
+  // A pot that is opened is whole.
+  return { ...overlays, cut: false };
 }
 
 function exportFrom(kept: unknown): Session["export"] {

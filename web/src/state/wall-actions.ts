@@ -1,8 +1,7 @@
 /** What a person can do to the wall of the selected part, to the water in it and to the colours on it. */
 
-import type { MapName } from "../document/making";
 import { setPath } from "../document/path";
-import type { Wall } from "../document/types";
+import type { MapName, Wall } from "../document/types";
 import { firstFoot, firstWall, type WallField, withWallNumber } from "../document/wall";
 import type { Change, State } from "./store";
 
