@@ -50,8 +50,8 @@ pub(super) struct Coefficients {
     pub(super) harmonics: Vec<Harmonic>,
     pub(super) n_even: usize,
     pub(super) layout: Layout,
-    /// The surface is its own mirror image at `y = shift`: normals at `-v` are those at `v` mirrored.
-    pub(super) is_mirrored: bool,
+    /// What does not depend on `v` does not lean towards `y`.
+    pub(super) is_upright: bool,
     /// Half a turn takes the surface into itself: normals there are turned by as much.
     pub(super) is_turned: bool,
     /// For every curve its harmonic, or none where it does not depend on `v`.
@@ -85,7 +85,7 @@ impl Default for Coefficients {
             harmonics: Vec::new(),
             n_even: 0,
             layout: Layout::Both,
-            is_mirrored: false,
+            is_upright: false,
             is_turned: false,
             slots: Vec::new(),
             matrix: DMat3::IDENTITY,
@@ -145,7 +145,7 @@ impl Coefficients {
             [[_, false], [false, _], [cos, sin]] if !(cos && sin) => Layout::Split { z_is_sine: sin },
             _ => Layout::Both,
         };
-        self.is_mirrored = self.layout == Layout::Split { z_is_sine: false } && !leans[1];
+        self.is_upright = !leans[1];
         self.is_turned = self.n_even == 0 && self.has[2] == [false; 2] && !leans[0] && !leans[1];
         let zero = [[Block::ZERO; 2]; 3];
         for waves in &mut self.waves {

@@ -83,18 +83,26 @@ impl Circles {
             sign: Lanes::splat(sign),
             n_even,
             n_steps: self.n_columns - 1,
-            is_mirrored: coefficients.is_mirrored,
         };
         let strands = coefficients.strands.as_slice();
+        let is_folded = self.fold == Fold::Quartered;
         let any = match coefficients.layout {
-            Layout::Split { z_is_sine } => {
-                let z_parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
-                let layout = Split { strands, row, z_is_sine, z_parity };
-                if coefficients.is_turned && self.fold == Fold::Quartered {
-                    self.each_block(task, &layout, positions, normals, turned_block)
-                } else {
-                    self.fold(task, &layout, positions, normals)
-                }
+            Layout::Split { .. } if coefficients.is_turned && is_folded => {
+                let layout = Split::<false, true> { strands, row };
+                self.each_block(task, &layout, positions, normals, turned_block)
+            }
+            // Mirroring matters to folded rows alone.
+            Layout::Split { z_is_sine: false } if coefficients.is_upright && is_folded => {
+                self.fold(task, &Split::<false, true> { strands, row }, positions, normals)
+            }
+            Layout::Split { z_is_sine: true } if coefficients.is_upright && is_folded => {
+                self.fold(task, &Split::<true, true> { strands, row }, positions, normals)
+            }
+            Layout::Split { z_is_sine: false } => {
+                self.fold(task, &Split::<false, false> { strands, row }, positions, normals)
+            }
+            Layout::Split { z_is_sine: true } => {
+                self.fold(task, &Split::<true, false> { strands, row }, positions, normals)
             }
             Layout::Both => {
                 let sine_strands = coefficients.sine_strands.as_slice();
@@ -190,26 +198,31 @@ trait Form {
     fn subtracted(a: Self::Formed, b: Self::Formed) -> Self::Formed;
     /// The sums at `v`.
     fn here(&self, formed: Self::Formed) -> Sums;
-    /// The sums at `-v`.
-    fn mirrored(&self, formed: Self::Formed) -> Sums;
+    /// What is at `v` and at `-v`.
+    fn pair(&self, task: &Task, formed: Self::Formed) -> [Place; 2];
 }
 
-/// As [`Layout::Split`].
-struct Split<'a> {
+/// Positions and unit normals at four columns, and the lanes whose normals single precision does not hold, as bits.
+#[derive(Clone, Copy)]
+struct Place {
+    position: [Lanes; 3],
+    normal: [Lanes; 3],
+    unsure: u8,
+}
+
+/// As [`Layout::Split`]. `UPRIGHT` says that what does not depend on `v` does not lean towards `y`.
+struct Split<'a, const Z_IS_SINE: bool, const UPRIGHT: bool> {
     strands: &'a [[Strand; 3]],
     row: usize,
-    z_is_sine: bool,
-    /// What becomes of the sums of `z` at `-v`.
-    z_parity: Lanes,
 }
 
-impl Form for Split<'_> {
+impl<const Z_IS_SINE: bool, const UPRIGHT: bool> Form for Split<'_, Z_IS_SINE, UPRIGHT> {
     type Formed = Sums;
 
     #[inline(always)]
     fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> Sums {
         let strands = self.strands.get(harmonics.clone()).unwrap_or_default();
-        split_sums(strands, circles.get(harmonics).unwrap_or_default(), self.row, self.z_is_sine)
+        split_sums::<Z_IS_SINE>(strands, circles.get(harmonics).unwrap_or_default(), self.row)
     }
 
     #[inline(always)]
@@ -227,9 +240,51 @@ impl Form for Split<'_> {
         formed
     }
 
+    /// At `-v` the sums of sines have the other sign. Where the pot is upright, half of what the two normals are made of is shared:
+    /// with `z` of cosines all of it, with `z` of sines what `z_u` is not in.
     #[inline(always)]
-    fn mirrored(&self, [[x, y, z], [xu, yu, zu], [xv, yv, zv]]: Sums) -> Sums {
-        [[x, -y, z * self.z_parity], [xu, -yu, zu * self.z_parity], [-xv, yv, -zv * self.z_parity]]
+    fn pair(&self, task: &Task, sums: Sums) -> [Place; 2] {
+        let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
+        let [[x0, xu0], [y0, _], [z0, zu0]] = task.constant;
+        if !UPRIGHT {
+            let z_signed = |z: Lanes| if Z_IS_SINE { -z } else { z };
+            let mirrored = [[x, -y, z_signed(z)], [xu, -yu, z_signed(zu)], [-xv, yv, -z_signed(zv)]];
+            return [task.place(&sums), task.place(&mirrored)];
+        }
+        let (px, here_z) = (x0 + x, z0 + z);
+        let here = [px, y0 + y, here_z];
+        if !Z_IS_SINE {
+            let (normal, unsure) = task.normal(&sums);
+            let there = Place { position: [px, y0 - y, here_z], normal: [normal[0], -normal[1], normal[2]], unsure };
+            return [Place { position: here, normal, unsure }, there];
+        }
+        // X_u = (ux, uy, zu0 + zu), X_v = (xv, yv, zv) at v, (ux, -uy, zu0 - zu) and (-xv, yv, zv) at -v.
+        let (ux, uy) = (xu0 + xu, yu);
+        let (uz, other_uz) = (zu0 + zu, zu0 - zu);
+        let (p, q) = (uy * zv, ux * zv);
+        let nz = ux * yv - uy * xv;
+        let nz_squared = nz * nz;
+        let v_tilted = task.tilt[0] * (xv * xv + yv * yv + zv * zv);
+        let u_squared = ux * ux + uy * uy;
+        let finished = |nx: Lanes, ny: Lanes, uz: Lanes| {
+            let squared = nx * nx + ny * ny + nz_squared;
+            let tilted = v_tilted + task.tilt[1] * (u_squared + uz * uz);
+            (task.sign / squared.sqrt(), unsure(tilted, squared))
+        };
+        let (nx, ny) = (p - uz * yv, uz * xv - q);
+        let (inverse, here_unsure) = finished(nx, ny, uz);
+        // The other way round than at v.
+        let (other_nx, other_ny) = (p + other_uz * yv, other_uz * xv + q);
+        let (other_inverse, there_unsure) = finished(other_nx, other_ny, other_uz);
+        let turned = -other_inverse;
+        [
+            Place { position: here, normal: [nx * inverse, ny * inverse, nz * inverse], unsure: here_unsure },
+            Place {
+                position: [px, y0 - y, z0 - z],
+                normal: [other_nx * turned, other_ny * turned, nz * other_inverse],
+                unsure: there_unsure,
+            },
+        ]
     }
 }
 
@@ -268,8 +323,9 @@ impl Form for Both<'_> {
     }
 
     #[inline(always)]
-    fn mirrored(&self, [even, odd]: [Sums; 2]) -> Sums {
-        [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])]
+    fn pair(&self, task: &Task, [even, odd]: [Sums; 2]) -> [Place; 2] {
+        let mirrored = [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])];
+        [task.place(&added(&even, &odd)), task.place(&mirrored)]
     }
 }
 
@@ -281,7 +337,6 @@ struct Task {
     sign: Lanes,
     n_even: usize,
     n_steps: usize,
-    is_mirrored: bool,
 }
 
 impl Task {
@@ -291,11 +346,17 @@ impl Task {
         plus([x, y, z], sums[0])
     }
 
-    /// The position half a turn on, where the sums have the other sign and `z` has none.
     #[inline(always)]
-    fn turned_position(&self, sums: &Sums) -> [Lanes; 3] {
-        let [[x, _], [y, _], [z, _]] = self.constant;
-        [x - sums[0][0], y - sums[0][1], z]
+    fn place(&self, sums: &Sums) -> Place {
+        let (normal, unsure) = self.normal(sums);
+        Place { position: self.position(sums), normal, unsure }
+    }
+
+    /// A position half a turn on, where what goes round the axis has the other sign.
+    #[inline(always)]
+    fn turned_position(&self, [x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
+        let [[x0, _], [y0, _], _] = self.constant;
+        [x0 + x0 - x, y0 + y0 - y, z]
     }
 
     /// The unit normal along `X_u x X_v` and the lanes that single precision does not hold, as bits.
@@ -310,12 +371,6 @@ impl Task {
         let inverse = self.sign / squared.sqrt();
         (normal.map(|component| component * inverse), unsure(tilted, squared))
     }
-
-    /// The same at `-v`.
-    #[inline(always)]
-    fn mirrored_normal(&self, sums: &Sums, (normal, unsure): ([Lanes; 3], u8)) -> ([Lanes; 3], u8) {
-        if self.is_mirrored { ([normal[0], -normal[1], normal[2]], unsure) } else { self.normal(sums) }
-    }
 }
 
 /// The columns from `column` on, and no others.
@@ -328,11 +383,10 @@ fn open_block<F: Form>(
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> [u8; 4] {
-    let here = layout.here(layout.form(0..circles.len(), circles));
-    let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    [first.1, 0, 0, 0]
+    let here = task.place(&layout.here(layout.form(0..circles.len(), circles)));
+    write(here.position, positions, column);
+    write(here.normal, normals, column);
+    [here.unsure, 0, 0, 0]
 }
 
 /// Those, the ones at `-v` and both half a turn on.
@@ -365,15 +419,12 @@ fn two_blocks<F: Form>(
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> [u8; 2] {
-    let here = layout.here(formed);
-    let first = task.normal(&here);
-    write(task.position(&here), positions, to);
-    write(first.0, normals, to);
-    let mirrored = layout.mirrored(formed);
-    let second = task.mirrored_normal(&mirrored, first);
-    write_reversed(task.position(&mirrored), positions, mirrored_to);
-    write_reversed(second.0, normals, mirrored_to);
-    [first.1, second.1]
+    let [here, there] = layout.pair(task, formed);
+    write(here.position, positions, to);
+    write(here.normal, normals, to);
+    write_reversed(there.position, positions, mirrored_to);
+    write_reversed(there.normal, normals, mirrored_to);
+    [here.unsure, there.unsure]
 }
 
 /// The same where every `n` is odd and `z` is constant: half a turn on, the sums have the other sign.
@@ -387,21 +438,17 @@ fn turned_block<F: Form>(
     normals: &mut [f32],
 ) -> [u8; 4] {
     let half = task.n_steps / 2;
-    let formed = layout.form(0..circles.len(), circles);
-    let here = layout.here(formed);
-    let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    write(task.turned_position(&here), positions, column + half);
-    write(turned(first.0), normals, column + half);
+    let [here, there] = layout.pair(task, layout.form(0..circles.len(), circles));
+    write(here.position, positions, column);
+    write(here.normal, normals, column);
+    write(task.turned_position(here.position), positions, column + half);
+    write(turned(here.normal), normals, column + half);
     let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
-    let mirrored = layout.mirrored(formed);
-    let second = task.mirrored_normal(&mirrored, first);
-    write_reversed(task.position(&mirrored), positions, to);
-    write_reversed(second.0, normals, to);
-    write_reversed(task.turned_position(&mirrored), positions, turned_to);
-    write_reversed(turned(second.0), normals, turned_to);
-    [first.1, second.1, first.1, second.1]
+    write_reversed(there.position, positions, to);
+    write_reversed(there.normal, normals, to);
+    write_reversed(task.turned_position(there.position), positions, turned_to);
+    write_reversed(turned(there.normal), normals, turned_to);
+    [here.unsure, there.unsure, here.unsure, there.unsure]
 }
 
 /// A normal half a turn on.
@@ -462,11 +509,11 @@ fn sums<const SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: 
 
 /// The sums of strands that go with cosines in `x`, with sines in `y`, and with either in `z`.
 #[inline(always)]
-fn split_sums(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize, z_is_sine: bool) -> Sums {
+fn split_sums<const Z_IS_SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize) -> Sums {
     let (mut x, mut xu, mut xv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (mut y, mut yu, mut yv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (mut z, mut zu, mut zv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
-    let (first, second) = (usize::from(z_is_sine), usize::from(!z_is_sine));
+    let (first, second) = (usize::from(Z_IS_SINE), usize::from(!Z_IS_SINE));
     for (strand, circle) in strands.iter().zip(circles) {
         let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
         let [cos, sin] = *circle;
