@@ -46,8 +46,8 @@ impl Basis {
                 ]))
             }
             Order::Fourth => {
-                let sigma_squared = 0.25 * (b + 2.0 * libm::sqrt(c.max(0.0)));
-                let delta_squared = 0.25 * (b - 2.0 * libm::sqrt(c.max(0.0)));
+                let sigma_squared = 0.25 * (b + 2.0 * c.max(0.0).sqrt());
+                let delta_squared = 0.25 * (b - 2.0 * c.max(0.0).sqrt());
                 match squared_roots(b, c) {
                     Some((z1, z2)) if c <= 0.0 || Self::are_apart(sigma_squared, delta_squared) => {
                         Basis::Separate(Rate::new(z1), Rate::new(z2))
@@ -91,7 +91,7 @@ impl Basis {
             Basis::Series(_) => SERIES_RATE,
             Basis::Products { sigma, delta } if sigma.z < 0.0 => sigma.oscillation() + delta.oscillation(),
             Basis::Products { .. } => 0.0,
-            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => libm::sqrt(first.z.abs()),
+            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => first.z.abs().sqrt(),
             Basis::Separate(..) => 0.0,
         }
     }

@@ -1,6 +1,6 @@
 //! One rate: `cosh` and `sinh` about the middle of the interval, or `cos` and `sin`, whichever the sign asks for.
 
-use libm::{cos, cosh, exp, sin, sinh, sqrt};
+use libm::{cos, cosh, exp, sin, sinh};
 
 /// The functions `C(x) = cosh(sqrt(z) x)` and `S(x) = sinh(sqrt(z) x) / sqrt(z)` of `x = u - 1/2`, entire in `z`:
 /// for `z < 0` they are `cos(w x)` and `sin(w x) / w` with `w = sqrt(-z)`, for `z = 0` they are 1 and `x`.
@@ -19,7 +19,7 @@ impl Rate {
     const ANCHOR: f64 = 1.0;
 
     pub(super) fn new(z: f64) -> Self {
-        Rate { z, root: sqrt(z.abs()) }
+        Rate { z, root: z.abs().sqrt() }
     }
 
     fn is_anchored(self) -> bool {

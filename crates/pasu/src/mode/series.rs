@@ -37,8 +37,10 @@ pub(super) fn falling(n: usize, j: usize) -> f64 {
     (0..j).fold(1.0, |product, i| product * (n as f64 - i as f64))
 }
 
+/// `2^-n` for the counts of terms that there are, far below the smallest double.
 fn power_of_half(n: usize) -> f64 {
-    libm::ldexp(1.0, -(n as i32))
+    const BIAS: u64 = 1023;
+    f64::from_bits(BIAS.saturating_sub(n as u64) << 52)
 }
 
 /// The polynomial in `x` that equals the polynomial `in_u` of `u = x + 1/2`.
