@@ -102,8 +102,8 @@ impl Basis {
             let [even, more_even, odd, more_odd] = self.jets::<2>(1.0);
             return [Pair::by_subtraction(even, more_even), Pair::by_subtraction(odd, more_odd)];
         };
-        let ((c, s), (c_delta, s_delta)) = (sigma.jets::<2>(1.0), delta.jets::<2>(1.0));
-        let (one, other) = (s[0] * c[0] * delta.scale(), s_delta[0] * c_delta[0] * sigma.scale());
+        let ((c, s, scale), (c_delta, s_delta, delta_scale)) = (sigma.jets_at_end::<2>(), delta.jets_at_end::<2>());
+        let (one, other) = (s[0] * c[0] * delta_scale, s_delta[0] * c_delta[0] * scale);
         [
             Pair { first: product(&c, &c_delta), second: product(&s, &s_delta), determinant: one + other },
             Pair { first: product(&s, &c_delta), second: product(&c, &s_delta), determinant: one - other },

@@ -26,11 +26,6 @@ impl Rate {
         self.z > 0.0 && self.root > Self::ANCHOR
     }
 
-    /// `exp(-sqrt(z))` where the functions are anchored, else 1: the scale of `C^2 - z S^2`.
-    pub(super) fn scale(self) -> f64 {
-        if self.is_anchored() { exp(-self.root) } else { 1.0 }
-    }
-
     /// The angular rate of an oscillation, 0 for a hyperbolic one.
     pub(super) fn oscillation(self) -> f64 {
         if self.z < 0.0 { self.root } else { 0.0 }
@@ -56,9 +51,23 @@ impl Rate {
 
     /// `C` and `S` at `u` with their derivatives up to order `N - 1`; `C' = z S`, `S' = C`.
     pub(super) fn jets<const N: usize>(self, u: f64) -> ([f64; N], [f64; N]) {
-        let (c, s) = self.at(u);
+        self.derived(self.at(u))
+    }
+
+    /// The same at `u = 1`, and the scale of `C^2 - z S^2`: `exp(-sqrt(z))` where the functions are anchored, else 1.
+    pub(super) fn jets_at_end<const N: usize>(self) -> ([f64; N], [f64; N], f64) {
+        let (values, scale) = if self.is_anchored() {
+            let from_start = exp(-self.root);
+            ((0.5 * (1.0 + from_start), 0.5 * (1.0 - from_start) / self.root), from_start)
+        } else {
+            (self.at(1.0), 1.0)
+        };
+        let (even, odd) = self.derived(values);
+        (even, odd, scale)
+    }
+
+    fn derived<const N: usize>(self, (mut c, mut s): (f64, f64)) -> ([f64; N], [f64; N]) {
         let (mut even, mut odd) = ([0.0; N], [0.0; N]);
-        let (mut c, mut s) = (c, s);
         for order in 0..N {
             even[order] = c;
             odd[order] = s;

@@ -34,7 +34,13 @@ pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &
 
 /// `n (n - 1) .. (n - j + 1)`, the factor of the `j`-th derivative of `x^n`.
 pub(super) fn falling(n: usize, j: usize) -> f64 {
-    (0..j).fold(1.0, |product, i| product * (n as f64 - i as f64))
+    let n = n as f64;
+    match j {
+        0 => 1.0,
+        2 => n * (n - 1.0),
+        4 => n * (n - 1.0) * (n - 2.0) * (n - 3.0),
+        _ => (0..j).fold(1.0, |product, i| product * (n - i as f64)),
+    }
 }
 
 /// `2^-n` for the counts of terms that there are, far below the smallest double.
