@@ -11,6 +11,8 @@ pub struct Error {
     code: Code,
     path: String,
     message: String,
+    /// Coordinates as bits: errors can then be compared.
+    place: Option<[u64; 3]>,
 }
 
 /// The result of everything in Pasu that can be refused.
@@ -51,6 +53,18 @@ pub enum Code {
     ToleranceTooFine,
     /// A part or parameter point that does not exist.
     NoSuchPoint,
+    /// A part that is to be a pot and has no wall.
+    NoWall,
+    /// A surface that does not meet itself round the axis.
+    OpenSurface,
+    /// A surface that shrinks to a point or an edge without width between its ends, or at an end that needs width.
+    PinchedSurface,
+    /// A surface, or the clay on it, that runs through itself.
+    CrossesItself,
+    /// A surface that closes at the end where a pot is open.
+    NoOpening,
+    /// A wall, floor, ring or hole that does not fit.
+    NoRoom,
 }
 
 impl Code {
@@ -73,6 +87,12 @@ impl Code {
             Code::Overflow => "overflow",
             Code::ToleranceTooFine => "tolerance-too-fine",
             Code::NoSuchPoint => "no-such-point",
+            Code::NoWall => "no-wall",
+            Code::OpenSurface => "open-surface",
+            Code::PinchedSurface => "pinched-surface",
+            Code::CrossesItself => "crosses-itself",
+            Code::NoOpening => "no-opening",
+            Code::NoRoom => "no-room",
         }
     }
 }
@@ -80,12 +100,17 @@ impl Code {
 impl Error {
     /// An error at a path of the design (`parts[2].shape.s[0]`; empty for the design as a whole).
     pub fn new(code: Code, path: impl Into<String>, message: impl Into<String>) -> Self {
-        Error { code, path: path.into(), message: message.into() }
+        Error { code, path: path.into(), message: message.into(), place: None }
     }
 
     /// The same error at another path.
     pub(crate) fn at(self, path: impl Into<String>) -> Self {
         Error { path: path.into(), ..self }
+    }
+
+    /// The same error at a point of space.
+    pub(crate) fn near(self, point: [f64; 3]) -> Self {
+        Error { place: Some(point.map(f64::to_bits)), ..self }
     }
 
     /// The stable kebab-case word for the cause.
@@ -96,6 +121,11 @@ impl Error {
     /// Where in the design; empty for the design as a whole.
     pub fn path(&self) -> &str {
         &self.path
+    }
+
+    /// Where in space, in model units after placement, if it went wrong at a point of a pot.
+    pub fn place(&self) -> Option<[f64; 3]> {
+        self.place.map(|place| place.map(f64::from_bits))
     }
 
     /// One sentence in the user's words: what was found and what was expected.
