@@ -5,8 +5,9 @@ import { mapOf, rangeOf } from "../document/maps";
 import { lengthWords, volumeWords } from "../document/quantities";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
-import { type Hold, Made, type Word } from "../render/made/made";
+import { type Hold, Made } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
+import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
 import type { Designer, Shown } from "./designer";
 import "./water-handle";
@@ -31,12 +32,12 @@ export class StageMade {
   }
 
   /** Brings the stage up to date with the designer; cheap when nothing changed. */
-  update(theme: "light" | "dark"): void {
+  update(): void {
     const { workshop, shown, state } = this.#designer;
     if (!workshop || !shown) return;
     const { map, overlays, fill } = state.session;
     const { solid, water, painted, measures } = workshop;
-    const now = [shown, solid, water, painted, measures, map, overlays, fill, theme];
+    const now = [shown, solid, water, painted, measures, map, overlays, fill];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
@@ -44,7 +45,7 @@ export class StageMade {
     this.#made.cut(overlays.cut);
     this.#made.pour(fill !== null && fits(water) ? water.value : null);
     this.#paint(workshop, shown, map);
-    this.#made.say(overlays.axes && measures.of === shown.design ? wordsOf(workshop, shown) : [], theme);
+    this.#made.say(measures.of === shown.design ? wordsOf(workshop, shown) : []);
   }
 
   #paint({ painted }: Workshop, shown: Shown, map: MapName | null): void {

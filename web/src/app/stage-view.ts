@@ -164,7 +164,7 @@ export class PasuStage extends DesignerElement {
     this.display();
     stage.overlays(now.session.overlays);
     if (designer.workshop && !this.making) void this.make(stage);
-    this.made?.update(this.theme());
+    this.made?.update();
     if (comparison !== this.compared) {
       this.compared = comparison;
       if (comparison) void import("./stage-captions");

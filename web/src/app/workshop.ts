@@ -102,7 +102,8 @@ export class Workshop {
     const walled = design.parts.some((part) => part.wall !== undefined);
     if (rests || rewalled) {
       this.#want("solid", walled ? { kind: "solid", design } : null, "");
-      const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null;
+      const labelled = walled && session.overlays.axes;
+      const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
       this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
     }
     if (rests) {

@@ -12,10 +12,10 @@ import type { Camera } from "../camera";
 import { ceramic } from "../ceramic";
 import type { StageLook } from "../glaze";
 import type { Bounds } from "../mesh";
-import { Label, type Spot } from "../overlay/label";
+import type { Spot } from "../overlay/label";
+import type { Word } from "../overlay/overlays";
 import type { Coat } from "../pot";
 import type { Guest, Place } from "../stage";
-import type { Theme } from "../studio";
 import { at, type Triple } from "../triple";
 import { mapCoat, type StageMap } from "./map-coat";
 import { type StageWater, Water } from "./water";
@@ -32,12 +32,6 @@ export interface StageSolid {
   readonly bounds: Bounds | null;
   /** Where the clay is on the surface of each part. */
   readonly sides: readonly ("inside" | "outside" | null)[];
-}
-
-/** A word at a point of the model. */
-export interface Word {
-  readonly text: string;
-  readonly at: Triple;
 }
 
 /** Where the hand takes hold of the water, in CSS pixels, and how many of them upwards one model unit is. */
@@ -69,15 +63,12 @@ export class Made implements Guest {
   private readonly cutPlane: IUniform<Vector4> = { value: WHOLE.clone() };
   private readonly level: IUniform<number> = { value: DRY };
   private readonly materials = new Map<string, RawShaderMaterial>();
-  private readonly labels: Label[] = [];
   private made: StageSolid | null = null;
   private looks: readonly StageLook[] = [];
   private poured: StageWater | null = null;
   private map: StageMap | null = null;
   private mapped = false;
   private open = false;
-  private words: readonly Word[] = [];
-  private appearance: Theme = "light";
   private readonly spot = new Vector3();
 
   constructor(private readonly place: Place) {
@@ -128,12 +119,9 @@ export class Made implements Guest {
     this.dress();
   }
 
-  /** Words at points of the model. */
-  say(words: readonly Word[], theme: Theme): void {
-    this.words = words;
-    this.appearance = theme;
-    while (this.labels.length < words.length) this.labels.push(new Label(this.place.root));
-    for (const label of this.labels) label.theme = theme;
+  /** What is said beside the dimensions, where these are seen. */
+  say(words: readonly Word[]): void {
+    this.place.overlay.words = words;
     this.place.changed();
   }
 
@@ -153,10 +141,6 @@ export class Made implements Guest {
     } else this.cutPlane.value.copy(WHOLE);
     this.level.value = this.poured ? (this.poured.level - frame.value.z) * frame.value.w : DRY;
     this.onHold(bounds && this.poured ? this.holdOf(camera.view, bounds, azimuth, width, height) : null);
-    this.labels.forEach((label, i) => {
-      const word = this.words[i];
-      label.place(word?.text ?? "", word ? this.seen(word.at, camera.view, width, height) : null);
-    });
   }
 
   release(): void {
@@ -167,11 +151,6 @@ export class Made implements Guest {
 
   dispose(): void {
     this.release();
-    for (const label of this.labels) label.dispose();
-  }
-
-  get theme(): Theme {
-    return this.appearance;
   }
 
   private dress(): void {
