@@ -37,6 +37,8 @@ const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
 const MEASURING = "export measure";
 const CHECKING = "export check";
 
+const TYPING_MS = 300;
+
 /** More is not listed: the first say enough. */
 const MOST_SENTENCES = 6;
 
@@ -51,6 +53,7 @@ export class PasuExport extends DesignerElement {
   /** What the report is of. */
   private asked = "";
   private ended = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -68,6 +71,7 @@ export class PasuExport extends DesignerElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.ended = true;
+    clearTimeout(this.timer);
     this.designer.workshop?.maker.cancel("write", MEASURING, CHECKING);
   }
 
@@ -216,7 +220,7 @@ export class PasuExport extends DesignerElement {
     this.chosen = { ...this.chosen, ...change };
     designer.apply(setExport(designer.state, exported));
     if ("product" in change) void this.measure();
-    else void this.check();
+    else this.checkSoon();
   }
 
   /** Begins at the size that the pot has. */
@@ -248,19 +252,29 @@ export class PasuExport extends DesignerElement {
     await this.check();
   }
 
+  /** Once the typing rests: to check takes seconds. An earlier verdict does not hold meanwhile. */
+  private checkSoon(): void {
+    if (this.making() === this.asked && this.report) return;
+    this.report = null;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.check(), TYPING_MS);
+  }
+
+  /** What the fields ask for, to be compared; empty when that makes no sense. */
+  private making(): string {
+    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.state.design));
+    return made && !("field" in made) ? JSON.stringify(made) : "";
+  }
+
   private async check(): Promise<void> {
-    const { designer, measures } = this;
+    const { designer } = this;
     const { design } = designer.state;
-    const making = measures && makingOf(this.chosen, measures, unitOf(design));
-    if (!making || "field" in making) {
-      this.asked = "";
-      this.report = null;
-      return;
-    }
-    const asked = JSON.stringify(making);
+    const asked = this.making();
     if (asked === this.asked && this.report) return;
     this.asked = asked;
     this.report = null;
+    if (asked === "") return;
+    const making = JSON.parse(asked) as Making;
     const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making }, CHECKING);
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;

@@ -43,7 +43,7 @@ export class StageMade {
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
     this.#made.show(fits(solid) ? solid.value : null, looksOf(shown.design));
     this.#made.cut(overlays.cut);
-    this.#made.pour(fill !== null && fits(water) ? water.value : null);
+    this.#made.pour(fits(water) ? water.value : null, fill === null ? null : workshop.level);
     this.#paint(workshop, shown, map);
     this.#made.say(measures.of === shown.design ? wordsOf(workshop, shown) : []);
   }

@@ -38,7 +38,7 @@ function designer(): Designer {
       return { design: now.design, session: now.session };
     },
     get shown() {
-      return { design: now.design, settled: now.settled };
+      return { design: now.design, settled: now.settled, solved: { facts: { height: 150, width: 70, depth: 70 } } };
     },
     grid: () => ({ rows: 3, columns: 4 }),
     subscribe: (listener: () => void) => listeners.push(listener),
@@ -53,6 +53,13 @@ function change(next: Partial<typeof now>): void {
 
 const asks = () => sent.map(({ ask }) => ask.kind);
 const last = () => sent.at(-1)?.ask as Ask;
+/** Lets the pot be made, coarsely and finely. */
+async function solid(): Promise<void> {
+  await answer("coarse");
+  await answer("a solid");
+  sent.length = 0;
+}
+
 /** Answers what is under way; what it leads to happens before the next line. */
 async function answer(value: unknown): Promise<void> {
   port.answer(value);
@@ -74,51 +81,67 @@ beforeEach(() => {
   workshop = new Workshop(designer(), maker);
 });
 
-test("a pot at rest is made once, and nothing else before it is looked at", async () => {
+test("a pot at rest is made coarsely, then finely, and nothing else before it is looked at", async () => {
   change({});
   expect(asks()).toEqual(["solid"]);
+  expect(last()).toMatchObject({ tolerance: 1, fine: false });
   await answer("a solid");
   expect(workshop.solid).toMatchObject({ value: "a solid", of: now.design, problem: null });
+  expect(asks()).toEqual(["solid", "solid"]);
+  expect(last()).toMatchObject({ fine: true });
+  await answer("a finer one");
+  expect(workshop.solid.value).toBe("a finer one");
   change({});
-  expect(asks()).toEqual(["solid"]);
+  expect(asks()).toEqual(["solid", "solid"]);
 });
 
 test("nothing is made while the shape changes, everything once it rests", async () => {
-  await answer("a solid");
+  await solid();
   change({ design: design({ ...WALLED, shape: { kind: "bloor-wilson" } as Part["shape"] }), settled: false });
-  expect(asks()).toEqual(["solid"]);
+  expect(asks()).toEqual([]);
   change({ settled: true });
-  expect(asks()).toEqual(["solid", "solid"]);
+  expect(asks()).toEqual(["solid"]);
 });
 
 test("a wall that changes is followed under the hand", async () => {
-  await answer("a solid");
+  await solid();
   change({ design: design({ ...WALLED, wall: { thickness: 2, base: 1 } }), settled: false });
-  expect(asks()).toEqual(["solid", "solid"]);
-});
-
-test("a surface without a wall has no solid, and one that was there goes", async () => {
-  await answer("a solid");
-  change({ design: design(PART) });
-  expect(workshop.solid.value).toBeNull();
   expect(asks()).toEqual(["solid"]);
 });
 
+test("what is made of an earlier wall is shown until the latest is there", async () => {
+  await solid();
+  const thicker = (thickness: number) => design({ ...WALLED, wall: { thickness, base: 1 } });
+  change({ design: thicker(2), settled: false });
+  change({ design: thicker(3) });
+  await answer("earlier");
+  expect(workshop.solid.value).toBe("earlier");
+  await answer("latest");
+  expect(workshop.solid).toMatchObject({ value: "latest", of: now.design });
+});
+
+test("a surface without a wall has no solid, and one that was there goes", async () => {
+  await solid();
+  change({ design: design(PART) });
+  expect(workshop.solid.value).toBeNull();
+  expect(asks()).toEqual([]);
+});
+
 test("the panel's measures and checks are asked for while it is open", async () => {
-  await answer("a solid");
+  await solid();
   change({ session: { ...NEW_SESSION, tab: "measures" } });
   await answer(MEASURES);
   await answer("a report");
-  expect(asks()).toEqual(["solid", "measure", "check"]);
+  expect(asks()).toEqual(["measure", "check"]);
   expect(workshop.measures.value).toBe(MEASURES);
   expect(workshop.report.value).toBe("a report");
   expect(workshop.busy).toBe(false);
 });
 
 test("water waits for its range and then follows its level", async () => {
-  await answer("a solid");
+  await solid();
   change({ session: { ...NEW_SESSION, fill: 0.5 } });
-  expect(asks()).toEqual(["solid", "measure"]);
+  expect(asks()).toEqual(["measure"]);
   await answer(MEASURES);
   expect(last()).toMatchObject({ kind: "water", level: 3 });
   await answer({ volume: 7 });
@@ -130,7 +153,7 @@ test("water waits for its range and then follows its level", async () => {
 });
 
 test("a map is painted on the grid of the stage, and another one when it is chosen", async () => {
-  await answer("a solid");
+  await solid();
   change({ session: { ...NEW_SESSION, map: "overhang" } });
   expect(last()).toMatchObject({ kind: "paint", map: "overhang", rows: 3, columns: 4 });
   await answer("painted");

@@ -35,6 +35,13 @@ interface Pieces {
 
 type Shown = keyof Pieces;
 
+/** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
+const COARSE = 1 / 150;
+const FINE = 1 / 700;
+
+/** Of these, what is made of an earlier change is better to look at than what was there before. */
+const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
+
 type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Workshop {
@@ -88,6 +95,13 @@ export class Workshop {
     return value && of ? holdsText(value, unitOf(of)) : null;
   }
 
+  /** How high the water is to stand, which its surface may still have to follow; null without water. */
+  get level(): number | null {
+    const { design, session } = this.#designer.state;
+    const range = this.measures.of === design ? this.waterRange : null;
+    return range && session.fill !== null ? range.low + session.fill * (range.high - range.low) : null;
+  }
+
   /** The heights between which water can stand; null when none can. */
   get waterRange(): { readonly low: number; readonly high: number } | null {
     return this.measures.value && waterRange(this.measures.value);
@@ -101,7 +115,7 @@ export class Workshop {
     const rewalled = of !== null && of !== design && sameSurface(of.parts, design.parts);
     const walled = design.parts.some((part) => part.wall !== undefined);
     if (rests || rewalled) {
-      this.#want("solid", walled ? { kind: "solid", design } : null, "");
+      this.#draw(walled ? design : null, rests && of === design);
       const labelled = walled && session.overlays.axes;
       const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
       this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
@@ -116,6 +130,16 @@ export class Workshop {
     this.#pour();
   }
 
+  /** Coarsely at once, and finely once that is there and the hand rests. */
+  #draw(design: Design | null, fine: boolean): void {
+    const facts = this.#designer.shown?.solved.facts;
+    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
+    const tolerance = size * (fine ? FINE : COARSE);
+    // What was refused is not tried again.
+    if (design && fine && this.solid.value === null) return;
+    this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");
+  }
+
   /** The water follows the hand as soon as its range is known. */
   #pour(): void {
     const { design, session } = this.#designer.state;
@@ -123,13 +147,9 @@ export class Workshop {
       this.#want("water", null, "");
       return;
     }
-    const range = this.measures.of === design ? this.waterRange : null;
-    if (!range) {
-      if (this.measures.of === design) this.#want("water", null, "");
-      return;
-    }
-    const level = range.low + session.fill * (range.high - range.low);
-    this.#want("water", { kind: "water", design, level }, String(level));
+    const { level } = this;
+    if (level !== null) this.#want("water", { kind: "water", design, level }, String(level));
+    else if (this.measures.of === design) this.#want("water", null, "");
   }
 
   /** Sees to it that a piece is there, or that it is not. */
@@ -148,10 +168,11 @@ export class Workshop {
     const mine = { of: design, key };
     this.#asked.set(name, mine);
     void this.maker.ask<Kind>(ask).then((outcome) => {
-      if (this.#asked.get(name) !== mine) return;
-      this.#asked.delete(name);
+      const asked = this.#asked.get(name);
+      if (asked === mine) this.#asked.delete(name);
       if (outcome.state === "superseded") return;
       const done = outcome.state === "done";
+      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
       this.#put(name, {
         value: done ? (outcome.value as Answers[K]) : null,
         of: design,

@@ -27,7 +27,7 @@ let waiting: (() => void)[];
 let client: MakerClient;
 const port = () => ports.at(-1) as FakePort;
 const kinds = () => ports.flatMap(({ sent }) => sent.map(({ ask }) => ask.kind));
-const solid = (title: string) => client.ask({ kind: "solid", design: design(title) });
+const solid = (title: string) => client.ask({ kind: "solid", design: design(title), tolerance: 1, fine: false });
 const water = (level: number) => client.ask({ kind: "water", design: design(""), level });
 const check = (title: string) => client.ask({ kind: "check", design: design(title), making: {} });
 
@@ -46,6 +46,16 @@ beforeEach(() => {
       };
     },
   );
+});
+
+test("a picture is made finer when nothing else is wanted", () => {
+  const fine = { kind: "solid", design: design(""), tolerance: 0.1, fine: true } as const;
+  void water(1);
+  void client.ask(fine);
+  void check("a");
+  port().answer("wet");
+  port().answer("checked");
+  expect(kinds()).toEqual(["water", "check", "solid"]);
 });
 
 test("no worker is started before something is asked", () => {
@@ -82,12 +92,12 @@ test("whoever asks for something of its own has a lane of its own", async () => 
   expect(await dialogue).toEqual({ state: "done", value: "for the dialogue" });
 });
 
-test("what is of no more use may end by itself within a moment", async () => {
+test("what is under way may end by itself within a moment, and is handed over", async () => {
   const old = solid("a");
   const young = solid("b");
   expect(waiting).toHaveLength(1);
   port().answer("old");
-  expect(await old).toEqual({ state: "superseded" });
+  expect(await old).toEqual({ state: "done", value: "old" });
   expect(waiting).toEqual([]);
   port().answer("young");
   expect(await young).toEqual({ state: "done", value: "young" });

@@ -1,7 +1,7 @@
 /**
  * The page's side of the maker, whose work may take seconds. One request is under way at a time, and of every lane at most one
- * waits: a newer one takes its place, and the older resolves as "superseded". What is under way and of no more use is
- * given a moment to end by itself; then its worker is ended and another started, which takes no longer than a blink.
+ * waits: a newer one takes its place, and the older resolves as "superseded". What is under way while something newer waits in its lane
+ * may still end by itself and is handed over; if that takes long, its worker is ended and another started, in no more than a blink.
  */
 
 import type { Refusal } from "../document/types";
@@ -29,8 +29,8 @@ interface Job {
   readonly settle: (outcome: Outcome<Answers[Kind]>) => void;
 }
 
-/** Work that nobody waits for any more may go on for so long. */
-const PATIENCE_MS = 150;
+/** Work that something newer waits for may go on for so long. */
+const PATIENCE_MS = 1000;
 
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = ["open", "write", "water", "solid", "paint", "measure", "check"];
@@ -95,7 +95,7 @@ export class MakerClient {
 
   #next(): void {
     if (this.#under) return;
-    const rank = ({ ask }: Job) => ORDER.indexOf(ask.kind);
+    const rank = ({ ask }: Job) => (ask.kind === "solid" && ask.fine ? ORDER.length : ORDER.indexOf(ask.kind));
     const [job] = [...this.#waiting.values()].sort((a, b) => rank(a) - rank(b));
     if (!job) return;
     this.#waiting.delete(job.lane);
@@ -127,9 +127,7 @@ export class MakerClient {
     }
     this.#rest();
     this.#under = null;
-    const { settle } = under.job;
-    if (this.#waiting.has(under.job.lane)) settle(SUPERSEDED);
-    else settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
+    under.job.settle(reply.ok ? { state: "done", value: reply.answer } : { state: "refused", refusal: reply.refusal });
     this.#next();
   }
 

@@ -47,7 +47,14 @@ export interface Written {
 }
 
 export type Ask =
-  | { readonly kind: "solid"; readonly design: Design }
+  | {
+      readonly kind: "solid";
+      readonly design: Design;
+      /** How far the picture may be from the faces, in model units. */
+      readonly tolerance: number;
+      /** Whether there is a coarser picture to look at until then. */
+      readonly fine: boolean;
+    }
   | { readonly kind: "measure"; readonly design: Design; readonly product: Product; readonly fill: number | null }
   | { readonly kind: "check"; readonly design: Design; readonly making: Making }
   | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)

@@ -33,7 +33,7 @@ function post(reply: Reply, transfer: Transferable[]): void {
 function perform(ask: Ask): Answers[Kind] {
   switch (ask.kind) {
     case "solid":
-      return drawn(ask.design);
+      return drawn(ask.design, ask.tolerance);
     case "measure":
       return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
     case "check":
@@ -50,11 +50,11 @@ function perform(ask: Ask): Answers[Kind] {
 }
 
 /** Parts that are no pots are drawn by the solver alone. */
-function drawn(design: Design): Solid {
+function drawn(design: Design, tolerance: number): Solid {
   const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
-  if (walled.length === design.parts.length) return solidOf(design, solid(design));
+  if (walled.length === design.parts.length) return solidOf(design, solid(design, { tolerance }));
   const parts = walled.map((part) => design.parts[part]);
-  const made = solid({ ...design, parts });
+  const made = solid({ ...design, parts }, { tolerance });
   const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
   return solidOf(design, { ...made, faces });
 }

@@ -65,7 +65,8 @@ export class Made implements Guest {
   private readonly materials = new Map<string, RawShaderMaterial>();
   private made: StageSolid | null = null;
   private looks: readonly StageLook[] = [];
-  private poured: StageWater | null = null;
+  private surface: StageWater | null = null;
+  private filled: number | null = null;
   private map: StageMap | null = null;
   private mapped = false;
   private open = false;
@@ -92,12 +93,14 @@ export class Made implements Guest {
     this.dress();
   }
 
-  /** Pours water in, or out. */
-  pour(water: StageWater | null): void {
-    if (water !== this.poured) {
-      this.poured = water;
-      this.water.surface = water;
+  /** Pours water in up to a level, or out at null. Its surface may be that of another level, until it is known. */
+  pour(water: StageWater | null, level: number | null): void {
+    const surface = level === null ? null : water;
+    if (surface !== this.surface) {
+      this.surface = surface;
+      this.water.surface = surface;
     }
+    this.filled = level;
     this.place.changed();
   }
 
@@ -139,8 +142,9 @@ export class Made implements Guest {
       const centre = this.scene(bounds.centre);
       this.cutPlane.value.set(x, y, 0, x * centre.x + y * centre.y);
     } else this.cutPlane.value.copy(WHOLE);
-    this.level.value = this.poured ? (this.poured.level - frame.value.z) * frame.value.w : DRY;
-    this.onHold(bounds && this.poured ? this.holdOf(camera.view, bounds, azimuth, width, height) : null);
+    this.level.value = this.filled === null ? DRY : (this.filled - frame.value.z) * frame.value.w;
+    const level = this.filled;
+    this.onHold(bounds && level !== null ? this.holdOf(level, camera.view, bounds, azimuth, width, height) : null);
   }
 
   release(): void {
@@ -215,13 +219,13 @@ export class Made implements Guest {
 
   /** At the right of the pot, at the height of the water. */
   private holdOf(
+    level: number,
     camera: PerspectiveCamera,
     { min, max, centre }: Bounds,
     azimuth: number,
     width: number,
     height: number,
   ): Hold | null {
-    const level = this.poured?.level ?? 0;
     const reach = (STAND_OFF * Math.max(max[0] - min[0], max[1] - min[1])) / 2;
     const [x, y] = [centre[0] - Math.sin(azimuth) * reach, centre[1] + Math.cos(azimuth) * reach];
     const unit = reach > 0 ? reach : 1;
