@@ -21,9 +21,15 @@ async function verdict(pot: Visit): Promise<void> {
   await pot.page.getByText("The mesh is closed").last().waitFor();
 }
 
+/** Asks for few triangles: these tests are not about how fine they are. */
+async function coarse(pot: Visit): Promise<void> {
+  await pot.page.getByLabel("Tolerance").fill("0.5");
+  await verdict(pot);
+}
+
 const text = (bytes: Buffer, length: number) => bytes.toString("latin1", 0, length);
 
-/** How each file begins, and whether it holds its design. */
+/** How each file begins, and whether it can hold its design: an STL is triangles and nothing else. */
 const FILES: readonly (readonly [
   label: string,
   extension: string,
@@ -31,7 +37,7 @@ const FILES: readonly (readonly [
   opens: boolean,
 ])[] = [
   ["3MF", "3mf", (bytes) => text(bytes, 4) === "PK\u0003\u0004", true],
-  ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), true],
+  ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), false],
   ["STEP", "step", (bytes) => text(bytes, 13) === "ISO-10303-21;", true],
   ["SVG", "svg", (bytes) => /^<\?xml|^<svg/.test(text(bytes, 8)), true],
   ["GLB", "glb", (bytes) => text(bytes, 4) === "glTF", true],
@@ -47,7 +53,8 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
   for (const [label, extension, begins] of FILES) {
     await pot.command("Export");
     await pot.page.getByRole("radio", { name: label, exact: true }).check();
-    await verdict(pot);
+    if (await pot.page.getByLabel("Tolerance").isVisible()) await coarse(pot);
+    else await verdict(pot);
     const file = await pot.download(`Save ${label}`);
     expect(file.name).toBe(`Jar.${extension}`);
     expect(begins(file.bytes), label).toBe(true);
@@ -68,14 +75,13 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
 });
 
 test("the size that is told is the size in the file", async () => {
-  const { pot } = await exporting("#1/second-order");
-  const dialog = pot.page.getByRole("dialog");
+  const { pot } = await exporting("#1/fourth-order");
   await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
   await pot.page.getByRole("combobox", { name: "Size" }).selectOption("height");
   await pot.page.getByLabel("Finished height").fill("18");
   await pot.page.getByLabel("Shrinkage of the clay").fill("10");
-  await verdict(pot);
-  const told = await dialog.innerText();
+  await coarse(pot);
+  const told = await pot.page.locator("pasu-export .outcome").innerText();
   expect(told).toMatch(/200\u00a0mm high/);
   expect(told).toMatch(/180\u00a0mm high/);
   expect(told).toMatch(/11\.1 % larger/);
@@ -113,14 +119,12 @@ test("a surface without a wall is made as a closed solid", async () => {
 
 test("a file that takes long is stopped, and the page goes on", async () => {
   const { pot } = await exporting("#1/second-order");
-  await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
-  await pot.page.getByLabel("Tolerance").fill("0.0005");
-  await expect.poll(() => pot.button("Save STL").isEnabled(), { timeout: 40_000 }).toBe(true);
-  await pot.button("Save STL").click();
+  await pot.page.getByRole("radio", { name: "STEP", exact: true }).check();
+  await pot.button("Save STEP").click();
   await pot.button("Stop").click();
   await pot.button("Cancel").waitFor();
-  await pot.page.getByLabel("Tolerance").fill("");
-  await verdict(pot);
+  await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
+  await coarse(pot);
   const { bytes } = await pot.download("Save STL");
   expect(bytes.length).toBeGreaterThan(1000);
 });

@@ -93,7 +93,7 @@ export class PasuMeasures extends DesignerElement {
 
   private line({ name, value, error, note }: Line) {
     return html`<div>
-      <dt>${name}${note === undefined ? nothing : html`<span class="note">${note}</span>`}</dt>
+      <dt><span>${name}</span>${note === undefined ? nothing : html`<span class="note">${note}</span>`}</dt>
       <dd>${value}${this.exact && error !== "" ? html`<span class="error">${error}</span>` : nothing}</dd>
     </div>`;
   }

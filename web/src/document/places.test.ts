@@ -37,13 +37,13 @@ test.each([
 test.each([
   [0.1, "foot"],
   [0.8, "foot"],
-  [3, "wall"],
+  [3, "middle"],
   [4.9, "rim"],
 ] as const)("a bowl has at %d its %s", (z, name) => {
   expect(placeOf([0, 0, z], BOWL)).toBe(name);
 });
 
-test("a plate without height and an outline without rings have walls", () => {
-  expect(placeOf([0, 0, 0], [])).toBe("wall");
-  expect(placeOf([0, 0, 1], [[1, 2]])).toBe("wall");
+test("a plate without height and an outline without rings have a middle", () => {
+  expect(placeOf([0, 0, 0], [])).toBe("middle");
+  expect(placeOf([0, 0, 1], [[1, 2]])).toBe("middle");
 });

@@ -2,7 +2,7 @@
 
 import type { Triple } from "./types";
 
-export type PlaceName = "foot" | "belly" | "shoulder" | "neck" | "rim" | "wall";
+export type PlaceName = "foot" | "belly" | "shoulder" | "neck" | "rim" | "middle";
 
 /** Rings of the wall from the foot to the rim: height and mean radius. */
 export type Outline = readonly (readonly [height: number, radius: number])[];
@@ -22,7 +22,7 @@ const SHOULDER_SLOPE = 0.45;
 export function placeOf([, , z]: Triple, outline: Outline): PlaceName {
   const low = outline[0]?.[0] ?? 0;
   const high = outline.at(-1)?.[0] ?? 0;
-  if (!(high > low)) return "wall";
+  if (!(high > low)) return "middle";
   const at = (z - low) / (high - low);
   if (at > RIM) return "rim";
   if (at < FOOT) return "foot";
@@ -30,9 +30,15 @@ export function placeOf([, , z]: Triple, outline: Outline): PlaceName {
   const widestAt = (widest[0] - low) / (high - low);
   const { radius, slope } = ringAt(z, outline);
   if (radius > BELLY * widest[1] && widestAt < RIM) return "belly";
-  if (at < widestAt) return at < LOW ? "foot" : widestAt < RIM ? "belly" : "wall";
+  if (at < widestAt) return at < LOW ? "foot" : widestAt < RIM ? "belly" : "middle";
   if (slope < -SHOULDER_SLOPE) return "shoulder";
   return radius < NECK * widest[1] ? "neck" : slope < 0 ? "shoulder" : "neck";
+}
+
+/** The same inside a sentence: "at the shoulder". */
+export function placeWords(at: Triple, outline: Outline): string {
+  const place = placeOf(at, outline);
+  return place === "middle" ? "half way up" : `at the ${place}`;
 }
 
 /** The radius at a height and how it changes there. */

@@ -1,7 +1,7 @@
 /** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
 
 import { formatNumber } from "./number";
-import { type Outline, placeOf } from "./places";
+import { type Outline, placeWords } from "./places";
 import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
 
@@ -57,8 +57,8 @@ export function checked(report: Report, outline: Outline, unit: Unit): readonly 
 export function findingWords({ message, at }: Finding, outline: Outline): string {
   const sentence = asSentence(message);
   if (!at || outline.length < 2) return sentence;
-  const place = placeOf(at, outline);
-  return sentence.includes(place) ? sentence : `${sentence.slice(0, -1)} (at the ${place}).`;
+  const place = placeWords(at, outline);
+  return sentence.includes(place) ? sentence : `${sentence.slice(0, -1)} (${place}).`;
 }
 
 /** A message of the library as a sentence of its own. */
@@ -72,7 +72,7 @@ function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outlin
   const mesh = meshes.find((each) => each.part === part);
   if (!mesh?.thinnest || !at) return findingWords({ code: THINNED, severity: "warning", part, message }, outline);
   const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
-  return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} at the ${placeOf(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
+  return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
 }
 
 function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
@@ -93,7 +93,7 @@ function ofPart(
   const sentences: Sentence[] = [];
   const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
   const say = (severity: Severity, text: string) => sentences.push({ severity, text: `${name}${text}` });
-  const where = (at: Triple | null) => (at ? `at the ${placeOf(at, outline)}` : "in places");
+  const where = (at: Triple | null) => (at ? placeWords(at, outline) : "in places");
   if (!part.isPot && part.reason) say("error", asSentence(part.reason));
   const { thickness, overhang } = part;
   if (thickness) {

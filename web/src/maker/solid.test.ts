@@ -34,7 +34,8 @@ test("the glaze knows the lining, thins at the rim and leaves what stands on the
   const of = (kind: string) => [...wares.subarray(12 * KINDS.indexOf(kind), 12 * KINDS.indexOf(kind) + 4)];
   expect(of("lining")[0]).toBe(1);
   expect(of("floor")[0]).toBe(1);
-  expect(of("rim").slice(0, 2)).toEqual([0, 0]);
+  expect(of("rim")[0]).toBe(0);
+  expect(of("rim")[1]).toBeLessThan(of("lining")[1] ?? 0);
   expect(of("underside")[2]).toBeLessThan(0);
   // The mouth is 1 in radius and 4 high.
   expect(of("floor")[3]).toBe(2);

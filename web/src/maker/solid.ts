@@ -26,6 +26,9 @@ const FAR = 1e9;
 /** Below this the glaze stops: what the pot stands on is bare. */
 const BARE = -FAR;
 
+/** The glaze on a rim is as thin as that so far below a sharp one, in radii of the mouth. */
+const RIM_SHARE = 0.15;
+
 /** Numbers per vertex: lining, distance to rim, distance to foot, depth in radii of the mouth. */
 const SIZE = 4;
 
@@ -97,7 +100,7 @@ function glaze(face: Face, rim: Rim, positions: Float32Array, indices: Uint32Arr
     const z = positions[3 * vertex + 2] ?? 0;
     const below = Math.max(0, rim.height - z);
     wares[SIZE * vertex] = within ? 1 : 0;
-    wares[SIZE * vertex + 1] = face.kind === "rim" ? 0 : below;
+    wares[SIZE * vertex + 1] = face.kind === "rim" ? RIM_SHARE * rim.radius : below;
     wares[SIZE * vertex + 2] = bare ? BARE : within || face.kind === "rim" ? FAR : z - rim.foot;
     wares[SIZE * vertex + 3] = rim.radius > 0 ? below / rim.radius : FAR;
   }
