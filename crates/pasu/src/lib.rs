@@ -23,6 +23,7 @@
 mod design;
 mod error;
 mod evaluate;
+mod export;
 mod fingerprint;
 mod mesh;
 mod mode;
@@ -37,6 +38,7 @@ pub use design::{
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
+pub use export::{Format, open};
 pub use fingerprint::fingerprint;
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};

@@ -5,7 +5,7 @@ mod decimal;
 mod document;
 mod family;
 mod fields;
-mod json;
+pub(crate) mod json;
 mod limits;
 mod link;
 mod look;
