@@ -51,6 +51,8 @@ pub enum Code {
     ToleranceTooFine,
     /// A part or parameter point that does not exist.
     NoSuchPoint,
+    /// A fault of Pasu.
+    Internal,
 }
 
 impl Code {
@@ -73,6 +75,7 @@ impl Code {
             Code::Overflow => "overflow",
             Code::ToleranceTooFine => "tolerance-too-fine",
             Code::NoSuchPoint => "no-such-point",
+            Code::Internal => "internal",
         }
     }
 }

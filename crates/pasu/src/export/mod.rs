@@ -10,6 +10,7 @@ mod open;
 mod ply;
 mod png;
 mod shading;
+mod step;
 mod stl;
 mod three_mf;
 mod thumbnail;
