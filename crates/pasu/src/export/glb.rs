@@ -3,7 +3,7 @@
 use super::contents::{Body, Notes, PROGRAM};
 use super::material::{self, Material};
 use super::shading::{Shaded, shaded};
-use crate::design::{Look, Value, json};
+use crate::design::{Look, Value, to_json};
 
 /// Before the link in the JSON, which begins with it.
 pub(super) const LINK: &str = r#""extras":{"link":""#;
@@ -59,7 +59,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
         ("bufferViews", Value::List(buffer.views)),
         ("buffers", Value::List(vec![bytes])),
     ]);
-    packed(json::write(&document).into_bytes(), buffer.bytes)
+    packed(to_json(&document).into_bytes(), buffer.bytes)
 }
 
 /// The header and two chunks, JSON and binary, each of a whole number of four bytes.

@@ -12,6 +12,7 @@ mod png;
 mod shading;
 mod step;
 mod stl;
+mod template;
 mod three_mf;
 mod thumbnail;
 mod xml;

@@ -16,5 +16,6 @@ mod sample;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions};
+pub(crate) use orientation::points_outward;
 pub(crate) use sample::exact_mesh;
 pub use sample::{Sampler, VERTEX_LIMIT, bound, mesh};

@@ -21,6 +21,13 @@ pub(super) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
     flux >= 0.0
 }
 
+/// As [`is_outward`], for a surface that is not sampled.
+pub(crate) fn points_outward(surface: &Surface) -> bool {
+    let mut curves = Curves::default();
+    curves.prepare(surface, 0.0);
+    is_outward(surface, &curves)
+}
+
 /// The flux where every row is level, in closed form: `z_u` times the integral of `y x_v - x y_v`, which is `-2 pi sum k (a b' - b a')` for
 /// `x = sum a cos + b sin`, `y = sum a' cos + b' sin`. The factor `2 pi` is left out.
 fn level_flux(surface: &Surface, curves: &Curves) -> f64 {

@@ -8,7 +8,7 @@ use libm::{cos, round, sin};
 ///
 /// The angle is first reduced to an eighth of a turn, which is exact, so that quarter turns give exact zeros and ones and
 /// mirror images of a point of the circle have coordinates of the same digits.
-pub(super) fn of_turns(turns: f64) -> (f64, f64) {
+pub(crate) fn of_turns(turns: f64) -> (f64, f64) {
     let turns = turns - round(turns);
     let quarter = round(4.0 * turns);
     let angle = TAU * (turns - 0.25 * quarter);

@@ -9,9 +9,10 @@ mod supremum;
 mod table;
 mod turns;
 
+pub(crate) use circle::of_turns;
 pub(crate) use circumference::{Circumference, RowSuprema};
 pub(crate) use curves::Curves;
 pub use jet::SurfaceJet;
 pub use solve::Surface;
-pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm};
+pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, RowTerm, distinct};
 pub(crate) use turns::Turns;

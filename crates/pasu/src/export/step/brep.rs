@@ -27,7 +27,7 @@ pub(super) struct Sewn {
 /// Writes one closed solid of the faces, within the tolerance.
 ///
 /// # Errors
-/// `internal` when the faces do not close, which is a fault of Pasu.
+/// `bug` when the faces do not close, which is a fault of Pasu.
 pub(super) fn sew(
     into: &mut Entities,
     name: &str,
@@ -71,10 +71,10 @@ fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
             .find(|other| found[*other].is_none() && apart(&curves[index], &curves[*other]) <= SAME * size);
         let Some(other) = other else {
             let message = format!(
-                "The {:?} face of this part ends where no other begins; this is a fault of Pasu, not of the design.",
+                "The {:?} face of this part ends where no other begins; this is a mistake of Pasu's own.",
                 faces[face].face.kind()
             );
-            return Err(Error::new(Code::Internal, path, message));
+            return Err(Error::new(Code::Bug, path, message));
         };
         let curve = Some(Boundary::Curve { face, end });
         (found[index], found[other]) = (curve, curve);
@@ -107,11 +107,11 @@ impl Sewing<'_> {
         let net = &fitted.faces[index];
         let face = &self.faces[index];
         let outward = face.face.outward();
-        let ends = [self.end(index, 0), self.end(index, 1)];
+        let name = string(&format!("{:?}", face.face.kind()));
         // Walked so that the face lies to the left, seen from outside: up the far end and down the near one where F_a x F_v points out.
         let turned = outward < 0.0;
-        if let Some(normal) = level_normal(face, net, outward) {
-            return self.plane(net, normal, ends, turned);
+        if let Some(normal) = level_normal(net, outward) {
+            return self.plane(&name, index, normal, turned);
         }
         let control: Vec<String> = net
             .control
@@ -126,6 +126,7 @@ impl Sewing<'_> {
             reals(&net.rows),
             reals(&fitted.columns),
         ));
+        let ends = [self.end(index, 0), self.end(index, 1)];
         let seam = self.seam(net, ends);
         let mut walk = vec![(seam, true)];
         walk.extend(ends[1].edge.map(|edge| (edge, true)));
@@ -138,29 +139,28 @@ impl Sewing<'_> {
             }
         }
         let bound = self.bound("FACE_OUTER_BOUND", &walk);
-        let name = string(&format!("{:?}", face.face.kind()));
         self.into.add(&format!("ADVANCED_FACE({name},({bound}),{surface},{})", boolean(!turned)))
     }
 
     /// A face in a plane, within its one or two boundary curves.
-    fn plane(&mut self, net: &Net, normal: DVec3, ends: [End; 2], turned: bool) -> Id {
-        let origin = self.into.point(net.control[0][0]);
+    fn plane(&mut self, name: &str, index: usize, normal: DVec3, turned: bool) -> Id {
+        let control = &self.fitted.faces[index].control;
+        let rows = [&control[0], &control[control.len() - 1]];
+        let origin = self.into.point(rows[0][0]);
         let axis = self.into.direction(normal);
         let across = self.into.direction(normal.any_orthonormal_vector());
         let placement = self.into.add(&format!("AXIS2_PLACEMENT_3D('',{origin},{axis},{across})"));
         let plane = self.into.add(&format!("PLANE('',{placement})"));
-        let area = |row: &[DVec3]| {
-            row.windows(2).map(|pair| (pair[0] - row[0]).cross(pair[1] - row[0])).sum::<DVec3>().length()
-        };
-        let is_outer_first = area(&net.control[0]) > area(&net.control[net.control.len() - 1]);
+        let outer = usize::from(area(rows[1]).length() > area(rows[0]).length());
         let mut bounds = Vec::new();
-        for (end, is_first) in [(ends[0], true), (ends[1], false)] {
-            if let Some(edge) = end.edge {
-                let entity = if is_first == is_outer_first { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
-                bounds.push(self.bound(entity, &[(edge, is_first == turned)]));
+        for end in [outer, 1 - outer] {
+            let is_pole = matches!(self.boundaries[index][end], Boundary::Pole { .. });
+            if let Some(edge) = if is_pole { None } else { self.end(index, end).edge } {
+                let entity = if end == outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
+                bounds.push(self.bound(entity, &[(edge, (end == 1) != turned)]));
             }
         }
-        self.into.add(&format!("ADVANCED_FACE('',{},{plane},.T.)", list(&bounds)))
+        self.into.add(&format!("ADVANCED_FACE({name},{},{plane},.T.)", list(&bounds)))
     }
 
     fn bound(&mut self, entity: &str, walk: &[(Id, bool)]) -> Id {
@@ -223,14 +223,17 @@ fn boolean(value: bool) -> &'static str {
 }
 
 /// The outward normal of a face all of whose control points are in one plane.
-fn level_normal(face: &Scaled, net: &Net, outward: f64) -> Option<DVec3> {
-    let mut sum = DVec3::ZERO;
-    for part in PLACES {
-        let jet = face.face.jet(0.5, part * std::f64::consts::TAU);
-        sum += outward * jet.da.cross(jet.dv);
-    }
-    let normal = sum.try_normalize()?;
+///
+/// The integral of `F_a x F_v` over a face is that of `F x dF / 2` round its ends, so that it holds for a face that folds over itself within its plane.
+fn level_normal(net: &Net, outward: f64) -> Option<DVec3> {
+    let last = net.control.len() - 1;
+    let normal = (outward * (area(&net.control[last]) - area(&net.control[0]))).try_normalize()?;
     let origin = net.control[0][0];
     let is_level = net.control.iter().flatten().all(|point| (*point - origin).dot(normal).abs() <= LEVEL);
     is_level.then_some(normal)
+}
+
+/// Twice the area within a closed row of points, as a vector.
+fn area(row: &[DVec3]) -> DVec3 {
+    row.windows(2).map(|pair| (pair[0] - row[0]).cross(pair[1] - row[0])).sum()
 }

@@ -19,6 +19,8 @@ pub(super) struct Part<'a> {
     pub(super) look: Look,
     /// The faces, which close.
     pub(super) faces: Vec<&'a dyn Face>,
+    /// The largest distance between splines and faces that is aimed at, in millimetres.
+    pub(super) tolerance: f64,
     /// For errors.
     pub(super) path: String,
 }
@@ -30,17 +32,16 @@ const DATE: &str = "2000-01-01T00:00:00";
 /// Points that are no farther apart are one, for programs that ask, millimetres.
 const UNCERTAINTY: f64 = 1e-6;
 
-/// An exchange structure of one `MANIFOLD_SOLID_BREP` per part, in millimetres. `millimetres` is the length of a model unit, `tolerance` the largest distance between
-/// splines and surfaces that is aimed at, in millimetres; what was reached is in the header.
+/// An exchange structure of one `MANIFOLD_SOLID_BREP` per part, in millimetres. `millimetres` is the length of a model unit. What was reached of the tolerance is in the header.
 ///
 /// # Errors
-/// `internal` when faces do not close.
-pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64, tolerance: f64) -> Result<Vec<u8>> {
+/// `bug` when faces do not close.
+pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<Vec<u8>> {
     let mut data = Entities::default();
     let mut solids = Vec::new();
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for part in parts {
-        let sewn = sew(&mut data, &part.name, &part.faces, millimetres, tolerance, &part.path)?;
+        let sewn = sew(&mut data, &part.name, &part.faces, millimetres, part.tolerance, &part.path)?;
         deviation = deviation.max(sewn.deviation);
         bound = bound.max(sewn.bound);
         n_samples += sewn.n_samples;

@@ -1,0 +1,198 @@
+//! Integrals over a face: Gauss-Kronrod along `a`, halving where it is needed, and the trapezoidal rule round `v`.
+//!
+//! Round `v` everything is periodic, so that the trapezoidal rule converges faster than any power as soon as it resolves the petals (L. N. Trefethen and
+//! J. A. C. Weideman, *The exponentially convergent trapezoidal rule*, 2014).
+
+use core::f64::consts::TAU;
+
+use super::rule;
+use crate::solid::{Face, FaceJet};
+
+/// What is asked of an integral.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Accuracy {
+    /// The largest error, as a part of the integral of the absolute value.
+    pub(crate) relative: f64,
+    /// Columns to begin with: more than twice the highest harmonic, so that no petal is met at the same place each time.
+    pub(crate) columns: usize,
+    /// The most columns of a row.
+    pub(crate) most_columns: usize,
+    /// The most intervals along the face.
+    pub(crate) most_intervals: usize,
+}
+
+impl Accuracy {
+    /// A relative error for a face of harmonics up to `highest`.
+    pub(crate) fn new(relative: f64, highest: f64) -> Self {
+        let highest = highest.abs().clamp(1.0, 1e5) as usize;
+        Accuracy {
+            relative,
+            columns: 2 * highest + 5,
+            most_columns: (64 * highest).clamp(1024, 16_384),
+            most_intervals: 64,
+        }
+    }
+}
+
+/// Several integrals over the same face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Integral<const N: usize> {
+    /// The integrals.
+    pub(crate) value: [f64; N],
+    /// How far each may be off.
+    pub(crate) error: [f64; N],
+    /// The integrals of the absolute values: what errors are held against.
+    pub(crate) size: [f64; N],
+}
+
+impl<const N: usize> Default for Integral<N> {
+    fn default() -> Self {
+        Integral { value: [0.0; N], error: [0.0; N], size: [0.0; N] }
+    }
+}
+
+/// Rounding of a sum, as a part of the integral of the absolute value.
+const ROUNDING: f64 = 4e-15;
+
+impl<const N: usize> Integral<N> {
+    pub(crate) fn add(&mut self, other: &Integral<N>) {
+        for i in 0..N {
+            self.value[i] += other.value[i];
+            self.error[i] += other.error[i];
+            self.size[i] += other.size[i];
+        }
+    }
+
+    /// The largest error in terms of what is allowed.
+    fn excess(&self, allowed: &[f64; N]) -> f64 {
+        (0..N).fold(0.0, |most, i| if self.error[i] > 0.0 { most.max(self.error[i] / allowed[i]) } else { most })
+    }
+}
+
+/// Integrates over the whole face, with respect to `da dv`: the integrand brings its own area element.
+pub(crate) fn over_face<const N: usize>(
+    face: &dyn Face,
+    accuracy: &Accuracy,
+    integrand: impl Fn(&FaceJet) -> [f64; N],
+) -> Integral<N> {
+    let mut row = Round::new(accuracy, |a, v| integrand(&face.jet(a, v)));
+    along(&[0.0, 1.0], accuracy.relative, accuracy.most_intervals, |a| row.at(a))
+}
+
+/// Integrates a function of one variable that comes with errors of its own, over the intervals between the breaks; the interval with the largest error
+/// is halved until the sum is accurate enough or there are too many.
+pub(crate) fn along<const N: usize>(
+    breaks: &[f64],
+    relative: f64,
+    most_intervals: usize,
+    mut at: impl FnMut(f64) -> Integral<N>,
+) -> Integral<N> {
+    let mut intervals: Vec<(f64, f64, Integral<N>)> = Vec::with_capacity(breaks.len());
+    for ends in breaks.windows(2).filter(|ends| ends[0] < ends[1]) {
+        intervals.push((ends[0], ends[1], interval(ends[0], ends[1], &mut at)));
+    }
+    loop {
+        let mut total = Integral::default();
+        for (_, _, part) in &intervals {
+            total.add(part);
+        }
+        let allowed = total.size.map(|size| relative * size);
+        let done = (0..N).all(|i| total.error[i] <= allowed[i]);
+        let worst = (0..intervals.len()).max_by(|&i, &j| {
+            intervals[i].2.excess(&allowed).total_cmp(&intervals[j].2.excess(&allowed)).then(j.cmp(&i))
+        });
+        let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {
+            for i in 0..N {
+                total.error[i] += ROUNDING * total.size[i];
+            }
+            return total;
+        };
+        let (from, to, _) = intervals[worst];
+        let middle = 0.5 * from + 0.5 * to;
+        intervals[worst] = (from, middle, interval(from, middle, &mut at));
+        intervals.push((middle, to, interval(middle, to, &mut at)));
+    }
+}
+
+fn interval<const N: usize>(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Integral<N> {
+    let mut total = Integral::default();
+    let mut gauss = [0.0; N];
+    let mut samples = [[0.0; N]; 21];
+    for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
+        let here = at(a);
+        *sample = here.value;
+        for i in 0..N {
+            total.value[i] += weight * here.value[i];
+            total.error[i] += weight * here.error[i];
+            total.size[i] += weight * here.size[i];
+            gauss[i] += gauss_weight * here.value[i];
+        }
+    }
+    for i in 0..N {
+        let mean = total.value[i] / (to - from);
+        let departure: f64 =
+            rule::nodes(from, to).zip(&samples).map(|((_, weight, _), sample)| weight * (sample[i] - mean).abs()).sum();
+        let difference = (total.value[i] - gauss[i]).abs();
+        // What is left is rounding, and halving would not help.
+        if difference > ROUNDING * total.size[i] {
+            total.error[i] += rule::error(difference, departure);
+        }
+    }
+    total
+}
+
+/// Integrals round one row, with as many columns as it takes.
+pub(crate) struct Round<F> {
+    at: F,
+    relative: f64,
+    columns: usize,
+    most: usize,
+    /// The largest size of any row so far: small rows need not be more accurate than large ones.
+    largest: Vec<f64>,
+}
+
+impl<const N: usize, F: FnMut(f64, f64) -> [f64; N]> Round<F> {
+    /// For a function of `(a, v)`.
+    pub(crate) fn new(accuracy: &Accuracy, at: F) -> Self {
+        // A tenth of the error is left to the rows.
+        let relative = 0.1 * accuracy.relative;
+        Round { at, relative, columns: accuracy.columns, most: accuracy.most_columns, largest: vec![0.0; N] }
+    }
+
+    /// The integrals over `v` at one `a`: columns are doubled until that changes too little. The error is the last change.
+    pub(crate) fn at(&mut self, a: f64) -> Integral<N> {
+        let (mut n, mut sum, mut size) = (self.columns, [0.0; N], [0.0; N]);
+        for j in 0..n {
+            add(&mut sum, &mut size, (self.at)(a, TAU * j as f64 / n as f64));
+        }
+        loop {
+            let step = TAU / (2 * n) as f64;
+            let before = sum;
+            for j in 0..n {
+                add(&mut sum, &mut size, (self.at)(a, step * (2 * j + 1) as f64));
+            }
+            let size = size.map(|size| step * size);
+            // What changes by rounding alone is not worth more columns.
+            let change: [f64; N] = core::array::from_fn(|i| {
+                let change = (step * sum[i] - 2.0 * step * before[i]).abs();
+                if change <= ROUNDING * size[i] { 0.0 } else { change }
+            });
+            n *= 2;
+            let mut done = true;
+            for i in 0..N {
+                self.largest[i] = self.largest[i].max(size[i]);
+                done &= change[i] <= self.relative * self.largest[i];
+            }
+            if done || 2 * n > self.most {
+                return Integral { value: sum.map(|sum| step * sum), error: change, size };
+            }
+        }
+    }
+}
+
+fn add<const N: usize>(sum: &mut [f64; N], size: &mut [f64; N], here: [f64; N]) {
+    for i in 0..N {
+        sum[i] += here[i];
+        size[i] += here[i].abs();
+    }
+}

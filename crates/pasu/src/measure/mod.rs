@@ -1,0 +1,9 @@
+//! What can be measured on a pot: by quadrature on the closed form, each with the error that it may have.
+
+mod bare;
+mod integral;
+mod moments;
+mod quantity;
+mod rule;
+
+pub use quantity::Quantity;
