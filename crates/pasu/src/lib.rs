@@ -45,5 +45,5 @@ pub use export::{Format, open};
 pub use fingerprint::fingerprint;
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
-pub use solid::{Face, FaceJet, FaceKind, Making, Product, Scale, Size, SolidMesh};
+pub use solid::{Face, FaceJet, FaceKind, Making, Piece, Pot, Product, Scale, Size, SolidMesh, solid};
 pub use surface::{Surface, SurfaceJet};
