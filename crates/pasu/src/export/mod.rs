@@ -15,10 +15,12 @@ mod stl;
 mod template;
 mod three_mf;
 mod thumbnail;
+mod write;
 mod xml;
 mod zip;
 
 pub use open::open;
+pub use write::write;
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -7,11 +7,10 @@ use glam::DVec3;
 use super::contents::{Body, Notes};
 use super::template::{Frame, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
-use crate::check::{Report, Severity, check};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::fingerprint::fingerprint;
-use crate::solid::{Face, FaceKind, Making, Pot, SolidMesh, solid};
+use crate::solid::{Face, FaceKind, Making, Pot, SolidMesh, pots_and_meshes};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
@@ -30,12 +29,14 @@ const MOST_TRIANGLES: usize = 20_000_000;
 /// - SVG is a template at true scale.
 ///
 /// # Errors
-/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A design with findings is written all the same; the verdict is in the file.
+/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A wall that had to be thinned is written all the same, and the file says so.
 pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>> {
-    let meshes = solid(design, making)?;
-    let n_triangles = meshes.iter().map(SolidMesh::n_triangles).sum::<usize>();
+    let made = pots_and_meshes(design, making)?;
+    let n_triangles = made.iter().map(|(_, mesh)| mesh.n_triangles()).sum::<usize>();
     if n_triangles > MOST_TRIANGLES {
-        let message = format!("expected at most {MOST_TRIANGLES} triangles in a file, found {n_triangles}; a larger tolerance takes fewer");
+        let message = format!(
+            "expected at most {MOST_TRIANGLES} triangles in a file, found {n_triangles}; a larger tolerance takes fewer"
+        );
         return Err(Error::new(Code::TooLarge, "tolerance", message));
     }
     let millimetres = making.scale(design)?.millimetres;
@@ -43,10 +44,10 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
         title: design.title().unwrap_or(making.product.name()).to_owned(),
         link: design.link(),
         fingerprint: fingerprint(design)?,
-        verdict: verdict(&check(design, making)?),
+        verdict: verdict(&made),
         scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
     };
-    let bodies: Vec<Body> = meshes.iter().map(|mesh| body(design, mesh)).collect();
+    let bodies: Vec<Body> = made.iter().map(|(_, mesh)| body(design, mesh)).collect();
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -54,15 +55,14 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
         Format::Obj => Ok(obj::write(&notes, &bodies)),
         Format::Ply => Ok(ply::write(&notes, &bodies)),
         Format::Step => {
-            let pots = pots(design, &meshes, making)?;
             let tolerance = |body: &Body| {
                 let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
                 asked.min(STEP_TOLERANCE * size(body))
             };
             let parts: Vec<step::Part> = bodies
                 .iter()
-                .zip(&pots)
-                .map(|(body, pot)| step::Part {
+                .zip(&made)
+                .map(|(body, (pot, _))| step::Part {
                     name: body.name.clone(),
                     look: body.look,
                     faces: pot.faces().iter().map(|face| face as &dyn Face).collect(),
@@ -73,8 +73,7 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
             step::write(&notes, &parts, millimetres)
         }
         Format::Svg => {
-            let pots = pots(design, &meshes, making)?;
-            let stands: Vec<Stand> = pots.iter().map(|pot| stand(pot, millimetres)).collect();
+            let stands: Vec<Stand> = made.iter().map(|(pot, _)| stand(pot, millimetres)).collect();
             Ok(template::write(&notes, &bodies, &stands))
         }
     }
@@ -83,16 +82,16 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
 fn body<'a>(design: &Design, mesh: &'a SolidMesh) -> Body<'a> {
     let part = &design.parts()[mesh.part];
     Body {
-        name: part.name.clone().unwrap_or_else(|| format!("part {}", mesh.part + 1)),
+        name: part.name.clone().unwrap_or_else(|| match (design.parts().len(), design.title()) {
+            // Slicers show this name, and name what they write by it.
+            (1, Some(title)) => title.to_owned(),
+            _ => format!("part {}", mesh.part + 1),
+        }),
         look: part.look,
         positions: &mesh.positions,
         indices: &mesh.indices,
         faces: mesh.faces.iter().map(|(kind, first, count)| (*kind, *first as usize, *count as usize)).collect(),
     }
-}
-
-fn pots(design: &Design, meshes: &[SolidMesh], making: &Making) -> Result<Vec<Pot>> {
-    meshes.iter().map(|mesh| Pot::new(design, mesh.part, making.product)).collect()
 }
 
 /// The largest extent of a body.
@@ -104,21 +103,11 @@ fn size(body: &Body) -> f64 {
     extent(0).max(extent(1)).max(extent(2))
 }
 
-/// `passed`, `passed with warnings: thinned`, `failed: crosses-itself`.
-fn verdict(report: &Report) -> String {
-    let of = |severity: Severity| {
-        let mut codes: Vec<&str> = Vec::new();
-        for finding in report.findings.iter().filter(|finding| finding.severity == severity) {
-            if !codes.contains(&finding.code) {
-                codes.push(finding.code);
-            }
-        }
-        codes.join(", ")
-    };
-    match (of(Severity::Error), of(Severity::Warning)) {
-        (errors, _) if !errors.is_empty() => format!("failed: {errors}"),
-        (_, warnings) if !warnings.is_empty() => format!("passed with warnings: {warnings}"),
-        _ => "passed".to_owned(),
+/// Whatever is meshed has passed every check, or it would have been refused; what is left to say is where a wall could not be as thick as asked for.
+fn verdict(made: &[(Pot, SolidMesh)]) -> String {
+    match made.iter().any(|(pot, _)| pot.thinned().is_some()) {
+        true => "passed with warnings: thinned".to_owned(),
+        false => "passed".to_owned(),
     }
 }
 

@@ -30,12 +30,17 @@ const ROUNDS: usize = 3;
 /// What [`Making::scale`] and [`Pot::new`] refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
 /// `overflow` for millimetres beyond single precision.
 pub fn solid(design: &Design, making: &Making) -> Result<Vec<SolidMesh>> {
+    Ok(pots_and_meshes(design, making)?.into_iter().map(|(_, mesh)| mesh).collect())
+}
+
+/// The same with the pots that the meshes are of.
+pub(crate) fn pots_and_meshes(design: &Design, making: &Making) -> Result<Vec<(Pot, SolidMesh)>> {
     let scale = making.scale(design)?.millimetres;
     (0..design.parts().len()).map(|part| solid_part(design, part, making, scale)).collect()
 }
 
 /// One part of [`solid`].
-fn solid_part(design: &Design, part: usize, making: &Making, scale: f64) -> Result<SolidMesh> {
+fn solid_part(design: &Design, part: usize, making: &Making, scale: f64) -> Result<(Pot, SolidMesh)> {
     let mut refusal = None;
     for attempt in 0..ATTEMPTS {
         let fineness = 1 << attempt;
@@ -43,7 +48,10 @@ fn solid_part(design: &Design, part: usize, making: &Making, scale: f64) -> Resu
         let mut woven = woven(design, &pot, making, fineness as f64, scale)?;
         compact(&mut woven);
         match verdict(&pot, &woven, scale) {
-            None => return Ok(finished(&woven, part, scale)),
+            None => {
+                let mesh = finished(&woven, part, scale);
+                return Ok((pot, mesh));
+            }
             Some(error) => refusal = Some(error),
         }
     }

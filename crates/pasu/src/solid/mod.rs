@@ -15,6 +15,7 @@ mod thickness;
 mod weave;
 
 pub use face::{Face, FaceJet, FaceKind};
+pub(crate) use make::pots_and_meshes;
 pub use make::solid;
 pub use making::{Making, Product, Scale, Size};
 pub use mesh::SolidMesh;
