@@ -32,7 +32,7 @@ mod mode;
 mod solid;
 mod surface;
 
-pub use check::{Finding, MeshReport, Report, Severity};
+pub use check::{Finding, MeshReport, Report, Severity, check};
 #[cfg(feature = "typescript")]
 pub use design::typescript;
 pub use design::{

@@ -6,8 +6,8 @@ mod support;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, solid};
-use support::design;
+use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, check, solid};
+use support::{design, gallery};
 
 /// A cylinder of radius 2 and height 5 with a wall.
 fn cylinder(wall: &str) -> Design {
@@ -118,4 +118,27 @@ fn a_solid_is_closed_by_discs() {
     near(exact_volume(&Pot::new(&design, 0, Product::Solid).unwrap()), expected, 1e-6);
     let kinds: Vec<FaceKind> = mesh.faces.iter().map(|face| face.0).collect();
     assert_eq!(kinds, [FaceKind::Underside, FaceKind::Outer, FaceKind::Lid]);
+}
+
+/// Thick enough for clay, and coarse enough for a test.
+fn walled(exhibit: &support::Exhibit) -> (Design, Making) {
+    let shape = serde_json::to_string(&exhibit.shape).unwrap();
+    let is_paper = !exhibit.name.starts_with("own");
+    let (thickness, tolerance) = if is_paper { (0.06, 0.006) } else { (0.4, 0.04) };
+    let wall = format!(r#"{{ "thickness": {thickness}, "base": {thickness} }}"#);
+    let design = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#));
+    (design, Making { tolerance: Some(tolerance), ..POT })
+}
+
+#[test]
+fn every_gallery_design_can_be_made() {
+    for exhibit in gallery() {
+        let (design, making) = walled(&exhibit);
+        for product in [Product::Pot, Product::Solid] {
+            let mesh = made(&design, &Making { product, ..making });
+            assert_eq!(closed(&mesh), 2, "{}", exhibit.name);
+            let report = check(&design, &Making { product, ..making }).unwrap();
+            assert!(report.is_ok() && report.meshes[0].genus == Some(0), "{}", report.to_json());
+        }
+    }
 }

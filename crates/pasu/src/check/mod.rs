@@ -4,9 +4,12 @@ mod closed;
 mod crossing;
 mod degenerate;
 mod report;
+mod verdict;
 
-pub(crate) use closed::closed;
+pub(crate) use closed::{Topology, closed};
 pub(crate) use crossing::crossings;
 pub(crate) use degenerate::is_degenerate;
 
 pub use report::{Finding, MeshReport, Report, Severity};
+pub use verdict::check;
+pub(crate) use verdict::verdict;

@@ -1,6 +1,6 @@
 //! STL, binary: what every slicer reads, and nothing but triangles.
 
-use super::contents::{Body, LINK_LINE, Notes, PROGRAM};
+use super::contents::{Body, Notes, PROGRAM};
 use super::shading::point;
 
 /// Bytes before the number of triangles.
@@ -31,11 +31,14 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     bytes
 }
 
-/// `Pasu 0.1.0 0123456789abcdef passed pasu-link: 1/bloor-wilson?a=6`, as much of it as fits; of the link all or nothing.
+/// Before the link in the header, as in its address.
+const LINK: &str = " #";
+
+/// `Pasu 0.1.0 0123456789abcdef passed #1/bloor-wilson?a=6`, as much of it as fits; of the link all or nothing.
 fn header(notes: &Notes) -> Vec<u8> {
     let mut text = format!("{PROGRAM} {}", notes.fingerprint);
     let verdict = notes.verdict.split([':', ',', ';']).next().unwrap_or_default();
-    for more in [format!(" {verdict}"), format!(" {LINK_LINE}{}", notes.link)] {
+    for more in [format!(" {verdict}"), format!("{LINK}{}", notes.link)] {
         if text.len() + more.len() <= HEADER {
             text.push_str(&more);
         }
@@ -55,5 +58,5 @@ pub(super) fn link(bytes: &[u8]) -> Option<&str> {
     if !text.starts_with("Pasu ") {
         return None;
     }
-    text.split_once(LINK_LINE).map(|(_, link)| link)
+    text.split_once(LINK).map(|(_, link)| link)
 }

@@ -7,10 +7,11 @@ use glam::DVec3;
 use super::contents::{Body, Notes};
 use super::template::{Frame, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
+use crate::check::{Report, Severity, verdict};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::fingerprint::fingerprint;
-use crate::solid::{Face, FaceKind, Making, Pot, SolidMesh, pots_and_meshes};
+use crate::solid::{Face, FaceKind, Made, Making, Pot, SolidMesh, make};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
@@ -29,25 +30,26 @@ const MOST_TRIANGLES: usize = 20_000_000;
 /// - SVG is a template at true scale.
 ///
 /// # Errors
-/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A wall that had to be thinned is written all the same, and the file says so.
+/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A design with warnings is written all the same; the verdict is in the file.
 pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>> {
-    let made = pots_and_meshes(design, making)?;
-    let n_triangles = made.iter().map(|(_, mesh)| mesh.n_triangles()).sum::<usize>();
+    let millimetres = making.scale(design)?.millimetres;
+    let parts = 0..design.parts().len();
+    let made = parts.map(|part| make(design, part, making, millimetres)).collect::<Result<Vec<Made>>>()?;
+    let n_triangles = made.iter().map(|made| made.mesh.n_triangles()).sum::<usize>();
     if n_triangles > MOST_TRIANGLES {
         let message = format!(
             "expected at most {MOST_TRIANGLES} triangles in a file, found {n_triangles}; a larger tolerance takes fewer"
         );
         return Err(Error::new(Code::TooLarge, "tolerance", message));
     }
-    let millimetres = making.scale(design)?.millimetres;
     let notes = Notes {
         title: design.title().unwrap_or(making.product.name()).to_owned(),
         link: design.link(),
         fingerprint: fingerprint(design)?,
-        verdict: verdict(&made),
+        verdict: told(&verdict(making, made.iter().map(Ok))),
         scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
     };
-    let bodies: Vec<Body> = made.iter().map(|(_, mesh)| body(design, mesh)).collect();
+    let bodies: Vec<Body> = made.iter().map(|made| body(design, &made.mesh)).collect();
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -62,7 +64,7 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
             let parts: Vec<step::Part> = bodies
                 .iter()
                 .zip(&made)
-                .map(|(body, (pot, _))| step::Part {
+                .map(|(body, Made { pot, .. })| step::Part {
                     name: body.name.clone(),
                     look: body.look,
                     faces: pot.faces().iter().map(|face| face as &dyn Face).collect(),
@@ -73,7 +75,7 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
             step::write(&notes, &parts, millimetres)
         }
         Format::Svg => {
-            let stands: Vec<Stand> = made.iter().map(|(pot, _)| stand(pot, millimetres)).collect();
+            let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, millimetres)).collect();
             Ok(template::write(&notes, &bodies, &stands))
         }
     }
@@ -103,12 +105,15 @@ fn size(body: &Body) -> f64 {
     extent(0).max(extent(1)).max(extent(2))
 }
 
-/// Whatever is meshed has passed every check, or it would have been refused; what is left to say is where a wall could not be as thick as asked for.
-fn verdict(made: &[(Pot, SolidMesh)]) -> String {
-    match made.iter().any(|(pot, _)| pot.thinned().is_some()) {
-        true => "passed with warnings: thinned".to_owned(),
-        false => "passed".to_owned(),
+/// `passed`, `passed with warnings: thinned`. What is made has no errors, or it would have been refused.
+fn told(report: &Report) -> String {
+    let mut codes: Vec<&str> = Vec::new();
+    for finding in report.findings.iter().filter(|finding| finding.severity == Severity::Warning) {
+        if !codes.contains(&finding.code) {
+            codes.push(finding.code);
+        }
     }
+    if codes.is_empty() { "passed".to_owned() } else { format!("passed with warnings: {}", codes.join(", ")) }
 }
 
 /// The axis of a pot and the upper edge of its outside.

@@ -8,7 +8,7 @@ use super::mesh::SolidMesh;
 use super::pot::Pot;
 use super::skin::place;
 use super::weave::{Grid, Woven, field, name, weave};
-use crate::check;
+use crate::check::{self, Topology};
 use crate::design::Design;
 use crate::error::{Code, Error, Result};
 use crate::mesh::places;
@@ -22,6 +22,9 @@ const ATTEMPTS: usize = 3;
 /// How often rows and columns are added until faces that have no bound beforehand keep the tolerance.
 const ROUNDS: usize = 3;
 
+/// A mesh is made finer by no more than this factor at a time.
+const LEAST_STEP: f64 = 0.4;
+
 /// The closed mesh of each part, in millimetres, after size and shrinkage.
 ///
 /// What is returned has passed every check of [`SolidMesh`]; what does not is refused, never written.
@@ -30,17 +33,22 @@ const ROUNDS: usize = 3;
 /// What [`Making::scale`] and [`Pot::new`] refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
 /// `overflow` for millimetres beyond single precision.
 pub fn solid(design: &Design, making: &Making) -> Result<Vec<SolidMesh>> {
-    Ok(pots_and_meshes(design, making)?.into_iter().map(|(_, mesh)| mesh).collect())
-}
-
-/// The same with the pots that the meshes are of.
-pub(crate) fn pots_and_meshes(design: &Design, making: &Making) -> Result<Vec<(Pot, SolidMesh)>> {
     let scale = making.scale(design)?.millimetres;
-    (0..design.parts().len()).map(|part| solid_part(design, part, making, scale)).collect()
+    (0..design.parts().len()).map(|part| Ok(make(design, part, making, scale)?.mesh)).collect()
 }
 
-/// One part of [`solid`].
-fn solid_part(design: &Design, part: usize, making: &Making, scale: f64) -> Result<(Pot, SolidMesh)> {
+/// What was made of one part.
+pub(crate) struct Made {
+    pub(crate) mesh: SolidMesh,
+    pub(crate) pot: Pot,
+    pub(crate) topology: Topology,
+}
+
+/// One part of [`solid`]; `scale` is from model units to millimetres.
+///
+/// # Errors
+/// As [`solid`].
+pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) -> Result<Made> {
     let mut refusal = None;
     for attempt in 0..ATTEMPTS {
         let fineness = 1 << attempt;
@@ -48,11 +56,8 @@ fn solid_part(design: &Design, part: usize, making: &Making, scale: f64) -> Resu
         let mut woven = woven(design, &pot, making, fineness as f64, scale)?;
         compact(&mut woven);
         match verdict(&pot, &woven, scale) {
-            None => {
-                let mesh = finished(&woven, part, scale);
-                return Ok((pot, mesh));
-            }
-            Some(error) => refusal = Some(error),
+            Ok(topology) => return Ok(Made { mesh: finished(&woven, part, scale), pot, topology }),
+            Err(error) => refusal = Some(error),
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
@@ -81,7 +86,7 @@ fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64)
         if woven.bound <= tolerance || round >= ROUNDS {
             return Ok(woven);
         }
-        asked = Some(tolerance.min(bound) * (tolerance / woven.bound).clamp(0.1, 0.9));
+        asked = Some(tolerance.min(bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
     }
     unreachable!("the loop returns")
 }
@@ -101,8 +106,11 @@ fn compact(woven: &mut Woven) {
     woven.positions = kept;
 }
 
-/// Why a mesh is not one that may be written; `None` if it is.
-fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Option<Error> {
+/// Whether a mesh is one that may be written.
+///
+/// # Errors
+/// Why it is not.
+fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
     let at = |vertex: u32| DVec3::from_array(woven.positions[vertex as usize].map(f64::from)) / scale;
     let kind_of = |triangle: u32| {
         let mut first = 0;
@@ -120,14 +128,17 @@ fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Option<Error> {
             name(kind),
             place(at(woven.triangles[number][0]))
         );
-        return Some(Error::new(Code::PinchedSurface, pot.skin().path(field(kind)), message));
+        let place = at(woven.triangles[number][0]).to_array();
+        return Err(Error::new(Code::PinchedSurface, pot.skin().path(field(kind)), message).near(place));
     }
-    if let Err(vertex) = check::closed(&woven.triangles, woven.positions.len()) {
+    let topology = check::closed(&woven.triangles, woven.positions.len()).map_err(|vertex| {
         let message = format!("the faces do not close at {}", place(at(vertex)));
-        return Some(Error::new(Code::CrossesItself, pot_path(pot.part()), message));
+        Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array())
+    })?;
+    match check::crossings(&woven.positions, &woven.triangles, 1).first() {
+        Some(&[one, other]) => Err(crossing(pot, [kind_of(one), kind_of(other)], at(woven.triangles[one as usize][0]))),
+        None => Ok(topology),
     }
-    let [one, other] = *check::crossings(&woven.positions, &woven.triangles, 1).first()?;
-    Some(crossing(pot, [kind_of(one), kind_of(other)], at(woven.triangles[one as usize][0])))
 }
 
 /// What a crossing of two faces means to a potter.
@@ -135,7 +146,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
     let surface = if pot.is_lining() { FaceKind::Lining } else { FaceKind::Outer };
     if kinds == [surface; 2] {
         let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
-        return Error::new(Code::CrossesItself, pot.skin().path("shape"), message);
+        return Error::new(Code::CrossesItself, pot.skin().path("shape"), message).near(at.to_array());
     }
     // Which of the two was added to the surface, and how late.
     let order = |kind: FaceKind| match kind {
@@ -156,7 +167,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         FaceKind::Underside if !pot.has_wall() => "shape",
         kind => field(kind),
     };
-    Error::new(Code::NoRoom, pot.skin().path(path), message)
+    Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array())
 }
 
 fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {

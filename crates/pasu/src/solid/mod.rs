@@ -15,9 +15,10 @@ mod thickness;
 mod weave;
 
 pub use face::{Face, FaceJet, FaceKind};
-pub(crate) use make::pots_and_meshes;
 pub use make::solid;
+pub(crate) use make::{Made, make};
 pub use making::{Making, Product, Scale, Size};
 pub use mesh::SolidMesh;
 pub use piece::Piece;
 pub use pot::Pot;
+pub(crate) use skin::{place, short};

@@ -34,7 +34,7 @@ const COLUMNS: usize = 720;
 ///   foot of the surface bounds the floor, and the outside is trimmed or led down in the same way to a level `base` below the lowest point of the floor. A `base` of 0 makes a tube with two rims.
 /// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
 /// - **Foot that is not level.** Its disc is the cone from the curve to the middle of the area that it goes round, which must see the whole curve.
-/// - **Solid.** The surface with a disc or cone at each open end.
+/// - **Solid.** The surface with a level disc at each open end. An end that is not level is first led straight along the axis to the level of its furthest point.
 #[derive(Debug)]
 pub struct Pot {
     part: usize,
@@ -72,7 +72,10 @@ impl Pot {
         };
         let skin = Rc::new(Skin::new(part, index)?);
         let thickness = Rc::new(match wall {
-            Some(wall) => Thickness::of(&skin, wall.thickness, wall.side, fineness)?,
+            Some(wall) => {
+                let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
+                Thickness::of(part, index, &skin, &wall, direction, fineness)?
+            }
             None => Thickness::Even(0.0),
         });
         let builder = Builder { skin: &skin, thickness: &thickness, pieces: Vec::new() };
@@ -170,26 +173,39 @@ impl Builder<'_> {
         Error::new(code, self.skin.path(field), message)
     }
 
-    /// The surface between a disc at each of its open ends.
+    /// The surface between a level disc at each of its open ends.
     fn solid(mut self) -> Result<Parts> {
         let sheet = self.sheet(sheet::Face::Design, Trim::Foot).ok_or_else(|| self.unreachable())?;
         let poles = self.skin.poles();
-        let mut levels = [0.0; 2];
-        for (end, kind) in [(0, FaceKind::Underside), (1, FaceKind::Lid)] {
-            let curve = if end == 0 { Curve::Start(Rc::clone(&sheet)) } else { Curve::End(Rc::clone(&sheet)) };
-            let outline = Outline::of(&curve, self.skin);
-            levels[end] = outline.lowest;
-            if end == 1 {
-                self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&sheet), is_back: false }, false, true);
+        let ends = [Curve::Start(Rc::clone(&sheet)), Curve::End(Rc::clone(&sheet))];
+        let outlines = ends.each_ref().map(|curve| Outline::of(curve, self.skin));
+        let levels = [outlines[0].lowest, outlines[1].highest];
+        // An end that is not level is first led straight to the level of its furthest point.
+        let led = [0, 1].map(|end| {
+            if outlines[end].is_level {
+                return ends[end].clone();
             }
-            if !poles[end] {
-                let middle = self.disc(&outline, "shape", if end == 0 { "foot" } else { "rim" })?;
-                let middle = Curve::Point(middle);
-                let (from, to) = if end == 0 { (&middle, &curve) } else { (&curve, &middle) };
-                self.ruled(kind, from, to, outline.is_level, true);
+            Curve::Level { curve: Rc::new(ends[end].clone()), sheet: Rc::clone(&sheet), level: levels[end] }
+        });
+        let mut middles = [const { None }; 2];
+        for (end, name) in ["foot", "rim"].into_iter().enumerate().filter(|(end, _)| !poles[*end]) {
+            middles[end] = Some(Curve::Point(self.disc(&Outline::of(&led[end], self.skin), "shape", name)?));
+        }
+        let [foot, rim] = middles;
+        if let Some(middle) = foot {
+            self.ruled(FaceKind::Underside, &middle, &led[0], true, true);
+            if !outlines[0].is_level {
+                self.ruled(FaceKind::Outer, &led[0], &ends[0], false, true);
             }
         }
-        Ok((self.pieces, false, levels[0].min(levels[1])))
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&sheet), is_back: false }, false, true);
+        if let Some(middle) = rim {
+            if !outlines[1].is_level {
+                self.ruled(FaceKind::Lid, &ends[1], &led[1], false, true);
+            }
+            self.ruled(FaceKind::Lid, &led[1], &middle, true, true);
+        }
+        Ok((self.pieces, false, levels[0]))
     }
 
     /// The middle of a disc or cone over a curve.
@@ -197,14 +213,14 @@ impl Builder<'_> {
         let Some(middle) = outline.middle else {
             let message =
                 format!("the {name} encloses no area at {}: expected a curve with an inside", place(outline.mean));
-            return Err(self.error(Code::PinchedSurface, field, message));
+            return Err(self.error(Code::PinchedSurface, field, message).near(outline.mean.to_array()));
         };
         if !outline.is_level && !outline.is_star {
             let message = format!(
                 "the {name} is neither level nor seen as a whole from its middle at {}, so no disc closes it; expected a level {name}, or one that bends less",
                 place(middle)
             );
-            return Err(self.error(Code::NoRoom, field, message));
+            return Err(self.error(Code::NoRoom, field, message).near(middle.to_array()));
         }
         Ok(middle)
     }
@@ -221,7 +237,7 @@ impl Builder<'_> {
                 "the surface closes to a point at {}, where the opening of a pot is: expected a rim with a width, or the solid as product",
                 place(at)
             );
-            return Err(self.error(Code::NoOpening, "shape", message));
+            return Err(self.error(Code::NoOpening, "shape", message).near(at.to_array()));
         }
         if wall.base == 0.0 && !poles[0] { self.tube(wall) } else { self.cup(wall) }
     }

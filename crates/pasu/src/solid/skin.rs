@@ -124,7 +124,7 @@ impl Skin {
                         "the surface is pinched to a point at {}: expected it to be wide everywhere between foot and rim",
                         place(at)
                     );
-                    return Err(Error::new(Code::PinchedSurface, self.path("shape"), message));
+                    return Err(Error::new(Code::PinchedSurface, self.path("shape"), message).near(at.to_array()));
                 }
             }
         }
