@@ -111,7 +111,7 @@ fn stl_holds_the_mesh() {
         let (name, expected) = (specimen.name, specimen.triangles());
         let bytes = specimen.file(Format::Stl);
         assert!(!bytes.starts_with(b"solid") && bytes.starts_with(b"Pasu "), "{name}");
-        assert_eq!(bytes.len(), 84 + 50 * u32_at(&bytes, 80) as usize);
+        assert_eq!(bytes.len(), 84 + 50 * u32_at(bytes, 80) as usize);
         let mut found = Triangles::new();
         for triangle in bytes[84..].chunks_exact(50) {
             let numbers = f32s(&triangle[..48]);
@@ -161,7 +161,7 @@ fn attributes<'a>(text: &'a str, element: &'a str, names: &'a [&'a str]) -> Vec<
 #[test]
 fn three_mf_holds_the_mesh() {
     for specimen in specimens() {
-        let Specimen { name, design, meshes, .. } = specimen;
+        let Specimen { name, meshes, .. } = specimen;
         let files = unzipped(specimen.file(Format::ThreeMf));
         let names: Vec<&str> = files.keys().map(String::as_str).collect();
         assert_eq!(names, ["3D/3dmodel.model", "Metadata/thumbnail.png", "[Content_Types].xml", "_rels/.rels"]);
@@ -185,10 +185,10 @@ fn three_mf_holds_the_mesh() {
 #[test]
 fn glb_holds_the_mesh() {
     for specimen in specimens() {
-        let Specimen { name, design, meshes, .. } = specimen;
+        let Specimen { name, meshes, .. } = specimen;
         let bytes = specimen.file(Format::Glb);
-        assert_eq!(u32_at(&bytes, 8) as usize, bytes.len());
-        let length = u32_at(&bytes, 12) as usize;
+        assert_eq!(u32_at(bytes, 8) as usize, bytes.len());
+        let length = u32_at(bytes, 12) as usize;
         let document: Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
         let binary = &bytes[28 + length..];
         assert_eq!(document["asset"]["version"], "2.0");
@@ -213,7 +213,7 @@ fn glb_holds_the_mesh() {
         let root = document["nodes"].as_array().unwrap().last().unwrap();
         assert_eq!(root["children"].as_array().unwrap().len(), meshes.len());
         assert_eq!(root["scale"], serde_json::json!([0.001, 0.001, 0.001]));
-        assert_eq!(document["asset"]["extras"]["link"], design.link().as_str());
+        assert_eq!(document["asset"]["extras"]["link"], specimen.design.link().as_str());
     }
 }
 
@@ -240,7 +240,7 @@ fn obj_holds_the_mesh() {
 #[test]
 fn ply_holds_the_mesh() {
     for specimen in specimens() {
-        let Specimen { name, design, meshes, .. } = specimen;
+        let Specimen { name, meshes, .. } = specimen;
         let expected = specimen.triangles();
         let bytes = specimen.file(Format::Ply);
         let end = bytes.windows(11).position(|window| window == b"end_header\n").unwrap() + 11;
