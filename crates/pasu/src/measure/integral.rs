@@ -27,7 +27,7 @@ impl Accuracy {
         let highest = highest.abs().clamp(1.0, 1e5) as usize;
         Accuracy {
             relative,
-            columns: 2 * highest + 5,
+            columns: 2 * highest + 13,
             most_columns: (64 * highest).clamp(1024, 16_384),
             most_intervals: 64,
         }
@@ -76,14 +76,15 @@ pub(crate) fn over_face<const N: usize>(
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
     let mut row = Round::new(accuracy, |a, v| integrand(&face.jet(a, v)));
-    along(&[0.0, 1.0], accuracy.relative, accuracy.most_intervals, |a| row.at(a))
+    along(&[0.0, 1.0], accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
 }
 
 /// Integrates a function of one variable that comes with errors of its own, over the intervals between the breaks; the interval with the largest error
-/// is halved until the sum is accurate enough or there are too many.
+/// is halved until the sum is accurate enough or there are too many. What is accurate enough goes by the integral of the absolute value or by `at_least`, whichever is larger.
 pub(crate) fn along<const N: usize>(
     breaks: &[f64],
     relative: f64,
+    at_least: [f64; N],
     most_intervals: usize,
     mut at: impl FnMut(f64) -> Integral<N>,
 ) -> Integral<N> {
@@ -96,7 +97,7 @@ pub(crate) fn along<const N: usize>(
         for (_, _, part) in &intervals {
             total.add(part);
         }
-        let allowed = total.size.map(|size| relative * size);
+        let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
         let done = (0..N).all(|i| total.error[i] <= allowed[i]);
         let worst = (0..intervals.len()).max_by(|&i, &j| {
             intervals[i].2.excess(&allowed).total_cmp(&intervals[j].2.excess(&allowed)).then(j.cmp(&i))

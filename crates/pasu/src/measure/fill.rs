@@ -1,0 +1,295 @@
+//! How much water stands in a pot: `int (h - z)` over what is wet, split where the water's edge is.
+
+use core::cell::Cell;
+use core::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::column::{Column, Inside, LEVEL, Wet};
+use super::integral::{Accuracy, Integral, Round, along};
+use super::moments::{Moments, element};
+use super::quantity::Quantity;
+
+/// Water up to a level.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Filling {
+    pub(crate) moments: Moments,
+    /// Of the water's surface.
+    pub(crate) area: Quantity,
+}
+
+/// Halvings of a gap between two columns until the change between them is located: the integral of a column is continuous there, so that what is left is far below rounding.
+const HALVINGS: usize = 24;
+
+/// What is wet of the columns of a pot at one level.
+pub(crate) struct Level<'a> {
+    inside: &'a Inside<'a>,
+    pub(crate) z: f64,
+    /// Columns in ascending `v`, with those on either side of each change.
+    pub(crate) columns: Vec<(Column, Vec<Wet>)>,
+    /// Where the water's edge goes from one face to another or turns back, in ascending order.
+    pub(crate) breaks: Vec<f64>,
+}
+
+/// What of a column's wet stretches must change without a break: which faces, and how they end.
+fn is_alike(one: &[Wet], other: &[Wet]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(x, y)| x.link == y.link && x.is_cut == y.is_cut)
+}
+
+impl<'a> Level<'a> {
+    pub(crate) fn new(inside: &'a Inside<'a>, z: f64) -> Level<'a> {
+        let n = inside.n_columns();
+        let at = |v: f64| {
+            let column = inside.column(v);
+            let wet = inside.wet(&column, z);
+            (column, wet)
+        };
+        let mut columns = Vec::with_capacity(n);
+        let mut breaks = Vec::new();
+        let first = at(0.0);
+        let mut before = first.clone();
+        for j in 1..=n {
+            let after = if j == n {
+                let (mut column, wet) = first.clone();
+                column.turn(TAU);
+                (column, wet)
+            } else {
+                at(TAU * j as f64 / n as f64)
+            };
+            columns.push(before.clone());
+            // Several changes between two columns are found one after the other.
+            while !is_alike(&before.1, &after.1) {
+                let (mut low, mut high) = (before.clone(), after.clone());
+                for _ in 0..HALVINGS {
+                    let middle = at(0.5 * (low.0.v() + high.0.v()));
+                    if is_alike(&middle.1, &before.1) { low = middle } else { high = middle }
+                }
+                breaks.push(0.5 * (low.0.v() + high.0.v()));
+                if low.0.v() > before.0.v() {
+                    columns.push(low);
+                }
+                before = high;
+                if breaks.len() > 4 * n {
+                    break;
+                }
+                if before.0.v() < after.0.v() {
+                    columns.push(before.clone());
+                }
+            }
+            before = after;
+        }
+        Level { inside, z, columns, breaks }
+    }
+
+    /// The integral over the wet part of one column of `(h - z) n_z`, of its moments about a point, and of `n_z`.
+    fn of_column(&self, v: f64, middle: DVec3, relative: f64, at_least: [f64; 5]) -> Integral<5> {
+        let column = self.inside.column(v);
+        let mut total = Integral::default();
+        for Wet { link, from, to, is_cut } in self.inside.wet(&column, self.z) {
+            let link = &self.inside.links()[link];
+            // The stretch ends a rounding below the level, which only the surface of the water can notice.
+            for (s, is_cut) in [from, to].into_iter().zip(is_cut) {
+                let jet = link.jet(s, v);
+                let missing = LEVEL * self.inside.size() / jet.da.z.abs();
+                if is_cut && missing < 1e-6 {
+                    total.value[4] += missing * element(link.face(), &jet).z;
+                }
+            }
+            total.add(&along(&[from, to], relative, at_least, 16, |s| {
+                let jet = link.jet(s, v);
+                let up = element(link.face(), &jet).z;
+                let arm = jet.position - middle;
+                let top = self.z - middle.z;
+                let depth = self.z - jet.position.z;
+                let volume = depth * up;
+                let value = [volume, arm.x * volume, arm.y * volume, 0.5 * (top + arm.z) * volume, up];
+                Integral { value, error: [0.0; 5], size: value.map(f64::abs) }
+            }));
+        }
+        total
+    }
+
+    /// Volume, moments and surface of the water.
+    pub(crate) fn filling(&self, accuracy: &Accuracy) -> Filling {
+        let Some((_, first)) = self.columns.iter().find(|(_, wet)| !wet.is_empty()) else {
+            return Filling::default();
+        };
+        let middle = self.inside.position((first[0].link, first[0].from), 0.0).with_z(self.z);
+        let inner = 0.1 * accuracy.relative;
+        let total = if self.breaks.is_empty() {
+            let errors = Cell::new(([0.0f64; 5], [0.0f64; 5], 0.0));
+            let mut round = Round::new(accuracy, |_, v| {
+                let (mut sum, mut size, n) = errors.get();
+                let at_least = size.map(|size| if n > 0.0 { size / n } else { 0.0 });
+                let column = self.of_column(v, middle, inner, at_least);
+                for i in 0..5 {
+                    sum[i] += column.error[i];
+                    size[i] += column.size[i];
+                }
+                errors.set((sum, size, n + 1.0));
+                column.value
+            });
+            let mut total = round.at(0.0);
+            let (sum, _, n) = errors.get();
+            for i in 0..5 {
+                total.error[i] += TAU * sum[i] / n;
+            }
+            total
+        } else {
+            let first = self.breaks[0];
+            let mut breaks = self.breaks.clone();
+            breaks.push(first + TAU);
+            let largest = Cell::new([0.0f64; 5]);
+            along(&breaks, accuracy.relative, [0.0; 5], 8 * breaks.len() + 64, |v| {
+                let column = self.of_column(v, middle, inner, largest.get());
+                let mut most = largest.get();
+                for i in 0..5 {
+                    most[i] = most[i].max(column.size[i]);
+                }
+                largest.set(most);
+                column
+            })
+        };
+        let [.., area] = total.value;
+        // The level itself is off by rounding.
+        let edge = 2.0 * LEVEL * self.inside.size() * area.abs();
+        let first = |all: [f64; 5]| [all[0], all[1], all[2], all[3]];
+        let mut water =
+            Integral { value: first(total.value), error: first(total.error), size: first(total.size) };
+        water.error[0] += edge;
+        let span = self.inside.size();
+        for i in 1..4 {
+            water.error[i] += edge * span;
+        }
+        Filling { moments: Moments::about(middle, &water), area: Quantity::new(area, total.error[4]) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use glam::DMat3;
+
+    use super::super::bare::Cap;
+    use super::*;
+    use crate::solid::{Face, FaceJet, FaceKind};
+
+    /// The lining of a tilted round cup, `r(a)` and `z(a)` with their derivatives.
+    struct Cup {
+        profile: fn(f64) -> [[f64; 2]; 2],
+        turn: DMat3,
+    }
+
+    impl Face for Cup {
+        fn kind(&self) -> FaceKind {
+            FaceKind::Lining
+        }
+
+        fn jet(&self, a: f64, v: f64) -> FaceJet {
+            let [[r, z], [dr, dz]] = (self.profile)(a);
+            let (s, c) = (libm::sin(v), libm::cos(v));
+            FaceJet {
+                position: self.turn * DVec3::new(r * c, r * s, z) + DVec3::new(3.0, -2.0, 10.0),
+                da: self.turn * DVec3::new(dr * c, dr * s, dz),
+                dv: self.turn * DVec3::new(-r * s, r * c, 0.0),
+            }
+        }
+
+        /// Into the water: inwards and up.
+        fn outward(&self) -> f64 {
+            1.0
+        }
+    }
+
+    const RADIUS: f64 = 1.5;
+    const HEIGHT: f64 = 4.0;
+
+    fn cylinder(a: f64) -> [[f64; 2]; 2] {
+        [[RADIUS, HEIGHT * a], [0.0, HEIGHT]]
+    }
+
+    fn tilted(profile: fn(f64) -> [[f64; 2]; 2], tilt: f64) -> Cup {
+        Cup { profile, turn: DMat3::from_rotation_z(0.4) * DMat3::from_rotation_y(tilt) }
+    }
+
+    fn full(cup: &Cup, below: f64) -> (f64, Filling) {
+        let floor = Cap::new(cup, 0.0, 60);
+        let inside = Inside::new(&[&floor, cup], cup.turn.z_axis, 1.0);
+        let (level, _) = inside.spill();
+        (level, Level::new(&inside, level - below).filling(&Accuracy::new(1e-11, 1.0)))
+    }
+
+    fn near(found: Quantity, exact: f64) {
+        assert!((found.value - exact).abs() <= 1e-10 * exact.abs().max(1.0), "{found:?} {exact}");
+        assert!((found.value - exact).abs() <= found.error, "dishonest: {found:?} {exact}");
+        assert!(found.error < 1e-8, "{found:?}");
+    }
+
+    #[test]
+    fn an_upright_cup() {
+        for below in [0.0, 1.3, 3.999] {
+            let (level, water) = full(&tilted(cylinder, 0.0), below);
+            let depth = HEIGHT - below;
+            assert!((level - 14.0).abs() < 1e-12);
+            let volume = PI * RADIUS * RADIUS * depth;
+            near(water.moments.volume, volume);
+            near(water.area, PI * RADIUS * RADIUS);
+            let (centre, _) = water.moments.centre().unwrap();
+            assert!((centre - DVec3::new(3.0, -2.0, 10.0 + 0.5 * depth)).length() < 1e-9);
+        }
+        assert_eq!(full(&tilted(cylinder, 0.0), 4.5).1, Filling::default());
+    }
+
+    #[test]
+    fn a_tilted_cup_with_its_floor_covered() {
+        for tilt in [0.1, 0.5, 0.9] {
+            let (level, water) = full(&tilted(cylinder, tilt), 0.0);
+            assert!((level - (10.0 + HEIGHT * tilt.cos() - RADIUS * tilt.sin())).abs() < 1e-12);
+            near(water.moments.volume, PI * RADIUS * RADIUS * (HEIGHT - RADIUS * tilt.tan()));
+            near(water.area, PI * RADIUS * RADIUS / tilt.cos());
+        }
+    }
+
+    /// A hoof of a cylinder: the plane meets the base in a chord at `x` from its centre.
+    fn ungula(tan: f64, x: f64) -> f64 {
+        let half = (RADIUS * RADIUS - x * x).sqrt();
+        tan * (2.0 / 3.0 * half.powi(3) - x * (RADIUS * RADIUS * (x / RADIUS).acos() - x * half))
+    }
+
+    #[test]
+    fn a_hoof_of_a_cylinder() {
+        for tilt in [1.0, 1.23, 1.4, 1.5] {
+            for below in [0.0, 0.03] {
+                let (_, water) = full(&tilted(cylinder, tilt), below);
+                let edge = RADIUS - (HEIGHT - below / tilt.cos()) / tilt.tan();
+                near(water.moments.volume, ungula(tilt.tan(), edge));
+            }
+        }
+        // On its side a cup holds nothing.
+        assert_eq!(full(&tilted(cylinder, FRAC_PI_2 + 0.2), 0.0).1.moments.volume.value, 0.0);
+    }
+
+    /// A ball without its cap: closed above a half.
+    fn bowl(a: f64) -> [[f64; 2]; 2] {
+        let t = 2.2 * a;
+        [[RADIUS * t.sin(), -RADIUS * t.cos()], [2.2 * RADIUS * t.cos(), 2.2 * RADIUS * t.sin()]]
+    }
+
+    #[test]
+    fn a_tilted_ball() {
+        for tilt in [0.0, 0.3, 0.8] {
+            let cup = tilted(bowl, tilt);
+            let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
+            let (spill, _) = inside.spill();
+            assert!((spill - 10.0 + RADIUS * (2.2f64 - tilt).cos()).abs() < 1e-12);
+            assert!((inside.floor() - 10.0 + RADIUS).abs() < 1e-12);
+            for level in [spill, 9.7, 9.0] {
+                let depth = level - 10.0 + RADIUS;
+                let water = Level::new(&inside, level).filling(&Accuracy::new(1e-11, 1.0));
+                near(water.moments.volume, PI * depth * depth * (RADIUS - depth / 3.0));
+                near(water.area, PI * depth * (2.0 * RADIUS - depth));
+            }
+        }
+    }
+}
