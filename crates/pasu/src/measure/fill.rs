@@ -3,7 +3,7 @@
 use core::cell::Cell;
 use core::f64::consts::TAU;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::column::{Column, Inside, LEVEL, Wet};
 use super::integral::{Accuracy, Integral, Round, along};
@@ -37,8 +37,8 @@ fn is_alike(one: &[Wet], other: &[Wet]) -> bool {
 }
 
 impl<'a> Level<'a> {
-    pub(crate) fn new(inside: &'a Inside<'a>, z: f64) -> Level<'a> {
-        let n = inside.n_columns();
+    /// The water's edge at a level, seen at so many columns.
+    pub(crate) fn new(inside: &'a Inside<'a>, z: f64, n: usize) -> Level<'a> {
         let at = |v: f64| {
             let column = inside.column(v);
             let wet = inside.wet(&column, z);
@@ -79,6 +79,13 @@ impl<'a> Level<'a> {
             before = after;
         }
         Level { inside, z, columns, breaks }
+    }
+
+    /// Where a column crosses the level, from the floor to the rim, seen from above.
+    pub(crate) fn roots(&self, column: &Column, wet: &[Wet]) -> Vec<DVec2> {
+        let ends = wet.iter().flat_map(|wet| [(wet.is_cut[0], wet.link, wet.from), (wet.is_cut[1], wet.link, wet.to)]);
+        let cut = ends.filter(|(is_cut, ..)| *is_cut);
+        cut.map(|(_, link, s)| self.inside.position((link, s), column.v()).truncate()).collect()
     }
 
     /// The integral over the wet part of one column of `(h - z) n_z`, of its moments about a point, and of `n_z`.
@@ -172,6 +179,7 @@ mod tests {
     use glam::DMat3;
 
     use super::super::bare::Cap;
+    use super::super::pool::Pool;
     use super::*;
     use crate::solid::{Face, FaceJet, FaceKind};
 
@@ -217,7 +225,7 @@ mod tests {
         let floor = Cap::new(cup, 0.0, 60);
         let inside = Inside::new(&[&floor, cup], cup.turn.z_axis, 1.0);
         let (level, _) = inside.spill();
-        (level, Level::new(&inside, level - below).filling(&Accuracy::new(1e-11, 1.0)))
+        (level, Level::new(&inside, level - below, 49).filling(&Accuracy::new(1e-11, 1.0)))
     }
 
     fn near(found: Quantity, exact: f64) {
@@ -276,6 +284,55 @@ mod tests {
         [[RADIUS * t.sin(), -RADIUS * t.cos()], [2.2 * RADIUS * t.cos(), 2.2 * RADIUS * t.sin()]]
     }
 
+    fn surface_of(level: &Level) -> f64 {
+        let pool = Pool::new(level);
+        pool.triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| pool.points[i as usize]);
+                let area = 0.5 * (b - a).perp_dot(c - a);
+                assert!(area >= 0.0);
+                area
+            })
+            .sum()
+    }
+
+    #[test]
+    fn triangles_cover_the_water() {
+        for tilt in [0.0, 0.5, 1.0, 1.23, 1.4] {
+            let cup = tilted(cylinder, tilt);
+            let floor = Cap::new(&cup, 0.0, 60);
+            let inside = Inside::new(&[&floor, &cup], cup.turn.z_axis, 1.0);
+            let (spill, _) = inside.spill();
+            let low = inside.floor();
+            for share in [0.05, 0.3, 0.7, 0.95, 1.0] {
+                let level = Level::new(&inside, low + share * (spill - low), 193);
+                let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
+                assert!((area - exact).abs() < 0.005 * exact, "tilt {tilt}, {share}: {area} {exact}");
+            }
+        }
+    }
+
+    /// A ring cake: the middle rises.
+    fn ring(a: f64) -> [[f64; 2]; 2] {
+        let t = PI * (a - 0.0);
+        [[2.0 * a, 1.0 - libm::sin(t) + a], [2.0, -PI * libm::cos(t) + 1.0]]
+    }
+
+    #[test]
+    fn a_ring_of_water_has_a_hole() {
+        for tilt in [0.0, 0.1] {
+            let cup = tilted(ring, tilt);
+            let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
+            for level in [10.5, 10.8] {
+                let level = Level::new(&inside, level, 49);
+                assert!(level.filling(&Accuracy::new(1e-9, 1.0)).moments.volume.error < 1e-6);
+                let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
+                assert!((area - exact).abs() < 0.02 * exact, "tilt {tilt}: {area} {exact}");
+            }
+        }
+    }
+
     #[test]
     fn a_tilted_ball() {
         for tilt in [0.0, 0.3, 0.8] {
@@ -286,7 +343,7 @@ mod tests {
             assert!((inside.floor() - 10.0 + RADIUS).abs() < 1e-12);
             for level in [spill, 9.7, 9.0] {
                 let depth = level - 10.0 + RADIUS;
-                let water = Level::new(&inside, level).filling(&Accuracy::new(1e-11, 1.0));
+                let water = Level::new(&inside, level, 49).filling(&Accuracy::new(1e-11, 1.0));
                 near(water.moments.volume, PI * depth * depth * (RADIUS - depth / 3.0));
                 near(water.area, PI * depth * (2.0 * RADIUS - depth));
             }

@@ -65,6 +65,19 @@ impl<T> Grid<T> {
         best
     }
 
+    /// Every local top that begins above a value, climbed.
+    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, at: impl Fn(f64, f64) -> T) -> Vec<Place> {
+        let values: Vec<f64> = self.points.iter().map(&of).collect();
+        let (step_a, step_v) = self.steps();
+        let starts = (0..values.len()).filter(|&index| values[index] > above && self.is_top(&values, index));
+        starts
+            .map(|index| {
+                let (a, v) = self.place(index);
+                climb(Place { a, v, value: values[index] }, step_a, step_v, |a, v| of(&at(a, v)))
+            })
+            .collect()
+    }
+
     fn is_top(&self, values: &[f64], index: usize) -> bool {
         let (row, column) = (index / self.columns, index % self.columns);
         let here = values[index];
