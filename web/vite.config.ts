@@ -9,15 +9,27 @@ import { offline } from "./build/offline.ts";
 import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+const folderOf = (module: string | null) => module?.split("/").at(-2);
 
 export default defineConfig({
   base: "./",
   // A path that does not exist is an honest 404, in development and preview as on a static host.
   appType: "mpa",
   clearScreen: false,
-  resolve: { alias: { pasu: here("../crates/pasu-wasm/pkg/pasu.js") } },
+  resolve: {
+    alias: {
+      "pasu/drawing": here("../crates/pasu-wasm/pkg/drawing.js"),
+      pasu: here("../crates/pasu-wasm/pkg/pasu.js"),
+    },
+  },
   server: { fs: { allow: [here("..")] } },
-  worker: { format: "es" },
+  worker: {
+    format: "es",
+    // A worker is called like its folder, by which web/weight.json knows it.
+    rolldownOptions: {
+      output: { entryFileNames: (chunk) => `assets/${folderOf(chunk.facadeModuleId) ?? "[name]"}-[hash].js` },
+    },
+  },
   build: {
     target: "es2022",
     outDir: "dist",

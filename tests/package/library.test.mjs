@@ -31,11 +31,16 @@ test("the package holds what it promises and nothing else", async () => {
       "README.md",
       "bindings.js",
       "design.d.ts",
+      "drawing.d.ts",
+      "drawing.js",
+      "drawing_bindings.js",
       "package.json",
       "pasu.d.ts",
       "pasu.js",
       "pasu_bg.wasm",
+      "pasu_drawing_bg.wasm",
       "pasu_scalar_bg.wasm",
+      "wrapper.js",
     ]);
   });
 });
@@ -59,35 +64,80 @@ test("the module is found beside a file that is imported by its path", async () 
   );
 });
 
-test("the module loads once, says so when it is not loaded, and again after a failure", async () => {
-  await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
-    assert.throws(() => pasu.parse(VASE), { name: "PasuError", code: "not-ready", path: "" });
-    await assert.rejects(pasu.default(new Uint8Array([1, 2, 3])));
-    await Promise.all([pasu.default(), pasu.default()]);
-    await pasu.default();
-    assert.equal(pasu.link(VASE), VASE.slice(1));
+for (const entry of ["pasu.js", "drawing.js"]) {
+  test(`the module loads once, says so when it is not loaded, and again after a failure (${entry})`, async () => {
+    await inFreshProject(async (project) => {
+      const pasu = await import(pathToFileURL(join(project, "node_modules/pasu", entry)).href);
+      assert.throws(() => pasu.parse(VASE), { name: "PasuError", code: "not-ready", path: "" });
+      await assert.rejects(pasu.default(new Uint8Array([1, 2, 3])));
+      await Promise.all([pasu.default(), pasu.default()]);
+      await pasu.default();
+      assert.equal(pasu.link(VASE), VASE.slice(1));
+    });
+  });
+
+  test(`refusals are PasuErrors (${entry})`, async () => {
+    await inFreshProject(async (project) => {
+      const pasu = await import(pathToFileURL(join(project, "node_modules/pasu", entry)).href);
+      await pasu.default();
+      const design = pasu.parse(VASE);
+      design.parts[0].shape.r = [1, 0.1, Number.NaN, 0.8];
+      for (const call of [
+        pasu.parse,
+        pasu.link,
+        pasu.mesh,
+        pasu.bound,
+        pasu.evaluate,
+        pasu.derivatives,
+        pasu.fingerprint,
+      ]) {
+        assert.throws(
+          () => call(design, call === pasu.evaluate || call === pasu.derivatives ? 0 : undefined, []),
+          (error) => {
+            assert.ok(error instanceof pasu.PasuError && error instanceof Error);
+            assert.equal(error.code, "not-finite");
+            assert.equal(error.path, "parts[0].shape.r[2]");
+            assert.match(error.message, /NaN/);
+            return true;
+          },
+        );
+      }
+    });
+  });
+}
+
+test("both entries live side by side, say the same and throw the same class", async () => {
+  await inFreshProject((project) => {
+    const script = `import init, * as pasu from "pasu";
+      import start, * as drawing from "pasu/drawing";
+      await start();
+      const before = drawing.fingerprint("${VASE}");
+      await init();
+      const names = Object.keys(drawing).filter((name) => !(name in pasu));
+      console.log(names.length, pasu.PasuError === drawing.PasuError, pasu.fingerprint("${VASE}") === before, drawing.fingerprint("${VASE}") === before);`;
+    assert.equal(run(project, "both.mjs", script), "0 true true true\n");
   });
 });
 
-test("refusals are PasuErrors", async () => {
-  await inFreshProject(async (project) => {
-    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
-    await pasu.default();
-    const design = pasu.parse(VASE);
-    design.parts[0].shape.r = [1, 0.1, Number.NaN, 0.8];
-    for (const call of [pasu.parse, pasu.link, pasu.mesh, pasu.fingerprint]) {
-      assert.throws(
-        () => call(design),
-        (error) => {
-          assert.ok(error instanceof pasu.PasuError && error instanceof Error);
-          assert.equal(error.code, "not-finite");
-          assert.equal(error.path, "parts[0].shape.r[2]");
-          assert.match(error.message, /NaN/);
-          return true;
-        },
-      );
-    }
+test("an engine without SIMD gets the module without, from both entries", async () => {
+  await inFreshProject((project) => {
+    // What an engine of before 2023 says of a module with SIMD, and would do to it.
+    const script = (entry) => `WebAssembly.validate = () => false;
+      const { instantiate } = WebAssembly;
+      const sizes = [];
+      WebAssembly.instantiate = (module, imports) => {
+        sizes.push(module.byteLength ?? 0);
+        return instantiate(module, imports);
+      };
+      const { default: init, fingerprint } = await import("${entry}");
+      await init();
+      console.log(Math.max(...sizes), fingerprint("${VASE}"));`;
+    const sizeOf = (module) => readFileSync(join(project, "node_modules/pasu", module)).length;
+    const scalar = sizeOf("pasu_scalar_bg.wasm");
+    assert.notEqual(scalar, sizeOf("pasu_bg.wasm"));
+    const found = ["pasu", "pasu/drawing"].map((entry) => run(project, "old.mjs", script(entry)));
+    assert.match(found[0], new RegExp(`^${scalar} [0-9a-z]+\\n$`));
+    assert.equal(found[1], found[0]);
   });
 });
 
@@ -109,25 +159,48 @@ test("after a crash the next call works on a fresh instance", async () => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
     await pasu.default();
     const before = pasu.fingerprint(VASE);
-    // The stack runs out somewhere inside the module, again and again, at every depth.
-    const codes = new Set();
+    // The stack runs out somewhere inside the module, or in a getter that it calls, at every depth and a few bytes apart; the
+    // grid is another each time, so that no depth is spared by what was kept from the last.
+    const deep = (n) => (n === 0 ? "body" : deep(n - 1));
+    const design = pasu.parse(VASE);
+    Object.defineProperty(design.parts[0], "name", { enumerable: true, get: () => deep(30) });
+    const refusals = [];
+    let rows = 3;
     const sink = () => {
       try {
         sink();
       } catch {
+        rows = rows === 3 ? 4 : 3;
         try {
-          pasu.mesh(VASE, { rows: 3, columns: 5 });
+          pasu.mesh(design, { rows, columns: 5 });
         } catch (error) {
-          codes.add(error.code);
+          refusals.push(error);
           throw error;
         }
       }
     };
-    sink();
-    // Where it runs out while a field of the caller is read, the field is what cannot be read.
-    for (const code of codes) assert.ok(["bug", "wrong-type", undefined].includes(code), code);
+    for (let shift = 0; shift < 32; shift += 1) (() => sink())(...Array(shift));
+    const inside = refusals.filter((error) => error instanceof pasu.PasuError);
+    assert.ok(inside.length > 0 && refusals.length > inside.length, `${inside.length} of ${refusals.length}`);
+    for (const error of inside) assert.equal(error.code, "bug", error.message);
+    for (const error of refusals) assert.ok(error instanceof pasu.PasuError || error instanceof RangeError, `${error}`);
     assert.equal(pasu.fingerprint(VASE), before);
   });
+});
+
+test("what the caller's own getters throw is the caller's", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  for (const thrown of [new Error("mine"), new RangeError("mine"), undefined, "mine", null, 5]) {
+    const design = pasu.parse(VASE);
+    Object.defineProperty(design.parts[0], "name", {
+      enumerable: true,
+      get() {
+        throw thrown;
+      },
+    });
+    assert.throws(() => pasu.parse(design), { code: "wrong-type", path: "parts[0].name" });
+  }
 });
 
 test("the module without SIMD gives the same bits", () => {

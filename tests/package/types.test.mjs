@@ -13,6 +13,7 @@ const CONSUMER = `
 import init, {
   bound, type Derivatives, type Design, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse, PasuError, type PasuErrorCode,
 } from "pasu";
+import start, { mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
 const ready: Promise<void> = init(new URL("https://example.org/pasu_bg.wasm"));
 await ready;
@@ -39,7 +40,10 @@ try { parse("#1"); } catch (error) {
   if (error instanceof PasuError) { const code: PasuErrorCode = error.code; const path: string = error.path; void code; void path; }
 }
 function text_of(design: Design): string { return JSON.stringify(design); }
-void text; void off; void numbers; void indices; void slopes;
+await start();
+const same: Mesh = drawn(design) satisfies Drawn;
+const refused: PasuError = new Refused("not-json", "", "");
+void same; void refused; void text; void off; void numbers; void indices; void slopes;
 
 // @ts-expect-error a part is named by its index
 evaluate(design, "0", at);

@@ -25,7 +25,7 @@ export function preload(options: { renderer: string }): Plugin {
         const files: Bundle = bundle;
         const chunks = Object.values(files).filter((file): file is Chunk => file.type === "chunk");
         const renderer = chunks.find((chunk) => chunk.facadeModuleId === options.renderer);
-        const solver = Object.values(files).find(({ fileName }) => /pasu_bg.*\.wasm$/.test(fileName));
+        const solver = Object.values(files).find(({ fileName }) => /pasu_drawing_bg.*\.wasm$/.test(fileName));
         if (!renderer || !solver) throw new Error("the renderer's chunk or the solver's module is not in the bundle");
         // What the entry imports itself has its hints already.
         const known = chunks.filter((chunk) => chunk.isEntry).flatMap((chunk) => [...closure(files, chunk)]);

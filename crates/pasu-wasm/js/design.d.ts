@@ -199,13 +199,27 @@ export interface Placement {
   readonly shift?: readonly [number, number, number];
 }
 
-/** The clay between the surface and the lining. */
+/** The clay between the surface and the lining, in model units after placement. */
 export interface Wall {
-  /** The thickness of the wall. Greater than 0. */
+  /** The thickness of the wall along the normal. Greater than 0. */
   readonly thickness: number;
   /** The thickness of the base; 0 for a pot without one. Not less than 0. */
   readonly base: number;
+  /** Which way the clay goes from the surface; inside when left out. */
+  readonly side?: Side;
+  /** How the wall ends at an opening; flat when left out. */
+  readonly rim?: RimForm;
+  /** Width and height of a ring under the base; none when left out. Greater than 0. */
+  readonly foot?: readonly [number, number];
+  /** The diameter of a round hole through the base; 0 when left out. Not less than 0. */
+  readonly drain?: number;
 }
+
+/** Where the clay of a wall goes: inwards, or outwards. */
+export type Side = "inside" | "outside";
+
+/** How a wall ends at an opening: cut square, or half a circle. */
+export type RimForm = "flat" | "rounded";
 
 /** What a part is made of and covered with. */
 export interface Look {

@@ -25,6 +25,12 @@ export type PasuErrorCode =
   | "overflow"
   | "tolerance-too-fine"
   | "no-such-point"
+  | "no-wall"
+  | "open-surface"
+  | "pinched-surface"
+  | "crosses-itself"
+  | "no-opening"
+  | "no-room"
   /** A function was called before `init()` had finished. */
   | "not-ready"
   /** A mistake of Pasu's own. The next call works on a fresh instance. */

@@ -22,8 +22,10 @@ fn js_error(code: &str, path: &str, message: &str) -> JsValue {
     let error = js_sys::Error::new(message);
     error.set_name(NAME);
     for (key, value) in [("code", code), ("path", path)] {
-        // Setting a field of an error that was made a line above cannot fail.
-        let _ = js_sys::Reflect::set(&error, &key.into(), &value.into());
+        // Setting a field of an error that was made a line above can fail only where the stack has run out.
+        if let Err(overflow) = js_sys::Reflect::set(&error, &key.into(), &value.into()) {
+            wasm_bindgen::throw_val(overflow);
+        }
     }
     error.into()
 }

@@ -1,7 +1,7 @@
 //! Pasu for JavaScript: converts arguments, calls `pasu`, converts the result back. No arithmetic of its own.
 //!
-//! What is exported here becomes `bindings.js`; `js/pasu.js` wraps it into the module that people import, and
-//! `js/pasu.d.ts` describes that one. Every refusal leaves as an error named `PasuError` with `code` and `path`.
+//! What is exported here becomes `bindings.js`, and without the feature `making` `drawing_bindings.js`; `js/pasu.js` and `js/drawing.js`
+//! wrap them into the modules that people import, and `js/pasu.d.ts` and `js/drawing.d.ts` describe these. Every refusal leaves as an error named `PasuError` with `code` and `path`.
 //!
 //! A panic is a bug. The module is compiled with `panic = "abort"`, so nothing is unwound: the panic hook throws a
 //! `PasuError` with the code `bug` instead, and the wrapper starts a fresh instance before the next call.

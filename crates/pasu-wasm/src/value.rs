@@ -88,7 +88,7 @@ impl Reader {
         let mut items = Vec::with_capacity(length);
         for index in 0..array.length() {
             let place = Place::Item(place, index as usize);
-            let item = Reflect::get_u32(array, index).map_err(|_| unreadable(&place))?;
+            let item = Reflect::get_u32(array, index).map_err(|thrown| unreadable(&place, thrown))?;
             items.push(self.value(&item, &place)?);
         }
         Ok(Value::List(items))
@@ -100,7 +100,7 @@ impl Reader {
         for key in keys.iter() {
             let name = key.as_string().unwrap_or_default();
             let place = Place::Field(place, &name);
-            let field = Reflect::get(object, &key).map_err(|_| unreadable(&place))?;
+            let field = Reflect::get(object, &key).map_err(|thrown| unreadable(&place, thrown))?;
             let field = self.value(&field, &place)?;
             fields.push((name, field));
         }
@@ -108,6 +108,21 @@ impl Reader {
     }
 }
 
-fn unreadable(place: &Place) -> Error {
+/// What a getter of the caller threw, or a proxy, is the caller's; that the stack has run out is not, and goes on as it came.
+fn unreadable(place: &Place, thrown: JsValue) -> Error {
+    if is_overflow(&thrown) {
+        wasm_bindgen::throw_val(thrown);
+    }
     Error::new(Code::WrongType, place.text(), "expected plain data, found a field that cannot be read")
+}
+
+/// Whether this is what an engine throws when the stack has run out: a `RangeError` of V8 and JavaScriptCore, an `InternalError` of SpiderMonkey.
+fn is_overflow(thrown: &JsValue) -> bool {
+    match Reflect::get(thrown, &"message".into()) {
+        Ok(message) => message
+            .as_string()
+            .is_some_and(|text| text.starts_with("Maximum call stack size") || text == "too much recursion"),
+        // Not even this can be read.
+        Err(_) => thrown.is_object(),
+    }
 }

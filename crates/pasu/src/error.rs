@@ -51,6 +51,18 @@ pub enum Code {
     ToleranceTooFine,
     /// A part or parameter point that does not exist.
     NoSuchPoint,
+    /// A part that is to be a pot and has no wall.
+    NoWall,
+    /// A surface that does not meet itself round the axis.
+    OpenSurface,
+    /// A surface that shrinks to a point or an edge without width between its ends, or at an end that needs width.
+    PinchedSurface,
+    /// A surface, or the clay on it, that runs through itself.
+    CrossesItself,
+    /// A surface that closes at the end where a pot is open.
+    NoOpening,
+    /// A wall, floor, ring or hole that does not fit.
+    NoRoom,
 }
 
 impl Code {
@@ -73,6 +85,12 @@ impl Code {
             Code::Overflow => "overflow",
             Code::ToleranceTooFine => "tolerance-too-fine",
             Code::NoSuchPoint => "no-such-point",
+            Code::NoWall => "no-wall",
+            Code::OpenSurface => "open-surface",
+            Code::PinchedSurface => "pinched-surface",
+            Code::CrossesItself => "crosses-itself",
+            Code::NoOpening => "no-opening",
+            Code::NoRoom => "no-room",
         }
     }
 }

@@ -20,6 +20,7 @@
 //! - **IA** S. N. Ishak, J. M. Ali, *Parametric surface generation using partial differential equation based approach*.
 //! - **ASB88** J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, *Constrained constructive solid geometry: a unique representation of scenes*, 1988.
 
+mod check;
 mod design;
 mod error;
 mod evaluate;
@@ -30,11 +31,12 @@ mod mode;
 mod solid;
 mod surface;
 
+pub use check::{Finding, MeshReport, Report, Severity};
 #[cfg(feature = "typescript")]
 pub use design::typescript;
 pub use design::{
     Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
-    Order, Part, Placement, SecondOrder, Shape, Span, Unit, Value, Wall,
+    Order, Part, Placement, RimForm, SecondOrder, Shape, Side, Span, Unit, Value, Wall,
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
@@ -45,5 +47,5 @@ pub use measure::{
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
-pub use solid::{Face, FaceJet, FaceKind};
+pub use solid::{Face, FaceJet, FaceKind, Making, Product, Scale, Size, SolidMesh};
 pub use surface::{Surface, SurfaceJet};

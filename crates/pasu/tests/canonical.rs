@@ -46,6 +46,27 @@ fn written_in_the_order_of_the_format_without_defaults() {
 }
 
 #[test]
+fn a_wall_is_written_without_its_defaults() {
+    let wall = |given: &str| {
+        let shape = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06] }"#;
+        let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {given} }}] }}"#);
+        let design = Design::parse(&json).unwrap();
+        assert_eq!(Design::parse(&design.link()).unwrap(), design);
+        design.to_json().split_once(r#""wall":"#).unwrap().1.trim_end_matches("}]}").to_owned()
+    };
+    assert_eq!(
+        wall(r#"{ "drain": 0, "rim": "flat", "side": "inside", "base": 0.2, "thickness": 0.1 }"#),
+        r#"{"thickness":0.1,"base":0.2}"#
+    );
+    assert_eq!(
+        wall(
+            r#"{ "drain": 0.1, "foot": [0.2, 0.30000000000000004], "rim": "rounded", "side": "outside", "base": 0.2, "thickness": 0.1 }"#
+        ),
+        r#"{"thickness":0.1,"base":0.2,"side":"outside","rim":"rounded","foot":[0.2,0.3],"drain":0.1}"#
+    );
+}
+
+#[test]
 fn one_surface_has_one_document() {
     let text = |modes: &str, span: &str| {
         format!(

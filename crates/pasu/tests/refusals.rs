@@ -210,6 +210,30 @@ fn documents() {
             "expected a number, found nothing".into(),
         ),
         (
+            with_part(r#""wall": { "thickness": 1, "base": 1, "side": "left" }"#),
+            "unknown-name",
+            "parts[0].wall.side",
+            "expected \"inside\" or \"outside\", found \"left\"".into(),
+        ),
+        (
+            with_part(r#""wall": { "thickness": 1, "base": 1, "rim": "sharp" }"#),
+            "unknown-name",
+            "parts[0].wall.rim",
+            "expected \"flat\" or \"rounded\", found \"sharp\"".into(),
+        ),
+        (
+            with_part(r#""wall": { "thickness": 1, "base": 1, "foot": [1, 0] }"#),
+            "out-of-range",
+            "parts[0].wall.foot[1]",
+            "expected a number greater than 0, found 0".into(),
+        ),
+        (
+            with_part(r#""wall": { "thickness": 1, "base": 1, "drain": -2 }"#),
+            "out-of-range",
+            "parts[0].wall.drain",
+            "expected 0 or a number greater than 0, found -2".into(),
+        ),
+        (
             with_part(r#""look": { "clay": "mud" }"#),
             "unknown-name",
             "parts[0].look.clay",

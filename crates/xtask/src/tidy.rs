@@ -13,9 +13,12 @@ struct OnlyUser {
     folder: &'static str,
 }
 
-/// Each heavy or delicate dependency has one door.
-const ONLY_USERS: [OnlyUser; 2] =
-    [OnlyUser { package: "three", folder: "web/src/render/" }, OnlyUser { package: "pasu", folder: "web/src/solver/" }];
+/// Each heavy or delicate dependency has one door: the solver draws with `pasu/drawing`, the maker has all of `pasu`.
+const ONLY_USERS: [OnlyUser; 3] = [
+    OnlyUser { package: "three", folder: "web/src/render/" },
+    OnlyUser { package: "pasu/drawing", folder: "web/src/solver/" },
+    OnlyUser { package: "pasu", folder: "web/src/maker/" },
+];
 
 /// Where the types of the package enter the page; what is imported as a type is gone once compiled.
 const TYPES_OF_PACKAGE: &str = "web/src/document/types.ts";
@@ -98,9 +101,9 @@ fn front_end_breaches(file: &str, text: &str) -> Vec<String> {
         if let Some(package) = imported_package(line) {
             for rule in &ONLY_USERS {
                 let types = file == TYPES_OF_PACKAGE && line.starts_with("import type ");
-                let allowed = file.starts_with(rule.folder) || package == "pasu" && (test || types);
+                let allowed = file.starts_with(rule.folder) || package.starts_with("pasu") && (test || types);
                 if package == rule.package && !allowed {
-                    breaches.push(format!("{file}:{number}: only {} imports `{}`", rule.folder, rule.package));
+                    breaches.push(format!("{file}:{number}: only {} imports `{package}`", rule.folder));
                 }
             }
             if package == "lit" && is_pure(file) {
@@ -123,14 +126,14 @@ fn is_pure(file: &str) -> bool {
     PURE.iter().any(|folder| file.starts_with(folder))
 }
 
-/// The package of an import: `three` for `from "three/addons/.."`, nothing for a file of our own.
+/// The package of an import: `three` for `from "three/addons/.."`, nothing for a file of our own. `pasu/drawing` counts as one.
 fn imported_package(line: &str) -> Option<&str> {
     let after = ["from \"", "import \"", "import(\""].iter().find_map(|word| line.split_once(word))?.1;
     let specifier = after.split('"').next()?;
     if specifier.starts_with('.') || specifier.contains(':') {
         return None;
     }
-    specifier.split('/').next()
+    if specifier == "pasu/drawing" { Some(specifier) } else { specifier.split('/').next() }
 }
 
 /// Lines with their numbers, without those that are only a comment.
@@ -174,7 +177,9 @@ mod tests {
             ["web/src/app/page.ts:1: only web/src/render/ imports `three`"]
         );
         assert_eq!(front_end_breaches("web/src/app/page.ts", "await import(\"pasu\")").len(), 1);
-        assert!(front_end_breaches("web/src/solver/worker.ts", "import init from \"pasu\";").is_empty());
+        assert!(front_end_breaches("web/src/solver/worker.ts", "import init from \"pasu/drawing\";").is_empty());
+        assert_eq!(front_end_breaches("web/src/solver/worker.ts", "import init from \"pasu\";").len(), 1);
+        assert!(front_end_breaches("web/src/maker/worker.ts", "import init from \"pasu\";").is_empty());
         assert!(front_end_breaches(TYPES_OF_PACKAGE, "import type * as pasu from \"pasu\";").is_empty());
         assert_eq!(front_end_breaches(TYPES_OF_PACKAGE, "import init from \"pasu\";").len(), 1);
         assert!(front_end_breaches("web/src/app/page.ts", "import { Stage } from \"../render/stage\";").is_empty());

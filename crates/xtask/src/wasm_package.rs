@@ -31,9 +31,12 @@ impl Care {
 }
 
 /// Files that are copied into the package as they are.
-const COPIED: [(&str, &str); 6] = [
+const COPIED: [(&str, &str); 9] = [
     ("crates/pasu-wasm/js/pasu.js", "pasu.js"),
+    ("crates/pasu-wasm/js/drawing.js", "drawing.js"),
+    ("crates/pasu-wasm/js/wrapper.js", "wrapper.js"),
     ("crates/pasu-wasm/js/pasu.d.ts", "pasu.d.ts"),
+    ("crates/pasu-wasm/js/drawing.d.ts", "drawing.d.ts"),
     ("crates/pasu-wasm/js/design.d.ts", "design.d.ts"),
     ("crates/pasu-wasm/js/README.md", "README.md"),
     ("LICENSE-MIT", "LICENSE-MIT"),
@@ -58,35 +61,58 @@ const WASM_OPT: [&str; 10] = [
 /// Builds the package into `crates/pasu-wasm/pkg`; unchanged inputs rebuild nothing.
 pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     wasm_target::ensure(workspace)?;
-    let compiled = compile(workspace, "pasu-wasm", care, Lanes::Simd)?;
-    let scalar = compile(workspace, "pasu-wasm", care, Lanes::Scalar)?;
-    let mut inputs =
-        vec![compiled.clone(), scalar.clone(), workspace.bindings().join("js"), workspace.root().join("Cargo.toml")];
-    inputs.extend(COPIED.iter().map(|(from, _)| workspace.root().join(from)));
-    // This program's own text decides too: it holds the options of the steps below.
-    inputs.push(workspace.root().join("crates/xtask/src/wasm_package.rs"));
-    let stamp = Stamp::of(workspace, "package", &format!("{care:?}"), &inputs)?;
-    if stamp.is_fresh() && workspace.package().join("package.json").is_file() {
-        return Ok(());
-    }
-    stamp.clear();
-    eprintln!("writing the package crates/pasu-wasm/pkg");
     let package = workspace.package();
     fs::create_dir_all(&package)?;
-    let bound = bind(workspace, &compiled, "pasu", care, "bindgen")?;
-    write(&package.join("pasu_bg.wasm"), &fs::read(bound.module)?)?;
-    let glue = fs::read(bound.script)?;
-    write(&package.join("bindings.js"), &glue)?;
-    let bound = bind(workspace, &scalar, "pasu", care, "bindgen-scalar")?;
-    if fs::read(bound.script)? != glue {
-        bail!("the module without SIMD has bindings of its own, but pasu.js loads both by those of the other");
-    }
-    write(&package.join("pasu_scalar_bg.wasm"), &fs::read(bound.module)?)?;
+
+    // One after the other in the same folder, where all that they share is compiled once: only the last step, which takes
+    // half a second, is done anew for each.
+    let drawing = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Drawing)?;
+    let whole = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Whole)?;
+    let scalar = compile(workspace, "pasu-wasm", care, Lanes::Scalar, Content::Whole)?;
+
+    step(workspace, "module for drawing", care, &[&drawing], &["pasu_drawing_bg.wasm", "drawing_bindings.js"], || {
+        let bound = bind(workspace, &drawing, "pasu_drawing", care, "bindgen-drawing")?;
+        write(&package.join("pasu_drawing_bg.wasm"), &fs::read(bound.module)?)?;
+        write(&package.join("drawing_bindings.js"), &fs::read(bound.script)?)
+    })?;
+    let products = ["pasu_bg.wasm", "pasu_scalar_bg.wasm", "bindings.js"];
+    step(workspace, "whole module", care, &[&whole, &scalar], &products, || {
+        let bound = bind(workspace, &whole, "pasu", care, "bindgen")?;
+        write(&package.join("pasu_bg.wasm"), &fs::read(bound.module)?)?;
+        let glue = fs::read(bound.script)?;
+        write(&package.join("bindings.js"), &glue)?;
+        let bound = bind(workspace, &scalar, "pasu", care, "bindgen-scalar")?;
+        if fs::read(bound.script)? != glue {
+            bail!("the module without SIMD has bindings of its own, but pasu.js loads both by those of the other");
+        }
+        write(&package.join("pasu_scalar_bg.wasm"), &fs::read(bound.module)?)
+    })?;
     for (from, to) in COPIED {
         let from = workspace.root().join(from);
         write(&package.join(to), &fs::read(&from).with_context(|| format!("cannot read {}", from.display()))?)?;
     }
-    write(&package.join("package.json"), manifest(workspace)?.as_bytes())?;
+    write(&package.join("package.json"), manifest(workspace)?.as_bytes())
+}
+
+/// Makes `products` in the package from compiled modules, unless neither these nor the way of making them have changed.
+fn step(
+    workspace: &Workspace,
+    name: &str,
+    care: Care,
+    inputs: &[&Path],
+    products: &[&str],
+    make: impl FnOnce() -> Result<()>,
+) -> Result<()> {
+    let mut inputs: Vec<PathBuf> = inputs.iter().map(|input| input.to_path_buf()).collect();
+    // This program's own text decides too: it holds the options of every step.
+    inputs.push(workspace.root().join("crates/xtask/src/wasm_package.rs"));
+    let stamp = Stamp::of(workspace, &name.replace(' ', "-"), &format!("{care:?}"), &inputs)?;
+    if stamp.is_fresh() && products.iter().all(|product| workspace.package().join(product).is_file()) {
+        return Ok(());
+    }
+    stamp.clear();
+    eprintln!("writing the {name} of the package crates/pasu-wasm/pkg");
+    make()?;
     stamp.save()
 }
 
@@ -94,7 +120,7 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
 pub(crate) fn build_bench(workspace: &Workspace) -> Result<()> {
     wasm_target::ensure(workspace)?;
     let care = Care::Release;
-    let compiled = compile(workspace, "bench-wasm", care, Lanes::Simd)?;
+    let compiled = compile(workspace, "bench-wasm", care, Lanes::Simd, Content::Whole)?;
     let own_text = workspace.root().join("crates/xtask/src/wasm_package.rs");
     let stamp = Stamp::of(workspace, "bench-module", &format!("{care:?}"), &[compiled.clone(), own_text])?;
     let folder = workspace.root().join("crates/bench-wasm/pkg");
@@ -118,13 +144,25 @@ enum Lanes {
     Scalar,
 }
 
+/// How much of a crate of bindings a module holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Content {
+    /// What drawing a design takes.
+    Drawing,
+    /// Everything.
+    Whole,
+}
+
 /// Compiles one crate of bindings and returns the module.
-fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes) -> Result<PathBuf> {
+fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
     let mut command = Command::new(cargo());
     command
         .args(["build", "--package", package, "--lib", "--target", wasm_target::TRIPLE])
         .args(["--profile", care.profile()])
         .current_dir(workspace.root());
+    if content == Content::Drawing {
+        command.arg("--no-default-features");
+    }
     let target = match lanes {
         Lanes::Simd => workspace.target().to_owned(),
         // Other flags in the same folder would compile everything anew each time.
@@ -135,8 +173,13 @@ fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes) -> Re
         command.env("RUSTFLAGS", "-C llvm-args=-inline-threshold=50").arg("--target-dir").arg(&target);
     }
     command::run(&mut command)?;
-    let file = format!("{}.wasm", package.replace('-', "_"));
-    Ok(target.join(wasm_target::TRIPLE).join(care.profile()).join(file))
+    let file = package.replace('-', "_");
+    let compiled = target.join(wasm_target::TRIPLE).join(care.profile()).join(&file).with_extension("wasm");
+    // The next module of the same crate takes the place of this one.
+    let kept = workspace.target().join("xtask/compiled").join(format!("{file}-{care:?}-{lanes:?}-{content:?}.wasm"));
+    fs::create_dir_all(workspace.target().join("xtask/compiled"))?;
+    fs::copy(&compiled, &kept).with_context(|| format!("cannot copy {}", compiled.display()))?;
+    Ok(kept)
 }
 
 /// A module with its bindings.
@@ -154,8 +197,8 @@ fn bind(workspace: &Workspace, compiled: &Path, name: &str, care: Care, folder: 
         .web(true)?
         .out_name(name)
         .typescript(false)
-        // Without this, `init()` would demand an argument and bundlers would not see the module.
-        .omit_default_module_path(false)
+        // js/pasu.js and js/drawing.js name their modules themselves; the benchmarks leave it to the bindings.
+        .omit_default_module_path(name != "bench")
         .reset_state_function(true)
         .remove_producers_section(true)
         .remove_name_section(care == Care::Release)

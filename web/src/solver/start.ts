@@ -19,7 +19,7 @@ export function startWorker(): Port {
 
 /** Hosts that name another type than `application/wasm` cost the streaming, not the page. */
 async function compile(): Promise<WebAssembly.Module> {
-  const response = await fetch(new URL("../../../crates/pasu-wasm/pkg/pasu_bg.wasm", import.meta.url));
+  const response = await fetch(new URL("../../../crates/pasu-wasm/pkg/pasu_drawing_bg.wasm", import.meta.url));
   const streams = response.headers.get("content-type")?.startsWith("application/wasm") === true;
   return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

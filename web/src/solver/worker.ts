@@ -1,6 +1,6 @@
-/** The solver's worker: the only importer of the package. Answers one request after the other. */
+/** The solver's worker. Answers one request after the other. */
 
-import init, { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu";
+import init, { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu/drawing";
 import type { Grid } from "../document/describe";
 import { facts } from "../document/describe";
 import type { Design, Part, Refusal } from "../document/types";

@@ -57,7 +57,7 @@ impl Part {
                 None => Placement::default(),
             },
             wall: match record.get("wall") {
-                Some(value) => Some(fields::read_record(value, path("wall"), "a wall with thickness and base")?),
+                Some(value) => Some(Wall::read(value, path("wall"))?),
                 None => None,
             },
             look: match record.get("look") {
@@ -71,10 +71,7 @@ impl Part {
         Ok(Part {
             shape: self.shape.canonical(&path.field("shape"))?,
             place: self.place.canonical(&path.field("place"))?,
-            wall: self.wall.map(|mut wall| {
-                wall.round();
-                wall
-            }),
+            wall: self.wall.map(Wall::canonical),
             ..self
         })
     }

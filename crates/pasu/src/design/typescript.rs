@@ -10,7 +10,7 @@ use super::reader::Range;
 use super::shape::Kind;
 use super::table::Entry;
 use super::unit::Unit;
-use super::wall::Wall;
+use super::wall::{RimForm, Side, WALL};
 
 /// The declarations of everything that a design document may hold, as the text of a `.d.ts` module.
 ///
@@ -52,7 +52,9 @@ pub fn typescript() -> String {
         FOURTH_DATUM,
     );
     numbers(&mut text, "Placement", "Scaled, then turned, then moved.", None, Placement::FIELDS);
-    numbers(&mut text, "Wall", "The clay between the surface and the lining.", None, Wall::FIELDS);
+    interface(&mut text, "Wall", "The clay between the surface and the lining, in model units after placement.", WALL);
+    union(&mut text, "Side", "Where the clay of a wall goes: inwards, or outwards.", Side::NAMES);
+    union(&mut text, "RimForm", "How a wall ends at an opening: cut square, or half a circle.", RimForm::NAMES);
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
     union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
     union(&mut text, "ClayName", "A clay body.", Clay::NAMES);

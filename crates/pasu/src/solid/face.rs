@@ -39,12 +39,19 @@ pub struct FaceJet {
 
 /// One smooth piece `F(a, v)` of the boundary, `a` in [0, 1] and `v` in [0, 2 pi], closed in `v`. Neighbours share whole boundary curves `a = 0` or `a = 1`;
 /// a boundary may shrink to a point.
+///
+/// A level face whose outline is not star-shaped may fold over itself as a map; its signed area and moments hold all the same.
 pub trait Face {
     /// What it is.
     fn kind(&self) -> FaceKind;
 
     /// Position and derivatives.
     fn jet(&self, a: f64, v: f64) -> FaceJet;
+
+    /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
+    fn is_exact(&self) -> bool {
+        true
+    }
 
     /// 1 or -1, so that `outward() * (F_a x F_v)` points out of the clay.
     fn outward(&self) -> f64;

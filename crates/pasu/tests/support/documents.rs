@@ -192,8 +192,16 @@ fn part() -> impl Strategy<Value = Vec<Entry>> {
         ("angle", number(200).boxed()),
         ("shift", list(3, 200).boxed()),
     ]);
-    let wall = ((0.001..9.0f64), (0.0..9.0f64)).prop_map(|(thickness, base)| {
-        Value::Record(vec![entry("base", Value::Number(base)), entry("thickness", Value::Number(thickness))])
+    let forms = some_of(vec![
+        ("side", name(&["inside", "outside"]).boxed()),
+        ("rim", name(&["flat", "rounded"]).boxed()),
+        ("foot", [0.001..9.0f64, 0.001..9.0f64].prop_map(numbers).boxed()),
+        ("drain", prop_oneof![Just(0.0), 0.0..9.0f64].prop_map(Value::Number).boxed()),
+    ]);
+    let wall = ((0.001..9.0f64), (0.0..9.0f64), forms).prop_map(|(thickness, base, mut fields)| {
+        fields.push(entry("base", Value::Number(base)));
+        fields.push(entry("thickness", Value::Number(thickness)));
+        Value::Record(fields)
     });
     let look = some_of(vec![
         ("glaze", name(&["celadon", "tin-white", "bare"]).boxed()),

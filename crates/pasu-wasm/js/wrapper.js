@@ -1,0 +1,122 @@
+// What both entries of the package, `pasu` and `pasu/drawing`, are made of.
+//
+// The WebAssembly instance lives behind this file: errors become PasuError, and an instance that a bug has stopped is
+// replaced by a fresh one, which costs nothing else because every function is stateless.
+
+/** A refusal: `code` says what, `path` where, `message` tells a person. */
+export class PasuError extends Error {
+  constructor(code, path, message, options) {
+    super(message, options);
+    this.name = "PasuError";
+    this.code = code;
+    this.path = path;
+  }
+}
+
+/** Whether the engine has 128-bit SIMD: a module of two of its instructions. */
+const HAS_SIMD = WebAssembly.validate(
+  Uint8Array.of(
+    0,
+    97,
+    115,
+    109,
+    1,
+    0,
+    0,
+    0,
+    1,
+    5,
+    1,
+    96,
+    0,
+    1,
+    123,
+    3,
+    2,
+    1,
+    0,
+    10,
+    10,
+    1,
+    8,
+    0,
+    65,
+    0,
+    253,
+    15,
+    253,
+    98,
+    11,
+  ),
+);
+
+/**
+ * An entry: `init`, `call`, which calls a binding by its name, and the functions that every entry has.
+ *
+ * `simd` and `scalar` stand for a module each, with 128-bit SIMD and for engines of before 2023 without: `module` is its
+ * address, `bindings` a promise of what was generated for it.
+ */
+export function entry(simd, scalar) {
+  const { module, bindings } = HAS_SIMD ? simd : scalar;
+  let loading;
+  let loaded;
+  let broken = false;
+
+  /** Loads the module, once; `source` says where it is, if not beside this file, or is a function that does. */
+  function init(source) {
+    loading ??= instantiate(typeof source === "function" ? source() : source).catch((error) => {
+      loading = undefined; // so that it can be tried again
+      throw error;
+    });
+    return loading;
+  }
+
+  async function instantiate(source) {
+    const generated = await bindings();
+    await generated.default({ module_or_path: source ?? (await onDisk(module())) ?? module() });
+    loaded = generated;
+  }
+
+  function call(name, ...args) {
+    if (!loaded) throw new PasuError("not-ready", "", "Pasu is not loaded yet: call init() and wait for it first.");
+    try {
+      if (broken) {
+        loaded.__wbg_reset_state();
+        broken = false;
+      }
+      return loaded[name](...args);
+    } catch (error) {
+      if (error instanceof Error && error.name === "PasuError" && error.code !== "bug") {
+        throw new PasuError(error.code, error.path, error.message);
+      }
+      // Whatever else comes out of the module is a bug of ours, and the instance can no longer be trusted. It is replaced
+      // at the next call, not now: the stack may be what has run out.
+      broken = true;
+      throw new PasuError("bug", "", error instanceof Error ? error.message : String(error), { cause: error });
+    }
+  }
+
+  return {
+    init,
+    call,
+    parse: (source) => call("parse", source),
+    link: (source) => call("link", source),
+    mesh(source, options) {
+      if (typeof options !== "object" || options === null) return call("mesh", source, options);
+      const { into, ...others } = options;
+      return call("mesh", source, others, into);
+    },
+    bound: (source, options) => call("bound", source, options),
+    evaluate: (source, part, at) => call("evaluate", source, part, at),
+    derivatives: (source, part, at) => call("derivatives", source, part, at),
+    fingerprint: (source) => call("fingerprint", source),
+  };
+}
+
+/** A module's bytes where the package is imported by its path in Node, whose fetch() does not read files. */
+async function onDisk(module) {
+  if (module.protocol !== "file:") return undefined;
+  const files = "node:fs/promises"; // a name that bundlers for browsers leave alone
+  const { readFile } = await import(/* @vite-ignore */ files);
+  return readFile(module);
+}

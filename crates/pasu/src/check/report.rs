@@ -1,0 +1,154 @@
+//! What the checks found, for a page, a file and a program.
+
+use crate::design::{Value, to_json};
+use crate::solid::Product;
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// It cannot be made.
+    Error,
+    /// It can be made, but differs from what was asked for.
+    Warning,
+    /// Worth knowing.
+    Note,
+}
+
+impl Severity {
+    /// The word by which it is known: `error`, `warning` or `note`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        }
+    }
+}
+
+/// One thing that a check found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// A stable kebab-case word: `thinned`, or the code of the [`Error`](crate::Error) that refuses the part.
+    pub code: &'static str,
+    /// How much it matters.
+    pub severity: Severity,
+    /// The part that it is about.
+    pub part: usize,
+    /// One sentence in a potter's words.
+    pub message: String,
+    /// Where, in model units after placement.
+    pub at: Option<[f64; 3]>,
+}
+
+/// What the checks counted on the mesh of one part, on the coordinates that a file holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshReport {
+    /// The part.
+    pub part: usize,
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Whether every edge is shared by two triangles that pass it in opposite directions, and the triangles at each vertex are one fan.
+    pub closed: bool,
+    /// Number of handles: 0 for a cup, 1 for a tube or a pot with a drain. `None` where the mesh is not closed.
+    pub genus: Option<usize>,
+    /// Number of triangles without area.
+    pub degenerate: usize,
+    /// Number of pairs of triangles that cross or touch where they should not.
+    pub crossings: usize,
+    /// The largest distance between the triangles and the true faces, in model units.
+    pub bound: f64,
+    /// The share of the design surface where the wall is thinner than asked for, from 0 to 1.
+    pub thinned: f64,
+    /// The thinnest the wall is, in model units; `None` for a solid.
+    pub thinnest: Option<f64>,
+}
+
+/// The verdict on a design: can it be made, and what was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// What was to be made.
+    pub product: Product,
+    /// What was found, errors first.
+    pub findings: Vec<Finding>,
+    /// One entry per part that could be meshed.
+    pub meshes: Vec<MeshReport>,
+}
+
+impl Report {
+    /// Whether nothing was found that keeps the design from being made.
+    pub fn is_ok(&self) -> bool {
+        self.findings.iter().all(|finding| finding.severity != Severity::Error)
+    }
+
+    /// The number of triangles of all parts.
+    pub fn triangles(&self) -> usize {
+        self.meshes.iter().map(|mesh| mesh.triangles).sum()
+    }
+
+    /// The number of vertices of all parts.
+    pub fn vertices(&self) -> usize {
+        self.meshes.iter().map(|mesh| mesh.vertices).sum()
+    }
+
+    /// `{ ok, product, triangles, vertices, findings: [{ code, severity, part, message, at? }], meshes: [{ part, vertices, triangles, closed, genus?, degenerate, crossings,
+    /// bound, thinned, thinnest? }] }`, on one line.
+    pub fn to_json(&self) -> String {
+        to_json(&Value::Record(vec![
+            entry("ok", Value::Bool(self.is_ok())),
+            entry("product", text(self.product.name())),
+            entry("triangles", count(self.triangles())),
+            entry("vertices", count(self.vertices())),
+            entry("findings", Value::List(self.findings.iter().map(Finding::value).collect())),
+            entry("meshes", Value::List(self.meshes.iter().map(MeshReport::value).collect())),
+        ]))
+    }
+}
+
+impl Finding {
+    fn value(&self) -> Value {
+        let mut fields = vec![
+            entry("code", text(self.code)),
+            entry("severity", text(self.severity.name())),
+            entry("part", count(self.part)),
+            entry("message", text(&self.message)),
+        ];
+        if let Some(at) = self.at {
+            fields.push(entry("at", Value::List(at.map(Value::Number).to_vec())));
+        }
+        Value::Record(fields)
+    }
+}
+
+impl MeshReport {
+    fn value(&self) -> Value {
+        let mut fields = vec![
+            entry("part", count(self.part)),
+            entry("vertices", count(self.vertices)),
+            entry("triangles", count(self.triangles)),
+            entry("closed", Value::Bool(self.closed)),
+        ];
+        fields.extend(self.genus.map(|genus| entry("genus", count(genus))));
+        fields.extend([
+            entry("degenerate", count(self.degenerate)),
+            entry("crossings", count(self.crossings)),
+            entry("bound", Value::Number(self.bound)),
+            entry("thinned", Value::Number(self.thinned)),
+        ]);
+        fields.extend(self.thinnest.map(|thinnest| entry("thinnest", Value::Number(thinnest))));
+        Value::Record(fields)
+    }
+}
+
+fn entry(name: &str, value: Value) -> (String, Value) {
+    (name.to_owned(), value)
+}
+
+fn text(text: &str) -> Value {
+    Value::Text(text.to_owned())
+}
+
+fn count(count: usize) -> Value {
+    Value::Number(count as f64)
+}

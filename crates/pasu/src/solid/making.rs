@@ -1,0 +1,105 @@
+//! What is made of a design, and how large.
+
+use crate::design::{Design, plain};
+use crate::error::{Code, Error, Result};
+
+/// What is made of each part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Product {
+    /// A hollow pot with the part's wall.
+    #[default]
+    Pot,
+    /// The surface with its ends closed, for the vase mode of a slicer.
+    Solid,
+}
+
+impl Product {
+    /// The word by which it is known: `pot` or `solid`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Product::Pot => "pot",
+            Product::Solid => "solid",
+        }
+    }
+}
+
+/// What the finished pot is to measure, in the unit of the design.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Size {
+    /// From the lowest to the highest point.
+    Height(f64),
+    /// The greatest level width.
+    Width(f64),
+    /// What it holds when full to the brim, in the unit cubed.
+    Capacity(f64),
+}
+
+/// What is made of a design: the product, its size and how finely it is meshed.
+///
+/// Everything is scaled alike, the wall included. A clay that shrinks by `shrinkage` percent in drying and firing is made larger by `1 / (1 - shrinkage / 100)`, so that
+/// [`Size`] is that of the finished pot.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Making {
+    /// What is made.
+    pub product: Product,
+    /// The size of the finished pot; as designed when left out.
+    pub size: Option<Size>,
+    /// By how many percent the clay shrinks, from 0 to less than 50.
+    pub shrinkage: f64,
+    /// The largest distance between triangles and the true faces, in model units, before scaling; one two-thousandth of each part's size when left out.
+    pub tolerance: Option<f64>,
+}
+
+/// The factors between a design and what is made of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// From the design to the finished pot.
+    pub size: f64,
+    /// From the finished pot to the raw one.
+    pub shrinkage: f64,
+    /// From model units to the millimetres of a file: the product of both and the unit.
+    pub millimetres: f64,
+}
+
+/// The largest shrinkage in percent is below this.
+const MOST_SHRINKAGE: f64 = 50.0;
+
+impl Making {
+    /// The factors that this asks for.
+    ///
+    /// # Errors
+    /// `out-of-range` for a size, shrinkage or tolerance outside its range.
+    pub fn scale(&self, design: &Design) -> Result<Scale> {
+        self.check()?;
+        let size = 1.0;
+        let shrinkage = 1.0 / (1.0 - self.shrinkage / 100.0);
+        let millimetres = design.unit().millimetres() * size * shrinkage;
+        Ok(Scale { size, shrinkage, millimetres })
+    }
+
+    /// Refuses what is outside its range.
+    fn check(&self) -> Result<()> {
+        let positive = |name: &str, value: f64| {
+            if value > 0.0 && value.is_finite() {
+                return Ok(());
+            }
+            let message = format!("expected a number greater than 0, found {}", plain(value));
+            Err(Error::new(Code::OutOfRange, name, message))
+        };
+        match self.size {
+            Some(Size::Height(height)) => positive("size.height", height)?,
+            Some(Size::Width(width)) => positive("size.width", width)?,
+            Some(Size::Capacity(capacity)) => positive("size.capacity", capacity)?,
+            None => {}
+        }
+        if let Some(tolerance) = self.tolerance {
+            positive("tolerance", tolerance)?;
+        }
+        if !(0.0..MOST_SHRINKAGE).contains(&self.shrinkage) {
+            let message =
+                format!("expected a percentage from 0 to less than {MOST_SHRINKAGE}, found {}", plain(self.shrinkage));
+            return Err(Error::new(Code::OutOfRange, "shrinkage", message));
+        }
+        Ok(())
+    }
+}
