@@ -138,8 +138,8 @@ pub(crate) struct Cap<'a> {
 impl<'a> Cap<'a> {
     /// Closes a face at its curve `a = 0` or 1; the cap, from its tip at `a = 0`, is turned to the same side as the face.
     pub(crate) fn new(face: &'a dyn Face, a: f64, columns: usize) -> Cap<'a> {
-        let tip = (0..columns).map(|j| face.jet(a, TAU * j as f64 / columns as f64).position).sum::<DVec3>()
-            / columns as f64;
+        let tip =
+            (0..columns).map(|j| face.jet(a, TAU * j as f64 / columns as f64).position).sum::<DVec3>() / columns as f64;
         // Running towards a = 0 of the face, the cap goes on as the face does; towards a = 1 it comes the other way.
         let outward = if a == 0.0 { face.outward() } else { -face.outward() };
         Cap { face, a, tip, outward }

@@ -75,7 +75,9 @@ impl<'a> Vessel<'a> {
         };
         let widest = [0.0, 0.25, 0.5, 0.75, 1.0].map(width).into_iter().fold(0.0, f64::max);
         if !(width(1.0) > 1e-9 * widest) {
-            return Err("the surface closes to a point where the opening of a pot is, so nothing can be filled in".to_owned());
+            return Err(
+                "the surface closes to a point where the opening of a pot is, so nothing can be filled in".to_owned()
+            );
         }
         let cap = (width(0.0) > 1e-9 * widest).then(|| Cap::new(bare, 0.0, closing_columns(highest)));
         Ok(Vessel { faces: vec![bare], cap, is_stopped: false, axis: bare.axis(), highest })

@@ -171,12 +171,13 @@ impl<'a> Inside<'a> {
         let top = samples[crest];
         let beside = |other: usize| samples.get(other).copied().filter(|other| other.link == top.link);
         let neighbour = if top.slope > 0.0 { beside(crest + 1) } else { crest.checked_sub(1).and_then(beside) };
-        let refined = neighbour.filter(|other| (other.slope > 0.0) != (top.slope > 0.0) && top.slope != 0.0).map(|other| {
-            let link = &self.links[top.link];
-            let s = search::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
-            let (z, slope) = link.height(s, v);
-            Sample { link: top.link, s, z, slope }
-        });
+        let refined =
+            neighbour.filter(|other| (other.slope > 0.0) != (top.slope > 0.0) && top.slope != 0.0).map(|other| {
+                let link = &self.links[top.link];
+                let s = search::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
+                let (z, slope) = link.height(s, v);
+                Sample { link: top.link, s, z, slope }
+            });
         let end = samples.iter().rfind(|sample| self.links[sample.link].face.kind() != FaceKind::Rim).copied();
         match refined.filter(|refined| refined.z >= top.z) {
             Some(refined) => {

@@ -161,8 +161,7 @@ impl<'a> Level<'a> {
         // The level itself is off by rounding.
         let edge = 2.0 * LEVEL * self.inside.size() * area.abs();
         let first = |all: [f64; 5]| [all[0], all[1], all[2], all[3]];
-        let mut water =
-            Integral { value: first(total.value), error: first(total.error), size: first(total.size) };
+        let mut water = Integral { value: first(total.value), error: first(total.error), size: first(total.size) };
         water.error[0] += edge;
         let span = self.inside.size();
         for i in 1..4 {

@@ -11,10 +11,7 @@ use crate::solid::FaceKind;
 impl Measures {
     /// The measures as a tree of plain data; `docs/measures.md` names every field with its unit.
     pub fn to_value(&self) -> Value {
-        let mut fields = vec![
-            field("unit", text(self.unit.name())),
-            field("product", text(self.product.name())),
-        ];
+        let mut fields = vec![field("unit", text(self.unit.name())), field("product", text(self.product.name()))];
         fields.extend(body(&self.whole));
         fields.push(field("parts", Value::List(self.parts.iter().map(part).collect())));
         Value::Record(fields)
@@ -63,11 +60,7 @@ fn body(body: &Body) -> Vec<(String, Value)> {
         ("greatestDirection", number(body.width.greatest_direction)),
     ]);
     let clay = or_null(body.clay.as_ref(), |clay| {
-        record(vec![
-            ("area", quantity(&clay.area)),
-            ("volume", quantity(&clay.volume)),
-            ("mass", quantity(&clay.mass)),
-        ])
+        record(vec![("area", quantity(&clay.area)), ("volume", quantity(&clay.volume)), ("mass", quantity(&clay.mass))])
     });
     let both = |empty: Value, full: Value| record(vec![("empty", empty), ("full", full)]);
     vec![
@@ -93,10 +86,7 @@ fn capacity(capacity: &Capacity) -> Value {
     });
     record(vec![
         ("brim", quantity(&capacity.brim)),
-        (
-            "spill",
-            record(vec![("level", quantity(&capacity.spill_level)), ("at", numbers(&capacity.spill_at))]),
-        ),
+        ("spill", record(vec![("level", quantity(&capacity.spill_level)), ("at", numbers(&capacity.spill_at))])),
         ("floor", number(capacity.floor)),
         ("fill", fill),
         ("stopped", Value::Bool(capacity.is_stopped)),

@@ -68,7 +68,11 @@ impl Taken {
         if is_exact {
             Accuracy::new(ACCURACY, self.bare.highest())
         } else {
-            Accuracy { most_intervals: 16, most_columns: 512, ..Accuracy::new(ACCURACY_OF_THINNED, self.bare.highest()) }
+            Accuracy {
+                most_intervals: 16,
+                most_columns: 512,
+                ..Accuracy::new(ACCURACY_OF_THINNED, self.bare.highest())
+            }
         }
     }
 
@@ -144,8 +148,11 @@ fn refuse_overflow(parts: &[PartMeasures], fill: f64) -> Result<()> {
 
 /// The refusal of a level at which water runs out.
 pub(crate) fn above_spill(path: &str, level: f64, spill: f64) -> Error {
-    let message =
-        format!("water runs out at the level {}: expected no more than that, found {}", plain(rounded(spill)), plain(level));
+    let message = format!(
+        "water runs out at the level {}: expected no more than that, found {}",
+        plain(rounded(spill)),
+        plain(level)
+    );
     Error::new(Code::OutOfRange, path, message)
 }
 
@@ -165,14 +172,8 @@ fn part_measures(
         let message = "the surface leaves the range of numbers";
         return Err(Error::new(Code::Overflow, format!("parts[{index}]"), message));
     }
-    let mut body = Body {
-        height: outside.height(),
-        bottom,
-        top,
-        width: width(outside),
-        area: surface,
-        ..Body::default()
-    };
+    let mut body =
+        Body { height: outside.height(), bottom, top, width: width(outside), area: surface, ..Body::default() };
     let cubic_centimetre = (design.unit().millimetres() / 10.0).powi(3);
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;

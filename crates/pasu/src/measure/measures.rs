@@ -141,4 +141,3 @@ pub struct Overhang {
     /// What overhangs.
     pub face: FaceKind,
 }
-

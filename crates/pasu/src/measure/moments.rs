@@ -38,10 +38,7 @@ impl Moments {
     }
 
     pub(crate) fn plus(&self, other: &Moments) -> Moments {
-        Moments {
-            volume: self.volume + other.volume,
-            first: core::array::from_fn(|i| self.first[i] + other.first[i]),
-        }
+        Moments { volume: self.volume + other.volume, first: core::array::from_fn(|i| self.first[i] + other.first[i]) }
     }
 
     /// The centre of mass and how far each of its coordinates may be off; `None` where there is no volume.
@@ -133,8 +130,7 @@ mod tests {
     #[test]
     fn a_cylinder() {
         let (r, h, z) = (1.7, 5.3, 40.0);
-        let (foot, side, lid) =
-            (disc(0.0, r, z), turned(move |a| [[r, z + h * a], [0.0, h]]), disc(r, 0.0, z + h));
+        let (foot, side, lid) = (disc(0.0, r, z), turned(move |a| [[r, z + h * a], [0.0, h]]), disc(r, 0.0, z + h));
         let (areas, moments) = enclosed(&[&foot, &side, &lid], &accuracy());
         near(areas[0], PI * r * r, 1.0);
         near(areas[1], TAU * r * h, 50.0);

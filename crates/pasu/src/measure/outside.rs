@@ -127,7 +127,15 @@ impl<'a> Outside<'a> {
         };
         let (least_direction, smallest) = refine(place(|x, y| x < y), 1.0);
         let (greatest_direction, largest) = refine(place(|x, y| x > y), -1.0);
-        let turn = |angle: f64| if angle < 0.0 { angle + PI } else if angle >= PI { angle - PI } else { angle };
+        let turn = |angle: f64| {
+            if angle < 0.0 {
+                angle + PI
+            } else if angle >= PI {
+                angle - PI
+            } else {
+                angle
+            }
+        };
         Widths {
             least: Quantity::rounded(smallest, 2.0 * self.size),
             greatest: Quantity::rounded(largest, 2.0 * self.size),
@@ -168,8 +176,7 @@ impl<'a> Outside<'a> {
             let lean = |jet: &FaceJet| lean(element(*face, jet));
             let Some(place) = grid.greatest(lean, |a, v| face.jet(off_the_end(a), v)) else { continue };
             if best.is_none_or(|best| place.value > best.value) {
-                best =
-                    Some(Spot { value: place.value, at: face.jet(place.a, place.v).position, face: face.kind() });
+                best = Some(Spot { value: place.value, at: face.jet(place.a, place.v).position, face: face.kind() });
             }
         }
         best

@@ -8,7 +8,7 @@ use super::moments::element;
 use super::outside::{lean, off_the_end};
 use crate::design::Design;
 use crate::error::Result;
-use crate::mesh::{MeshOptions, places};
+use crate::mesh::{MeshOptions, grid_places};
 use crate::solid::{Face, Pot, Product};
 
 /// What is painted.
@@ -46,7 +46,7 @@ impl Map {
 /// # Errors
 /// As [`mesh`](crate::mesh); for [`Map::Thickness`] also what [`Pot::new`] refuses.
 pub fn paint(design: &Design, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
-    let grids = places(design, options)?;
+    let grids = grid_places(design, options)?;
     let mut values = Vec::with_capacity(grids.iter().map(|grid| grid.rows.len() * grid.columns).sum());
     for (index, (part, grid)) in design.parts().iter().zip(&grids).enumerate() {
         let bare = Bare::new(part, index)?;

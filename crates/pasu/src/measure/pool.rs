@@ -120,7 +120,15 @@ fn edges(level: &Level) -> Vec<Vec<DVec2>> {
     joins.extend(open.iter().zip(&first).map(|(&end, &start)| [(end, true), (start, false)]));
     // Walk from strand to strand.
     let other = |end: (usize, bool)| {
-        joins.iter().find_map(|&[x, y]| if x == end { Some(y) } else if y == end { Some(x) } else { None })
+        joins.iter().find_map(|&[x, y]| {
+            if x == end {
+                Some(y)
+            } else if y == end {
+                Some(x)
+            } else {
+                None
+            }
+        })
     };
     for start in 0..strands.len() {
         let (mut at, mut is_forward) = (start, true);

@@ -47,7 +47,11 @@ mod tests {
                 gauss += g * x.powi(degree);
             }
             assert!((kronrod - exact).abs() <= 1e-14 * exact.abs().max(1.0), "{degree}: {kronrod} {exact}");
-            assert_eq!((gauss - exact).abs() <= 1e-14 * exact.abs().max(1.0), degree <= 19, "{degree}: {gauss} {exact}");
+            assert_eq!(
+                (gauss - exact).abs() <= 1e-14 * exact.abs().max(1.0),
+                degree <= 19,
+                "{degree}: {gauss} {exact}"
+            );
         }
     }
 }

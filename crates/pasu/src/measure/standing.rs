@@ -56,8 +56,7 @@ impl<'a> Standing<'a> {
     pub(crate) fn new(bodies: &[&Outside<'a>], columns: usize) -> Standing<'a> {
         let level = bodies.iter().map(|body| body.heights()[0]).fold(f64::INFINITY, f64::min);
         let size = bodies.iter().fold(0.0f64, |size, body| size.max(body.size()));
-        let mut standing =
-            Standing { level, points: Vec::new(), edges: Vec::new(), touching: Vec::new(), columns };
+        let mut standing = Standing { level, points: Vec::new(), edges: Vec::new(), touching: Vec::new(), columns };
         for body in bodies {
             let (points, whole) = body.lowest(level, STANDING * size);
             standing.points.extend(points.iter().map(|p| p.truncate()));
@@ -95,7 +94,9 @@ impl<'a> Standing<'a> {
         for &(face, a) in &self.edges {
             let n = self.columns;
             let at = |v: f64| (face.jet(a, v).position.truncate() - from).dot(direction);
-            let far = round(n).map(|v| (v, at(v))).fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
+            let far = round(n)
+                .map(|v| (v, at(v)))
+                .fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
             let step = TAU / n as f64;
             let (_, refined) = least(far.0 - step, far.0 + step, 1e-9, |v| -at(v));
             most = most.max(far.1).max(-refined);

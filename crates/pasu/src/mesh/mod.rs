@@ -17,5 +17,5 @@ mod tolerance;
 
 pub use contract::{Mesh, MeshOptions};
 pub(crate) use orientation::points_outward;
-pub(crate) use sample::{exact_mesh, places};
 pub use sample::{Sampler, VERTEX_LIMIT, bound, mesh};
+pub(crate) use sample::{exact_mesh, grid_places};

@@ -84,7 +84,7 @@ pub(crate) struct Places {
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn places(design: &Design, options: &MeshOptions) -> Result<Vec<Places>> {
+pub(crate) fn grid_places(design: &Design, options: &MeshOptions) -> Result<Vec<Places>> {
     let grids = choose(design, options, false)?;
     let places = grids.iter().map(|grid| {
         let (rows, columns) = grid.tessellation.counts();
