@@ -31,6 +31,11 @@ impl Link<'_> {
         (jet.position.z, if self.is_reversed { -jet.da.z } else { jet.da.z })
     }
 
+    fn sample(&self, link: usize, s: f64, v: f64) -> Sample {
+        let (z, slope) = self.height(s, v);
+        Sample { link, s, z, slope }
+    }
+
     /// Cells in which at most one extreme of the height is looked for.
     fn cells(&self) -> usize {
         match self.face.kind() {
@@ -145,15 +150,30 @@ impl<'a> Inside<'a> {
 
     /// The column at `v`.
     pub(crate) fn column(&self, v: f64) -> Column {
-        let mut samples = Vec::with_capacity(64);
+        let samples = self.links.iter().enumerate().flat_map(|(link, face)| {
+            let cells = face.cells();
+            (0..=cells).map(move |k| face.sample(link, k as f64 / cells as f64, v))
+        });
+        self.column_of(v, samples.collect())
+    }
+
+    /// The columns at several `v`: as [`Self::column`], and faster, because row by row.
+    pub(crate) fn columns(&self, places: &[f64]) -> Vec<Column> {
+        let mut samples: Vec<Vec<Sample>> = places.iter().map(|_| Vec::with_capacity(64)).collect();
         for (link, face) in self.links.iter().enumerate() {
             let cells = face.cells();
-            samples.extend((0..=cells).map(|k| {
+            for k in 0..=cells {
                 let s = k as f64 / cells as f64;
-                let (z, slope) = face.height(s, v);
-                Sample { link, s, z, slope }
-            }));
+                for (samples, &v) in samples.iter_mut().zip(places) {
+                    samples.push(face.sample(link, s, v));
+                }
+            }
         }
+        samples.into_iter().zip(places).map(|(samples, &v)| self.column_of(v, samples)).collect()
+    }
+
+    /// Finds the crest of a column.
+    fn column_of(&self, v: f64, mut samples: Vec<Sample>) -> Column {
         let eps = LEVEL * self.size;
         let mut lowest = 0;
         for (index, sample) in samples.iter().enumerate() {
@@ -212,7 +232,8 @@ impl<'a> Inside<'a> {
     /// The level at which water first runs out, and where: the lowest brim of all columns.
     pub(crate) fn spill(&self) -> (f64, DVec3) {
         let step = TAU / self.columns as f64;
-        let brims: Vec<f64> = (0..self.columns).map(|j| self.column(step * j as f64).brim).collect();
+        let places: Vec<f64> = (0..self.columns).map(|j| step * j as f64).collect();
+        let brims: Vec<f64> = self.columns(&places).iter().map(|column| column.brim).collect();
         let mut best = (f64::INFINITY, 0.0);
         let n = brims.len();
         let mut lows: Vec<usize> =

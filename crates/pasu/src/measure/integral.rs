@@ -28,8 +28,8 @@ impl Accuracy {
         Accuracy {
             relative,
             columns: 2 * highest + 13,
-            most_columns: (64 * highest).clamp(1024, 16_384),
-            most_intervals: 64,
+            most_columns: (64 * highest).clamp(1024, 8192),
+            most_intervals: 32,
         }
     }
 }
@@ -63,10 +63,6 @@ impl<const N: usize> Integral<N> {
         }
     }
 
-    /// The largest error in terms of what is allowed.
-    fn excess(&self, allowed: &[f64; N]) -> f64 {
-        (0..N).fold(0.0, |most, i| if self.error[i] > 0.0 { most.max(self.error[i] / allowed[i]) } else { most })
-    }
 }
 
 /// Integrates over the whole face, with respect to `da dv`: the integrand brings its own area element.
@@ -75,8 +71,17 @@ pub(crate) fn over_face<const N: usize>(
     accuracy: &Accuracy,
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
-    let mut row = Round::new(accuracy, |a, v| integrand(&face.jet(a, v)));
-    along(&[0.0, 1.0], accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
+    between((0.0, 1.0), accuracy, |a, v| integrand(&face.jet(a, v)))
+}
+
+/// The same between two rows.
+pub(crate) fn between<const N: usize>(
+    (from, to): (f64, f64),
+    accuracy: &Accuracy,
+    integrand: impl FnMut(f64, f64) -> [f64; N],
+) -> Integral<N> {
+    let mut row = Round::new(accuracy, integrand);
+    along(&[from, to], accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
 }
 
 /// Integrates a function of one variable that comes with errors of its own, over the intervals between the breaks; the interval with the largest error
@@ -88,58 +93,81 @@ pub(crate) fn along<const N: usize>(
     most_intervals: usize,
     mut at: impl FnMut(f64) -> Integral<N>,
 ) -> Integral<N> {
-    let mut intervals: Vec<(f64, f64, Integral<N>)> = Vec::with_capacity(breaks.len());
+    let mut intervals: Vec<Interval<N>> = Vec::with_capacity(breaks.len());
     for ends in breaks.windows(2).filter(|ends| ends[0] < ends[1]) {
-        intervals.push((ends[0], ends[1], interval(ends[0], ends[1], &mut at)));
+        intervals.push(Interval::new(ends[0], ends[1], &mut at));
     }
     loop {
         let mut total = Integral::default();
-        for (_, _, part) in &intervals {
-            total.add(part);
+        let mut of_rule = [0.0; N];
+        for interval in &intervals {
+            total.add(&interval.integral);
+            for i in 0..N {
+                of_rule[i] += interval.of_rule[i];
+            }
         }
         let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
-        let done = (0..N).all(|i| total.error[i] <= allowed[i]);
+        // What the function itself is off does not shrink when an interval does.
+        let done = (0..N).all(|i| of_rule[i] <= allowed[i]);
         let worst = (0..intervals.len()).max_by(|&i, &j| {
-            intervals[i].2.excess(&allowed).total_cmp(&intervals[j].2.excess(&allowed)).then(j.cmp(&i))
+            intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i))
         });
         let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {
             for i in 0..N {
-                total.error[i] += ROUNDING * total.size[i];
+                total.error[i] += of_rule[i] + ROUNDING * total.size[i];
             }
             return total;
         };
-        let (from, to, _) = intervals[worst];
+        let Interval { from, to, .. } = intervals[worst];
         let middle = 0.5 * from + 0.5 * to;
-        intervals[worst] = (from, middle, interval(from, middle, &mut at));
-        intervals.push((middle, to, interval(middle, to, &mut at)));
+        intervals[worst] = Interval::new(from, middle, &mut at);
+        intervals.push(Interval::new(middle, to, &mut at));
     }
 }
 
-fn interval<const N: usize>(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Integral<N> {
-    let mut total = Integral::default();
-    let mut gauss = [0.0; N];
-    let mut samples = [[0.0; N]; 21];
-    for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
-        let here = at(a);
-        *sample = here.value;
+/// One interval of a composite rule.
+struct Interval<const N: usize> {
+    from: f64,
+    to: f64,
+    /// With the errors of the function.
+    integral: Integral<N>,
+    /// The errors of the rule.
+    of_rule: [f64; N],
+}
+
+impl<const N: usize> Interval<N> {
+    fn new(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Interval<N> {
+        let mut integral = Integral::default();
+        let mut gauss = [0.0; N];
+        let mut samples = [[0.0; N]; 21];
+        for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
+            let here = at(a);
+            *sample = here.value;
+            for i in 0..N {
+                integral.value[i] += weight * here.value[i];
+                integral.error[i] += weight * here.error[i];
+                integral.size[i] += weight * here.size[i];
+                gauss[i] += gauss_weight * here.value[i];
+            }
+        }
+        let mut of_rule = [0.0; N];
         for i in 0..N {
-            total.value[i] += weight * here.value[i];
-            total.error[i] += weight * here.error[i];
-            total.size[i] += weight * here.size[i];
-            gauss[i] += gauss_weight * here.value[i];
+            let mean = integral.value[i] / (to - from);
+            let departures = samples.iter().map(|sample| (sample[i] - mean).abs());
+            let departure: f64 = rule::nodes(from, to).zip(departures).map(|((_, weight, _), d)| weight * d).sum();
+            let difference = (integral.value[i] - gauss[i]).abs();
+            // What is left is rounding, and halving would not help.
+            if difference > ROUNDING * integral.size[i] {
+                of_rule[i] = rule::error(difference, departure);
+            }
         }
+        Interval { from, to, integral, of_rule }
     }
-    for i in 0..N {
-        let mean = total.value[i] / (to - from);
-        let departure: f64 =
-            rule::nodes(from, to).zip(&samples).map(|((_, weight, _), sample)| weight * (sample[i] - mean).abs()).sum();
-        let difference = (total.value[i] - gauss[i]).abs();
-        // What is left is rounding, and halving would not help.
-        if difference > ROUNDING * total.size[i] {
-            total.error[i] += rule::error(difference, departure);
-        }
+
+    /// The largest error of the rule in terms of what is allowed.
+    fn excess(&self, allowed: &[f64; N]) -> f64 {
+        (0..N).fold(0.0, |most, i| if self.of_rule[i] > 0.0 { most.max(self.of_rule[i] / allowed[i]) } else { most })
     }
-    total
 }
 
 /// Integrals round one row, with as many columns as it takes.

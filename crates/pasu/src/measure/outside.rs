@@ -160,7 +160,9 @@ impl<'a> Outside<'a> {
         }
         starts.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
         let mut most = f64::MIN;
-        for &(value, index, at) in starts.iter().take(2) {
+        // A face that ends far from where another reaches cannot overtake it between the points of its grid.
+        let near = starts.first().map_or(f64::MAX, |start| start.0) - 0.02 * self.size;
+        for &(value, index, at) in starts.iter().take(2).filter(|start| start.0 >= near) {
             let (face, grid) = &self.faces[index];
             let ((a, v), (p, q)) = (grid.place(at), grid.steps());
             let top = climb(Place { a, v, value }, p, q, |a, v| face.jet(a, v).position.dot(direction));

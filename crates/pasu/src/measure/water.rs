@@ -72,7 +72,7 @@ pub fn water(design: &Design, level: f64) -> Result<Water> {
         if !(level > inside.floor()) {
             continue;
         }
-        let is_exact = pot.is_none_or(|pot| pot.is_ok_and(|pot| pot.faces().iter().all(Face::is_exact)));
+        let is_exact = !matches!(&pot, Some(Ok(pot)) if !pot.faces().iter().all(Face::is_exact));
         let most_columns = if is_exact { 4096 } else { 256 };
         let accuracy = Accuracy { most_columns, most_intervals: 16, ..Accuracy::new(ACCURACY, bare.highest()) };
         let edge = Level::new(&inside, level, COLUMNS.max(inside.n_columns()));

@@ -1,0 +1,44 @@
+//! Measures of real designs against formulas, dense sums and each other.
+
+mod support;
+
+use pasu::{MeasureOptions, Measures, Quantity, measure, water};
+use support::design;
+
+fn measured(json: &str) -> Measures {
+    measure(&design(json), &MeasureOptions::default()).unwrap_or_else(|e| panic!("{e}\n{json}"))
+}
+
+#[test]
+#[ignore = "prints"]
+fn print() {
+    for exhibit in support::gallery() {
+        let shape = serde_json::to_string(&exhibit.shape).unwrap();
+        let bare = measured(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape} }}] }}"#));
+        let t = 0.015 * bare.whole.height.value;
+        for wall in [format!(r#", "wall": {{ "thickness": {t}, "base": {t}, "rim": "rounded" }}"#)] {
+            let design = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}{wall} }}] }}"#));
+            let start = std::time::Instant::now();
+            let pot = pasu::Pot::new(&design, 0, pasu::Product::Pot);
+            println!("pot {:?} {:?}", start.elapsed(), pot.ok().map(|p| p.thinned().map(|t| t.0)));
+            let start = std::time::Instant::now();
+            let measures = measure(&design, &MeasureOptions::default());
+            let time = start.elapsed();
+            match measures {
+                Ok(m) => {
+                    let w = &m.whole;
+                    println!("{:20} {time:?} clay {:?} brim {:?} {:?} {:?}", exhibit.name, w.clay.map(|c| c.volume), w.capacity.map(|c| c.brim), m.parts[0].reason, w.tipping_full);
+                    if exhibit.name == "own-jar" || exhibit.name=="own-dint" { println!("{}", m.to_json()); }
+                    if let Some(c) = w.capacity {
+                        let start = std::time::Instant::now();
+                        let wa = water(&design, 0.5 * (c.floor + c.spill_level.value)).unwrap();
+                        println!("   water {:?} {} {} {}", start.elapsed(), wa.volume, wa.error, wa.indices.len() / 3);
+                    }
+                }
+                Err(e) => println!("{:20} {time:?} {e}", exhibit.name),
+            }
+        }
+    }
+    let _: Option<Quantity> = None;
+    let _ = measured;
+}
