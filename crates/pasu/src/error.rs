@@ -11,6 +11,8 @@ pub struct Error {
     code: Code,
     path: String,
     message: String,
+    /// Coordinates as bits: errors can then be compared.
+    place: Option<[u64; 3]>,
 }
 
 /// The result of everything in Pasu that can be refused.
@@ -98,12 +100,17 @@ impl Code {
 impl Error {
     /// An error at a path of the design (`parts[2].shape.s[0]`; empty for the design as a whole).
     pub fn new(code: Code, path: impl Into<String>, message: impl Into<String>) -> Self {
-        Error { code, path: path.into(), message: message.into() }
+        Error { code, path: path.into(), message: message.into(), place: None }
     }
 
     /// The same error at another path.
     pub(crate) fn at(self, path: impl Into<String>) -> Self {
         Error { path: path.into(), ..self }
+    }
+
+    /// The same error at a point of space.
+    pub(crate) fn near(self, point: [f64; 3]) -> Self {
+        Error { place: Some(point.map(f64::to_bits)), ..self }
     }
 
     /// The stable kebab-case word for the cause.
@@ -114,6 +121,11 @@ impl Error {
     /// Where in the design; empty for the design as a whole.
     pub fn path(&self) -> &str {
         &self.path
+    }
+
+    /// Where in space, in model units after placement, if it went wrong at a point of a pot.
+    pub fn place(&self) -> Option<[f64; 3]> {
+        self.place.map(|place| place.map(f64::from_bits))
     }
 
     /// One sentence in the user's words: what was found and what was expected.

@@ -31,7 +31,7 @@ mod mode;
 mod solid;
 mod surface;
 
-pub use check::{Finding, MeshReport, Report, Severity};
+pub use check::{Finding, MeshReport, Report, Severity, check};
 #[cfg(feature = "typescript")]
 pub use design::typescript;
 pub use design::{
@@ -47,5 +47,5 @@ pub use measure::{
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
-pub use solid::{Face, FaceJet, FaceKind, Making, Product, Scale, Size, SolidMesh};
+pub use solid::{Face, FaceJet, FaceKind, Making, Piece, Pot, Product, Scale, Size, SolidMesh, solid};
 pub use surface::{Surface, SurfaceJet};

@@ -27,8 +27,17 @@ fn print() {
             match measures {
                 Ok(m) => {
                     let w = &m.whole;
-                    println!("{:20} {time:?} clay {:?} brim {:?} {:?} {:?}", exhibit.name, w.clay.map(|c| c.volume), w.capacity.map(|c| c.brim), m.parts[0].reason, w.tipping_full);
-                    if exhibit.name == "own-jar" || exhibit.name=="own-dint" { println!("{}", m.to_json()); }
+                    println!(
+                        "{:20} {time:?} clay {:?} brim {:?} {:?} {:?}",
+                        exhibit.name,
+                        w.clay.map(|c| c.volume),
+                        w.capacity.map(|c| c.brim),
+                        m.parts[0].reason,
+                        w.tipping_full
+                    );
+                    if exhibit.name == "own-jar" || exhibit.name == "own-dint" {
+                        println!("{}", m.to_json());
+                    }
                     if let Some(c) = w.capacity {
                         let start = std::time::Instant::now();
                         let wa = water(&design, 0.5 * (c.floor + c.spill_level.value)).unwrap();

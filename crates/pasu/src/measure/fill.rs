@@ -166,12 +166,8 @@ impl<'a> Level<'a> {
             }
         }
         // What columns leave is held against the whole.
-        let rest = Rest {
-            common,
-            middle,
-            relative: 0.1 * accuracy.relative,
-            at_least: total.size.map(|size| size / TAU),
-        };
+        let rest =
+            Rest { common, middle, relative: 0.1 * accuracy.relative, at_least: total.size.map(|size| size / TAU) };
         total.add(&if self.breaks.is_empty() { self.smooth(&rest, accuracy) } else { self.broken(rest, accuracy) });
         let [.., area] = total.value;
         // The level itself is off by rounding.

@@ -62,7 +62,6 @@ impl<const N: usize> Integral<N> {
             self.size[i] += other.size[i];
         }
     }
-
 }
 
 /// Integrates over the whole face, with respect to `da dv`: the integrand brings its own area element.
@@ -109,9 +108,8 @@ pub(crate) fn along<const N: usize>(
         let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
         // What the function itself is off does not shrink when an interval does.
         let done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        let worst = (0..intervals.len()).max_by(|&i, &j| {
-            intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i))
-        });
+        let worst = (0..intervals.len())
+            .max_by(|&i, &j| intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {
             for i in 0..N {
                 total.error[i] += of_rule[i] + ROUNDING * total.size[i];

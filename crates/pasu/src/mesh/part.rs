@@ -57,6 +57,12 @@ impl PartGrid {
         Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index })
     }
 
+    /// The `u` of every row, the number of columns with the one that repeats the first, and the bound that such a grid keeps.
+    pub(super) fn places(&self) -> (Vec<f64>, usize, Option<f64>) {
+        let (rows, columns) = self.tessellation.counts();
+        ((0..rows).map(|i| self.tessellation.row(i)).collect(), columns, self.tessellation.bound)
+    }
+
     pub(super) fn n_vertices(&self) -> usize {
         let (rows, columns) = self.tessellation.counts();
         rows * columns

@@ -2,7 +2,7 @@
 
 use super::contract::{Mesh, MeshOptions};
 use super::part::{PartGrid, Workspace};
-use crate::design::{Design, plain};
+use crate::design::{Design, Part, plain};
 use crate::error::{Code, Error, Result};
 
 /// The most vertices that a mesh may have.
@@ -117,6 +117,22 @@ pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result
 pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
     let message = "the surface bends more sharply than numbers can tell";
     largest_bound(&choose(design, options, true)?).ok_or_else(|| Error::new(Code::Overflow, "parts", message))
+}
+
+/// The rows and columns that [`mesh`] chooses for one part, as [`PartGrid::places`] gives them.
+///
+/// # Errors
+/// As [`mesh`].
+pub(crate) fn places(part: &Part, index: usize, tolerance: Option<f64>) -> Result<(Vec<f64>, usize, Option<f64>)> {
+    let options = MeshOptions { tolerance, ..MeshOptions::default() };
+    check(&options)?;
+    let grid = PartGrid::choose(part, index, &options, false)?;
+    let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
+    if rows * columns > VERTEX_LIMIT as f64 {
+        let message = format!("needs {} rows of {} vertices; ask for a coarser tolerance", plain(rows), plain(columns));
+        return Err(Error::new(Code::TooLarge, format!("parts[{index}]"), message));
+    }
+    Ok(grid.places())
 }
 
 /// The largest bound of all parts, if every part has one.

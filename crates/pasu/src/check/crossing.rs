@@ -1,0 +1,144 @@
+//! Pairs of triangles that cross, touch or overlap where they should not, decided exactly.
+//!
+//! Candidates come from an R-tree of bounding boxes. Two triangles without a common vertex must be apart; with a common vertex they may share that point, with a common edge that edge, and nothing
+//! else. All of this is decided by the signs of volumes and areas without rounding error (J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast
+//! robust geometric predicates*, 1997), on the single precision coordinates as they are.
+
+use robust::{Coord, Coord3D, orient2d, orient3d};
+use rstar::{AABB, RTree, RTreeObject};
+
+type Point = [f32; 3];
+
+/// A triangle among the others.
+#[derive(Debug, Clone, Copy)]
+struct Bounded {
+    number: u32,
+    low: Point,
+    high: Point,
+}
+
+impl RTreeObject for Bounded {
+    type Envelope = AABB<Point>;
+
+    fn envelope(&self) -> AABB<Point> {
+        AABB::from_corners(self.low, self.high)
+    }
+}
+
+/// The numbers of the triangles of each pair that crosses, at most so many pairs.
+pub(crate) fn crossings(positions: &[Point], triangles: &[[u32; 3]], most: usize) -> Vec<[u32; 2]> {
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
+    let bounded = triangles.iter().zip(0..).map(|(triangle, number)| {
+        let [a, b, c] = corners(triangle);
+        let low = core::array::from_fn(|i| a[i].min(b[i]).min(c[i]));
+        let high = core::array::from_fn(|i| a[i].max(b[i]).max(c[i]));
+        Bounded { number, low, high }
+    });
+    let tree = RTree::bulk_load(bounded.collect());
+    let mut found = Vec::new();
+    for (one, other) in tree.intersection_candidates_with_other_tree(&tree) {
+        if one.number < other.number {
+            let (p, q) = (&triangles[one.number as usize], &triangles[other.number as usize]);
+            if cross(p, q, &corners(p), &corners(q)) {
+                found.push([one.number, other.number]);
+                if found.len() == most {
+                    break;
+                }
+            }
+        }
+    }
+    found.sort_unstable();
+    found
+}
+
+/// Whether two triangles have more in common than vertices and edges that they share.
+fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bool {
+    let shared: Vec<(usize, usize)> =
+        (0..3).filter_map(|i| q.iter().position(|vertex| *vertex == p[i]).map(|j| (i, j))).collect();
+    match shared[..] {
+        [] => are_touching(at_p, at_q),
+        [(i, j)] => {
+            // What they have in common begins at the vertex, is convex, and so reaches the far edge of one of them if it is more.
+            let far = |at: &[Point; 3], k: usize| [at[(k + 1) % 3], at[(k + 2) % 3]];
+            !is_beside(at_p, at_q) && !is_beside(at_q, at_p) && (meets(far(at_p, i), at_q) || meets(far(at_q, j), at_p))
+        }
+        [(i, j), (k, l)] => {
+            // Folded onto each other: in one plane, with both far corners on the same side of the edge.
+            let (edge, apex, other) = ([at_p[i], at_p[k]], at_p[3 - i - k], at_q[3 - j - l]);
+            if volume(edge[0], edge[1], apex, other) != 0.0 {
+                return false;
+            }
+            let axes = plane(&[edge[0], edge[1], apex]);
+            let side = |corner| area(edge[0], edge[1], corner, axes);
+            side(apex) * side(other) >= 0.0
+        }
+        _ => true,
+    }
+}
+
+/// Whether a triangle is on one side of the plane of another but for the one vertex that they share.
+fn is_beside(p: &[Point; 3], q: &[Point; 3]) -> bool {
+    let signs = p.map(|corner| volume(q[0], q[1], q[2], corner));
+    signs.iter().filter(|sign| **sign > 0.0).count() == 2 || signs.iter().filter(|sign| **sign < 0.0).count() == 2
+}
+
+/// Whether two triangles without a common vertex have a point in common.
+fn are_touching(p: &[Point; 3], q: &[Point; 3]) -> bool {
+    for (one, other) in [(p, q), (q, p)] {
+        let signs = one.map(|corner| volume(other[0], other[1], other[2], corner));
+        if signs.iter().all(|sign| *sign > 0.0) || signs.iter().all(|sign| *sign < 0.0) {
+            return false;
+        }
+    }
+    // Where they meet, an edge of one meets the other.
+    (0..3).any(|i| meets([p[i], p[(i + 1) % 3]], q) || meets([q[i], q[(i + 1) % 3]], p))
+}
+
+/// Whether a segment has a point in common with a triangle, its border included.
+fn meets([a, b]: [Point; 2], t: &[Point; 3]) -> bool {
+    let (from, to) = (volume(t[0], t[1], t[2], a), volume(t[0], t[1], t[2], b));
+    if (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0) {
+        return false;
+    }
+    if from == 0.0 && to == 0.0 {
+        return meets_in_plane([a, b], t);
+    }
+    // The line through a and b passes the triangle on the same side of all its edges, or through one.
+    let sides = [0, 1, 2].map(|i| volume(a, b, t[i], t[(i + 1) % 3]));
+    !(sides.iter().any(|side| *side > 0.0) && sides.iter().any(|side| *side < 0.0))
+}
+
+/// As [`meets`], for a segment in the plane of the triangle.
+fn meets_in_plane([a, b]: [Point; 2], t: &[Point; 3]) -> bool {
+    let axes = plane(t);
+    let sides = |p: Point| [0, 1, 2].map(|i| area(t[i], t[(i + 1) % 3], p, axes));
+    let is_within = |p: Point| {
+        let sides = sides(p);
+        !(sides.iter().any(|side| *side > 0.0) && sides.iter().any(|side| *side < 0.0))
+    };
+    is_within(a)
+        || is_within(b)
+        || (0..3).any(|i| {
+            let (c, d) = (t[i], t[(i + 1) % 3]);
+            let (abc, abd, cda, cdb) =
+                (area(a, b, c, axes), area(a, b, d, axes), area(c, d, a, axes), area(c, d, b, axes));
+            let opposite = |x: f64, y: f64| (x >= 0.0 && y <= 0.0) || (x <= 0.0 && y >= 0.0);
+            // A segment on the line of an edge without an end in the triangle does not touch that edge, or covers it and touches another.
+            opposite(abc, abd) && opposite(cda, cdb) && !(abc == 0.0 && abd == 0.0)
+        })
+}
+
+/// The two axes on which a triangle is projected with an area.
+fn plane(t: &[Point; 3]) -> (usize, usize) {
+    [(0, 1), (1, 2), (2, 0)].into_iter().find(|axes| area(t[0], t[1], t[2], *axes) != 0.0).unwrap_or((0, 1))
+}
+
+fn area(a: Point, b: Point, c: Point, (x, y): (usize, usize)) -> f64 {
+    let [a, b, c] = [a, b, c].map(|p| Coord { x: f64::from(p[x]), y: f64::from(p[y]) });
+    orient2d(a, b, c)
+}
+
+fn volume(a: Point, b: Point, c: Point, d: Point) -> f64 {
+    let [a, b, c, d] = [a, b, c, d].map(|p| Coord3D { x: f64::from(p[0]), y: f64::from(p[1]), z: f64::from(p[2]) });
+    orient3d(a, b, c, d)
+}

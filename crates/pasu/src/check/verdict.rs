@@ -1,0 +1,60 @@
+//! The verdict on a design: made part by part, with whatever there is to say.
+
+use super::report::{Finding, MeshReport, Report, Severity};
+use crate::design::Design;
+use crate::error::Result;
+use crate::solid::{Made, Making, make, place, short};
+
+/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made, or what differs from what was asked for.
+///
+/// # Errors
+/// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
+pub fn check(design: &Design, making: &Making) -> Result<Report> {
+    let scale = making.scale(design)?.millimetres;
+    let mut report = Report { product: making.product, findings: Vec::new(), meshes: Vec::new() };
+    for part in 0..design.parts().len() {
+        match make(design, part, making, scale) {
+            Ok(made) => {
+                report.findings.extend(findings(&made));
+                report.meshes.push(counted(&made));
+            }
+            Err(error) => report.findings.push(Finding {
+                code: error.code(),
+                severity: Severity::Error,
+                part,
+                message: error.message().to_owned(),
+                at: error.place(),
+            }),
+        }
+    }
+    report.findings.sort_by_key(|finding| finding.severity);
+    Ok(report)
+}
+
+fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
+    MeshReport {
+        part: mesh.part,
+        vertices: mesh.n_vertices(),
+        triangles: mesh.n_triangles(),
+        closed: true,
+        genus: Some(topology.genus()),
+        degenerate: 0,
+        crossings: 0,
+        bound: mesh.bound,
+        thinned: pot.thinned().map_or(0.0, |(share, _)| share),
+        thinnest: pot.has_wall().then(|| pot.thickness().0),
+    }
+}
+
+fn findings(made: &Made) -> Option<Finding> {
+    let pot = &made.pot;
+    let (share, at) = pot.thinned()?;
+    let message = format!(
+        "the wall had to be thinned to {} at {}, where the surface bends more tightly or comes closer to itself than the wall is thick; {} % of it is thinner than asked for",
+        short(pot.thickness().0),
+        place(at),
+        short(100.0 * share)
+    );
+    let severity = Severity::Warning;
+    Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()) })
+}

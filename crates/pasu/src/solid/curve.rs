@@ -1,0 +1,89 @@
+//! The closed curves in which the faces of a pot meet.
+
+use core::f64::consts::TAU;
+use std::rc::Rc;
+
+use glam::{DVec2, DVec3};
+
+use super::sheet::Sheet;
+
+/// The step of the difference that gives a second derivative where there is no formula: fourth order, so good to some 1e-11.
+const STEP: f64 = 1e-3;
+
+/// A closed curve `C(v)`.
+#[derive(Debug, Clone)]
+pub(crate) enum Curve {
+    /// Everything in one point.
+    Point(DVec3),
+    /// Where a sheet begins.
+    Start(Rc<Sheet>),
+    /// Where a sheet ends.
+    End(Rc<Sheet>),
+    /// Another curve moved along the axis to a level.
+    Level { curve: Rc<Curve>, sheet: Rc<Sheet>, level: f64 },
+    /// Another curve drawn towards the axis of the foot until it is on a cylinder.
+    Cylinder { curve: Rc<Curve>, sheet: Rc<Sheet>, centre: DVec3, radius: f64 },
+    /// A circle round the axis of the foot; `turn` is 1 or -1.
+    Circle { sheet: Rc<Sheet>, level: f64, radius: f64, phase: f64, turn: f64 },
+    /// A level curve moved sideways in its plane, to its left for a positive `width`.
+    Inset { curve: Rc<Curve>, sheet: Rc<Sheet>, width: f64 },
+}
+
+impl Curve {
+    /// `C` and `C_v`.
+    pub(crate) fn at(&self, v: f64) -> (DVec3, DVec3) {
+        match self {
+            Curve::Point(point) => (*point, DVec3::ZERO),
+            Curve::Start(sheet) => {
+                let start = sheet.start(v);
+                let jet = sheet.jet(start.s, v);
+                (jet.position, jet.dv + jet.ds * start.dv)
+            }
+            Curve::End(sheet) => {
+                let jet = sheet.jet(1.0, v);
+                (jet.position, jet.dv)
+            }
+            Curve::Level { curve, sheet, level } => {
+                let (p, dp) = curve.at(v);
+                let frame = sheet.skin().frame();
+                (p + frame.axis() * (level - frame.level(p)), frame.flattened(dp))
+            }
+            Curve::Cylinder { curve, sheet, centre, radius } => {
+                let (p, dp) = curve.at(v);
+                let frame = sheet.skin().frame();
+                let (arm, darm) = (p - *centre, dp);
+                let (plan, dplan) = (frame.turned(arm), frame.turned(darm));
+                let length = plan.length();
+                let share = radius / length;
+                (*centre + arm * share, (darm - arm * (plan.dot(dplan) / (length * length))) * share)
+            }
+            Curve::Circle { sheet, level, radius, phase, turn } => {
+                let frame = sheet.skin().frame();
+                let angle = phase + turn * v;
+                let direction = DVec2::new(libm::cos(angle), libm::sin(angle)) * *radius;
+                (frame.point(direction, *level), frame.lifted(direction.perp()) * *turn)
+            }
+            Curve::Inset { curve, sheet, width } => {
+                let frame = sheet.skin().frame();
+                let (p, dp) = curve.at(v);
+                let (tangent, second) = (frame.turned(dp), frame.turned(curve.second(v)));
+                let speed = tangent.length();
+                let curvature = tangent.perp_dot(second) / (speed * speed * speed);
+                (p + frame.lifted(tangent.perp() / speed) * *width, dp * (1.0 - width * curvature))
+            }
+        }
+    }
+
+    /// `C_vv`.
+    pub(crate) fn second(&self, v: f64) -> DVec3 {
+        if let Curve::Start(sheet) = self
+            && let Some(second) = sheet.second_round(v)
+        {
+            return second;
+        }
+        let slope = |v: f64| self.at(if v < 0.0 { v + TAU } else { v }).1;
+        let near = slope(v + STEP) - slope(v - STEP);
+        let far = slope(v + 2.0 * STEP) - slope(v - 2.0 * STEP);
+        (near * 8.0 - far) / (12.0 * STEP)
+    }
+}

@@ -1,0 +1,191 @@
+//! From a design to meshes that pass every check.
+
+use glam::DVec3;
+
+use super::face::FaceKind;
+use super::making::Making;
+use super::mesh::SolidMesh;
+use super::pot::Pot;
+use super::skin::place;
+use super::weave::{Grid, Woven, field, name, weave};
+use crate::check::{self, Topology};
+use crate::design::Design;
+use crate::error::{Code, Error, Result};
+use crate::mesh::places;
+
+/// The most triangles of one part.
+const MOST_TRIANGLES: usize = 8_000_000;
+
+/// How often a part is meshed more finely, and its thickness looked into more closely, before it is refused.
+const ATTEMPTS: usize = 3;
+
+/// How often rows and columns are added until faces that have no bound beforehand keep the tolerance.
+const ROUNDS: usize = 3;
+
+/// A mesh is made finer by no more than this factor at a time.
+const LEAST_STEP: f64 = 0.4;
+
+/// The closed mesh of each part, in millimetres, after size and shrinkage.
+///
+/// What is returned has passed every check of [`SolidMesh`]; what does not is refused, never written.
+///
+/// # Errors
+/// What [`Making::scale`] and [`Pot::new`] refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
+/// `overflow` for millimetres beyond single precision.
+pub fn solid(design: &Design, making: &Making) -> Result<Vec<SolidMesh>> {
+    let scale = making.scale(design)?.millimetres;
+    (0..design.parts().len()).map(|part| Ok(make(design, part, making, scale)?.mesh)).collect()
+}
+
+/// What was made of one part.
+pub(crate) struct Made {
+    pub(crate) mesh: SolidMesh,
+    pub(crate) pot: Pot,
+    pub(crate) topology: Topology,
+}
+
+/// One part of [`solid`]; `scale` is from model units to millimetres.
+///
+/// # Errors
+/// As [`solid`].
+pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) -> Result<Made> {
+    let mut refusal = None;
+    for attempt in 0..ATTEMPTS {
+        let fineness = 1 << attempt;
+        let pot = Pot::with_fineness(design, part, making.product, fineness)?;
+        let mut woven = woven(design, &pot, making, fineness as f64, scale)?;
+        compact(&mut woven);
+        match verdict(&pot, &woven, scale) {
+            Ok(topology) => return Ok(Made { mesh: finished(&woven, part, scale), pot, topology }),
+            Err(error) => refusal = Some(error),
+        }
+    }
+    Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
+}
+
+fn pot_path(part: usize) -> String {
+    format!("parts[{part}]")
+}
+
+/// A mesh that keeps the tolerance.
+fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
+    let part = pot.part();
+    let mut asked = making.tolerance.map(|tolerance| tolerance / fineness);
+    let mut promised = asked;
+    for round in 1.. {
+        let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
+        let bound = bound.unwrap_or_else(|| asked.unwrap_or(pot.skin().size()));
+        let tolerance = *promised.get_or_insert(bound / fineness);
+        let rows = if pot.skin().is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
+        let grid = Grid { rows, columns: columns - 1, tolerance, bound };
+        if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
+            let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
+            return Err(Error::new(Code::TooLarge, pot_path(part), message));
+        }
+        let woven = weave(pot, &grid, scale)?;
+        if woven.bound <= tolerance || round >= ROUNDS {
+            return Ok(woven);
+        }
+        asked = Some(tolerance.min(bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
+    }
+    unreachable!("the loop returns")
+}
+
+/// Removes vertices that no triangle uses.
+fn compact(woven: &mut Woven) {
+    let mut number = vec![u32::MAX; woven.positions.len()];
+    let mut kept = Vec::with_capacity(woven.positions.len());
+    for vertex in woven.triangles.iter_mut().flatten() {
+        let slot = &mut number[*vertex as usize];
+        if *slot == u32::MAX {
+            *slot = kept.len() as u32;
+            kept.push(woven.positions[*vertex as usize]);
+        }
+        *vertex = *slot;
+    }
+    woven.positions = kept;
+}
+
+/// Whether a mesh is one that may be written.
+///
+/// # Errors
+/// Why it is not.
+fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
+    let at = |vertex: u32| DVec3::from_array(woven.positions[vertex as usize].map(f64::from)) / scale;
+    let kind_of = |triangle: u32| {
+        let mut first = 0;
+        let face = woven.faces.iter().find(|(_, n)| {
+            first += n;
+            (triangle as usize) < first
+        });
+        face.map_or(FaceKind::Outer, |(kind, _)| *kind)
+    };
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| woven.positions[vertex as usize]);
+    if let Some(number) = woven.triangles.iter().position(|triangle| check::is_degenerate(corners(triangle))) {
+        let kind = kind_of(number as u32);
+        let message = format!(
+            "the {} shrinks to nothing at {}: expected it to be wider than numbers of seven digits can hold",
+            name(kind),
+            place(at(woven.triangles[number][0]))
+        );
+        let place = at(woven.triangles[number][0]).to_array();
+        return Err(Error::new(Code::PinchedSurface, pot.skin().path(field(kind)), message).near(place));
+    }
+    let topology = check::closed(&woven.triangles, woven.positions.len()).map_err(|vertex| {
+        let message = format!("the faces do not close at {}", place(at(vertex)));
+        Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array())
+    })?;
+    match check::crossings(&woven.positions, &woven.triangles, 1).first() {
+        Some(&[one, other]) => Err(crossing(pot, [kind_of(one), kind_of(other)], at(woven.triangles[one as usize][0]))),
+        None => Ok(topology),
+    }
+}
+
+/// What a crossing of two faces means to a potter.
+fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
+    let surface = if pot.is_lining() { FaceKind::Lining } else { FaceKind::Outer };
+    if kinds == [surface; 2] {
+        let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
+        return Error::new(Code::CrossesItself, pot.skin().path("shape"), message).near(at.to_array());
+    }
+    // Which of the two was added to the surface, and how late.
+    let order = |kind: FaceKind| match kind {
+        FaceKind::Drain => 5,
+        FaceKind::FootRing | FaceKind::Recess => 4,
+        FaceKind::Rim => 3,
+        FaceKind::Underside | FaceKind::Floor | FaceKind::Lid => 2,
+        FaceKind::Outer | FaceKind::Lining => 1,
+    };
+    let [first, second] = if order(kinds[0]) >= order(kinds[1]) { kinds } else { [kinds[1], kinds[0]] };
+    let message = if first == second {
+        format!("the {} has no room: it runs through itself near {}", name(first), place(at))
+    } else {
+        format!("the {} has no room: it runs through the {} near {}", name(first), name(second), place(at))
+    };
+    let path = match first {
+        FaceKind::Outer | FaceKind::Lining => "wall.thickness",
+        FaceKind::Underside if !pot.has_wall() => "shape",
+        kind => field(kind),
+    };
+    Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array())
+}
+
+fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
+    let mut first = 0;
+    let faces = woven.faces.iter().map(|(kind, n)| {
+        let count = 3 * *n as u32;
+        first += count;
+        (*kind, first - count, count)
+    });
+    let faces = faces.collect();
+    let largest = woven.positions.iter().flatten().fold(0.0f32, |largest, x| largest.max(x.abs()));
+    // Half a unit in the last place in each of three directions.
+    let rounding = f64::from(largest) * f64::from(f32::EPSILON) / scale;
+    SolidMesh {
+        positions: woven.positions.concat(),
+        indices: woven.triangles.concat(),
+        faces,
+        part,
+        bound: woven.bound + rounding,
+    }
+}

@@ -1,0 +1,122 @@
+//! One face of a pot.
+
+use core::f64::consts::PI;
+use std::rc::Rc;
+
+use glam::DVec3;
+
+use super::curve::Curve;
+use super::face::{Face, FaceJet, FaceKind};
+use super::sheet::{Sheet, Start};
+
+/// One smooth face of the boundary of a pot. Those of a pot follow on from each other: where one ends (`a = 1`) the next begins (`a = 0`).
+#[derive(Debug)]
+pub struct Piece {
+    pub(crate) kind: FaceKind,
+    pub(crate) form: Form,
+    pub(crate) outward: f64,
+    /// Whether all of it is in one plane across the axis.
+    pub(crate) is_level: bool,
+    pub(crate) is_exact: bool,
+}
+
+/// What a face is made of.
+#[derive(Debug)]
+pub(crate) enum Form {
+    /// A side of the wall from where it begins to the rim, or back.
+    Sheet { sheet: Rc<Sheet>, is_back: bool },
+    /// Straight lines from one curve to another.
+    Ruled { from: Curve, to: Curve },
+    /// Half circles over the strip from one end of two sheets to the other.
+    Bead(Bead),
+}
+
+/// A rounded rim: half circles from the end of one sheet to that of the other, in the planes of the wall's normal and the conormal of its edge.
+#[derive(Debug)]
+pub(crate) struct Bead {
+    pub(crate) from: Rc<Sheet>,
+    pub(crate) to: Rc<Sheet>,
+    /// The end of the sheets: 0 or 1.
+    pub(crate) at: f64,
+}
+
+impl Bead {
+    fn jet(&self, a: f64, v: f64) -> FaceJet {
+        let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v));
+        let (middle, arm) = ((from.position + to.position) * 0.5, (from.position - to.position) * 0.5);
+        let (dmiddle, darm) = ((from.dv + to.dv) * 0.5, (from.dv - to.dv) * 0.5);
+        let (out, dout) = (self.bulge(v), self.bulge_v(v));
+        let (c, s) = (libm::cos(PI * a), libm::sin(PI * a));
+        FaceJet {
+            position: middle + arm * c + out * s,
+            da: (out * c - arm * s) * PI,
+            dv: dmiddle + darm * c + dout * s,
+        }
+    }
+
+    /// The outward conormal times half the thickness.
+    fn bulge(&self, v: f64) -> DVec3 {
+        let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v).position);
+        let jet = self.from.skin().jet(self.at, v);
+        let conormal = jet.normal.cross(jet.dv).normalize_or_zero();
+        let outward = if conormal.dot(jet.ds) * (self.at - 0.5) < 0.0 { -conormal } else { conormal };
+        outward * (0.5 * (from - to).length())
+    }
+
+    fn bulge_v(&self, v: f64) -> DVec3 {
+        let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v));
+        let skin = self.from.skin();
+        let (jet, second) = (skin.jet(self.at, v), skin.second(self.at, v));
+        let (c, dc) = (jet.normal.cross(jet.dv), jet.normal_v.cross(jet.dv) + jet.normal.cross(second.dvv));
+        let length = c.length();
+        if !(length > 0.0) {
+            return DVec3::ZERO;
+        }
+        let conormal = c / length;
+        let sign = if conormal.dot(jet.ds) * (self.at - 0.5) < 0.0 { -1.0 } else { 1.0 };
+        let dconormal = (dc - conormal * conormal.dot(dc)) / length;
+        let across = from.position - to.position;
+        let thickness = across.length();
+        let dthickness = if thickness > 0.0 { across.dot(from.dv - to.dv) / thickness } else { 0.0 };
+        (dconormal * thickness + conormal * dthickness) * (0.5 * sign)
+    }
+}
+
+impl Piece {
+    /// Whether the whole face lies in one plane across the axis of the pot.
+    pub fn is_level(&self) -> bool {
+        self.is_level
+    }
+}
+
+impl Face for Piece {
+    fn kind(&self) -> FaceKind {
+        self.kind
+    }
+
+    fn jet(&self, a: f64, v: f64) -> FaceJet {
+        match &self.form {
+            Form::Sheet { sheet, is_back } => {
+                let Start { s: start, dv } = sheet.start(v);
+                let share = if *is_back { 1.0 - a } else { a };
+                let length = 1.0 - start;
+                let jet = sheet.jet(if share == 1.0 { 1.0 } else { start + share * length }, v);
+                let along = if *is_back { -length } else { length };
+                FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * ((1.0 - share) * dv) }
+            }
+            Form::Ruled { from, to } => {
+                let ((p, dp), (q, dq)) = (from.at(v), to.at(v));
+                FaceJet { position: p + (q - p) * a, da: q - p, dv: dp + (dq - dp) * a }
+            }
+            Form::Bead(bead) => bead.jet(a, v),
+        }
+    }
+
+    fn outward(&self) -> f64 {
+        self.outward
+    }
+
+    fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+}

@@ -1,0 +1,555 @@
+//! A pot or a closed solid as smooth faces, from a surface and its wall.
+
+use core::f64::consts::TAU;
+use std::rc::Rc;
+
+use glam::{DVec2, DVec3};
+
+use super::curve::Curve;
+use super::face::FaceKind;
+use super::making::Product;
+use super::piece::{Bead, Form, Piece};
+use super::sheet::{self, Sheet, Trim};
+use super::skin::{Skin, middle_of, place, short};
+use super::thickness::Thickness;
+use crate::design::{Design, RimForm, Side, Wall, plain};
+use crate::error::{Code, Error, Result};
+
+/// A foot is level if its points are within this part of the size of one plane across the axis.
+const LEVEL: f64 = 1e-9;
+
+/// Even columns at which curves are looked at for room, star shape and middle.
+const COLUMNS: usize = 720;
+
+/// One part of a design as a body of clay, bounded by smooth faces.
+///
+/// The pot's own axis is the placed local z axis. Its lower end is the foot, where the mean height along the axis is less; "level" is across the axis.
+///
+/// **Faces** follow on from each other as a meridian does, each beginning (`a = 0`) where the one before ended (`a = 1`): from the middle of the underside outwards, up the
+/// outside, over the rim, down the lining, to the middle of the floor. A pot with a drain, and a tube, goes once round instead, and its last face ends where the first begins.
+///
+/// - **Wall.** The surface `P`, and `P - t N` (side inside) or `P + t N` (outside). `t` is the thickness asked for, or less where that would fold the clay: at most 0.8 of the largest ball
+///   that touches the surface at `P` on that side and holds no other point of it.
+/// - **Base.** Inside: a level floor, `base` above the highest point of the foot or of the recess, down to which the lining is trimmed; where the lining begins above it, it is led straight down. Outside: the
+///   foot of the surface bounds the floor, and the outside is trimmed or led down in the same way to a level `base` below the lowest point of the floor. A `base` of 0 makes a tube with two rims.
+/// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
+/// - **Foot that is not level.** Its disc is the cone from the curve to the middle of the area that it goes round, which must see the whole curve.
+/// - **Solid.** The surface with a level disc at each open end. An end that is not level is first led straight along the axis to the level of its furthest point.
+#[derive(Debug)]
+pub struct Pot {
+    part: usize,
+    pieces: Vec<Piece>,
+    is_ring: bool,
+    skin: Rc<Skin>,
+    thickness: Rc<Thickness>,
+    foot_level: f64,
+    wall: Option<Wall>,
+}
+
+impl Pot {
+    /// The faces of part number `part`.
+    ///
+    /// # Errors
+    /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses; `no-wall`, `open-surface`, `pinched-surface`, `no-opening`, `no-room` with the
+    /// field that asks too much and the place. That the faces do not cross is only known of a [mesh](crate::solid).
+    pub fn new(design: &Design, part: usize, product: Product) -> Result<Pot> {
+        Pot::with_fineness(design, part, product, 1)
+    }
+
+    /// As [`Pot::new`], with a thickness that is looked into so many times as finely.
+    pub(crate) fn with_fineness(design: &Design, index: usize, product: Product, fineness: usize) -> Result<Pot> {
+        let parts = design.parts();
+        let Some(part) = parts.get(index) else {
+            let message = format!("expected a part from 0 to {}, found {index}", parts.len() - 1);
+            return Err(Error::new(Code::NoSuchPoint, "part", message));
+        };
+        let wall = match product {
+            Product::Solid => None,
+            Product::Pot => Some(part.wall.ok_or_else(|| {
+                let message = "this part has no wall: expected one with thickness and base to make it a pot, or the solid as product";
+                Error::new(Code::NoWall, format!("parts[{index}].wall"), message)
+            })?),
+        };
+        let skin = Rc::new(Skin::new(part, index)?);
+        let thickness = Rc::new(match wall {
+            Some(wall) => {
+                let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
+                Thickness::of(part, index, &skin, &wall, direction, fineness)?
+            }
+            None => Thickness::Even(0.0),
+        });
+        let builder = Builder { skin: &skin, thickness: &thickness, pieces: Vec::new() };
+        let (pieces, is_ring, foot_level) = match wall {
+            Some(wall) => builder.pot(&wall)?,
+            None => builder.solid()?,
+        };
+        Ok(Pot { part: index, pieces, is_ring, skin, thickness, foot_level, wall })
+    }
+
+    /// The number of the part.
+    pub fn part(&self) -> usize {
+        self.part
+    }
+
+    /// The faces, in order along a meridian.
+    pub fn faces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// Whether the last face ends where the first begins: a tube, or a pot with a drain.
+    pub fn is_ring(&self) -> bool {
+        self.is_ring
+    }
+
+    /// The unit vector along the pot's own axis, from foot to rim.
+    pub fn axis(&self) -> DVec3 {
+        self.skin.frame().axis()
+    }
+
+    /// A point of the axis: the middle of the foot of the surface.
+    pub fn origin(&self) -> DVec3 {
+        self.skin.frame().point(DVec2::ZERO, 0.0)
+    }
+
+    /// The lowest level of the pot's foot along its axis, measured from [`Pot::origin`].
+    pub fn foot_level(&self) -> f64 {
+        self.foot_level
+    }
+
+    /// The least and the greatest thickness of the wall; zeros for a solid.
+    pub fn thickness(&self) -> (f64, f64) {
+        match &*self.thickness {
+            Thickness::Even(thickness) => (*thickness, *thickness),
+            Thickness::Thinned(thinned) => (thinned.thinnest.0, thinned.thickest()),
+        }
+    }
+
+    /// The share of the surface where the wall is thinner than asked for, from 0 to 1, and the place where it is thinnest; `None` where it is as asked for everywhere.
+    pub fn thinned(&self) -> Option<(f64, DVec3)> {
+        match &*self.thickness {
+            Thickness::Even(_) => None,
+            Thickness::Thinned(thinned) => Some((thinned.share, thinned.thinnest.1)),
+        }
+    }
+
+    /// Whether the surface of the design is the lining, not the outside.
+    pub(crate) fn is_lining(&self) -> bool {
+        self.wall.is_some_and(|wall| wall.side == Side::Outside)
+    }
+
+    /// Whether this is a pot, not a solid.
+    pub(crate) fn has_wall(&self) -> bool {
+        self.wall.is_some()
+    }
+
+    /// The thickness of the wall where the surface, run through from foot to rim, is at `(s, v)`; 0 for a solid.
+    pub(crate) fn thickness_at(&self, s: f64, v: f64) -> f64 {
+        self.thickness.at(s, v)[0]
+    }
+
+    pub(crate) fn skin(&self) -> &Skin {
+        &self.skin
+    }
+}
+
+/// What faces are put together from.
+struct Builder<'a> {
+    skin: &'a Rc<Skin>,
+    thickness: &'a Rc<Thickness>,
+    pieces: Vec<Piece>,
+}
+
+type Parts = (Vec<Piece>, bool, f64);
+
+impl Builder<'_> {
+    fn sheet(&self, face: sheet::Face, trim: Trim) -> Option<Rc<Sheet>> {
+        Sheet::new(self.skin, self.thickness, face, trim).map(Rc::new)
+    }
+
+    fn push(&mut self, kind: FaceKind, form: Form, is_level: bool, is_exact: bool) {
+        self.pieces.push(Piece { kind, form, outward: self.skin.outward(), is_level, is_exact });
+    }
+
+    fn ruled(&mut self, kind: FaceKind, from: &Curve, to: &Curve, is_level: bool, is_exact: bool) {
+        self.push(kind, Form::Ruled { from: from.clone(), to: to.clone() }, is_level, is_exact);
+    }
+
+    fn error(&self, code: Code, field: &str, message: String) -> Error {
+        Error::new(code, self.skin.path(field), message)
+    }
+
+    /// The surface between a level disc at each of its open ends.
+    fn solid(mut self) -> Result<Parts> {
+        let sheet = self.sheet(sheet::Face::Design, Trim::Foot).ok_or_else(|| self.unreachable())?;
+        let poles = self.skin.poles();
+        let ends = [Curve::Start(Rc::clone(&sheet)), Curve::End(Rc::clone(&sheet))];
+        let outlines = ends.each_ref().map(|curve| Outline::of(curve, self.skin));
+        let levels = [outlines[0].lowest, outlines[1].highest];
+        // An end that is not level is first led straight to the level of its furthest point.
+        let led = [0, 1].map(|end| {
+            if outlines[end].is_level {
+                return ends[end].clone();
+            }
+            Curve::Level { curve: Rc::new(ends[end].clone()), sheet: Rc::clone(&sheet), level: levels[end] }
+        });
+        let mut middles = [const { None }; 2];
+        for (end, name) in ["foot", "rim"].into_iter().enumerate().filter(|(end, _)| !poles[*end]) {
+            middles[end] = Some(Curve::Point(self.disc(&Outline::of(&led[end], self.skin), "shape", name)?));
+        }
+        let [foot, rim] = middles;
+        if let Some(middle) = foot {
+            self.ruled(FaceKind::Underside, &middle, &led[0], true, true);
+            if !outlines[0].is_level {
+                self.ruled(FaceKind::Outer, &led[0], &ends[0], false, true);
+            }
+        }
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&sheet), is_back: false }, false, true);
+        if let Some(middle) = rim {
+            if !outlines[1].is_level {
+                self.ruled(FaceKind::Lid, &ends[1], &led[1], false, true);
+            }
+            self.ruled(FaceKind::Lid, &led[1], &middle, true, true);
+        }
+        Ok((self.pieces, false, levels[0]))
+    }
+
+    /// The middle of a disc or cone over a curve.
+    fn disc(&self, outline: &Outline, field: &str, name: &str) -> Result<DVec3> {
+        let Some(middle) = outline.middle else {
+            let message =
+                format!("the {name} encloses no area at {}: expected a curve with an inside", place(outline.mean));
+            return Err(self.error(Code::PinchedSurface, field, message).near(outline.mean.to_array()));
+        };
+        if !outline.is_level && !outline.is_star {
+            let message = format!(
+                "the {name} is neither level nor seen as a whole from its middle at {}, so no disc closes it; expected a level {name}, or one that bends less",
+                place(middle)
+            );
+            return Err(self.error(Code::NoRoom, field, message).near(middle.to_array()));
+        }
+        Ok(middle)
+    }
+
+    fn unreachable(&self) -> Error {
+        self.error(Code::NoRoom, "shape", "the surface ends before it begins".to_owned())
+    }
+
+    fn pot(self, wall: &Wall) -> Result<Parts> {
+        let poles = self.skin.poles();
+        if poles[1] {
+            let at = self.skin.second(1.0, 0.0).position;
+            let message = format!(
+                "the surface closes to a point at {}, where the opening of a pot is: expected a rim with a width, or the solid as product",
+                place(at)
+            );
+            return Err(self.error(Code::NoOpening, "shape", message).near(at.to_array()));
+        }
+        if wall.base == 0.0 && !poles[0] { self.tube(wall) } else { self.cup(wall) }
+    }
+
+    /// A wall with a rim at both ends.
+    fn tube(mut self, wall: &Wall) -> Result<Parts> {
+        for (field, is_there) in [("wall.foot", wall.foot.is_some()), ("wall.drain", wall.drain > 0.0)] {
+            if is_there {
+                let message =
+                    "a pot without a base has nothing to carry this: expected a base greater than 0".to_owned();
+                return Err(self.error(Code::NoRoom, field, message));
+            }
+        }
+        let [outer, lining] = self.sides(wall, Trim::Foot, Trim::Foot)?;
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&outer), is_back: false }, false, outer.is_exact());
+        self.rim(wall, &outer, &lining, 1.0);
+        self.push(FaceKind::Lining, Form::Sheet { sheet: Rc::clone(&lining), is_back: true }, false, lining.is_exact());
+        self.rim(wall, &lining, &outer, 0.0);
+        let lowest = [&outer, &lining].map(|sheet| Outline::of(&Curve::Start(Rc::clone(sheet)), self.skin).lowest);
+        Ok((self.pieces, true, lowest[0].min(lowest[1])))
+    }
+
+    /// The sheets outside and inside; the trims are those of the design's surface and of the other.
+    fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Rc<Sheet>; 2]> {
+        let no_room = |field: &str| {
+            let message = "the rim is lower than what is to lie within it: expected less".to_owned();
+            self.error(Code::NoRoom, field, message)
+        };
+        let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
+        let design = self.sheet(sheet::Face::Design, design).ok_or_else(|| no_room("wall.drain"))?;
+        let field = if matches!(offset, Trim::Cylinder(_)) { "wall.drain" } else { "wall.base" };
+        let offset = self.sheet(sheet::Face::Offset { direction }, offset).ok_or_else(|| no_room(field))?;
+        Ok(if wall.side == Side::Inside { [design, offset] } else { [offset, design] })
+    }
+
+    fn rim(&mut self, wall: &Wall, from: &Rc<Sheet>, to: &Rc<Sheet>, at: f64) {
+        let is_exact = from.is_exact() && to.is_exact();
+        let form = match wall.rim {
+            RimForm::Rounded => Form::Bead(Bead { from: Rc::clone(from), to: Rc::clone(to), at }),
+            _ => {
+                let end = |sheet: &Rc<Sheet>| {
+                    let sheet = Rc::clone(sheet);
+                    if at == 0.0 { Curve::Start(sheet) } else { Curve::End(sheet) }
+                };
+                Form::Ruled { from: end(from), to: end(to) }
+            }
+        };
+        self.push(FaceKind::Rim, form, false, is_exact);
+    }
+
+    /// A wall with a floor, or with a round bottom.
+    fn cup(mut self, wall: &Wall) -> Result<Parts> {
+        let inside = wall.side == Side::Inside;
+        let is_pole = self.skin.poles()[0];
+        let [ring_width, ring_height] = wall.foot.unwrap_or([0.0; 2]);
+        let radius = wall.drain / 2.0;
+        let surface = self.sheet(sheet::Face::Design, Trim::Foot).ok_or_else(|| self.unreachable())?;
+        let foot = Rc::new(Curve::Start(Rc::clone(&surface)));
+        let outline = Outline::of(&foot, self.skin);
+        if is_pole && wall.foot.is_some() {
+            let message =
+                "a round bottom has no edge under which a ring could stand: expected a surface with a foot, or no ring"
+                    .to_owned();
+            return Err(self.error(Code::NoRoom, "wall.foot", message));
+        }
+        // The level on the other side of the base, to which the other side of the wall is cut.
+        let cut =
+            if inside { outline.highest + ring_height + wall.base } else { outline.lowest - wall.base - ring_height };
+        let design_trim = if is_pole && radius > 0.0 { Trim::Cylinder(radius) } else { Trim::Foot };
+        let [mut outer, mut lining] = self.sides(wall, design_trim, Trim::Level(cut))?;
+        let offset = if inside { &lining } else { &outer };
+        // A round bottom may be all wall.
+        let has_level = !is_pole || offset.has_column_cut();
+        if is_pole && has_level && offset.has_column_above() {
+            let message = format!(
+                "the tip at {} is too sharp for a base of {}: expected a thicker one",
+                place(outline.mean),
+                short(wall.base)
+            );
+            return Err(self.error(Code::NoRoom, "wall.base", message));
+        }
+        if is_pole && !has_level && radius > 0.0 {
+            [outer, lining] = self.sides(wall, design_trim, Trim::Cylinder(radius))?;
+        }
+        let offset = Rc::clone(if inside { &lining } else { &outer });
+        let is_exact = offset.is_exact();
+        let is_led = !is_pole && offset.has_column_above();
+
+        // The edge of the clay at the design's side of the base, and at the other.
+        let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };
+        let edge = Rc::new(Curve::Start(Rc::clone(&offset)));
+        let level_edge = Rc::new(if is_led {
+            Curve::Level { curve: Rc::clone(&edge), sheet: Rc::clone(&surface), level: cut }
+        } else {
+            (*edge).clone()
+        });
+        let across = Outline::of(&level_edge, self.skin);
+        let across_middle = match has_level {
+            true => Some(self.disc(&across, "wall.base", if inside { "floor" } else { "underside" })?),
+            false => None,
+        };
+
+        // The hole.
+        let hole = (radius > 0.0).then(|| {
+            let near = Rc::new(if is_pole {
+                Curve::Start(Rc::clone(if inside { &outer } else { &lining }))
+            } else if outline.is_star {
+                Curve::Cylinder { curve: Rc::clone(&foot), sheet: Rc::clone(&surface), centre: middle, radius }
+            } else {
+                outline.circle(&surface, radius)
+            });
+            let far = match has_level {
+                true => Curve::Level { curve: Rc::clone(&near), sheet: Rc::clone(&surface), level: cut },
+                false => (*edge).clone(),
+            };
+            (near, Rc::new(far))
+        });
+        if let Some((near, far)) = &hole {
+            if !is_pole {
+                self.hole_fits(near, &outline, wall)?;
+            }
+            if has_level {
+                self.hole_fits(far, &across, wall)?;
+            }
+        }
+
+        // From the middle of the underside to the outside.
+        let (under_hole, floor_hole) = match &hole {
+            Some((near, far)) if inside => (Some(near), Some(far)),
+            Some((near, far)) => (Some(far), Some(near)),
+            None => (None, None),
+        };
+        let (under_edge, under_middle) =
+            if inside { (&foot, Some(middle).filter(|_| !is_pole)) } else { (&level_edge, across_middle) };
+        let under_is_exact = inside || is_exact;
+        if let Some(middle) = under_middle {
+            let start = under_hole.map_or(Curve::Point(middle), |hole| (**hole).clone());
+            let is_level = if inside { outline.is_level } else { true };
+            match wall.foot {
+                None => self.ruled(FaceKind::Underside, &start, under_edge, is_level, under_is_exact),
+                Some(_) => {
+                    self.foot_ring(&start, under_edge, [ring_width, ring_height], &surface, under_is_exact, wall)?
+                }
+            }
+        }
+        if !inside && is_led {
+            self.ruled(FaceKind::Outer, &level_edge, &edge, false, is_exact);
+        }
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&outer), is_back: false }, false, outer.is_exact());
+        self.rim(wall, &outer, &lining, 1.0);
+        self.push(FaceKind::Lining, Form::Sheet { sheet: Rc::clone(&lining), is_back: true }, false, lining.is_exact());
+        if inside && is_led {
+            self.ruled(FaceKind::Lining, &edge, &level_edge, false, is_exact);
+        }
+        let (floor_edge, floor_middle) =
+            if inside { (&level_edge, across_middle) } else { (&foot, Some(middle).filter(|_| !is_pole)) };
+        if let Some(middle) = floor_middle {
+            let end = floor_hole.map_or(Curve::Point(middle), |hole| (**hole).clone());
+            let is_level = if inside { true } else { outline.is_level };
+            self.ruled(FaceKind::Floor, floor_edge, &end, is_level, !inside || is_exact);
+        }
+        if let (Some(under), Some(floor)) = (under_hole, floor_hole) {
+            let under = match wall.foot {
+                Some(_) => self.raised(under, ring_height, &surface),
+                None => (**under).clone(),
+            };
+            self.ruled(FaceKind::Drain, floor, &under, false, true);
+        }
+        let lowest = if inside || !has_level { outline.lowest } else { cut };
+        Ok((self.pieces, hole.is_some(), lowest))
+    }
+
+    /// A level curve, so much higher.
+    fn raised(&self, curve: &Rc<Curve>, height: f64, surface: &Rc<Sheet>) -> Curve {
+        let level = self.skin.frame().level(curve.at(0.0).0) + height;
+        Curve::Level { curve: Rc::clone(curve), sheet: Rc::clone(surface), level }
+    }
+
+    /// The recess, its wall and the ring on which the pot stands, from a curve or point at the level of the foot.
+    fn foot_ring(
+        &mut self,
+        start: &Curve,
+        edge: &Rc<Curve>,
+        [width, height]: [f64; 2],
+        surface: &Rc<Sheet>,
+        is_exact: bool,
+        wall: &Wall,
+    ) -> Result<()> {
+        let outline = Outline::of(edge, self.skin);
+        if !outline.is_level {
+            let message = "a ring needs a level foot to stand on: expected one, or no ring".to_owned();
+            return Err(self.error(Code::NoRoom, "wall.foot", message));
+        }
+        let inner =
+            Rc::new(Curve::Inset { curve: Rc::clone(edge), sheet: Rc::clone(surface), width: width * outline.turn });
+        // Where the ring is as wide as the foot bends, its inner edge turns back.
+        for v in even_columns() {
+            let ((_, outer), (at, inner)) = (edge.at(v), inner.at(v));
+            if !(outer.dot(inner) > 0.0) {
+                let message = format!(
+                    "a ring {} wide has no room within the foot at {}: expected a narrower one",
+                    plain(width),
+                    place(at)
+                );
+                return Err(self.error(Code::NoRoom, "wall.foot", message));
+            }
+        }
+        let room = Outline::of(&inner, self.skin);
+        if room.middle.is_none() || room.turn != outline.turn {
+            let message = format!("a ring {} wide fills the foot: expected a narrower one", plain(width));
+            return Err(self.error(Code::NoRoom, "wall.foot", message));
+        }
+        let top = Rc::new(self.raised(&inner, height, surface));
+        let start = match start {
+            Curve::Point(point) => Curve::Point(*point + self.skin.frame().axis() * height),
+            hole => {
+                let hole = Rc::new(hole.clone());
+                self.hole_fits(&hole, &room, wall)?;
+                self.raised(&hole, height, surface)
+            }
+        };
+        self.ruled(FaceKind::Recess, &start, &top, true, is_exact);
+        self.ruled(FaceKind::FootRing, &top, &inner, false, is_exact);
+        self.ruled(FaceKind::Underside, &inner, edge, true, is_exact);
+        Ok(())
+    }
+
+    /// Whether the edge of a drain hole is within an outline.
+    fn hole_fits(&self, hole: &Curve, outline: &Outline, wall: &Wall) -> Result<()> {
+        let frame = self.skin.frame();
+        let middle = frame.plan(outline.middle.unwrap_or(outline.mean));
+        let reach = even_columns().map(|v| (frame.plan(hole.at(v).0) - middle).length()).fold(0.0, f64::max);
+        if reach < outline.narrowest {
+            return Ok(());
+        }
+        let message = format!(
+            "a drain of {} has no room in the base, which is only {} wide there: expected a smaller one",
+            plain(wall.drain),
+            short(2.0 * outline.narrowest)
+        );
+        Err(self.error(Code::NoRoom, "wall.drain", message))
+    }
+}
+
+/// What a closed curve is like, seen along the axis.
+struct Outline {
+    /// The middle of the area that it goes round, at its mean level.
+    middle: Option<DVec3>,
+    mean: DVec3,
+    lowest: f64,
+    highest: f64,
+    is_level: bool,
+    /// Whether all of it is seen from the middle.
+    is_star: bool,
+    /// 1 where it goes round anti-clockwise, otherwise -1.
+    turn: f64,
+    /// The least distance from the middle.
+    narrowest: f64,
+    /// The direction from the middle to the point at `v = 0`.
+    phase: f64,
+}
+
+impl Outline {
+    fn of(curve: &Curve, skin: &Skin) -> Outline {
+        let frame = skin.frame();
+        let points: Vec<(DVec3, DVec3)> = even_columns().map(|v| curve.at(v)).collect();
+        let mean = points.iter().map(|(p, _)| *p).sum::<DVec3>() / points.len() as f64;
+        let (mut lowest, mut highest, mut level) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+        for (p, _) in &points {
+            let height = frame.level(*p);
+            (lowest, highest) = (lowest.min(height), highest.max(height));
+            level += height / points.len() as f64;
+        }
+        let is_level = highest - lowest <= LEVEL * skin.size();
+        let centre = frame.plan(mean);
+        let seen = || points.iter().map(|(p, dp)| (frame.plan(*p) - centre, frame.turned(*dp)));
+        let plan = middle_of(seen()).map(|middle| middle + centre);
+        let middle = plan.unwrap_or(centre);
+        let (mut least, mut most, mut narrowest) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
+        let mut area = 0.0;
+        for (p, dp) in &points {
+            let arm = frame.plan(*p) - middle;
+            let turn = arm.perp_dot(frame.turned(*dp));
+            area += turn;
+            (least, most) = (least.min(turn), most.max(turn));
+            narrowest = narrowest.min(arm.length());
+        }
+        let first = points.first().map_or(DVec2::X, |(p, _)| frame.plan(*p) - middle);
+        Outline {
+            middle: plan.map(|plan| frame.point(plan, level)),
+            mean,
+            lowest,
+            highest,
+            is_level,
+            is_star: least > 0.0 || most < 0.0,
+            turn: if area < 0.0 { -1.0 } else { 1.0 },
+            narrowest,
+            phase: libm::atan2(first.y, first.x),
+        }
+    }
+
+    /// A circle round the axis of the foot that goes round as the outline does.
+    fn circle(&self, sheet: &Rc<Sheet>, radius: f64) -> Curve {
+        Curve::Circle { sheet: Rc::clone(sheet), level: self.lowest, radius, phase: self.phase, turn: self.turn }
+    }
+}
+
+fn even_columns() -> impl Iterator<Item = f64> {
+    (0..COLUMNS).map(|j| TAU * j as f64 / COLUMNS as f64)
+}

@@ -1,0 +1,266 @@
+//! The two sides of a wall: the design surface, and the surface at a distance from it.
+
+use core::cell::RefCell;
+use core::f64::consts::TAU;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use glam::DVec3;
+
+use super::skin::Skin;
+use super::thickness::Thickness;
+
+/// The most columns whose beginning is remembered.
+const REMEMBERED: usize = 1 << 16;
+
+/// Rows at which a column is looked through for where it begins.
+const ROWS: usize = 96;
+
+/// Columns whose beginnings differ by no more than this begin together.
+const COMMON: f64 = 1e-12;
+
+/// Position and first derivatives of a sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct SheetJet {
+    pub(crate) position: DVec3,
+    pub(crate) ds: DVec3,
+    pub(crate) dv: DVec3,
+}
+
+/// Which side of the wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Face {
+    /// The surface of the design.
+    Design,
+    /// `X + direction t N`, with `direction` 1 for outwards and -1 for inwards.
+    Offset { direction: f64 },
+}
+
+/// Where the columns of a sheet begin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Trim {
+    /// At the foot.
+    Foot,
+    /// Above a level: the last place, seen from the foot, where the sheet rises above it; at the foot where all of a column is above.
+    Level(f64),
+    /// Outside a cylinder of this radius round the axis of the foot: the last place where the sheet leaves it.
+    Cylinder(f64),
+}
+
+/// Where a column begins.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Start {
+    pub(crate) s: f64,
+    /// How that changes with `v`.
+    pub(crate) dv: f64,
+}
+
+/// One side of a wall: `S(s, v)` from where its columns begin to `s = 1`.
+#[derive(Debug)]
+pub(crate) struct Sheet {
+    skin: Rc<Skin>,
+    thickness: Rc<Thickness>,
+    face: Face,
+    trim: Trim,
+    /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
+    brackets: Vec<Option<usize>>,
+    /// Where all columns begin, if they begin at the same place.
+    common: Option<f64>,
+    /// Columns that were asked for.
+    starts: RefCell<BTreeMap<u64, Start>>,
+}
+
+impl Sheet {
+    /// `None` where a column ends before it can begin: its rim is below the level or inside the cylinder.
+    pub(crate) fn new(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: Face, trim: Trim) -> Option<Sheet> {
+        let mut sheet = Sheet {
+            skin: Rc::clone(skin),
+            thickness: Rc::clone(thickness),
+            face,
+            trim,
+            brackets: Vec::new(),
+            common: None,
+            starts: RefCell::default(),
+        };
+        if trim == Trim::Foot {
+            sheet.common = Some(0.0);
+            return Some(sheet);
+        }
+        let columns: Vec<f64> = skin.round().collect();
+        // From the rim down, row by row: the first row at which a column is below.
+        let mut below = vec![None; columns.len()];
+        for i in (0..=ROWS).rev() {
+            let s = i as f64 / ROWS as f64;
+            for (below, &v) in below.iter_mut().zip(&columns).filter(|(below, _)| below.is_none()) {
+                if sheet.above(s, v) < 0.0 {
+                    *below = Some(i);
+                }
+            }
+        }
+        if below.contains(&Some(ROWS)) {
+            return None;
+        }
+        sheet.brackets = below;
+        let starts: Vec<f64> = columns.iter().map(|&v| sheet.start(v).s).collect();
+        let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
+        if most - least <= COMMON {
+            sheet.common = Some(0.5 * (least + most));
+        }
+        Some(sheet)
+    }
+
+    pub(crate) fn skin(&self) -> &Skin {
+        &self.skin
+    }
+
+    /// Whether the jets are those of the true surface.
+    pub(crate) fn is_exact(&self) -> bool {
+        self.face == Face::Design || self.thickness.is_even()
+    }
+
+    /// Whether this is the surface of the design from foot to rim.
+    pub(crate) fn is_whole_design(&self) -> bool {
+        self.face == Face::Design && self.trim == Trim::Foot
+    }
+
+    /// Whether any column is all above the level.
+    pub(crate) fn has_column_above(&self) -> bool {
+        matches!(self.trim, Trim::Level(_)) && self.brackets.contains(&None)
+    }
+
+    /// Whether any column is cut.
+    pub(crate) fn has_column_cut(&self) -> bool {
+        self.brackets.iter().any(Option::is_some)
+    }
+
+    /// Position and derivatives with respect to `s` and `v`.
+    pub(crate) fn jet(&self, s: f64, v: f64) -> SheetJet {
+        let Face::Offset { direction } = self.face else {
+            let jet = self.skin.second(s, v);
+            return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
+        };
+        let jet = self.skin.jet(s, v);
+        let [t, t_s, t_v] = self.thickness.at(s, v).map(|t| t * direction);
+        SheetJet {
+            position: jet.position + jet.normal * t,
+            ds: jet.ds + jet.normal_s * t + jet.normal * t_s,
+            dv: jet.dv + jet.normal_v * t + jet.normal * t_v,
+        }
+    }
+
+    /// The derivative of `S_v` with respect to `v` at the foot of the design surface, which is known; elsewhere it is not.
+    pub(crate) fn second_round(&self, v: f64) -> Option<DVec3> {
+        (self.face == Face::Design && self.trim == Trim::Foot).then(|| self.skin.second(0.0, v).dvv)
+    }
+
+    /// Where the column at `v` begins.
+    pub(crate) fn start(&self, v: f64) -> Start {
+        if let Some(s) = self.common {
+            return Start { s, dv: 0.0 };
+        }
+        let key = v.to_bits();
+        if let Some(start) = self.starts.borrow().get(&key) {
+            return *start;
+        }
+        let start = self.find(v);
+        let mut starts = self.starts.borrow_mut();
+        if starts.len() < REMEMBERED {
+            starts.insert(key, start);
+        }
+        start
+    }
+
+    fn find(&self, v: f64) -> Start {
+        let Some((low, high)) = self.bracket(v) else { return Start::default() };
+        let s = root(low, high, |s| self.above(s, v));
+        // The root is where g = 0: by implicit differentiation s' = -g_v / g_s.
+        let jet = self.jet(s, v);
+        let frame = self.skin.frame();
+        let [along, round] = match self.trim {
+            Trim::Foot => [1.0, 0.0],
+            Trim::Level(_) => [jet.ds, jet.dv].map(|d| frame.axis().dot(d)),
+            Trim::Cylinder(_) => {
+                let plan = frame.plan(jet.position);
+                [jet.ds, jet.dv].map(|d| plan.dot(frame.turned(d)))
+            }
+        };
+        let dv = -round / along;
+        Start { s, dv: if dv.is_finite() { dv } else { 0.0 } }
+    }
+
+    /// Between which `s` the column at `v` begins; `None` where it is all above.
+    fn bracket(&self, v: f64) -> Option<(f64, f64)> {
+        let n = self.brackets.len();
+        let at = v / TAU * n as f64;
+        let (left, right) = (libm::floor(at) as usize % n, libm::ceil(at) as usize % n);
+        let near = |j: usize| self.brackets.get(j).copied().flatten();
+        if let (Some(a), Some(b)) = (near(left), near(right)) {
+            let (low, high) = (a.min(b).saturating_sub(1), (a.max(b) + 2).min(ROWS));
+            // Near a bracket there is no other crossing above: the rows of both neighbours are above there.
+            let mut row = high;
+            while row > low {
+                let (below, above) = ((row - 1) as f64 / ROWS as f64, row as f64 / ROWS as f64);
+                if self.above(below, v) < 0.0 && self.above(above, v) >= 0.0 {
+                    return Some((below, above));
+                }
+                row -= 1;
+            }
+        }
+        let row = (0..=ROWS).rev().find(|&i| self.above(i as f64 / ROWS as f64, v) < 0.0)?;
+        Some((row as f64 / ROWS as f64, (row + 1).min(ROWS) as f64 / ROWS as f64))
+    }
+
+    /// How far a point is above the level, or outside the cylinder.
+    fn above(&self, s: f64, v: f64) -> f64 {
+        let position = self.jet(s, v).position;
+        match self.trim {
+            Trim::Foot => s,
+            Trim::Level(level) => self.skin.frame().level(position) - level,
+            Trim::Cylinder(radius) => self.skin.frame().plan(position).length() - radius,
+        }
+    }
+}
+
+/// The root of a function that is negative at `low` and not at `high`, to rounding, by the Illinois form of false position with a bisection after every third step.
+fn root(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (low, high);
+    let (mut f_low, mut f_high) = (f(low), f(high));
+    for step in 0..120 {
+        if f_high == 0.0 || high - low <= 4.0 * f64::EPSILON * high {
+            return high;
+        }
+        let share = if step % 4 == 3 { 0.5 } else { f_low / (f_low - f_high) };
+        let middle = low + share * (high - low);
+        if !(middle > low && middle < high) {
+            // The two are neighbours, or one of them is the root to rounding.
+            return if -f_low < f_high { low } else { high };
+        }
+        let f_middle = f(middle);
+        if f_middle < 0.0 {
+            (low, f_low) = (middle, f_middle);
+            f_high *= if step % 4 == 3 { 1.0 } else { 0.5 };
+        } else {
+            (high, f_high) = (middle, f_middle);
+            f_low *= if step % 4 == 3 { 1.0 } else { 0.5 };
+        }
+    }
+    high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_are_found_to_rounding() {
+        for (exact, f) in [
+            (0.5f64.sqrt(), (|x: f64| x * x - 0.5) as fn(f64) -> f64),
+            (0.3, |x| (x - 0.3) * (x - 0.3) * (x - 0.3)),
+            (1e-3, |x| x - 1e-3),
+            (0.9, |x| libm::exp(40.0 * x) - libm::exp(36.0)),
+        ] {
+            let found = root(0.0, 1.0, f);
+            assert!((found - exact).abs() < 1e-5 && f(found).abs() < 1e-15 * f(1.0).abs().max(1.0), "{found} {exact}");
+        }
+    }
+}

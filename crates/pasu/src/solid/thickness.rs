@@ -1,0 +1,226 @@
+//! How thick a wall can be: as asked for, or thinner where the surface bends or comes close to itself.
+//!
+//! A point at a distance `t` from `P` along its normal has no nearer point of the surface than `P` as long as `t` is less than the radius of the largest ball that touches the surface at `P`
+//! on that side and holds no other point of it. So no two of the lines along which the wall is laid meet, and the other side of the wall is embedded, whatever its thickness is within that bound.
+//! The ball is found by shrinking: through the nearest point inside it goes the next (J. Ma, S. W. Bae, S. Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, 2012).
+//! How the surface bends at `P` itself is known from its second derivatives.
+
+use core::f64::consts::TAU;
+
+use glam::DVec3;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+
+use super::skin::{Skin, SkinJet};
+use crate::design::{Part, Wall};
+use crate::error::Result;
+use crate::mesh::places;
+
+/// The part of the largest ball's radius that a wall may take up.
+const SHARE: f64 = 0.8;
+
+/// Rows are no further apart than this.
+const WIDEST: f64 = 1.0 / 48.0;
+
+/// The fewest columns.
+const COLUMNS: usize = 64;
+
+/// How often a ball may shrink.
+const SHRINKINGS: usize = 24;
+
+/// A ball that shrinks by less than this part is the largest.
+const SHRUNK: f64 = 1e-3;
+
+/// How thick the wall is at each place of the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Thickness {
+    /// As asked for, everywhere.
+    Even(f64),
+    /// Bilinear between rows and even columns.
+    Thinned(Thinned),
+}
+
+/// A thickness that had to be reduced somewhere.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Thinned {
+    /// The rows, from 0 to 1.
+    rows: Vec<f64>,
+    /// Row by row, without the column that would repeat the first.
+    values: Vec<f64>,
+    n_columns: usize,
+    /// The least, and where.
+    pub(crate) thinnest: (f64, DVec3),
+    /// The share of the area that is thinner than asked for.
+    pub(crate) share: f64,
+}
+
+/// One place at which the ball is sought.
+struct Sample {
+    position: DVec3,
+    /// Towards the other side of the wall.
+    inward: DVec3,
+    /// The radius of the ball that bends as the surface does.
+    bend: f64,
+    area: f64,
+}
+
+impl Thickness {
+    /// The thickness of a wall on one side of a surface; `direction` is 1 for outwards and -1 for inwards.
+    ///
+    /// # Errors
+    /// What [`places`] refuses.
+    pub(crate) fn of(
+        part: &Part,
+        index: usize,
+        skin: &Skin,
+        wall: &Wall,
+        direction: f64,
+        fineness: usize,
+    ) -> Result<Thickness> {
+        let (rows, columns) = rows_and_columns(part, index, skin, fineness)?;
+        let samples = samples(skin, &rows, columns, direction);
+        let points = samples.iter().zip(0u32..).map(|(sample, i)| GeomWithData::new(sample.position.to_array(), i));
+        let tree = RTree::bulk_load(points.collect());
+        let asked = wall.thickness;
+        let values: Vec<f64> =
+            samples.iter().map(|sample| asked.min(SHARE * radius(sample, &tree, asked / SHARE))).collect();
+        if values.iter().all(|t| *t >= asked) {
+            return Ok(Thickness::Even(asked));
+        }
+        let mut thinnest = (f64::INFINITY, DVec3::ZERO);
+        let (mut thinned, mut area) = (0.0, 0.0);
+        for (sample, t) in samples.iter().zip(&values) {
+            if *t < thinnest.0 {
+                thinnest = (*t, sample.position);
+            }
+            area += sample.area;
+            if *t < asked {
+                thinned += sample.area;
+            }
+        }
+        let values = smoothed(&values, columns);
+        let share = if area > 0.0 { thinned / area } else { 0.0 };
+        Ok(Thickness::Thinned(Thinned { rows, values, n_columns: columns, thinnest, share }))
+    }
+
+    /// Whether it is as asked for everywhere.
+    pub(crate) fn is_even(&self) -> bool {
+        matches!(self, Thickness::Even(_))
+    }
+
+    /// `t`, `t_s`, `t_v`.
+    pub(crate) fn at(&self, s: f64, v: f64) -> [f64; 3] {
+        match self {
+            Thickness::Even(thickness) => [*thickness, 0.0, 0.0],
+            Thickness::Thinned(thinned) => thinned.at(s, v),
+        }
+    }
+}
+
+impl Thinned {
+    /// The greatest thickness.
+    pub(crate) fn thickest(&self) -> f64 {
+        self.values.iter().fold(0.0, |most, t| most.max(*t))
+    }
+
+    fn at(&self, s: f64, v: f64) -> [f64; 3] {
+        let row = self.rows.partition_point(|row| *row <= s).clamp(1, self.rows.len() - 1) - 1;
+        let gap = self.rows[row + 1] - self.rows[row];
+        let p = ((s - self.rows[row]) / gap).clamp(0.0, 1.0);
+        let n = self.n_columns;
+        let column = v / TAU * n as f64;
+        let whole = libm::floor(column);
+        let q = column - whole;
+        let (left, right) = (whole as usize % n, (whole as usize + 1) % n);
+        let value = |row: usize, column: usize| self.values[row * n + column];
+        let [a, b, c, d] = [value(row, left), value(row, right), value(row + 1, left), value(row + 1, right)];
+        let (low, high) = (a + q * (b - a), c + q * (d - c));
+        let per_turn = n as f64 / TAU;
+        [low + p * (high - low), (high - low) / gap, ((1.0 - p) * (b - a) + p * (d - c)) * per_turn]
+    }
+}
+
+/// The mean of the neighbourhood's least values: nowhere more than what was there, and without its edges.
+fn smoothed(values: &[f64], columns: usize) -> Vec<f64> {
+    let rows = values.len() / columns;
+    let over = |values: &[f64], merge: fn([f64; 3]) -> f64| -> Vec<f64> {
+        let at = |i: usize, j: usize| values[i * columns + j % columns];
+        let round: Vec<f64> = (0..values.len())
+            .map(|k| (k / columns, k % columns))
+            .map(|(i, j)| merge([at(i, j + columns - 1), at(i, j), at(i, j + 1)]))
+            .collect();
+        let at = |i: usize, j: usize| round[i * columns + j];
+        (0..values.len())
+            .map(|k| (k / columns, k % columns))
+            .map(|(i, j)| merge([at(i.saturating_sub(1), j), at(i, j), at((i + 1).min(rows - 1), j)]))
+            .collect()
+    };
+    let least = over(values, |[a, b, c]| a.min(b).min(c));
+    over(&least, |[a, b, c]| (a + b + c) / 3.0)
+}
+
+/// The rows and columns of a mesh of the part, and as many more as it takes.
+fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
+    let (placed, columns, _) = places(part, index, None)?;
+    let mut rows = vec![0.0];
+    for pair in placed.windows(2) {
+        let n = (libm::ceil((pair[1] - pair[0]) / WIDEST) as usize).max(1) * fineness;
+        rows.extend((1..=n).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / n as f64));
+    }
+    if !skin.is_upward() {
+        rows = rows.iter().rev().map(|u| 1.0 - u).collect();
+    }
+    Ok((rows, (columns - 1).max(COLUMNS) * fineness))
+}
+
+fn samples(skin: &Skin, rows: &[f64], columns: usize, direction: f64) -> Vec<Sample> {
+    let mut samples = Vec::with_capacity(rows.len() * columns);
+    for &s in rows {
+        for j in 0..columns {
+            let jet = skin.jet(s, TAU * j as f64 / columns as f64);
+            let inward = jet.normal * direction;
+            samples.push(Sample {
+                position: jet.position,
+                inward,
+                bend: bend(&jet, direction),
+                area: jet.ds.cross(jet.dv).length(),
+            });
+        }
+    }
+    // Rows are not even: a sample stands for half of the way to its neighbours.
+    for (i, row) in samples.chunks_mut(columns).enumerate() {
+        let width = rows[(i + 1).min(rows.len() - 1)] - rows[i.saturating_sub(1)];
+        for sample in row {
+            sample.area *= width;
+        }
+    }
+    samples
+}
+
+/// The radius at which `X + direction t N` first bends back: the least of `-1 / (direction k)` that is positive, with `k` the eigenvalues of `dN = k dX`.
+fn bend(jet: &SkinJet, direction: f64) -> f64 {
+    let (e, f, g) = (jet.ds.length_squared(), jet.ds.dot(jet.dv), jet.dv.length_squared());
+    let (l, m, n) = (jet.normal_s.dot(jet.ds), jet.normal_s.dot(jet.dv), jet.normal_v.dot(jet.dv));
+    let area = e * g - f * f;
+    let (half, product) = ((g * l - 2.0 * f * m + e * n) / (2.0 * area), (l * n - m * m) / area);
+    let root = libm::sqrt((half * half - product).max(0.0));
+    let sharpest = (-direction * (half + root)).max(-direction * (half - root));
+    if sharpest > 0.0 && sharpest.is_finite() { 1.0 / sharpest } else { f64::INFINITY }
+}
+
+/// The radius of the largest ball, up to `most`.
+fn radius(sample: &Sample, tree: &RTree<GeomWithData<[f64; 3], u32>>, most: f64) -> f64 {
+    let mut radius = most.min(sample.bend);
+    for _ in 0..SHRINKINGS {
+        let centre = sample.position + sample.inward * radius;
+        let Some(nearest) = tree.nearest_neighbor(centre.to_array()) else { break };
+        let across = DVec3::from_array(*nearest.geom()) - sample.position;
+        let depth = sample.inward.dot(across);
+        let through = across.length_squared() / (2.0 * depth);
+        if !(depth > 0.0 && through < radius * (1.0 - SHRUNK)) {
+            break;
+        }
+        radius = through;
+    }
+    radius
+}

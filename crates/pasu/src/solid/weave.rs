@@ -1,0 +1,364 @@
+//! From the faces of a pot to triangles that share their vertices.
+
+use core::f64::consts::{PI, TAU};
+
+use glam::{DVec2, DVec3};
+
+use super::disc;
+use super::face::{Face, FaceKind};
+use super::piece::{Form, Piece};
+use super::pot::Pot;
+use super::sheet::Sheet;
+use super::skin::place;
+use crate::error::{Code, Error, Result};
+
+/// A ring no wider than this part of the size is a point.
+const POLE: f64 = 1e-6;
+
+/// Vertices of neighbouring rings nearer than this part of the tolerance are one.
+const SAME: f64 = 0.02;
+
+/// What is measured between vertices is multiplied by this to be a bound: faces are smooth, and between vertices they bend nearly as at them.
+const MARGIN: f64 = 1.25;
+
+/// The most rows between where a sheet begins and its first row of constant `s`.
+const MOST_BETWEEN: usize = 48;
+
+/// A row has to be so far from where a sheet begins, as a part of the distance to its neighbour.
+const CLEARANCE: f64 = 0.3;
+
+/// Rows along the surface and columns round it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Grid {
+    /// `s` of every row of the sheets, from 0 to 1.
+    pub(crate) rows: Vec<f64>,
+    /// Columns, without one that repeats the first.
+    pub(crate) columns: usize,
+    /// The largest distance that is aimed at.
+    pub(crate) tolerance: f64,
+    /// How far the design surface is at most from its triangles on this grid.
+    pub(crate) bound: f64,
+}
+
+/// A mesh of one part.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Woven {
+    pub(crate) positions: Vec<[f32; 3]>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// (kind, number of triangles)
+    pub(crate) faces: Vec<(FaceKind, usize)>,
+    /// The largest distance between triangles and faces, without the rounding of positions.
+    pub(crate) bound: f64,
+}
+
+/// A curve across a face: its vertices, and where they are before rounding.
+#[derive(Debug, Clone)]
+struct Ring {
+    /// One vertex, or one for each column.
+    vertices: Vec<u32>,
+    points: Vec<DVec3>,
+}
+
+impl Ring {
+    fn vertex(&self, column: usize) -> u32 {
+        self.vertices[column % self.vertices.len()]
+    }
+
+    fn point(&self, column: usize) -> DVec3 {
+        self.points[column % self.points.len()]
+    }
+
+    fn is_point(&self) -> bool {
+        self.vertices.len() == 1
+    }
+}
+
+struct Weaver<'a> {
+    pot: &'a Pot,
+    grid: &'a Grid,
+    /// From model units to those of the mesh.
+    scale: f64,
+    woven: Woven,
+}
+
+/// Triangles of all faces of a pot, in units of `1 / scale`.
+///
+/// # Errors
+/// `crosses-itself` where a level face has an outline that crosses itself; `overflow` for a point beyond single precision.
+pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
+    let mut weaver = Weaver { pot, grid, scale, woven: Woven::default() };
+    let mut last: Option<Ring> = None;
+    let mut first: Option<Ring> = None;
+    let n_pieces = pot.faces().len();
+    for (index, piece) in pot.faces().iter().enumerate() {
+        let start = match last.take() {
+            Some(ring) => ring,
+            None => weaver.ring(weaver.curve(piece, 0.0), None)?,
+        };
+        let end = first.as_ref().filter(|_| index + 1 == n_pieces && pot.is_ring()).cloned();
+        if first.is_none() {
+            first = Some(start.clone());
+        }
+        last = Some(weaver.face(piece, start, end)?);
+    }
+    Ok(weaver.woven)
+}
+
+impl Weaver<'_> {
+    fn v(&self, column: usize) -> f64 {
+        TAU * column as f64 / self.grid.columns as f64
+    }
+
+    /// The points of a face at constant `a`.
+    fn curve(&self, piece: &Piece, a: f64) -> Vec<DVec3> {
+        (0..self.grid.columns).map(|j| piece.jet(a, self.v(j)).position).collect()
+    }
+
+    /// Makes vertices of points; those that are where the ring before has its own share them.
+    fn ring(&mut self, points: Vec<DVec3>, before: Option<&Ring>) -> Result<Ring> {
+        let mean = points.iter().sum::<DVec3>() / points.len() as f64;
+        let width = points.iter().fold(0.0f64, |width, p| width.max((*p - mean).length()));
+        let points = if width <= POLE * self.pot.skin().size() { vec![mean] } else { points };
+        let mut vertices = Vec::with_capacity(points.len());
+        for (j, point) in points.iter().enumerate() {
+            let same = before.filter(|ring| {
+                !ring.is_point() && points.len() > 1 && ring.point(j).distance(*point) <= SAME * self.grid.tolerance
+            });
+            vertices.push(match same {
+                Some(ring) => ring.vertex(j),
+                None => self.vertex(*point)?,
+            });
+        }
+        Ok(Ring { vertices, points })
+    }
+
+    fn vertex(&mut self, point: DVec3) -> Result<u32> {
+        let position = point.to_array().map(|x| (x * self.scale) as f32);
+        if position.iter().any(|x| !x.is_finite()) {
+            let message = "the pot is larger than a file can hold: numbers up to 3e38 millimetres can be held";
+            return Err(Error::new(Code::Overflow, format!("parts[{}]", self.pot.part()), message));
+        }
+        self.woven.positions.push(position);
+        Ok(self.woven.positions.len() as u32 - 1)
+    }
+
+    /// Weaves one face from its first ring to its last, which may be given.
+    fn face(&mut self, piece: &Piece, start: Ring, end: Option<Ring>) -> Result<Ring> {
+        let before = self.woven.triangles.len();
+        let mut rings = vec![start];
+        for points in self.between(piece) {
+            let ring = self.ring(points, rings.last())?;
+            rings.push(ring);
+        }
+        let end = match end {
+            Some(ring) => ring,
+            None => self.ring(self.curve(piece, 1.0), rings.last())?,
+        };
+        rings.push(end);
+        let is_forwards = piece.outward() > 0.0;
+        for pair in rings.windows(2) {
+            self.strip(&pair[0], &pair[1], is_forwards);
+        }
+        if piece.is_level() && !self.is_unfolded(before, &rings) {
+            self.level_face(before, &rings, piece)?;
+        }
+        let is_design = matches!(&piece.form, Form::Sheet { sheet, .. } if sheet.is_whole_design());
+        let bound = if is_design { self.grid.bound } else { MARGIN * self.deviation(&rings) };
+        self.woven.bound = self.woven.bound.max(bound);
+        self.woven.faces.push((piece.kind(), self.woven.triangles.len() - before));
+        Ok(rings.pop().unwrap_or_else(|| Ring { vertices: Vec::new(), points: Vec::new() }))
+    }
+
+    /// The rings of a face between its ends.
+    fn between(&self, piece: &Piece) -> Vec<Vec<DVec3>> {
+        match &piece.form {
+            Form::Ruled { .. } => Vec::new(),
+            Form::Bead(_) => {
+                let widest = self
+                    .curve(piece, 0.0)
+                    .iter()
+                    .zip(self.curve(piece, 1.0))
+                    .fold(0.0f64, |w, (p, q)| w.max(p.distance(q)));
+                let share = (self.grid.tolerance / widest.max(f64::MIN_POSITIVE)).min(0.25);
+                // The sagitta of a chord of a circle of radius r over an angle: r (1 - cos(angle / 2)).
+                let n = libm::ceil(PI / (2.0 * libm::acos(1.0 - 2.0 * share))).clamp(4.0, 64.0) as usize;
+                (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()
+            }
+            Form::Sheet { sheet, is_back } => {
+                let mut rings = self.sheet(sheet);
+                if *is_back {
+                    rings.reverse();
+                }
+                rings
+            }
+        }
+    }
+
+    /// The rings of a sheet above where it begins: rows of constant `s`, and below them what leads over from its edge.
+    fn sheet(&self, sheet: &Sheet) -> Vec<Vec<DVec3>> {
+        let columns: Vec<f64> = (0..self.grid.columns).map(|j| self.v(j)).collect();
+        let starts: Vec<f64> = columns.iter().map(|v| sheet.start(*v).s).collect();
+        let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
+        let rows = &self.grid.rows;
+        let is_inside = |i: usize| rows[i] > most && rows[i] - most >= CLEARANCE * (rows[i] - rows[i - 1]);
+        let first = (1..rows.len() - 1).find(|i| is_inside(*i)).unwrap_or(rows.len() - 1);
+        let lowest = rows[first];
+        let mut rings = Vec::new();
+        if most > least {
+            // As many as there would be rows.
+            let skipped = rows.iter().filter(|row| **row > least && **row < lowest).count();
+            let n = (skipped + 1).min(MOST_BETWEEN);
+            for i in 1..n {
+                let share = i as f64 / n as f64;
+                let ring = columns.iter().zip(&starts).map(|(v, s)| sheet.jet(s + share * (lowest - s), *v).position);
+                rings.push(ring.collect());
+            }
+        }
+        for s in &rows[first..rows.len() - 1] {
+            rings.push(columns.iter().map(|v| sheet.jet(*s, *v).position).collect());
+        }
+        rings
+    }
+
+    /// Triangles between two rings, cut along the shorter diagonals.
+    fn strip(&mut self, from: &Ring, to: &Ring, is_forwards: bool) {
+        for j in 0..self.grid.columns {
+            let (a, d, b, c) = (from.vertex(j), from.vertex(j + 1), to.vertex(j), to.vertex(j + 1));
+            let halves = if self.distance(a, c) <= self.distance(b, d) {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            };
+            for [a, b, c] in halves {
+                if a != b && b != c && c != a {
+                    self.woven.triangles.push(if is_forwards { [a, b, c] } else { [a, c, b] });
+                }
+            }
+        }
+    }
+
+    fn at(&self, vertex: u32) -> DVec3 {
+        DVec3::from_array(self.woven.positions[vertex as usize].map(f64::from))
+    }
+
+    fn distance(&self, a: u32, b: u32) -> f64 {
+        (self.at(a) - self.at(b)).length_squared()
+    }
+
+    fn plan(&self, vertex: u32) -> DVec2 {
+        self.pot.skin().frame().plan(self.at(vertex) / self.scale)
+    }
+
+    /// Whether the triangles of a level face, from a number on, all lie the same way up.
+    fn is_unfolded(&self, first: usize, rings: &[Ring]) -> bool {
+        let area = |[a, b, c]: &[u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|vertex| self.plan(*vertex));
+            robust::orient2d(coord(a), coord(b), coord(c))
+        };
+        let triangles = &self.woven.triangles[first..];
+        let Some(sign) = triangles.first().map(|triangle| area(triangle).signum()) else { return true };
+        triangles.iter().all(|triangle| area(triangle) * sign > 0.0) && rings.len() == 2
+    }
+
+    /// Other triangles for a level face that folds.
+    fn level_face(&mut self, first: usize, rings: &[Ring], piece: &Piece) -> Result<()> {
+        let outline =
+            |ring: &Ring| ring.vertices.iter().map(|vertex| (self.plan(*vertex), *vertex)).collect::<Vec<_>>();
+        let outlines: Vec<_> = rings.iter().filter(|ring| !ring.is_point()).map(outline).collect();
+        let Some(mut triangles) = disc::triangles(&outlines) else {
+            let at = rings.last().map_or(DVec3::ZERO, |ring| ring.point(0));
+            return Err(Error::new(
+                Code::CrossesItself,
+                self.pot.skin().path(field(piece.kind())),
+                format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at)),
+            ));
+        };
+        // Anti-clockwise seen from along the axis is right for what faces that way.
+        let area = |ring: &Ring| {
+            (0..ring.vertices.len())
+                .map(|j| self.plan(ring.vertex(j)).perp_dot(self.plan(ring.vertex(j + 1))))
+                .sum::<f64>()
+        };
+        let (from, to) = (&rings[0], &rings[rings.len() - 1]);
+        // A face that widens along a, from a turn that is anti-clockwise, has F_a x F_v along the axis.
+        let widening = if from.is_point() {
+            1.0
+        } else if to.is_point() {
+            -1.0
+        } else {
+            (area(to).abs() - area(from).abs()).signum()
+        };
+        let turn = area(if to.is_point() { from } else { to }).signum();
+        if widening * turn * piece.outward() < 0.0 {
+            for triangle in &mut triangles {
+                triangle.swap(1, 2);
+            }
+        }
+        self.woven.triangles.truncate(first);
+        self.woven.triangles.extend(triangles);
+        Ok(())
+    }
+
+    /// How far the face is from the triangles, from second differences of the points: eight times it is the sum of those along and across and of twice the twist, as for a quadratic
+    /// face, each along the normal.
+    fn deviation(&self, rings: &[Ring]) -> f64 {
+        let mut most = 0.0f64;
+        for i in 0..rings.len() - 1 {
+            let (ring, next) = (&rings[i], &rings[i + 1]);
+            for j in 0..self.grid.columns {
+                let left = (j + self.grid.columns - 1) % self.grid.columns;
+                let [a, b, c, d] = [ring.point(j), ring.point(j + 1), next.point(j), next.point(j + 1)];
+                let normal = (d - a).cross(c - b).normalize_or_zero();
+                let across = [ring, next]
+                    .map(|ring| (ring.point(left) - ring.point(j) * 2.0 + ring.point(j + 1)).dot(normal).abs());
+                let twist = (d - c - b + a).dot(normal).abs();
+                let mut along = 0.0f64;
+                for (before, here, after) in [(i.wrapping_sub(1), i, i + 1), (i, i + 1, i + 2)] {
+                    if let (Some(before), Some(after)) = (rings.get(before), rings.get(after)) {
+                        let here = &rings[here];
+                        let [back, on] = [here.point(j) - before.point(j), after.point(j) - here.point(j)];
+                        let (h, k) = (back.length(), on.length());
+                        if h > 0.0 && k > 0.0 {
+                            let length = (c - a).length();
+                            along =
+                                along.max(((on / k - back / h) * 2.0 / (h + k)).dot(normal).abs() * length * length);
+                        }
+                    }
+                }
+                most = most.max((across[0].max(across[1]) + along + 2.0 * twist) / 8.0);
+            }
+        }
+        most
+    }
+}
+
+fn coord(p: DVec2) -> robust::Coord<f64> {
+    robust::Coord { x: p.x, y: p.y }
+}
+
+/// What decides about a face in the document.
+pub(crate) fn field(kind: FaceKind) -> &'static str {
+    match kind {
+        FaceKind::Outer | FaceKind::Lid => "shape",
+        FaceKind::Lining => "wall.thickness",
+        FaceKind::Rim => "wall.rim",
+        FaceKind::FootRing | FaceKind::Recess => "wall.foot",
+        FaceKind::Drain => "wall.drain",
+        FaceKind::Underside | FaceKind::Floor => "wall.base",
+    }
+}
+
+/// What a potter calls a face.
+pub(crate) fn name(kind: FaceKind) -> &'static str {
+    match kind {
+        FaceKind::Outer => "outside",
+        FaceKind::Lining => "lining",
+        FaceKind::Rim => "rim",
+        FaceKind::Underside => "underside",
+        FaceKind::FootRing => "foot ring",
+        FaceKind::Recess => "recess under the base",
+        FaceKind::Floor => "floor",
+        FaceKind::Drain => "drain hole",
+        FaceKind::Lid => "lid",
+    }
+}
