@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::column::{Column, Inside, LEVEL, Wet};
-use super::integral::{Accuracy, Integral, along, between};
+use super::integral::{Accuracy, Integral, along, between, finer};
 use super::moments::{Moments, element};
 use super::outside::round;
 use super::quantity::Quantity;
@@ -124,8 +124,32 @@ impl<'a> Level<'a> {
     fn of_column(&self, column: &Column, rest: &Rest) -> Integral<5> {
         let v = column.v();
         let mut total = Integral::default();
-        for Wet { link, from, to, is_cut } in self.inside.wet(column, self.z) {
-            // The stretch ends a rounding below the level, which only the surface of the water can notice.
+        let wet = self.inside.wet(column, self.z);
+        let mut stretches: Vec<(usize, f64, f64)> = Vec::with_capacity(2 * wet.len());
+        for (link, common) in rest.common.iter().enumerate() {
+            let here = || wet.iter().filter(|wet| wet.link == link);
+            match (common, here().count()) {
+                (Some((first, last)), 1) => {
+                    stretches.extend(here().flat_map(|wet| [(link, wet.from, *first), (link, *last, wet.to)]));
+                }
+                (common, _) => {
+                    stretches.extend(here().map(|wet| (link, wet.from, wet.to)));
+                    stretches.extend(common.map(|(first, last)| (link, last, first)));
+                }
+            }
+        }
+        for (link, from, to) in stretches.into_iter().filter(|(_, from, to)| from != to) {
+            let mut part = along(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
+                let value = self.integrand(link, s, v, rest.middle);
+                Integral { value, error: [0.0; 5], size: value.map(f64::abs) }
+            });
+            if from > to {
+                part.value = part.value.map(|value| -value);
+            }
+            total.add(&part);
+        }
+        // A stretch ends a rounding below the level, which only the surface of the water can notice.
+        for Wet { link, from, to, is_cut } in wet {
             for (s, is_cut) in [from, to].into_iter().zip(is_cut) {
                 let link = &self.inside.links()[link];
                 let jet = link.jet(s, v);
@@ -133,20 +157,6 @@ impl<'a> Level<'a> {
                 if is_cut && missing < 1e-6 {
                     total.value[4] += missing * element(link.face(), &jet).z;
                 }
-            }
-            let stretches = match rest.common[link] {
-                Some((first, last)) => [(from, first), (last, to)],
-                None => [(from, to), (to, to)],
-            };
-            for (from, to) in stretches.into_iter().filter(|(from, to)| from != to) {
-                let mut part = along(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
-                    let value = self.integrand(link, s, v, rest.middle);
-                    Integral { value, error: [0.0; 5], size: value.map(f64::abs) }
-                });
-                if from > to {
-                    part.value = part.value.map(|value| -value);
-                }
-                total.add(&part);
             }
         }
         total
@@ -182,32 +192,27 @@ impl<'a> Level<'a> {
         Filling { moments: Moments::about(middle, &water), area: Quantity::new(area, total.error[4]) }
     }
 
-    /// The rest where all columns are alike: by the trapezoidal rule, with columns doubled until that changes too little.
+    /// The rest where all columns are alike: by the trapezoidal rule, with more columns until that changes too little.
     fn smooth(&self, rest: &Rest, accuracy: &Accuracy) -> Integral<5> {
         let mut n = accuracy.columns;
-        let mut sum = Integral::<5>::default();
-        let mut take = |places: Vec<f64>| {
-            for column in self.inside.columns(&places) {
+        let mut before: Option<[f64; 5]> = None;
+        loop {
+            let step = TAU / n as f64;
+            let mut sum = Integral::<5>::default();
+            for column in self.inside.columns(&round(n).collect::<Vec<_>>()) {
                 sum.add(&self.of_column(&column, rest));
             }
-            sum
-        };
-        let mut before = take(round(n).collect());
-        loop {
-            let step = TAU / (2 * n) as f64;
-            let after = take((0..n).map(|j| step * (2 * j + 1) as f64).collect());
-            n *= 2;
-            let change: [f64; 5] =
-                core::array::from_fn(|i| (step * after.value[i] - 2.0 * step * before.value[i]).abs());
-            let size: [f64; 5] = core::array::from_fn(|i| (step * after.size[i]).max(TAU * rest.at_least[i]));
-            before = after;
-            if (0..5).all(|i| change[i] <= accuracy.relative * size[i]) || 2 * n > accuracy.most_columns {
-                return Integral {
-                    value: after.value.map(|value| step * value),
-                    error: core::array::from_fn(|i| step * after.error[i] + change[i]),
-                    size: after.size.map(|size| step * size),
-                };
+            let value = sum.value.map(|value| step * value);
+            let change: Option<[f64; 5]> = before.map(|before| core::array::from_fn(|i| (value[i] - before[i]).abs()));
+            let size: [f64; 5] = core::array::from_fn(|i| step * sum.size[i]);
+            n = finer(n);
+            if let Some(change) = change
+                && ((0..5).all(|i| change[i] <= accuracy.relative * size[i].max(TAU * rest.at_least[i]))
+                    || n > accuracy.most_columns)
+            {
+                return Integral { value, error: core::array::from_fn(|i| step * sum.error[i] + change[i]), size };
             }
+            before = Some(value);
         }
     }
 

@@ -27,7 +27,7 @@ impl Accuracy {
         let highest = highest.abs().clamp(1.0, 1e5) as usize;
         Accuracy {
             relative,
-            columns: 2 * highest + 13,
+            columns: prime(2 * highest + 13),
             most_columns: (64 * highest).clamp(1024, 8192),
             most_intervals: 32,
         }
@@ -61,6 +61,11 @@ impl<const N: usize> Integral<N> {
             self.error[i] += other.error[i];
             self.size[i] += other.size[i];
         }
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        let all = |numbers: [f64; N]| numbers.map(|x| factor * x);
+        Integral { value: all(self.value), error: all(self.error), size: all(self.size) }
     }
 }
 
@@ -101,8 +106,8 @@ pub(crate) fn along<const N: usize>(
         let mut of_rule = [0.0; N];
         for interval in &intervals {
             total.add(&interval.integral);
-            for i in 0..N {
-                of_rule[i] += interval.of_rule[i];
+            for (sum, error) in of_rule.iter_mut().zip(interval.of_rule) {
+                *sum += error;
             }
         }
         let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
@@ -111,8 +116,8 @@ pub(crate) fn along<const N: usize>(
         let worst = (0..intervals.len())
             .max_by(|&i, &j| intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {
-            for i in 0..N {
-                total.error[i] += of_rule[i] + ROUNDING * total.size[i];
+            for ((error, of_rule), size) in total.error.iter_mut().zip(of_rule).zip(total.size) {
+                *error += of_rule + ROUNDING * size;
             }
             return total;
         };
@@ -136,29 +141,22 @@ struct Interval<const N: usize> {
 impl<const N: usize> Interval<N> {
     fn new(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Interval<N> {
         let mut integral = Integral::default();
-        let mut gauss = [0.0; N];
+        let mut gauss = Integral::<N>::default();
         let mut samples = [[0.0; N]; 21];
         for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
             let here = at(a);
             *sample = here.value;
-            for i in 0..N {
-                integral.value[i] += weight * here.value[i];
-                integral.error[i] += weight * here.error[i];
-                integral.size[i] += weight * here.size[i];
-                gauss[i] += gauss_weight * here.value[i];
-            }
+            integral.add(&here.scaled(weight));
+            gauss.add(&here.scaled(gauss_weight));
         }
-        let mut of_rule = [0.0; N];
-        for i in 0..N {
+        let of_rule = core::array::from_fn(|i| {
             let mean = integral.value[i] / (to - from);
             let departures = samples.iter().map(|sample| (sample[i] - mean).abs());
             let departure: f64 = rule::nodes(from, to).zip(departures).map(|((_, weight, _), d)| weight * d).sum();
-            let difference = (integral.value[i] - gauss[i]).abs();
+            let difference = (integral.value[i] - gauss.value[i]).abs();
             // What is left is rounding, and halving would not help.
-            if difference > ROUNDING * integral.size[i] {
-                of_rule[i] = rule::error(difference, departure);
-            }
-        }
+            if difference > ROUNDING * integral.size[i] { rule::error(difference, departure) } else { 0.0 }
+        });
         Interval { from, to, integral, of_rule }
     }
 
@@ -186,35 +184,48 @@ impl<const N: usize, F: FnMut(f64, f64) -> [f64; N]> Round<F> {
         Round { at, relative, columns: accuracy.columns, most: accuracy.most_columns, largest: vec![0.0; N] }
     }
 
-    /// The integrals over `v` at one `a`: columns are doubled until that changes too little. The error is the last change.
+    /// The integrals over `v` at one `a`, with more columns until that changes too little. The error is the last change.
     pub(crate) fn at(&mut self, a: f64) -> Integral<N> {
-        let (mut n, mut sum, mut size) = (self.columns, [0.0; N], [0.0; N]);
-        for j in 0..n {
-            add(&mut sum, &mut size, (self.at)(a, TAU * j as f64 / n as f64));
-        }
-        loop {
-            let step = TAU / (2 * n) as f64;
-            let before = sum;
+        let mut n = self.columns;
+        let mut before = [0.0; N];
+        for is_first in core::iter::once(true).chain(core::iter::repeat(false)) {
+            let step = TAU / n as f64;
+            let (mut sum, mut size) = ([0.0; N], [0.0; N]);
             for j in 0..n {
-                add(&mut sum, &mut size, (self.at)(a, step * (2 * j + 1) as f64));
+                add(&mut sum, &mut size, (self.at)(a, step * j as f64));
             }
-            let size = size.map(|size| step * size);
+            let (value, size) = (sum.map(|sum| step * sum), size.map(|size| step * size));
             // What changes by rounding alone is not worth more columns.
             let change: [f64; N] = core::array::from_fn(|i| {
-                let change = (step * sum[i] - 2.0 * step * before[i]).abs();
+                let change = (value[i] - before[i]).abs();
                 if change <= ROUNDING * size[i] { 0.0 } else { change }
             });
-            n *= 2;
-            let mut done = true;
+            let mut done = !is_first;
             for i in 0..N {
                 self.largest[i] = self.largest[i].max(size[i]);
                 done &= change[i] <= self.relative * self.largest[i];
             }
-            if done || 2 * n > self.most {
-                return Integral { value: sum.map(|sum| step * sum), error: change, size };
+            let next = finer(n);
+            if done || next > self.most && !is_first {
+                return Integral { value, error: change, size };
             }
+            (n, before) = (next, value);
         }
+        Integral::default()
     }
+}
+
+/// About twice as many columns: the next prime.
+///
+/// A shape of `m` equal petals is met by `n` columns in `n / gcd(n, m)` different places of a petal. Doubling an odd number of columns adds none if `m` is even; primes meet each in as many places as they can.
+pub(crate) fn finer(n: usize) -> usize {
+    prime(2 * n)
+}
+
+/// The least prime from a number on.
+fn prime(from: usize) -> usize {
+    let is_prime = |n: usize| (2..).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d));
+    (from.max(2)..).find(|&n| is_prime(n)).unwrap_or(from)
 }
 
 fn add<const N: usize>(sum: &mut [f64; N], size: &mut [f64; N], here: [f64; N]) {

@@ -7,7 +7,7 @@ mod curvature;
 mod fill;
 mod integral;
 mod json;
-mod measure;
+mod design;
 mod measures;
 mod moments;
 mod outside;
@@ -21,7 +21,7 @@ mod water;
 
 pub use capacity::Capacity;
 pub use curvature::{Curvature, CurvatureRange, Located};
-pub use measure::measure;
+pub use design::measure;
 pub use measures::{
     Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };

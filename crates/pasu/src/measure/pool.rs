@@ -25,7 +25,7 @@ impl Pool {
         };
         let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
         let mut pool = Pool::default();
-        for (i, outline) in loops.iter().enumerate().filter(|(i, _)| depths[*i] % 2 == 0) {
+        for (i, outline) in loops.iter().enumerate().filter(|(i, _)| depths[*i].is_multiple_of(2)) {
             let mut points = outline.clone();
             let mut holes: Vec<u32> = Vec::new();
             for (j, hole) in loops.iter().enumerate() {

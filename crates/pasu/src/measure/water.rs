@@ -4,7 +4,7 @@ use super::bare::Bare;
 use super::capacity::Vessel;
 use super::fill::Level;
 use super::integral::Accuracy;
-use super::measure::above_spill;
+use super::design::above_spill;
 use super::pool::Pool;
 use super::quantity::Quantity;
 use crate::design::{Design, plain};

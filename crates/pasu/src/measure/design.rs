@@ -166,9 +166,7 @@ fn part_measures(
     let part = &design.parts()[index];
     let bare = &taken.bare;
     let accuracy = taken.accuracy();
-    let t0 = std::time::Instant::now();
     let [bottom, top] = outside.heights();
-    eprintln!(" heights {:?}", t0.elapsed());
     let surface = area(bare, &Accuracy::new(ACCURACY, bare.highest()));
     if !(bottom.is_finite() && top.is_finite() && surface.value.is_finite()) {
         let message = "the surface leaves the range of numbers";
@@ -178,7 +176,6 @@ fn part_measures(
         Body { height: outside.height(), bottom, top, width: width(outside), area: surface, ..Body::default() };
     let cubic_centimetre = (design.unit().millimetres() / 10.0).powi(3);
     let mut share = Share { clay: None, water: None };
-    eprintln!(" area width {:?}", t0.elapsed());
     let mut thickness = None;
     if let Ok(pot) = &taken.pot {
         let (areas, clay) = enclosed(&taken.faces(), &accuracy);
@@ -201,7 +198,6 @@ fn part_measures(
             });
         }
     }
-    eprintln!(" clay {:?}", t0.elapsed());
     let mut capacity_reason = None;
     match taken.vessel(part.wall.is_some(), options.product) {
         Ok(vessel) => {
@@ -211,17 +207,12 @@ fn part_measures(
         }
         Err(reason) => capacity_reason = Some(reason),
     }
-    eprintln!(" capacity {:?}", t0.elapsed());
     stand(&mut body, &share, || Standing::new(&[outside], columns(bare.highest())), &accuracy);
-    eprintln!(" stand {:?}", t0.elapsed());
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
     let lining = taken.pot.as_ref().ok().and_then(|pot| {
         let lining = pot.faces().iter().filter(|face| face.kind() == FaceKind::Lining).map(|face| face as &dyn Face);
         Outside::new(lining, bare.highest()).overhang(|_| true)
     });
-    eprintln!(" lining overhang {:?}", t0.elapsed());
-    let _ = curvature(bare);
-    eprintln!(" curvature {:?}", t0.elapsed());
     Ok((
         PartMeasures {
             part: index,
