@@ -58,9 +58,15 @@ impl Taken {
         }
     }
 
+    fn outer_faces(&self) -> Vec<&dyn Face> {
+        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
+        let mut faces = self.faces();
+        faces.retain(|face| !is_inside(face.kind()));
+        faces
+    }
+
     fn outside(&self) -> Outside<'_> {
-        let is_inside = |face: &&dyn Face| matches!(face.kind(), FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
-        Outside::new(self.faces().into_iter().filter(|face| !is_inside(face)), self.bare.highest())
+        Outside::new(self.outer_faces(), self.bare.highest())
     }
 
     fn accuracy(&self) -> Accuracy {
@@ -123,6 +129,48 @@ pub fn measure(design: &Design, options: &MeasureOptions) -> Result<Measures> {
         _ => whole(&taken, &parts, &shares),
     };
     Ok(Measures { unit: design.unit(), product: options.product, whole, parts })
+}
+
+/// What a design is scaled by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Gauge {
+    /// The height of the whole.
+    Height,
+    /// The greatest width of the whole.
+    Width,
+    /// What all parts together hold to the brim.
+    Capacity,
+}
+
+/// One measure of the whole design, without the others.
+///
+/// # Errors
+/// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
+pub(crate) fn gauge(design: &Design, product: Product, gauge: Gauge) -> Result<f64> {
+    let mut taken = Vec::with_capacity(design.parts().len());
+    for (index, part) in design.parts().iter().enumerate() {
+        taken.push(Taken::new(design, part, index, product)?);
+    }
+    let highest = taken.iter().fold(0.0f64, |highest, taken| highest.max(taken.bare.highest()));
+    let outside = || Outside::new(taken.iter().flat_map(Taken::outer_faces), highest);
+    match gauge {
+        Gauge::Height => Ok(outside().height().value),
+        Gauge::Width => Ok(outside().widths().greatest.value),
+        Gauge::Capacity => {
+            let (mut sum, mut reason) = (None, None);
+            for (taken, part) in taken.iter().zip(design.parts()) {
+                match taken.vessel(part.wall.is_some(), product) {
+                    Ok(vessel) => {
+                        *sum.get_or_insert(0.0) += vessel.capacity(&taken.accuracy(), None).0.brim.value;
+                    }
+                    Err(why) => {
+                        reason.get_or_insert(why);
+                    }
+                }
+            }
+            sum.ok_or_else(|| Error::new(Code::NoRoom, "size.capacity", reason.unwrap_or_default()))
+        }
+    }
 }
 
 fn check(options: &MeasureOptions) -> Result<()> {
@@ -287,10 +335,7 @@ fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
     });
     let sum = |of: fn(&Share) -> Option<Moments>| shares.iter().filter_map(of).reduce(|sum, next| sum.plus(&next));
     let share = Share { clay: sum(|share| share.clay), water: sum(|share| share.water) };
-    let faces = taken.iter().flat_map(|taken| {
-        let is_inside = |face: &&dyn Face| matches!(face.kind(), FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
-        taken.faces().into_iter().filter(move |face| !is_inside(face))
-    });
+    let faces = taken.iter().flat_map(Taken::outer_faces);
     let mut body = Body {
         height: Quantity::new(top - bottom, error),
         bottom,

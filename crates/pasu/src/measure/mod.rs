@@ -4,10 +4,10 @@ mod bare;
 mod capacity;
 mod column;
 mod curvature;
+mod design;
 mod fill;
 mod integral;
 mod json;
-mod design;
 mod measures;
 mod moments;
 mod outside;
@@ -22,6 +22,7 @@ mod water;
 pub use capacity::Capacity;
 pub use curvature::{Curvature, CurvatureRange, Located};
 pub use design::measure;
+pub(crate) use design::{Gauge, gauge};
 pub use measures::{
     Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };

@@ -2,9 +2,9 @@
 
 use super::bare::Bare;
 use super::capacity::Vessel;
+use super::design::above_spill;
 use super::fill::Level;
 use super::integral::Accuracy;
-use super::design::above_spill;
 use super::pool::Pool;
 use super::quantity::Quantity;
 use crate::design::{Design, plain};
