@@ -24,6 +24,7 @@ mod check;
 mod design;
 mod error;
 mod evaluate;
+mod export;
 mod fingerprint;
 mod measure;
 mod mesh;
@@ -40,6 +41,7 @@ pub use design::{
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
+pub use export::{Format, open, write};
 pub use fingerprint::fingerprint;
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
