@@ -1,6 +1,6 @@
 //! Options of functions, field by field: whatever is wrong is refused by its path, and what is left over has no meaning.
 
-use pasu::{Code, Error, Making, Product, Result, Size, Value};
+use pasu::{Code, Error, Making, MeasureOptions, Product, Result, Size, Value};
 use wasm_bindgen::JsValue;
 
 use crate::value;
@@ -25,9 +25,23 @@ pub(crate) fn making(options: &JsValue) -> Result<Making> {
     Ok(making)
 }
 
+/// Reads `{ fill, product, density }`; all of it may be left out.
+pub(crate) fn measuring(options: &JsValue) -> Result<MeasureOptions> {
+    let mut fields = Fields::open(options, "options")?;
+    let measuring =
+        MeasureOptions { fill: fields.number("fill")?, product: fields.product()?, density: fields.number("density")? };
+    fields.close("fill, product or density")?;
+    Ok(measuring)
+}
+
 /// Reads one of some names, by what each is called.
 pub(crate) fn one_of<T: Copy>(value: &JsValue, path: &str, all: &[T], name: fn(T) -> &'static str) -> Result<T> {
     named(value::read(value)?, path, all, name)
+}
+
+/// Reads a number that is an argument of its own.
+pub(crate) fn argument(value: &JsValue, path: &str) -> Result<f64> {
+    number(value::read(value)?, path)
 }
 
 impl Fields {

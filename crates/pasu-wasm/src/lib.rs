@@ -24,7 +24,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 #[cfg(feature = "making")]
-pub use crate::making::{check, open, solid, write};
+pub use crate::making::{check, measure, open, paint, solid, water, write};
 
 #[cfg(all(doctest, not(target_arch = "wasm32")))]
 #[doc = include_str!("../../../README.md")]
