@@ -80,7 +80,7 @@ impl Surface {
     /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape.
     pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
         let path = format!("parts[{index}].shape");
-        let shape = part.shape.boundary_value();
+        let shape = part.shape.problem();
         Surface::solve(&shape, &path).map_err(|error| {
             if !matches!(part.shape, crate::design::Shape::BoundaryValue(_)) { error.at(path) } else { error }
         })

@@ -182,7 +182,7 @@ fn read_parts(record: &Record) -> Result<Vec<Part>> {
     for (index, item) in items.iter().enumerate() {
         let path = list.item(index);
         let part = Part::read(item, path)?;
-        n_modes += part.shape.boundary_value().n_modes();
+        n_modes += part.shape.problem().n_modes();
         if n_modes > MODES {
             let message = format!("expected at most {MODES} modes in the whole design; this part exceeds them");
             return Err(path.field("shape").error(Code::TooLarge, message));

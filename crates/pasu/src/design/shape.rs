@@ -1,5 +1,7 @@
 //! The shape of one part: a named family, or the general boundary-value shape into which each family expands.
 
+use std::borrow::Cow;
+
 use super::boundary_value::BoundaryValue;
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::fields::{self, Field, Fields};
@@ -127,15 +129,20 @@ impl Shape {
         shape.finite(&path)
     }
 
-    /// The boundary-value problem of this shape: the one place where families expand.
+    /// The boundary-value problem of this shape.
     pub fn boundary_value(&self) -> BoundaryValue {
-        match self {
+        self.problem().into_owned()
+    }
+
+    /// The same without a copy of what stands in the document: the one place where families expand.
+    pub(crate) fn problem(&self) -> Cow<'_, BoundaryValue> {
+        Cow::Owned(match self {
             Shape::SecondOrder(family) => family.boundary_value(),
             Shape::MixedOrder(family) => family.boundary_value(),
             Shape::FourthOrder(family) => family.boundary_value(),
             Shape::BloorWilson(family) => family.boundary_value(),
-            Shape::BoundaryValue(general) => general.clone(),
-        }
+            Shape::BoundaryValue(general) => return Cow::Borrowed(general),
+        })
     }
 
     pub(crate) fn kind(&self) -> Kind {
@@ -165,7 +172,7 @@ impl Shape {
 
     /// Parameters within the range of numbers may multiply beyond it.
     fn finite(self, path: &Path) -> Result<Shape> {
-        if self.boundary_value().is_finite() {
+        if self.problem().is_finite() {
             return Ok(self);
         }
         Err(path.error(Code::Overflow, "these numbers are so large that their products cannot be computed"))

@@ -50,12 +50,12 @@ pub(super) struct Coefficients {
     pub(super) harmonics: Vec<Harmonic>,
     pub(super) n_even: usize,
     pub(super) layout: Layout,
-    /// The surface is its own mirror image at `y = shift`: normals at `-v` are those at `v` mirrored.
-    pub(super) is_mirrored: bool,
+    /// What does not depend on `v` does not lean towards `y`.
+    pub(super) is_upright: bool,
     /// Half a turn takes the surface into itself: normals there are turned by as much.
     pub(super) is_turned: bool,
-    /// For every curve its harmonic, or none where it does not depend on `v`.
-    slots: Vec<Option<usize>>,
+    /// For every curve where it goes.
+    places: Vec<Place>,
     matrix: DMat3,
     shift: DVec3,
     /// The matrix only stretches along the axes, and no harmonic comes twice in a component: every datum has a place of its own.
@@ -75,6 +75,8 @@ pub(super) struct Coefficients {
     pub(super) sine_strands: Vec<[Strand; 3]>,
     /// With these the normal of a vertex is known to be off when `tilt_u |X_v|^2 + tilt_v |X_u|^2 > |X_u x X_v|^2`.
     pub(super) tilt: [Lanes; 2],
+    /// No normal of a row can be off where `|X_u x X_v|^2` is more than this.
+    pub(super) steepest: Lanes,
     /// Whether single precision is not enough for the positions of a row, or its range is not.
     pub(super) is_exact: [bool; ROWS],
 }
@@ -85,9 +87,9 @@ impl Default for Coefficients {
             harmonics: Vec::new(),
             n_even: 0,
             layout: Layout::Both,
-            is_mirrored: false,
+            is_upright: false,
             is_turned: false,
-            slots: Vec::new(),
+            places: Vec::new(),
             matrix: DMat3::IDENTITY,
             shift: DVec3::ZERO,
             is_axial: true,
@@ -98,6 +100,7 @@ impl Default for Coefficients {
             strands: Vec::new(),
             sine_strands: Vec::new(),
             tilt: [Lanes::ZERO; 2],
+            steepest: Lanes::ZERO,
             is_exact: [false; ROWS],
         }
     }
@@ -114,7 +117,7 @@ impl Coefficients {
             .any(|(index, name)| name.2 != 0.0 && names.clone().skip(index + 1).any(|other| other == name));
         self.is_axial = matrix == DMat3::from_diagonal(matrix.diagonal()) && !is_twofold;
         self.harmonics.clear();
-        let is_odd = |harmonic: &Harmonic| libm::fmod(harmonic.n, 2.0) != 0.0;
+        let is_odd = |harmonic: &Harmonic| harmonic.n != 2.0 * (0.5 * harmonic.n).trunc();
         for curve in curves.list() {
             let harmonic = Harmonic { n: curve.n, k: curve.k };
             if curve.n != 0.0 && !self.harmonics.contains(&harmonic) {
@@ -124,14 +127,14 @@ impl Coefficients {
             }
         }
         self.n_even = self.harmonics.iter().take_while(|harmonic| !is_odd(harmonic)).count();
-        self.slots.clear();
+        self.places.clear();
         self.has = [[false; 2]; 3];
         let mut leans = [false; 3];
         for curve in curves.list() {
-            self.slots.push(self.harmonics.iter().position(|harmonic| harmonic.n == curve.n));
-            for ((factor, leans), has) in
-                matrix.col(curve.axis).to_array().into_iter().zip(&mut leans).zip(&mut self.has)
-            {
+            let harmonic = self.harmonics.iter().position(|harmonic| harmonic.n == curve.n);
+            let factors = matrix.col(curve.axis).to_array();
+            self.places.push(Place { harmonic, wave: usize::from(curve.is_sine), axis: curve.axis, factors });
+            for ((factor, leans), has) in factors.into_iter().zip(&mut leans).zip(&mut self.has) {
                 if factor != 0.0 {
                     if curve.n == 0.0 {
                         *leans = true;
@@ -145,7 +148,7 @@ impl Coefficients {
             [[_, false], [false, _], [cos, sin]] if !(cos && sin) => Layout::Split { z_is_sine: sin },
             _ => Layout::Both,
         };
-        self.is_mirrored = self.layout == Layout::Split { z_is_sine: false } && !leans[1];
+        self.is_upright = !leans[1];
         self.is_turned = self.n_even == 0 && self.has[2] == [false; 2] && !leans[0] && !leans[1];
         let zero = [[Block::ZERO; 2]; 3];
         for waves in &mut self.waves {
@@ -162,38 +165,44 @@ impl Coefficients {
     /// Takes four rows of the surface, whose mesh has a coordinate of at least `largest`.
     pub(super) fn take(&mut self, surface: &Surface, curves: &Curves, u: [f64; ROWS], largest: f64) {
         self.gather(surface, curves, u);
-        let sizes = self.sizes();
-        let [position, tangent_u, tangent_v] = sizes;
-        let error = (position.variance.sqrt() * DEVIATIONS).to_array();
-        for ((is_exact, error), length) in self.is_exact.iter_mut().zip(error).zip(position.length.to_array()) {
-            *is_exact = !(length < f64::from(f32::MAX) && error <= POSITION_ERROR * largest);
-        }
-        let scales = [power_of_two(tangent_u.length), power_of_two(tangent_v.length)];
-        for (tilt, (size, scale)) in self.tilt.iter_mut().zip([tangent_u, tangent_v].iter().zip(scales)) {
-            let allowed = DEVIATIONS / NORMAL_ERROR;
-            // A variance too small for a single would let everything pass.
-            *tilt = single(size.variance * (allowed * allowed) * scale * scale).max(Lanes::splat(f32::MIN_POSITIVE));
-        }
+        let [length, length_u, length_v] = self.lengths();
+        let scales = [power_of_two(length_u), power_of_two(length_v)];
         for (single_constant, [value, slope]) in self.constant.iter_mut().zip(self.constants) {
             *single_constant = [single(value), single(slope * scales[0])];
         }
         let [cosines, sines] = &self.waves;
         let strand = |[value, slope]: [Block; 2], k: f64| {
-            [single(value), single(slope * scales[0]), single(value * k * scales[1])]
+            [single(value), single(slope * scales[0]), single(value * (scales[1] * k))]
         };
-        for (index, &Harmonic { k, .. }) in self.harmonics.iter().enumerate() {
-            let (cosine, sine) = (cosines[index], sines[index]);
-            match self.layout {
-                Layout::Split { z_is_sine } => {
-                    let z = if z_is_sine { strand(sine[2], k) } else { strand(cosine[2], -k) };
-                    self.strands[index] = [strand(cosine[0], -k), strand(sine[1], k), z];
+        for ((harmonic, strands), (cosine, sine)) in
+            self.harmonics.iter().zip(&mut self.strands).zip(cosines.iter().zip(sines))
+        {
+            let k = harmonic.k;
+            *strands = match self.layout {
+                Layout::Split { z_is_sine: true } => [strand(cosine[0], -k), strand(sine[1], k), strand(sine[2], k)],
+                Layout::Split { z_is_sine: false } => {
+                    [strand(cosine[0], -k), strand(sine[1], k), strand(cosine[2], -k)]
                 }
-                Layout::Both => {
-                    self.strands[index] = cosine.map(|data| strand(data, -k));
-                    self.sine_strands[index] = sine.map(|data| strand(data, k));
-                }
+                Layout::Both => cosine.map(|data| strand(data, -k)),
+            };
+        }
+        if self.layout == Layout::Both {
+            for ((harmonic, strands), sine) in self.harmonics.iter().zip(&mut self.sine_strands).zip(sines) {
+                *strands = sine.map(|data| strand(data, harmonic.k));
             }
         }
+        let [variance, variance_u, variance_v] = self.variances((1.0 / largest) as f32);
+        let errors = (variance.sqrt() * (DEVIATIONS / POSITION_ERROR) as f32).to_array();
+        for ((is_exact, error), length) in self.is_exact.iter_mut().zip(errors).zip(length.to_array()) {
+            *is_exact = !(length < f64::from(f32::MAX) && error <= 1.0);
+        }
+        let allowed = (DEVIATIONS / NORMAL_ERROR) as f32;
+        // A variance too small for a single would let everything pass.
+        self.tilt = [variance_u, variance_v]
+            .map(|variance| (variance * (allowed * allowed)).max(Lanes::splat(f32::MIN_POSITIVE)));
+        // With both tangents as long as they can be, and a little more for its own rounding.
+        let [squared_u, squared_v] = [length_u * scales[0], length_v * scales[1]].map(|length| single(length * length));
+        self.steepest = (self.tilt[0] * squared_v + self.tilt[1] * squared_u) * 1.001;
     }
 
     /// A coordinate that the placed surface reaches: the largest root mean square of a component over a row, among some rows.
@@ -209,7 +218,7 @@ impl Coefficients {
                 largest = largest.max(square.to_array()[0]);
             }
         }
-        libm::sqrt(largest)
+        largest.sqrt()
     }
 
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.
@@ -234,80 +243,107 @@ impl Coefficients {
                 waves.fill([[Block::ZERO; 2]; 3]);
             }
         }
-        let list = curves.list();
+        let is_axial = self.is_axial;
         curves.rows(surface, u, |index, [value, slope]| {
-            let (Some(curve), Some(slot)) = (list.get(index), self.slots.get(index)) else { return };
-            let factors = self.matrix.col(curve.axis).to_array();
-            match slot {
-                Some(harmonic) if self.is_axial => {
-                    let factor = factors[curve.axis];
-                    self.waves[usize::from(curve.is_sine)][*harmonic][curve.axis] = [value * factor, slope * factor];
-                }
-                slot => {
-                    let target = match slot {
-                        None => &mut self.constants,
-                        Some(harmonic) => &mut self.waves[usize::from(curve.is_sine)][*harmonic],
-                    };
-                    for (target, factor) in target.iter_mut().zip(factors).filter(|(_, factor)| *factor != 0.0) {
-                        target[0] += value * factor;
-                        target[1] += slope * factor;
-                    }
-                }
+            let Some(&Place { harmonic, wave, axis, factors }) = self.places.get(index) else { return };
+            let target = match harmonic {
+                None => &mut self.constants,
+                Some(harmonic) => match self.waves[wave & 1].get_mut(harmonic) {
+                    Some(target) => target,
+                    None => return,
+                },
+            };
+            if is_axial && harmonic.is_some() {
+                target[axis] = [value * factors[axis], slope * factors[axis]];
+                return;
+            }
+            for (target, factor) in target.iter_mut().zip(factors).filter(|(_, factor)| *factor != 0.0) {
+                target[0] += value * factor;
+                target[1] += slope * factor;
             }
         });
     }
 
-    /// How large positions and tangents may be and how far their sums may be off.
-    fn sizes(&self) -> [Size; 3] {
-        let mut sizes = [Size { length: Block::ZERO, variance: Block::ZERO }; 3];
-        let n = self.harmonics.len();
-        for axis in 0..3 {
-            let mut sum = [Block::ZERO; 3];
-            let mut squares = [Block::ZERO; 3];
-            let mut n_parts = 0.0;
+    /// How long position, `X_u` and `X_v` are at most: as if all terms were at their amplitude at once.
+    fn lengths(&self) -> [Block; 3] {
+        let mut squares = [Block::ZERO; 3];
+        for (axis, [value, slope]) in self.constants.iter().enumerate() {
+            let mut sums = [value.abs(), slope.abs(), Block::ZERO];
             for (waves, _) in self.waves.iter().zip(self.has[axis]).filter(|(_, has)| *has) {
-                for part in [0..self.n_even, self.n_even..n] {
-                    n_parts += f64::from(u8::from(!part.is_empty()));
-                    let mut partial = [Block::ZERO; 3];
-                    for (index, harmonic) in self.harmonics.iter().enumerate().take(part.end).skip(part.start) {
-                        let [value, slope] = waves[index][axis].map(Block::abs);
-                        for (i, size) in [value, slope, value * harmonic.k.abs()].into_iter().enumerate() {
-                            // Rounding of the table, of the coefficient and of the product; and, from the second on, of the sum.
-                            squares[i] += size * size * 3.0;
-                            if index > part.start {
-                                let so_far = partial[i] + size;
-                                squares[i] += so_far * so_far;
-                            }
-                            partial[i] += size;
-                        }
-                    }
-                    for (sum, partial) in sum.iter_mut().zip(partial) {
-                        *sum += partial;
-                    }
+                for (wave, harmonic) in waves.iter().zip(&self.harmonics) {
+                    let [value, slope] = wave[axis].map(Block::abs);
+                    sums[0] += value;
+                    sums[1] += slope;
+                    sums[2] += value * harmonic.k.abs();
                 }
             }
-            let [value, slope] = self.constants[axis].map(Block::abs);
-            for (i, constant) in [value, slope, Block::ZERO].into_iter().enumerate() {
-                let whole = sum[i] + constant;
-                squares[i] += constant * constant + whole * whole * n_parts;
-                sizes[i].length += whole * whole;
-                sizes[i].variance = sizes[i].variance.fast_max(squares[i]);
+            for (square, sum) in squares.iter_mut().zip(sums) {
+                *square += sum * sum;
             }
         }
-        for size in &mut sizes {
-            // The products of the normal round by as much again, in parts of the tangents.
-            size.variance = (size.variance + size.length * 0.5) * (ROUNDING * ROUNDING);
-            size.length = size.length.sqrt();
+        squares.map(Block::sqrt)
+    }
+
+    /// How far the sums of positions, times `scale`, and of tangents may be off: the variance of each of their components, from the strands, the tangents scaled as
+    /// they are. What is too large for single precision has a variance that is infinite or not a number.
+    fn variances(&self, scale: f32) -> [Lanes; 3] {
+        let scales = [Lanes::splat(scale), Lanes::ONE, Lanes::ONE];
+        let (mut variances, mut lengths) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
+        let n_even = self.n_even;
+        let all = |strands: &[[Strand; 3]], axis: usize, squares: &mut [Lanes; 3], whole: &mut [Lanes; 3]| {
+            let mut n_parts = 0.0;
+            for part in [strands.get(..n_even), strands.get(n_even..)].into_iter().flatten() {
+                n_parts += f32::from(u8::from(!part.is_empty()));
+                let mut partial = [Lanes::ZERO; 3];
+                for (index, strand) in part.iter().enumerate() {
+                    for (((partial, square), strand), scale) in
+                        partial.iter_mut().zip(squares.iter_mut()).zip(strand[axis]).zip(scales)
+                    {
+                        let size = strand * scale;
+                        // Rounding of the table, of the coefficient and of the product; and, from the second on, of the sum.
+                        *square += size * size * 3.0;
+                        *partial += size.abs();
+                        if index > 0 {
+                            *square += *partial * *partial;
+                        }
+                    }
+                }
+                for (whole, partial) in whole.iter_mut().zip(partial) {
+                    *whole += partial;
+                }
+            }
+            n_parts
+        };
+        for (axis, [value, slope]) in self.constant.iter().enumerate() {
+            let constants = [value.abs() * scale, slope.abs(), Lanes::ZERO];
+            let (mut squares, mut whole) = (constants.map(|constant| constant * constant), constants);
+            let mut n_parts = all(&self.strands, axis, &mut squares, &mut whole);
+            if self.layout == Layout::Both {
+                n_parts += all(&self.sine_strands, axis, &mut squares, &mut whole);
+            }
+            for i in 0..3 {
+                let length = whole[i] * whole[i];
+                lengths[i] += length;
+                variances[i] = variances[i].fast_max(squares[i] + length * n_parts);
+            }
         }
-        sizes
+        for (variance, length) in variances.iter_mut().zip(lengths) {
+            // The products of the normal round by as much again, in parts of the tangents.
+            *variance = (*variance + length * 0.5) * ((ROUNDING * ROUNDING) as f32);
+        }
+        variances
     }
 }
 
-/// A bound on the length of a vector and the variance of each of its components.
+/// Where a curve goes: to a harmonic, or to what does not depend on `v`.
 #[derive(Debug, Clone, Copy)]
-struct Size {
-    length: Block,
-    variance: Block,
+struct Place {
+    harmonic: Option<usize>,
+    /// 0 for the cosines, 1 for the sines.
+    wave: usize,
+    axis: usize,
+    /// How much of it each placed component has.
+    factors: [f64; 3],
 }
 
 /// A row that is a circle.
@@ -320,9 +356,16 @@ pub(super) struct Circle {
     pub(super) k: f64,
 }
 
-/// A power of two that brings a length to between a half and 1.
+/// A power of two that brings a length to between a half and 2; for lengths beyond 1e300 or below 1e-300 as near as that.
 fn power_of_two(length: Block) -> Block {
-    length.to_array().map(|length| libm::ldexp(1.0, -libm::frexp(length).1.clamp(-1000, 1000))).into()
+    const BIAS: u64 = 1023;
+    length
+        .to_array()
+        .map(|length| {
+            let exponent = (length.to_bits() >> 52).clamp(BIAS - 1000, BIAS + 1000);
+            f64::from_bits((2 * BIAS - exponent) << 52)
+        })
+        .into()
 }
 
 fn single(block: Block) -> Lanes {

@@ -32,6 +32,8 @@ pub(super) struct Circles {
     n_harmonics: usize,
     /// For the columns of each block and those that share their sums, the lanes whose normals single precision does not hold.
     unsure: Vec<[u8; 4]>,
+    /// How many more rows are to be asked normal by normal.
+    n_wary: u32,
 }
 
 /// Position, `X_u` and `X_v` at four columns, component by component.
@@ -51,6 +53,7 @@ impl Circles {
         self.n_harmonics = coefficients.harmonics.len();
         self.n_columns = n_columns;
         self.fold = fold;
+        self.n_wary = 0;
         self.pairs.clear();
         self.pairs.resize(n_blocks * self.n_harmonics, [Lanes::ZERO; 2]);
         self.unsure.clear();
@@ -80,60 +83,98 @@ impl Circles {
         let task = Task {
             constant: coefficients.constant.map(|pair| pair.map(at)),
             tilt: coefficients.tilt.map(at),
+            steepest: at(coefficients.steepest),
             sign: Lanes::splat(sign),
             n_even,
             n_steps: self.n_columns - 1,
-            is_mirrored: coefficients.is_mirrored,
         };
+        // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
+        if self.n_wary == 0 && self.fold == Fold::Quartered {
+            if self.columns::<WholeRow>(coefficients, row, &task, positions, normals) == Some(true) {
+                self.close(positions, normals);
+                return false;
+            }
+            self.n_wary = WARY_ROWS;
+        }
+        self.n_wary = self.n_wary.saturating_sub(1);
+        let is_sure = self.columns::<EachNormal>(coefficients, row, &task, positions, normals) == Some(true);
+        if !is_sure {
+            self.mark(unsure);
+        }
+        self.close(positions, normals);
+        !is_sure
+    }
+
+    /// Writes all columns of a row but the last of one that is folded, and says whether all normals are sure; or nothing, where the row cannot be watched so.
+    fn columns<W: Watch>(
+        &mut self,
+        coefficients: &Coefficients,
+        row: usize,
+        task: &Task,
+        positions: &mut [f32],
+        normals: &mut [f32],
+    ) -> Option<bool> {
         let strands = coefficients.strands.as_slice();
-        let any = match coefficients.layout {
-            Layout::Split { z_is_sine } => {
-                let z_parity = Lanes::splat(if z_is_sine { -1.0 } else { 1.0 });
-                let layout = Split { strands, row, z_is_sine, z_parity };
-                if coefficients.is_turned && self.fold == Fold::Quartered {
-                    self.each_block(task, &layout, positions, normals, turned_block)
-                } else {
-                    self.fold(task, &layout, positions, normals)
-                }
+        let is_folded = self.fold == Fold::Quartered;
+        match coefficients.layout {
+            Layout::Split { .. } if coefficients.is_turned && is_folded => {
+                let layout = Split::<false, true> { strands, row };
+                Some(self.each_block(task, &layout, positions, normals, turned_block::<_, W>))
+            }
+            // Mirroring matters to folded rows alone.
+            Layout::Split { z_is_sine: false } if coefficients.is_upright && is_folded => {
+                Some(self.fold::<_, W>(task, &Split::<false, true> { strands, row }, positions, normals))
+            }
+            Layout::Split { z_is_sine: true } if coefficients.is_upright && is_folded => {
+                Some(self.fold::<_, W>(task, &Split::<true, true> { strands, row }, positions, normals))
+            }
+            // These are rare: they have no second loop.
+            Layout::Split { .. } if !W::IS_EACH => None,
+            Layout::Split { z_is_sine: false } => {
+                Some(self.fold::<_, W>(task, &Split::<false, false> { strands, row }, positions, normals))
+            }
+            Layout::Split { z_is_sine: true } => {
+                Some(self.fold::<_, W>(task, &Split::<true, false> { strands, row }, positions, normals))
             }
             Layout::Both => {
                 let sine_strands = coefficients.sine_strands.as_slice();
-                self.fold(task, &Both { strands, sine_strands, row }, positions, normals)
+                Some(self.fold::<_, W>(task, &Both { strands, sine_strands, row }, positions, normals))
             }
-        };
-        if any != 0 {
-            self.mark(unsure);
         }
+    }
+
+    /// The last column of a folded row: the seam has the same bits, down to the sign of 0.
+    fn close(&self, positions: &mut [f32], normals: &mut [f32]) {
         if self.fold != Fold::Open {
-            // The seam has the same bits, down to the sign of 0.
             for array in [positions, normals] {
                 let last = array.len() - 3;
                 array.copy_within(0..3, last);
             }
         }
-        any != 0
     }
 
-    /// Forms the sums of each block and writes the columns that are had from them. Returns whether any normal is unsure.
-    fn fold(&mut self, task: Task, layout: &impl Form, positions: &mut [f32], normals: &mut [f32]) -> u8 {
+    /// Forms the sums of each block and writes the columns that are had from them. Returns whether all normals are sure.
+    fn fold<F: Form, W: Watch>(&mut self, task: &Task, layout: &F, positions: &mut [f32], normals: &mut [f32]) -> bool {
         match self.fold {
-            Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block),
-            Fold::Open => self.each_block(task, layout, positions, normals, open_block),
+            Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block::<_, W>),
+            Fold::Open => self.each_block(task, layout, positions, normals, open_block::<_, W>),
         }
     }
 
     /// Every kind of fold and layout is a function of its own: in one large function browsers run out of registers.
     #[inline(never)]
-    fn each_block<F: Form>(
+    fn each_block<F: Form, W: Watch>(
         &mut self,
-        task: Task,
+        task: &Task,
         layout: &F,
         positions: &mut [f32],
         normals: &mut [f32],
-        block: impl Fn(&Task, &F, &[[Lanes; 2]], usize, &mut [f32], &mut [f32]) -> [u8; 4],
-    ) -> u8 {
+        block: impl Fn(&Task, &F, &[[Lanes; 2]], usize, &mut [f32], &mut [f32]) -> [W; 4],
+    ) -> bool {
         let n = self.n_harmonics;
-        let mut any = 0;
+        // A copy of its own, which no write through another reference can change.
+        let task = *task;
+        let mut all = W::SURE;
         // The last columns of a row that is not folded need not be four.
         let n_whole = if self.fold == Fold::Open { self.n_columns / 4 } else { usize::MAX };
         let (mut last_positions, mut last_normals) = ([0.0; 12], [0.0; 12]);
@@ -144,8 +185,9 @@ impl Circles {
             } else {
                 (last_positions.as_mut_slice(), last_normals.as_mut_slice(), 0)
             };
-            *unsure = block(&task, layout, circles, column, positions, normals);
-            any |= unsure[0] | unsure[1] | unsure[2] | unsure[3];
+            let seen = block(&task, layout, circles, column, positions, normals);
+            W::keep(seen, unsure);
+            all = all.and(seen[0].and(seen[1])).and(seen[2].and(seen[3]));
         }
         if n_whole < self.unsure.len() {
             for (array, last) in [(positions, last_positions), (normals, last_normals)] {
@@ -154,7 +196,7 @@ impl Circles {
                 }
             }
         }
-        any
+        all.is_sure()
     }
 
     /// Marks the columns of the lanes that were found unsure.
@@ -190,26 +232,108 @@ trait Form {
     fn subtracted(a: Self::Formed, b: Self::Formed) -> Self::Formed;
     /// The sums at `v`.
     fn here(&self, formed: Self::Formed) -> Sums;
-    /// The sums at `-v`.
-    fn mirrored(&self, formed: Self::Formed) -> Sums;
+    /// What is at `v` and at `-v`.
+    fn pair<W: Watch>(&self, task: &Task, formed: Self::Formed) -> [Place<W>; 2];
 }
 
-/// As [`Layout::Split`].
-struct Split<'a> {
+/// How it is known which normals single precision does not hold.
+trait Watch: Copy {
+    /// Whether each normal is told from the others.
+    const IS_EACH: bool;
+    /// All normals are sure.
+    const SURE: Self;
+    /// What is seen of four normals, given `X_u`, `X_v` and the squared length of their product.
+    fn look(task: &Task, du: [Lanes; 3], dv: [Lanes; 3], squared: Lanes) -> Self;
+    fn and(self, other: Self) -> Self;
+    fn is_sure(self) -> bool;
+    /// Notes the lanes of a block that are unsure.
+    fn keep(seen: [Self; 4], unsure: &mut [u8; 4]);
+}
+
+/// The lanes whose normals are unsure, as bits.
+#[derive(Clone, Copy)]
+struct EachNormal(u8);
+
+impl Watch for EachNormal {
+    const IS_EACH: bool = true;
+    const SURE: Self = EachNormal(0);
+
+    #[inline(always)]
+    fn look(task: &Task, [ux, uy, uz]: [Lanes; 3], [vx, vy, vz]: [Lanes; 3], squared: Lanes) -> Self {
+        let tilted = task.tilt[0] * (vx * vx + vy * vy + vz * vz) + task.tilt[1] * (ux * ux + uy * uy + uz * uz);
+        // Not the other way round: what is not a number is unsure too.
+        EachNormal(!(tilted.simd_lt(squared).to_bitmask() as u8) & 15)
+    }
+
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        EachNormal(self.0 | other.0)
+    }
+
+    #[inline(always)]
+    fn is_sure(self) -> bool {
+        self.0 == 0
+    }
+
+    #[inline(always)]
+    fn keep(seen: [Self; 4], unsure: &mut [u8; 4]) {
+        *unsure = seen.map(|each| each.0);
+    }
+}
+
+/// Lanes all of whose bits are set where no normal so far is so short that any could be unsure.
+#[derive(Clone, Copy)]
+struct WholeRow(Lanes);
+
+impl Watch for WholeRow {
+    const IS_EACH: bool = false;
+    const SURE: Self = WholeRow(ALL_BITS);
+
+    #[inline(always)]
+    fn look(task: &Task, _du: [Lanes; 3], _dv: [Lanes; 3], squared: Lanes) -> Self {
+        WholeRow(task.steepest.simd_lt(squared))
+    }
+
+    #[inline(always)]
+    fn and(self, other: Self) -> Self {
+        WholeRow(self.0 & other.0)
+    }
+
+    #[inline(always)]
+    fn is_sure(self) -> bool {
+        self.0.to_bitmask() & 15 == 15
+    }
+
+    #[inline(always)]
+    fn keep(_seen: [Self; 4], _unsure: &mut [u8; 4]) {}
+}
+
+const ALL_BITS: Lanes = Lanes::new([f32::from_bits(u32::MAX); 4]);
+
+/// How many rows are asked normal by normal after one in which it mattered.
+const WARY_ROWS: u32 = 16;
+
+/// Positions and unit normals at four columns, and what was seen of these.
+#[derive(Clone, Copy)]
+struct Place<W> {
+    position: [Lanes; 3],
+    normal: [Lanes; 3],
+    seen: W,
+}
+
+/// As [`Layout::Split`]. `UPRIGHT` says that what does not depend on `v` does not lean towards `y`.
+struct Split<'a, const Z_IS_SINE: bool, const UPRIGHT: bool> {
     strands: &'a [[Strand; 3]],
     row: usize,
-    z_is_sine: bool,
-    /// What becomes of the sums of `z` at `-v`.
-    z_parity: Lanes,
 }
 
-impl Form for Split<'_> {
+impl<const Z_IS_SINE: bool, const UPRIGHT: bool> Form for Split<'_, Z_IS_SINE, UPRIGHT> {
     type Formed = Sums;
 
     #[inline(always)]
     fn form(&self, harmonics: Range<usize>, circles: &[[Lanes; 2]]) -> Sums {
         let strands = self.strands.get(harmonics.clone()).unwrap_or_default();
-        split_sums(strands, circles.get(harmonics).unwrap_or_default(), self.row, self.z_is_sine)
+        split_sums::<Z_IS_SINE>(strands, circles.get(harmonics).unwrap_or_default(), self.row)
     }
 
     #[inline(always)]
@@ -227,9 +351,48 @@ impl Form for Split<'_> {
         formed
     }
 
+    /// At `-v` the sums of sines have the other sign. Where the pot is upright, half of what the two normals are made of is shared:
+    /// with `z` of cosines all of it, with `z` of sines what `z_u` is not in.
     #[inline(always)]
-    fn mirrored(&self, [[x, y, z], [xu, yu, zu], [xv, yv, zv]]: Sums) -> Sums {
-        [[x, -y, z * self.z_parity], [xu, -yu, zu * self.z_parity], [-xv, yv, -zv * self.z_parity]]
+    fn pair<W: Watch>(&self, task: &Task, sums: Sums) -> [Place<W>; 2] {
+        let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
+        let [[x0, xu0], [y0, _], [z0, zu0]] = task.constant;
+        if !UPRIGHT {
+            let z_signed = |z: Lanes| if Z_IS_SINE { -z } else { z };
+            let mirrored = [[x, -y, z_signed(z)], [xu, -yu, z_signed(zu)], [-xv, yv, -z_signed(zv)]];
+            return [task.place(&sums), task.place(&mirrored)];
+        }
+        let (px, here_z) = (x0 + x, z0 + z);
+        let here = [px, y0 + y, here_z];
+        if !Z_IS_SINE {
+            let (normal, seen) = task.normal(&sums);
+            let there = Place { position: [px, y0 - y, here_z], normal: [normal[0], -normal[1], normal[2]], seen };
+            return [Place { position: here, normal, seen }, there];
+        }
+        // X_u = (ux, uy, zu0 + zu), X_v = (xv, yv, zv) at v, (ux, -uy, zu0 - zu) and (-xv, yv, zv) at -v.
+        let (ux, uy) = (xu0 + xu, yu);
+        let (uz, other_uz) = (zu0 + zu, zu0 - zu);
+        let (p, q) = (uy * zv, ux * zv);
+        let nz = ux * yv - uy * xv;
+        let nz_squared = nz * nz;
+        let finished = |nx: Lanes, ny: Lanes, uz: Lanes| {
+            let squared = nx * nx + ny * ny + nz_squared;
+            (task.sign / squared.sqrt(), W::look(task, [ux, uy, uz], [xv, yv, zv], squared))
+        };
+        let (nx, ny) = (p - uz * yv, uz * xv - q);
+        let (inverse, seen) = finished(nx, ny, uz);
+        // The other way round than at v.
+        let (other_nx, other_ny) = (p + other_uz * yv, other_uz * xv + q);
+        let (other_inverse, other_seen) = finished(other_nx, other_ny, other_uz);
+        let turned = -other_inverse;
+        [
+            Place { position: here, normal: [nx * inverse, ny * inverse, nz * inverse], seen },
+            Place {
+                position: [px, y0 - y, z0 - z],
+                normal: [other_nx * turned, other_ny * turned, nz * other_inverse],
+                seen: other_seen,
+            },
+        ]
     }
 }
 
@@ -268,8 +431,9 @@ impl Form for Both<'_> {
     }
 
     #[inline(always)]
-    fn mirrored(&self, [even, odd]: [Sums; 2]) -> Sums {
-        [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])]
+    fn pair<W: Watch>(&self, task: &Task, [even, odd]: [Sums; 2]) -> [Place<W>; 2] {
+        let mirrored = [minus(even[0], odd[0]), minus(even[1], odd[1]), minus(odd[2], even[2])];
+        [task.place(&added(&even, &odd)), task.place(&mirrored)]
     }
 }
 
@@ -278,10 +442,10 @@ impl Form for Both<'_> {
 struct Task {
     constant: [[Lanes; 2]; 3],
     tilt: [Lanes; 2],
+    steepest: Lanes,
     sign: Lanes,
     n_even: usize,
     n_steps: usize,
-    is_mirrored: bool,
 }
 
 impl Task {
@@ -291,60 +455,58 @@ impl Task {
         plus([x, y, z], sums[0])
     }
 
-    /// The position half a turn on, where the sums have the other sign and `z` has none.
     #[inline(always)]
-    fn turned_position(&self, sums: &Sums) -> [Lanes; 3] {
-        let [[x, _], [y, _], [z, _]] = self.constant;
-        [x - sums[0][0], y - sums[0][1], z]
+    fn place<W: Watch>(&self, sums: &Sums) -> Place<W> {
+        let (normal, seen) = self.normal(sums);
+        Place { position: self.position(sums), normal, seen }
     }
 
-    /// The unit normal along `X_u x X_v` and the lanes that single precision does not hold, as bits.
+    /// A position half a turn on, where what goes round the axis has the other sign.
     #[inline(always)]
-    fn normal(&self, sums: &Sums) -> ([Lanes; 3], u8) {
+    fn turned_position(&self, [x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
+        let [[x0, _], [y0, _], _] = self.constant;
+        [x0 + x0 - x, y0 + y0 - y, z]
+    }
+
+    /// The unit normal along `X_u x X_v`.
+    #[inline(always)]
+    fn normal<W: Watch>(&self, sums: &Sums) -> ([Lanes; 3], W) {
         let [[_, xu], [_, yu], [_, zu]] = self.constant;
         let [ux, uy, uz] = plus([xu, yu, zu], sums[1]);
         let [vx, vy, vz] = sums[2];
         let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
         let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-        let tilted = self.tilt[0] * (vx * vx + vy * vy + vz * vz) + self.tilt[1] * (ux * ux + uy * uy + uz * uz);
         let inverse = self.sign / squared.sqrt();
-        (normal.map(|component| component * inverse), unsure(tilted, squared))
-    }
-
-    /// The same at `-v`.
-    #[inline(always)]
-    fn mirrored_normal(&self, sums: &Sums, (normal, unsure): ([Lanes; 3], u8)) -> ([Lanes; 3], u8) {
-        if self.is_mirrored { ([normal[0], -normal[1], normal[2]], unsure) } else { self.normal(sums) }
+        (normal.map(|component| component * inverse), W::look(self, [ux, uy, uz], [vx, vy, vz], squared))
     }
 }
 
 /// The columns from `column` on, and no others.
 #[inline(always)]
-fn open_block<F: Form>(
+fn open_block<F: Form, W: Watch>(
     task: &Task,
     layout: &F,
     circles: &[[Lanes; 2]],
     column: usize,
     positions: &mut [f32],
     normals: &mut [f32],
-) -> [u8; 4] {
-    let here = layout.here(layout.form(0..circles.len(), circles));
-    let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    [first.1, 0, 0, 0]
+) -> [W; 4] {
+    let here = task.place(&layout.here(layout.form(0..circles.len(), circles)));
+    write(here.position, positions, column);
+    write(here.normal, normals, column);
+    [here.seen, W::SURE, W::SURE, W::SURE]
 }
 
 /// Those, the ones at `-v` and both half a turn on.
 #[inline(always)]
-fn quartered_block<F: Form>(
+fn quartered_block<F: Form, W: Watch>(
     task: &Task,
     layout: &F,
     circles: &[[Lanes; 2]],
     column: usize,
     positions: &mut [f32],
     normals: &mut [f32],
-) -> [u8; 4] {
+) -> [W; 4] {
     let even = layout.form(0..task.n_even, circles);
     let odd = layout.form(task.n_even..circles.len(), circles);
     let (all, half) = (task.n_steps, task.n_steps / 2);
@@ -357,51 +519,44 @@ fn quartered_block<F: Form>(
 
 /// The columns that the sums are of, and those that mirror them.
 #[inline(always)]
-fn two_blocks<F: Form>(
+fn two_blocks<F: Form, W: Watch>(
     task: &Task,
     layout: &F,
     formed: F::Formed,
     [to, mirrored_to]: [usize; 2],
     positions: &mut [f32],
     normals: &mut [f32],
-) -> [u8; 2] {
-    let here = layout.here(formed);
-    let first = task.normal(&here);
-    write(task.position(&here), positions, to);
-    write(first.0, normals, to);
-    let mirrored = layout.mirrored(formed);
-    let second = task.mirrored_normal(&mirrored, first);
-    write_reversed(task.position(&mirrored), positions, mirrored_to);
-    write_reversed(second.0, normals, mirrored_to);
-    [first.1, second.1]
+) -> [W; 2] {
+    let [here, there] = layout.pair(task, formed);
+    write(here.position, positions, to);
+    write(here.normal, normals, to);
+    write_reversed(there.position, positions, mirrored_to);
+    write_reversed(there.normal, normals, mirrored_to);
+    [here.seen, there.seen]
 }
 
 /// The same where every `n` is odd and `z` is constant: half a turn on, the sums have the other sign.
 #[inline(always)]
-fn turned_block<F: Form>(
+fn turned_block<F: Form, W: Watch>(
     task: &Task,
     layout: &F,
     circles: &[[Lanes; 2]],
     column: usize,
     positions: &mut [f32],
     normals: &mut [f32],
-) -> [u8; 4] {
+) -> [W; 4] {
     let half = task.n_steps / 2;
-    let formed = layout.form(0..circles.len(), circles);
-    let here = layout.here(formed);
-    let first = task.normal(&here);
-    write(task.position(&here), positions, column);
-    write(first.0, normals, column);
-    write(task.turned_position(&here), positions, column + half);
-    write(turned(first.0), normals, column + half);
+    let [here, there] = layout.pair(task, layout.form(0..circles.len(), circles));
+    write(here.position, positions, column);
+    write(here.normal, normals, column);
+    write(task.turned_position(here.position), positions, column + half);
+    write(turned(here.normal), normals, column + half);
     let (to, turned_to) = (task.n_steps - column - 3, half - column - 3);
-    let mirrored = layout.mirrored(formed);
-    let second = task.mirrored_normal(&mirrored, first);
-    write_reversed(task.position(&mirrored), positions, to);
-    write_reversed(second.0, normals, to);
-    write_reversed(task.turned_position(&mirrored), positions, turned_to);
-    write_reversed(turned(second.0), normals, turned_to);
-    [first.1, second.1, first.1, second.1]
+    write_reversed(there.position, positions, to);
+    write_reversed(there.normal, normals, to);
+    write_reversed(task.turned_position(there.position), positions, turned_to);
+    write_reversed(turned(there.normal), normals, turned_to);
+    [here.seen, there.seen, here.seen, there.seen]
 }
 
 /// A normal half a turn on.
@@ -418,12 +573,6 @@ fn added(a: &Sums, b: &Sums) -> Sums {
 #[inline(always)]
 fn subtracted(a: &Sums, b: &Sums) -> Sums {
     [minus(a[0], b[0]), minus(a[1], b[1]), minus(a[2], b[2])]
-}
-
-#[inline(always)]
-fn unsure(tilted: Lanes, squared: Lanes) -> u8 {
-    // Not the other way round: what is not a number is unsure too.
-    !(tilted.simd_lt(squared).to_bitmask() as u8) & 15
 }
 
 #[inline(always)]
@@ -462,11 +611,11 @@ fn sums<const SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: 
 
 /// The sums of strands that go with cosines in `x`, with sines in `y`, and with either in `z`.
 #[inline(always)]
-fn split_sums(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize, z_is_sine: bool) -> Sums {
+fn split_sums<const Z_IS_SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize) -> Sums {
     let (mut x, mut xu, mut xv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (mut y, mut yu, mut yv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (mut z, mut zu, mut zv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
-    let (first, second) = (usize::from(z_is_sine), usize::from(!z_is_sine));
+    let (first, second) = (usize::from(Z_IS_SINE), usize::from(!Z_IS_SINE));
     for (strand, circle) in strands.iter().zip(circles) {
         let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
         let [cos, sin] = *circle;

@@ -10,9 +10,8 @@ pub(super) type Lanes = f32x4;
 /// Six shuffles that use every lane of both operands: compilers leave these alone and browsers have one instruction for each.
 #[inline(always)]
 fn interleave([x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
-    let even = |a: Lanes, b: Lanes| shuffle::<0, 2, 4, 6>(a, b);
-    let (xy, yz, zx) = (even(x, y), shuffle::<1, 3, 5, 7>(y, z), shuffle::<0, 2, 5, 7>(z, x));
-    [even(xy, zx), shuffle::<0, 2, 5, 7>(yz, xy), shuffle::<1, 3, 5, 7>(zx, yz)]
+    let (xy, yz, zx) = (shuffle::<0, 2, 4, 6>(x, y), shuffle::<1, 3, 5, 7>(y, z), shuffle::<0, 2, 5, 7>(z, x));
+    in_order(xy, yz, zx)
 }
 
 /// Lanes `A` to `D` of the eight of both.
@@ -33,23 +32,39 @@ fn shuffle<const A: usize, const B: usize, const C: usize, const D: usize>(a: La
     }
 }
 
+/// The same with the order of the four columns turned round, at no more cost.
+#[inline(always)]
+fn interleave_reversed([x, y, z]: [Lanes; 3]) -> [Lanes; 3] {
+    let (xy, yz, zx) = (shuffle::<3, 1, 7, 5>(x, y), shuffle::<2, 0, 6, 4>(y, z), shuffle::<3, 1, 6, 4>(z, x));
+    in_order(xy, yz, zx)
+}
+
+/// From columns 0 and 2 of x and y, 1 and 3 of y and z, 0 and 2 of z with 1 and 3 of x.
+#[inline(always)]
+fn in_order(xy: Lanes, yz: Lanes, zx: Lanes) -> [Lanes; 3] {
+    [shuffle::<0, 2, 4, 6>(xy, zx), shuffle::<0, 2, 5, 7>(yz, xy), shuffle::<1, 3, 5, 7>(zx, yz)]
+}
+
 /// Writes the vectors of four columns from vertex `at` on, where there is room for them all.
-///
-/// Nothing is called otherwise, not even to fail: browsers would keep every register of the loop round it in memory.
 #[inline(always)]
 pub(super) fn write(vectors: [Lanes; 3], to: &mut [f32], at: usize) {
-    let [a, b, c] = interleave(vectors);
-    if let Some(to) = to.get_mut(3 * at..3 * at + 12).and_then(|to| to.as_mut_array::<12>()) {
-        to[0..4].copy_from_slice(a.as_array());
-        to[4..8].copy_from_slice(b.as_array());
-        to[8..12].copy_from_slice(c.as_array());
-    }
+    put(interleave(vectors), to, at);
 }
 
 /// As [`write`], with the order of the four columns turned round.
 #[inline(always)]
 pub(super) fn write_reversed(vectors: [Lanes; 3], to: &mut [f32], at: usize) {
-    write(vectors.map(|lanes| shuffle::<3, 2, 5, 4>(lanes, lanes)), to, at);
+    put(interleave_reversed(vectors), to, at);
+}
+
+/// Nothing is called otherwise, not even to fail: browsers would keep every register of the loop round it in memory.
+#[inline(always)]
+fn put([a, b, c]: [Lanes; 3], to: &mut [f32], at: usize) {
+    if let Some(to) = to.get_mut(3 * at..3 * at + 12).and_then(|to| to.as_mut_array::<12>()) {
+        to[0..4].copy_from_slice(a.as_array());
+        to[4..8].copy_from_slice(b.as_array());
+        to[8..12].copy_from_slice(c.as_array());
+    }
 }
 
 #[cfg(test)]

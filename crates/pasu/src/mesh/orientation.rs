@@ -1,9 +1,7 @@
 //! Which side of a surface is its outside.
 
-use glam::DVec3;
-
-use super::row::Row;
-use crate::surface::{BLOCK, ColumnTable, Curves, Surface};
+use super::row::{Row, Sums};
+use crate::surface::{BLOCK, Block, ColumnTable, Curves, Surface};
 
 /// Enough of the surface to know the sign of the volume that it goes round.
 const ROWS: usize = 17;
@@ -15,10 +13,20 @@ const COLUMNS: usize = 61;
 /// Slice by slice, the flux of `(x, y, 0)` through the surface is twice the area that the surface goes round, whatever lies at rim and foot; its sign
 /// tells the side. It is taken about the middle of each row, so that a leaning pot counts by its slices. A surface that goes round nothing keeps `X_u x X_v`.
 pub(super) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
-    let is_level = curves.list().iter().all(|curve| curve.axis != 2 || curve.n == 0.0);
-    let flux =
-        if is_level && surface.is_closed() { level_flux(surface, curves) } else { sampled_flux(surface, curves) };
+    let flux = if surface.is_closed() && goes_round_level_slices(curves) {
+        level_flux(surface, curves)
+    } else {
+        sampled_flux(surface, curves)
+    };
     flux >= 0.0
+}
+
+/// Whether the flux is that of level rows: `z` does not depend on `v`, or what of it does has no part in the flux, because mirroring at `y = 0`
+/// turns it round and leaves all else (`x` is of cosines, `y` of sines and `z` of sines, so that its part of the integrand is odd in `v`).
+fn goes_round_level_slices(curves: &Curves) -> bool {
+    let is_level = curves.list().iter().all(|curve| curve.axis != 2 || curve.n == 0.0);
+    is_level
+        || curves.list().iter().all(|curve| curve.is_sine == (curve.axis != 0) || curve.axis == 2 && curve.n == 0.0)
 }
 
 /// As [`is_outward`], for a surface that is not sampled.
@@ -40,7 +48,7 @@ fn level_flux(surface: &Surface, curves: &Curves) -> f64 {
             values.clear();
             curves.rows(surface, [u; BLOCK], |index, [value, slope]| {
                 values.push(value.to_array()[0]);
-                if list[index].axis == 2 {
+                if list[index].axis == 2 && list[index].n == 0.0 {
                     rise += slope.to_array()[0];
                 }
             });
@@ -65,19 +73,25 @@ fn sampled_flux(surface: &Surface, curves: &Curves) -> f64 {
     let n_columns =
         if surface.is_closed() && 3.0 * highest < COLUMNS as f64 { 3 * highest as usize + 1 } else { COLUMNS };
     let table = ColumnTable::new(surface, n_columns + 1);
-    let (mut row, mut points) = (Row::default(), Vec::with_capacity(n_columns));
-    let mut flux = 0.0;
+    // The blocks reach beyond the columns that count.
+    let weight = |block: usize| {
+        let counts = |lane: usize| f64::from(u8::from(block * BLOCK + lane < n_columns)) / n_columns as f64;
+        Block::from(core::array::from_fn::<_, BLOCK, _>(counts))
+    };
+    let (mut row, mut sums) = (Row::default(), Vec::with_capacity(table.n_blocks()));
+    let mut flux = Block::ZERO;
     for i in 0..ROWS {
         row.fill_roughly(surface, curves, &table.distinct, (i as f64 + 0.5) / ROWS as f64);
-        points.clear();
-        let blocks = (0..table.n_blocks()).map(|block| row.sums(table.block(block)));
-        points
-            .extend(blocks.flat_map(|sums| core::array::from_fn::<_, BLOCK, _>(|lane| sums.at(lane))).take(n_columns));
-        let middle = points.iter().map(|(position, ..)| *position).sum::<DVec3>() / n_columns as f64;
-        for (position, du, dv) in &points {
-            let (arm, normal) = (*position - middle, du.cross(*dv));
-            flux += (arm.x * normal.x + arm.y * normal.y) / n_columns as f64;
+        sums.clear();
+        sums.extend((0..table.n_blocks()).map(|block| (row.sums(table.block(block)), weight(block))));
+        let [x0, y0] = [0, 1].map(|axis| {
+            let weighted = sums.iter().map(|(sums, weight)| sums.position[axis] * *weight);
+            weighted.fold(Block::ZERO, |sum, x| sum + x).reduce_add()
+        });
+        for (Sums { position: [x, y, _], du: [xu, yu, zu], dv: [xv, yv, zv] }, weight) in &sums {
+            let normal = [*yu * *zv - *zu * *yv, *zu * *xv - *xu * *zv];
+            flux += ((*x - x0) * normal[0] + (*y - y0) * normal[1]) * *weight;
         }
     }
-    flux
+    flux.reduce_add()
 }

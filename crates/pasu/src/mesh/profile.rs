@@ -77,7 +77,7 @@ impl Bend {
 fn step(a: f64, b: f64, c: f64, budget: f64) -> f64 {
     let left = budget - a;
     match left {
-        _ if left > 0.0 => left / (b + libm::sqrt(b * b + c * left)),
+        _ if left > 0.0 => left / (b + (b * b + c * left).sqrt()),
         0.0 if b == 0.0 && c == 0.0 => f64::INFINITY,
         _ => -1.0,
     }
@@ -250,18 +250,18 @@ impl Profile {
 
 /// Which strips are worth halving.
 fn coarse(strips: &[Strip]) -> Vec<bool> {
-    let all = strips.iter().map(|strip| strip.gap() * libm::sqrt(strip.largest(|row| row.uu))).sum::<f64>();
+    let all = strips.iter().map(|strip| strip.gap() * strip.largest(|row| row.uu).sqrt()).sum::<f64>();
     let roundest = strips.iter().fold(0.0f64, |most, strip| most.max(strip.largest(|row| row.vv)));
     let is_coarse = |strip: &Strip| {
         let [_, uu, uv, vv] = strip.excess;
         let largest = strip.largest(|row| row.uu);
         let smallest = strip.at[0].uu.min(strip.at[1].uu);
-        let waste = strip.gap() * (libm::sqrt(largest) - libm::sqrt(smallest));
-        let rows = strip.gap() * libm::sqrt(uu);
+        let waste = strip.gap() * (largest.sqrt() - smallest.sqrt());
+        let rows = strip.gap() * uu.sqrt();
         (uu > REMAINDER * largest && rows > WASTE * all)
             || waste > WASTE * all
             || vv > REMAINDER * roundest
-            || uv > REMAINDER * (strip.largest(|row| row.uv) + libm::sqrt((largest + uu) * roundest))
+            || uv > REMAINDER * (strip.largest(|row| row.uv) + ((largest + uu) * roundest).sqrt())
     };
     strips.iter().map(is_coarse).collect()
 }

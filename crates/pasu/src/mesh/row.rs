@@ -3,8 +3,6 @@
 //! This is where a mesh's time goes. A vertex costs three multiplications and additions per datum that is not 0, a square root and a division; tables and
 //! coefficients are made once per column and row.
 
-use glam::DVec3;
-
 use crate::surface::{BLOCK, Block, Curves, RowTable, RowTerm, Surface};
 
 /// One datum of one mode at one row: adds `value cos(k v)` to the position, `slope cos(k v)` to `X_u` and `turned sin(k v)` to `X_v`; a datum of
@@ -109,13 +107,5 @@ impl Row {
             (sums.position[axis], sums.du[axis], sums.dv[axis]) = (position, du, dv);
         }
         sums
-    }
-}
-
-impl Sums {
-    /// `X`, `X_u`, `X_v` at one column of the block.
-    pub(super) fn at(&self, lane: usize) -> (DVec3, DVec3, DVec3) {
-        let at = |sums: &[Block; 3]| DVec3::from_array(sums.map(|component| component.to_array()[lane]));
-        (at(&self.position), at(&self.du), at(&self.dv))
     }
 }

@@ -137,12 +137,12 @@ impl Part {
             let q = if beside > 0.0 { beside } else { bend.widest(0.0, budget) };
             widest = widest.min(q.max(0.0));
         });
-        libm::ceil(1.0 / widest)
+        (1.0 / widest).ceil()
     }
 
     /// The cells round the axis for which the product with the rows that they take is least.
     fn best_round(&self, budget: f64) -> f64 {
-        let fewest = libm::ceil(libm::sqrt(self.profile.roundest() / budget.max(0.0))).max(LEAST_ROUND);
+        let fewest = (self.profile.roundest() / budget.max(0.0)).sqrt().ceil().max(LEAST_ROUND);
         let (mut best, mut least, mut round) = (fewest, f64::INFINITY, fewest);
         let mut below = fewest;
         for _ in 0..COLUMN_CANDIDATES {
@@ -152,13 +152,13 @@ impl Part {
             } else if product > 1.5 * least {
                 break;
             }
-            round = libm::ceil(round * COLUMN_STEP).max(round + 1.0);
+            round = (round * COLUMN_STEP).ceil().max(round + 1.0);
         }
         // The fewest columns that take no more rows.
         let rows = self.along_for(best, budget);
-        below = below.max(libm::floor(best / COLUMN_STEP) - 1.0);
+        below = below.max((best / COLUMN_STEP).floor() - 1.0);
         while best - below > 1.0 {
-            let middle = libm::floor(0.5 * (below + best));
+            let middle = (0.5 * (below + best)).floor();
             if self.along_for(middle, budget) <= rows { best = middle } else { below = middle }
         }
         best
@@ -169,7 +169,7 @@ impl Part {
         let q = 1.0 / round;
         let estimate = self.profile.estimate(q, budget);
         if !(estimate < MANY_ROWS) {
-            return libm::ceil(estimate.max(LEAST_ALONG));
+            return estimate.max(LEAST_ALONG).ceil();
         }
         self.profile.walk(q, budget, usize::MAX, &mut |_| {}).map_or(f64::INFINITY, |n| n as f64)
     }
@@ -181,10 +181,10 @@ impl Part {
         let estimate = self.profile.estimate(q, budget);
         let grid = |along, rows| Tessellation { along, round, rows, bound: None };
         if !((estimate + 1.0) * (round + 1.0) <= 2.0 * VERTEX_LIMIT as f64) {
-            return grid(libm::ceil(estimate), None);
+            return grid(estimate.ceil(), None);
         }
         let Some(n_steps) = self.profile.walk(q, budget, VERTEX_LIMIT, &mut |_| {}) else {
-            return grid(libm::ceil(estimate).max(VERTEX_LIMIT as f64), None);
+            return grid(estimate.ceil().max(VERTEX_LIMIT as f64), None);
         };
         // The same number of steps at the least budget, so that the last is no shorter than it must be.
         let (mut enough, mut less) = (budget, (q * q * roundest).max(0.25 * budget));

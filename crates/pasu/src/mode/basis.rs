@@ -46,8 +46,8 @@ impl Basis {
                 ]))
             }
             Order::Fourth => {
-                let sigma_squared = 0.25 * (b + 2.0 * libm::sqrt(c.max(0.0)));
-                let delta_squared = 0.25 * (b - 2.0 * libm::sqrt(c.max(0.0)));
+                let sigma_squared = 0.25 * (b + 2.0 * c.max(0.0).sqrt());
+                let delta_squared = 0.25 * (b - 2.0 * c.max(0.0).sqrt());
                 match squared_roots(b, c) {
                     Some((z1, z2)) if c <= 0.0 || Self::are_apart(sigma_squared, delta_squared) => {
                         Basis::Separate(Rate::new(z1), Rate::new(z2))
@@ -91,7 +91,7 @@ impl Basis {
             Basis::Series(_) => SERIES_RATE,
             Basis::Products { sigma, delta } if sigma.z < 0.0 => sigma.oscillation() + delta.oscillation(),
             Basis::Products { .. } => 0.0,
-            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => libm::sqrt(first.z.abs()),
+            Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => first.z.abs().sqrt(),
             Basis::Separate(..) => 0.0,
         }
     }
@@ -102,8 +102,8 @@ impl Basis {
             let [even, more_even, odd, more_odd] = self.jets::<2>(1.0);
             return [Pair::by_subtraction(even, more_even), Pair::by_subtraction(odd, more_odd)];
         };
-        let ((c, s), (c_delta, s_delta)) = (sigma.jets::<2>(1.0), delta.jets::<2>(1.0));
-        let (one, other) = (s[0] * c[0] * delta.scale(), s_delta[0] * c_delta[0] * sigma.scale());
+        let ((c, s, scale), (c_delta, s_delta, delta_scale)) = (sigma.jets_at_end::<2>(), delta.jets_at_end::<2>());
+        let (one, other) = (s[0] * c[0] * delta_scale, s_delta[0] * c_delta[0] * scale);
         [
             Pair { first: product(&c, &c_delta), second: product(&s, &s_delta), determinant: one + other },
             Pair { first: product(&s, &c_delta), second: product(&c, &s_delta), determinant: one - other },

@@ -1,6 +1,6 @@
 //! The equation of a mode, reduced to the two numbers that decide its regime.
 
-use libm::{hypot, sqrt};
+use libm::hypot;
 
 use super::basis::Basis;
 use super::force;
@@ -79,10 +79,10 @@ impl Equation {
 
 pub(super) fn largest_rate(order: Order, b: f64, c: f64) -> f64 {
     match order {
-        Order::Second => sqrt(b.abs()),
+        Order::Second => b.abs().sqrt(),
         Order::Fourth => match squared_roots(b, c) {
-            Some((z, _)) => sqrt(z.abs()),
-            None => sqrt(sqrt(c)),
+            Some((z, _)) => z.abs().sqrt(),
+            None => c.sqrt().sqrt(),
         },
     }
 }
@@ -92,13 +92,13 @@ pub(super) fn largest_rate(order: Order, b: f64, c: f64) -> f64 {
 /// Neither the discriminant nor the smaller root is got by subtraction of near-equal numbers other than `b` and `2 sqrt(c)`.
 pub(super) fn squared_roots(b: f64, c: f64) -> Option<(f64, f64)> {
     let discriminant_root = if c > 0.0 {
-        let twice = 2.0 * sqrt(c);
+        let twice = 2.0 * c.sqrt();
         if b.abs() < twice {
             return None;
         }
-        sqrt(b.abs() - twice) * sqrt(b.abs() + twice)
+        (b.abs() - twice).sqrt() * (b.abs() + twice).sqrt()
     } else {
-        hypot(b, 2.0 * sqrt(-c))
+        hypot(b, 2.0 * (-c).sqrt())
     };
     let large = 0.5 * (b.abs() + discriminant_root);
     if large == 0.0 {

@@ -55,7 +55,7 @@ fn added(mut sum: Vec<f64>, other: &[f64]) -> Vec<f64> {
 
 /// A solution of `q'' - z q = g`.
 fn invert(z: f64, g: &[f64]) -> Vec<f64> {
-    let (low, high) = split(g, libm::sqrt(z.abs()));
+    let (low, high) = split(g, z.abs().sqrt());
     // q = -(g + g'' / z + g'''' / z^2 + ..) / z, from the highest power down.
     let mut q = vec![0.0; low.len()];
     for m in (0..low.len()).rev() {

@@ -1,6 +1,6 @@
 //! One rate: `cosh` and `sinh` about the middle of the interval, or `cos` and `sin`, whichever the sign asks for.
 
-use libm::{cos, cosh, exp, sin, sinh, sqrt};
+use libm::{cos, cosh, exp, sin, sinh};
 
 /// The functions `C(x) = cosh(sqrt(z) x)` and `S(x) = sinh(sqrt(z) x) / sqrt(z)` of `x = u - 1/2`, entire in `z`:
 /// for `z < 0` they are `cos(w x)` and `sin(w x) / w` with `w = sqrt(-z)`, for `z = 0` they are 1 and `x`.
@@ -19,16 +19,11 @@ impl Rate {
     const ANCHOR: f64 = 1.0;
 
     pub(super) fn new(z: f64) -> Self {
-        Rate { z, root: sqrt(z.abs()) }
+        Rate { z, root: z.abs().sqrt() }
     }
 
     fn is_anchored(self) -> bool {
         self.z > 0.0 && self.root > Self::ANCHOR
-    }
-
-    /// `exp(-sqrt(z))` where the functions are anchored, else 1: the scale of `C^2 - z S^2`.
-    pub(super) fn scale(self) -> f64 {
-        if self.is_anchored() { exp(-self.root) } else { 1.0 }
     }
 
     /// The angular rate of an oscillation, 0 for a hyperbolic one.
@@ -56,9 +51,23 @@ impl Rate {
 
     /// `C` and `S` at `u` with their derivatives up to order `N - 1`; `C' = z S`, `S' = C`.
     pub(super) fn jets<const N: usize>(self, u: f64) -> ([f64; N], [f64; N]) {
-        let (c, s) = self.at(u);
+        self.derived(self.at(u))
+    }
+
+    /// The same at `u = 1`, and the scale of `C^2 - z S^2`: `exp(-sqrt(z))` where the functions are anchored, else 1.
+    pub(super) fn jets_at_end<const N: usize>(self) -> ([f64; N], [f64; N], f64) {
+        let (values, scale) = if self.is_anchored() {
+            let from_start = exp(-self.root);
+            ((0.5 * (1.0 + from_start), 0.5 * (1.0 - from_start) / self.root), from_start)
+        } else {
+            (self.at(1.0), 1.0)
+        };
+        let (even, odd) = self.derived(values);
+        (even, odd, scale)
+    }
+
+    fn derived<const N: usize>(self, (mut c, mut s): (f64, f64)) -> ([f64; N], [f64; N]) {
         let (mut even, mut odd) = ([0.0; N], [0.0; N]);
-        let (mut c, mut s) = (c, s);
         for order in 0..N {
             even[order] = c;
             odd[order] = s;

@@ -34,11 +34,19 @@ pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &
 
 /// `n (n - 1) .. (n - j + 1)`, the factor of the `j`-th derivative of `x^n`.
 pub(super) fn falling(n: usize, j: usize) -> f64 {
-    (0..j).fold(1.0, |product, i| product * (n as f64 - i as f64))
+    let n = n as f64;
+    match j {
+        0 => 1.0,
+        2 => n * (n - 1.0),
+        4 => n * (n - 1.0) * (n - 2.0) * (n - 3.0),
+        _ => (0..j).fold(1.0, |product, i| product * (n - i as f64)),
+    }
 }
 
+/// `2^-n` for the counts of terms that there are, far below the smallest double.
 fn power_of_half(n: usize) -> f64 {
-    libm::ldexp(1.0, -(n as i32))
+    const BIAS: u64 = 1023;
+    f64::from_bits(BIAS.saturating_sub(n as u64) << 52)
 }
 
 /// The polynomial in `x` that equals the polynomial `in_u` of `u = x + 1/2`.

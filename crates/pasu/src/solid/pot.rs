@@ -144,6 +144,11 @@ impl Pot {
         self.wall.is_some()
     }
 
+    /// The thickness of the wall where the surface, run through from foot to rim, is at `(s, v)`; 0 for a solid.
+    pub(crate) fn thickness_at(&self, s: f64, v: f64) -> f64 {
+        self.thickness.at(s, v)[0]
+    }
+
     pub(crate) fn skin(&self) -> &Skin {
         &self.skin
     }

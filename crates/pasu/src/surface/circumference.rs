@@ -81,7 +81,7 @@ impl Circumference {
         let is_sampled = |n: f64| n.abs() <= HIGHEST_SAMPLED;
         let highest = distinct.iter().filter(|n| is_sampled(**n)).fold(1.0f64, |highest, n| highest.max(n.abs()));
         let per_wave = if has_many_modes { SAMPLES_PER_WAVE_OF_MANY } else { SAMPLES_PER_WAVE };
-        let n_samples = (libm::ceil(per_wave * highest) as usize).next_multiple_of(2 * BLOCK).clamp(16, MOST_SAMPLES);
+        let n_samples = ((per_wave * highest).ceil() as usize).next_multiple_of(2 * BLOCK).clamp(16, MOST_SAMPLES);
         let is_closed = surface.is_closed();
         // A row that does not close has a sample at each end.
         let steps = (if is_closed { n_samples } else { n_samples - 1 }) as f64;
@@ -177,8 +177,7 @@ impl Circumference {
         }
         let sampled = self.sampled();
         core::array::from_fn(|part| {
-            let sampled =
-                if sampled[part] > 0.0 { largest[part] * libm::sqrt(sampled[part]) * self.margin } else { 0.0 };
+            let sampled = if sampled[part] > 0.0 { largest[part] * sampled[part].sqrt() * self.margin } else { 0.0 };
             sampled + length(added[part])
         })
     }

@@ -47,7 +47,7 @@ impl Curves {
             for (index, term) in terms.iter().enumerate() {
                 let reach = term.equation.reach(&term.cos).min(term.equation.reach(&term.sin));
                 // Half a width of 1 / n, a little more than which is used: rows come four at a time.
-                let n_expansions = libm::ceil(0.5 / reach);
+                let n_expansions = (0.5 / reach).ceil();
                 let pays = n_expansions * ROWS_PER_EXPANSION <= n_rows + OTHER_ROWS;
                 let first = self.expansions.len();
                 let has_room = first as f64 + 2.0 * n_expansions <= MOST_EXPANSIONS;
@@ -76,6 +76,8 @@ impl Curves {
                 }
             }
         }
+        // Rows are placed among intervals once for all curves that have as many.
+        self.curves.sort_by_key(|curve| curve.n_expansions);
     }
 
     /// What there is, in the order of [`Curves::rows`].
@@ -88,25 +90,22 @@ impl Curves {
         // The boundary data are met to the bit: a pole is where they are 0.
         let is_end = u.map(|u| u == 0.0 || u == 1.0);
         let has_end = is_end.contains(&true);
-        // Curves of one rate follow each other.
         let mut place = Place::of(u, 0);
         for (index, curve) in self.curves.iter().enumerate() {
-            let Some(term) = surface.components()[curve.axis].get(curve.term) else { continue };
             if place.n_expansions != curve.n_expansions {
                 place = Place::of(u, curve.n_expansions);
             }
             let expansion = place.interval.and_then(|interval| self.expansions.get(curve.first + interval));
-            let mut values = match expansion {
-                Some(expansion) => place.evaluated(expansion),
-                None => asked(curve, term, u),
-            };
-            if has_end {
-                for (lane, _) in is_end.iter().enumerate().filter(|(_, is_end)| **is_end) {
-                    let [value, slope] = jet(curve, term, u[lane]);
-                    values[0].as_mut_array()[lane] = value;
-                    values[1].as_mut_array()[lane] = slope;
+            let values = match expansion {
+                Some(expansion) if !has_end => place.evaluated(expansion),
+                expansion => {
+                    let Some(term) = surface.components()[curve.axis].get(curve.term) else { continue };
+                    match expansion {
+                        Some(expansion) => with_ends(curve, term, u, is_end, place.evaluated(expansion)),
+                        None => asked(curve, term, u),
+                    }
                 }
-            }
+            };
             visit(index, values);
         }
     }
@@ -131,20 +130,45 @@ impl Place {
         Place { n_expansions, interval: is_near.then_some(interval), x }
     }
 
-    /// Value and slope, by Horner's rule.
+    /// Value and slope, by Horner's rule in `x^2` for the even and for the odd powers: two chains that do not wait for each other.
+    #[inline(always)]
     fn evaluated(&self, expansion: &Expansion) -> [Block; 2] {
-        let (mut value, mut slope) = (Block::splat(expansion[TERMS - 1]), Block::ZERO);
-        for m in (0..TERMS - 1).rev() {
-            slope = slope * self.x + value;
-            value = value * self.x + Block::splat(expansion[m]);
+        const LAST: usize = TERMS / 2 - 1;
+        let square = self.x * self.x;
+        let (mut even, mut even_slope) = (Block::splat(expansion[2 * LAST]), Block::ZERO);
+        let (mut odd, mut odd_slope) = (Block::splat(expansion[2 * LAST + 1]), Block::ZERO);
+        for m in (0..LAST).rev() {
+            even_slope = even_slope * square + even;
+            odd_slope = odd_slope * square + odd;
+            even = even * square + Block::splat(expansion[2 * m]);
+            odd = odd * square + Block::splat(expansion[2 * m + 1]);
         }
+        let value = even + odd * self.x;
+        let slope = odd + (even_slope * self.x + odd_slope * square) * 2.0;
         [value, slope * (2.0 * self.n_expansions as f64)]
     }
 }
 
+/// Two chains take all terms between them.
+const _: () = assert!(TERMS.is_multiple_of(2));
+
 /// How far beyond its interval an expansion is used, whose half-width is 1: the terms left out are at most six times as large there.
 const OVERHANG: f64 = 1.14;
 
+/// The boundary data where a row has them, and `values` elsewhere.
+#[inline(never)]
+fn with_ends(curve: &Curve, term: &Term, u: [f64; BLOCK], is_end: [bool; BLOCK], values: [Block; 2]) -> [Block; 2] {
+    let [mut value, mut slope] = values.map(Block::to_array);
+    let mut last = None;
+    for lane in (0..BLOCK).filter(|lane| is_end[*lane]) {
+        let end = last.filter(|(at, _)| *at == u[lane]).map_or_else(|| jet(curve, term, u[lane]), |(_, jet)| jet);
+        last = Some((u[lane], end));
+        [value[lane], slope[lane]] = end;
+    }
+    [value.into(), slope.into()]
+}
+
+#[inline(never)]
 fn asked(curve: &Curve, term: &Term, u: [f64; BLOCK]) -> [Block; 2] {
     let jets = u.map(|u| jet(curve, term, u));
     [jets.map(|[value, _]| value).into(), jets.map(|[_, slope]| slope).into()]

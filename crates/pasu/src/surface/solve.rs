@@ -88,7 +88,7 @@ impl Surface {
 
     /// Whether the surface meets itself at `v = 0` and `v = span`: every `n` in use is whole.
     pub fn is_closed(&self) -> bool {
-        self.components.iter().flatten().all(|term| term.n == libm::trunc(term.n))
+        self.components.iter().flatten().all(|term| term.n == term.n.trunc())
     }
 
     pub(super) fn components(&self) -> &[Vec<Term>; 3] {

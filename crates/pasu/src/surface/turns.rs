@@ -27,7 +27,7 @@ impl Turns {
     /// `(cos, sin)` of `n j / n_parts` of a turn for `j = 0, 1, ..`, without end.
     pub(crate) fn walk(&self, n: f64) -> impl Iterator<Item = (f64, f64)> {
         let n_parts = self.parts.len() as f64;
-        let is_whole = n == libm::trunc(n);
+        let is_whole = n == n.trunc();
         let step = libm::fmod(n, n_parts);
         let step = if step < 0.0 { step + n_parts } else { step };
         let mut part = 0.0;
