@@ -64,10 +64,10 @@ pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) ->
             Ok(topology) => return Ok(Made { mesh: finished(&woven, part, scale), pot, topology }),
             Err(error) => refusal = Some(error),
         }
-        if fineness == 1 {
-            if let Some(error) = surface_crossing(design, &pot, making, scale)?.or(too_thin(&pot, making)) {
-                return Err(error);
-            }
+        if fineness == 1
+            && let Some(error) = surface_crossing(design, &pot, making, scale)?.or(too_thin(&pot, making))
+        {
+            return Err(error);
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
@@ -173,8 +173,12 @@ fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
         let message = format!("the faces do not close at {}", place(at(vertex)));
         Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array())
     })?;
-    match check::crossings(&woven.positions, &woven.triangles, |_| None, 1).first() {
-        Some(&[one, other]) => Err(crossing(pot, [kind_of(one), kind_of(other)], at(woven.triangles[one as usize][0]))),
+    let crossings = check::crossings(&woven.positions, &woven.triangles, group, CROSSINGS);
+    let kinds = |pair: &[u32; 2]| pair.map(kind_of);
+    // If the surface itself is at fault, that is the reason.
+    let worst = crossings.iter().find(|pair| kinds(pair) == [pot.surface_kind(); 2]).or(crossings.first());
+    match worst {
+        Some(pair) => Err(crossing(pot, kinds(pair), at(woven.triangles[pair[0] as usize][0]))),
         None => Ok(topology),
     }
 }

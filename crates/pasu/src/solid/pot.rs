@@ -1,5 +1,6 @@
 //! A pot or a closed solid as smooth faces, from a surface and its wall.
 
+use core::f64::consts::TAU;
 use std::rc::Rc;
 
 use glam::{DVec2, DVec3};
@@ -530,6 +531,11 @@ impl Outline {
             level += height / points.len() as f64;
         }
         let is_level = highest - lowest <= LEVEL * skin.size();
+        if !is_level {
+            let level = |v: f64| frame.level(curve.at(v).0);
+            highest = highest.max(extreme(points.len(), level));
+            lowest = lowest.min(-extreme(points.len(), |v| -level(v)));
+        }
         let centre = frame.plan(mean);
         let seen = || points.iter().map(|(p, dp)| (frame.plan(*p) - centre, frame.turned(*dp)));
         let plan = middle_of(seen()).map(|middle| middle + centre);
@@ -563,4 +569,20 @@ impl Outline {
     fn circle(&self, sheet: &Rc<Sheet>, radius: f64) -> Curve {
         Curve::Circle { sheet: Rc::clone(sheet), level: self.lowest, radius, phase: self.phase, turn: self.turn }
     }
+}
+
+/// The greatest value of a function of `v`, sought by golden sections round the greatest at even columns.
+fn extreme(n_columns: usize, f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let gap = TAU / n_columns as f64;
+    let best = (0..n_columns)
+        .map(|j| (f(j as f64 * gap), j))
+        .fold((f64::NEG_INFINITY, 0), |a, b| if b.0 > a.0 { b } else { a });
+    let (mut from, mut to) = ((best.1 as f64 - 1.0) * gap, (best.1 as f64 + 1.0) * gap);
+    let wrapped = |v: f64| f(if v < 0.0 { v + TAU } else { v });
+    for _ in 0..40 {
+        let inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
+        if wrapped(inner[0]) > wrapped(inner[1]) { to = inner[1] } else { from = inner[0] }
+    }
+    wrapped(0.5 * (from + to)).max(best.0)
 }
