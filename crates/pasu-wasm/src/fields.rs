@@ -28,11 +28,8 @@ pub(crate) fn making(options: &JsValue) -> Result<Making> {
 /// Reads `{ fill, product, density }`; all of it may be left out.
 pub(crate) fn measuring(options: &JsValue) -> Result<MeasureOptions> {
     let mut fields = Fields::open(options, "options")?;
-    let measuring = MeasureOptions {
-        fill: fields.number("fill")?,
-        product: fields.product()?,
-        density: fields.number("density")?,
-    };
+    let measuring =
+        MeasureOptions { fill: fields.number("fill")?, product: fields.product()?, density: fields.number("density")? };
     fields.close("fill, product or density")?;
     Ok(measuring)
 }

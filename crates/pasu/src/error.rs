@@ -65,6 +65,8 @@ pub enum Code {
     NoOpening,
     /// A wall, floor, ring or hole that does not fit.
     NoRoom,
+    /// A mistake of Pasu's own.
+    Bug,
 }
 
 impl Code {
@@ -93,6 +95,7 @@ impl Code {
             Code::CrossesItself => "crosses-itself",
             Code::NoOpening => "no-opening",
             Code::NoRoom => "no-room",
+            Code::Bug => "bug",
         }
     }
 }

@@ -24,6 +24,7 @@ mod check;
 mod design;
 mod error;
 mod evaluate;
+mod export;
 mod fingerprint;
 mod measure;
 mod mesh;
@@ -40,7 +41,12 @@ pub use design::{
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
+pub use export::{Drawn, DrawnFace, Format, drawn, open, write};
 pub use fingerprint::fingerprint;
+pub use measure::{
+    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
+    Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, Width, measure, paint, water,
+};
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use solid::{Face, FaceJet, FaceKind, Making, Piece, Pot, Product, Scale, Size, SolidMesh, solid};

@@ -1,10 +1,16 @@
 //! What is to be found in the files of one specimen.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
-use pasu::{MeasureOptions, MeshOptions, Result, Side, Size, SolidMesh};
+use pasu::{Face, MeasureOptions, Pot, Result, Size, SolidMesh};
 use serde_json::{Value, json};
 
 use crate::designs::Specimen;
+
+/// Points of each face along and around, in which the widest are found.
+const ALONG: usize = 100;
+const AROUND: usize = 720;
 
 /// Lengths in millimetres: how many parts and triangles, how large by the measures, volume and area of the triangles, volume of the clay.
 pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
@@ -16,7 +22,7 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
     Ok(json!({
         "parts": meshes.len(),
         "triangles": meshes.iter().map(SolidMesh::n_triangles).sum::<usize>(),
-        "size": size(specimen, &meshes, millimetres)?.to_array(),
+        "size": size(specimen, millimetres)?.to_array(),
         "mesh_volume": volume,
         "mesh_area": area,
         "clay_volume": clay * millimetres * millimetres * millimetres,
@@ -51,29 +57,28 @@ fn measured(specimen: &Specimen) -> Result<Value> {
     Ok(serde_json::from_str(&measures.to_json()).unwrap_or_default())
 }
 
-/// Widths along x, y and z in millimetres. The height is what was asked for, or what was measured; the others are those of the surface itself where it is the outside.
-fn size(specimen: &Specimen, meshes: &[SolidMesh], millimetres: f64) -> Result<DVec3> {
-    let of_files = extents(meshes.iter().flat_map(|mesh| mesh.positions.iter().copied()));
+/// Widths along x, y and z in millimetres, of many points of the true faces. The height is what was asked for, or what was measured.
+fn size(specimen: &Specimen, millimetres: f64) -> Result<DVec3> {
     let design = &specimen.design;
-    let outside = design.parts().iter().any(|part| part.wall().is_some_and(|wall| wall.side == Side::Outside));
-    let fine = MeshOptions { tolerance: specimen.making.tolerance, ..MeshOptions::default() };
-    let mut size =
-        if outside { of_files } else { extents(pasu::mesh(design, &fine)?.positions.into_iter()) * millimetres };
+    let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for part in 0..design.parts().len() {
+        let pot = Pot::new(design, part, specimen.making.product)?;
+        for face in pot.faces() {
+            for index in 0..=ALONG * AROUND {
+                let (a, v) = ((index / AROUND) as f64 / ALONG as f64, (index % AROUND) as f64 / AROUND as f64 * TAU);
+                let position = face.jet(a, v).position;
+                least = least.min(position);
+                most = most.max(position);
+            }
+        }
+    }
+    let mut size = (most - least) * millimetres;
     size.z = match specimen.making.size {
         // By the definition of what was asked for alone, whatever the factors say.
-        Some(Size::Height(height)) => height * design.unit().millimetres() / (1.0 - specimen.making.shrinkage / 100.0),
+        Some(Size::Height(height)) => {
+            height * design.unit().millimetres() / (1.0 - specimen.making.shrinkage / 100.0)
+        }
         _ => measured(specimen)?["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
     };
     Ok(size)
-}
-
-fn extents(coordinates: impl Iterator<Item = f32>) -> DVec3 {
-    let mut least = DVec3::INFINITY;
-    let mut most = DVec3::NEG_INFINITY;
-    for (index, coordinate) in coordinates.enumerate() {
-        let axis = index % 3;
-        least[axis] = least[axis].min(f64::from(coordinate));
-        most[axis] = most[axis].max(f64::from(coordinate));
-    }
-    most - least
 }

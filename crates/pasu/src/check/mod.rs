@@ -12,3 +12,4 @@ pub(crate) use degenerate::is_degenerate;
 
 pub use report::{Finding, MeshReport, Report, Severity};
 pub use verdict::check;
+pub(crate) use verdict::verdict;

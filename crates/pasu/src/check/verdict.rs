@@ -1,5 +1,7 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
+use std::borrow::Borrow;
+
 use super::report::{Finding, MeshReport, Report, Severity};
 use crate::design::Design;
 use crate::error::Result;
@@ -11,12 +13,18 @@ use crate::solid::{Made, Making, make, place, short};
 /// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
 pub fn check(design: &Design, making: &Making) -> Result<Report> {
     let scale = making.scale(design)?.millimetres;
+    let parts = 0..design.parts().len();
+    Ok(verdict(making, parts.map(|part| make(design, part, making, scale))))
+}
+
+/// What there is to say of parts that were made, or refused, in their order.
+pub(crate) fn verdict(making: &Making, parts: impl Iterator<Item = Result<impl Borrow<Made>>>) -> Report {
     let mut report = Report { product: making.product, findings: Vec::new(), meshes: Vec::new() };
-    for part in 0..design.parts().len() {
-        match make(design, part, making, scale) {
+    for (part, made) in parts.enumerate() {
+        match made {
             Ok(made) => {
-                report.findings.extend(findings(&made));
-                report.meshes.push(counted(&made));
+                report.findings.extend(findings(made.borrow()));
+                report.meshes.push(counted(made.borrow()));
             }
             Err(error) => report.findings.push(Finding {
                 code: error.code(),
@@ -28,7 +36,7 @@ pub fn check(design: &Design, making: &Making) -> Result<Report> {
         }
     }
     report.findings.sort_by_key(|finding| finding.severity);
-    Ok(report)
+    report
 }
 
 fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {

@@ -28,8 +28,9 @@ pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Spa
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub(crate) use json::write as to_json;
+pub(crate) use json::write as write_json;
 pub use look::{Clay, Glaze, Look};
-pub(crate) use number::plain;
+pub(crate) use number::{plain, rounded};
 pub use part::Part;
 pub use placement::Placement;
 pub use shape::Shape;

@@ -27,9 +27,9 @@ impl Accuracy {
         let highest = highest.abs().clamp(1.0, 1e5) as usize;
         Accuracy {
             relative,
-            columns: 2 * highest + 5,
-            most_columns: (64 * highest).clamp(1024, 16_384),
-            most_intervals: 64,
+            columns: prime(2 * highest + 13),
+            most_columns: (64 * highest).clamp(1024, 8192),
+            most_intervals: 32,
         }
     }
 }
@@ -63,9 +63,9 @@ impl<const N: usize> Integral<N> {
         }
     }
 
-    /// The largest error in terms of what is allowed.
-    fn excess(&self, allowed: &[f64; N]) -> f64 {
-        (0..N).fold(0.0, |most, i| if self.error[i] > 0.0 { most.max(self.error[i] / allowed[i]) } else { most })
+    fn scaled(&self, factor: f64) -> Self {
+        let all = |numbers: [f64; N]| numbers.map(|x| factor * x);
+        Integral { value: all(self.value), error: all(self.error), size: all(self.size) }
     }
 }
 
@@ -75,70 +75,95 @@ pub(crate) fn over_face<const N: usize>(
     accuracy: &Accuracy,
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
-    let mut row = Round::new(accuracy, |a, v| integrand(&face.jet(a, v)));
-    along(&[0.0, 1.0], accuracy.relative, accuracy.most_intervals, |a| row.at(a))
+    between((0.0, 1.0), accuracy, |a, v| integrand(&face.jet(a, v)))
+}
+
+/// The same between two rows.
+pub(crate) fn between<const N: usize>(
+    (from, to): (f64, f64),
+    accuracy: &Accuracy,
+    integrand: impl FnMut(f64, f64) -> [f64; N],
+) -> Integral<N> {
+    let mut row = Round::new(accuracy, integrand);
+    along(&[from, to], accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
 }
 
 /// Integrates a function of one variable that comes with errors of its own, over the intervals between the breaks; the interval with the largest error
-/// is halved until the sum is accurate enough or there are too many.
+/// is halved until the sum is accurate enough or there are too many. What is accurate enough goes by the integral of the absolute value or by `at_least`, whichever is larger.
 pub(crate) fn along<const N: usize>(
     breaks: &[f64],
     relative: f64,
+    at_least: [f64; N],
     most_intervals: usize,
     mut at: impl FnMut(f64) -> Integral<N>,
 ) -> Integral<N> {
-    let mut intervals: Vec<(f64, f64, Integral<N>)> = Vec::with_capacity(breaks.len());
+    let mut intervals: Vec<Interval<N>> = Vec::with_capacity(breaks.len());
     for ends in breaks.windows(2).filter(|ends| ends[0] < ends[1]) {
-        intervals.push((ends[0], ends[1], interval(ends[0], ends[1], &mut at)));
+        intervals.push(Interval::new(ends[0], ends[1], &mut at));
     }
     loop {
         let mut total = Integral::default();
-        for (_, _, part) in &intervals {
-            total.add(part);
+        let mut of_rule = [0.0; N];
+        for interval in &intervals {
+            total.add(&interval.integral);
+            for (sum, error) in of_rule.iter_mut().zip(interval.of_rule) {
+                *sum += error;
+            }
         }
-        let allowed = total.size.map(|size| relative * size);
-        let done = (0..N).all(|i| total.error[i] <= allowed[i]);
-        let worst = (0..intervals.len()).max_by(|&i, &j| {
-            intervals[i].2.excess(&allowed).total_cmp(&intervals[j].2.excess(&allowed)).then(j.cmp(&i))
-        });
+        let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
+        // What the function itself is off does not shrink when an interval does.
+        let done = (0..N).all(|i| of_rule[i] <= allowed[i]);
+        let worst = (0..intervals.len())
+            .max_by(|&i, &j| intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {
-            for i in 0..N {
-                total.error[i] += ROUNDING * total.size[i];
+            for ((error, of_rule), size) in total.error.iter_mut().zip(of_rule).zip(total.size) {
+                *error += of_rule + ROUNDING * size;
             }
             return total;
         };
-        let (from, to, _) = intervals[worst];
+        let Interval { from, to, .. } = intervals[worst];
         let middle = 0.5 * from + 0.5 * to;
-        intervals[worst] = (from, middle, interval(from, middle, &mut at));
-        intervals.push((middle, to, interval(middle, to, &mut at)));
+        intervals[worst] = Interval::new(from, middle, &mut at);
+        intervals.push(Interval::new(middle, to, &mut at));
     }
 }
 
-fn interval<const N: usize>(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Integral<N> {
-    let mut total = Integral::default();
-    let mut gauss = [0.0; N];
-    let mut samples = [[0.0; N]; 21];
-    for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
-        let here = at(a);
-        *sample = here.value;
-        for i in 0..N {
-            total.value[i] += weight * here.value[i];
-            total.error[i] += weight * here.error[i];
-            total.size[i] += weight * here.size[i];
-            gauss[i] += gauss_weight * here.value[i];
+/// One interval of a composite rule.
+struct Interval<const N: usize> {
+    from: f64,
+    to: f64,
+    /// With the errors of the function.
+    integral: Integral<N>,
+    /// The errors of the rule.
+    of_rule: [f64; N],
+}
+
+impl<const N: usize> Interval<N> {
+    fn new(from: f64, to: f64, at: &mut impl FnMut(f64) -> Integral<N>) -> Interval<N> {
+        let mut integral = Integral::default();
+        let mut gauss = Integral::<N>::default();
+        let mut samples = [[0.0; N]; 21];
+        for ((a, weight, gauss_weight), sample) in rule::nodes(from, to).zip(&mut samples) {
+            let here = at(a);
+            *sample = here.value;
+            integral.add(&here.scaled(weight));
+            gauss.add(&here.scaled(gauss_weight));
         }
+        let of_rule = core::array::from_fn(|i| {
+            let mean = integral.value[i] / (to - from);
+            let departures = samples.iter().map(|sample| (sample[i] - mean).abs());
+            let departure: f64 = rule::nodes(from, to).zip(departures).map(|((_, weight, _), d)| weight * d).sum();
+            let difference = (integral.value[i] - gauss.value[i]).abs();
+            // What is left is rounding, and halving would not help.
+            if difference > ROUNDING * integral.size[i] { rule::error(difference, departure) } else { 0.0 }
+        });
+        Interval { from, to, integral, of_rule }
     }
-    for i in 0..N {
-        let mean = total.value[i] / (to - from);
-        let departure: f64 =
-            rule::nodes(from, to).zip(&samples).map(|((_, weight, _), sample)| weight * (sample[i] - mean).abs()).sum();
-        let difference = (total.value[i] - gauss[i]).abs();
-        // What is left is rounding, and halving would not help.
-        if difference > ROUNDING * total.size[i] {
-            total.error[i] += rule::error(difference, departure);
-        }
+
+    /// The largest error of the rule in terms of what is allowed.
+    fn excess(&self, allowed: &[f64; N]) -> f64 {
+        (0..N).fold(0.0, |most, i| if self.of_rule[i] > 0.0 { most.max(self.of_rule[i] / allowed[i]) } else { most })
     }
-    total
 }
 
 /// Integrals round one row, with as many columns as it takes.
@@ -159,35 +184,48 @@ impl<const N: usize, F: FnMut(f64, f64) -> [f64; N]> Round<F> {
         Round { at, relative, columns: accuracy.columns, most: accuracy.most_columns, largest: vec![0.0; N] }
     }
 
-    /// The integrals over `v` at one `a`: columns are doubled until that changes too little. The error is the last change.
+    /// The integrals over `v` at one `a`, with more columns until that changes too little. The error is the last change.
     pub(crate) fn at(&mut self, a: f64) -> Integral<N> {
-        let (mut n, mut sum, mut size) = (self.columns, [0.0; N], [0.0; N]);
-        for j in 0..n {
-            add(&mut sum, &mut size, (self.at)(a, TAU * j as f64 / n as f64));
-        }
-        loop {
-            let step = TAU / (2 * n) as f64;
-            let before = sum;
+        let mut n = self.columns;
+        let mut before = [0.0; N];
+        for is_first in core::iter::once(true).chain(core::iter::repeat(false)) {
+            let step = TAU / n as f64;
+            let (mut sum, mut size) = ([0.0; N], [0.0; N]);
             for j in 0..n {
-                add(&mut sum, &mut size, (self.at)(a, step * (2 * j + 1) as f64));
+                add(&mut sum, &mut size, (self.at)(a, step * j as f64));
             }
-            let size = size.map(|size| step * size);
+            let (value, size) = (sum.map(|sum| step * sum), size.map(|size| step * size));
             // What changes by rounding alone is not worth more columns.
             let change: [f64; N] = core::array::from_fn(|i| {
-                let change = (step * sum[i] - 2.0 * step * before[i]).abs();
+                let change = (value[i] - before[i]).abs();
                 if change <= ROUNDING * size[i] { 0.0 } else { change }
             });
-            n *= 2;
-            let mut done = true;
+            let mut done = !is_first;
             for i in 0..N {
                 self.largest[i] = self.largest[i].max(size[i]);
                 done &= change[i] <= self.relative * self.largest[i];
             }
-            if done || 2 * n > self.most {
-                return Integral { value: sum.map(|sum| step * sum), error: change, size };
+            let next = finer(n);
+            if done || next > self.most && !is_first {
+                return Integral { value, error: change, size };
             }
+            (n, before) = (next, value);
         }
+        Integral::default()
     }
+}
+
+/// About twice as many columns: the next prime.
+///
+/// A shape of `m` equal petals is met by `n` columns in `n / gcd(n, m)` different places of a petal. Doubling an odd number of columns adds none if `m` is even; primes meet each in as many places as they can.
+pub(crate) fn finer(n: usize) -> usize {
+    prime(2 * n)
+}
+
+/// The least prime from a number on.
+fn prime(from: usize) -> usize {
+    let is_prime = |n: usize| (2..).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d));
+    (from.max(2)..).find(|&n| is_prime(n)).unwrap_or(from)
 }
 
 fn add<const N: usize>(sum: &mut [f64; N], size: &mut [f64; N], here: [f64; N]) {

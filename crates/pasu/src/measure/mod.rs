@@ -1,9 +1,32 @@
 //! What can be measured on a pot: by quadrature on the closed form, each with the error that it may have.
 
 mod bare;
+mod capacity;
+mod column;
+mod curvature;
+mod design;
+mod fill;
 mod integral;
+mod json;
+mod measures;
 mod moments;
+mod outside;
+mod paint;
+mod pool;
 mod quantity;
 mod rule;
+mod search;
+mod standing;
+mod water;
 
+pub use capacity::Capacity;
+pub use curvature::{Curvature, CurvatureRange, Located};
+pub use design::measure;
+pub(crate) use design::{Gauge, gauge};
+pub use measures::{
+    Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+};
+pub use paint::{Map, paint};
 pub use quantity::Quantity;
+pub use standing::{Footprint, Tipping};
+pub use water::{Water, water};

@@ -2,8 +2,6 @@
 
 use core::ops::{Add, AddAssign, Mul};
 
-use crate::design::Value;
-
 /// A value with a bound on its error, both in the same unit.
 ///
 /// The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay.
@@ -24,14 +22,6 @@ impl Quantity {
     /// A value found by a search to the end: off by rounding at the size of the numbers that went into it.
     pub(crate) fn rounded(value: f64, size: f64) -> Self {
         Quantity { value, error: ROUNDING * size.abs().max(value.abs()) }
-    }
-
-    /// `{ "value": .., "error": .. }`
-    pub(crate) fn to_value(self) -> Value {
-        Value::Record(vec![
-            ("value".to_owned(), Value::Number(self.value)),
-            ("error".to_owned(), Value::Number(self.error)),
-        ])
     }
 }
 

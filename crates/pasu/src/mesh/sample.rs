@@ -72,6 +72,27 @@ impl Sampler {
     }
 }
 
+/// Where the vertices of one part's mesh are.
+pub(crate) struct Places {
+    /// The `u` of each row.
+    pub(crate) rows: Vec<f64>,
+    /// The number of columns, the repeated one included.
+    pub(crate) columns: usize,
+}
+
+/// Where the vertices of [`mesh`] are, part by part.
+///
+/// # Errors
+/// As [`mesh`].
+pub(crate) fn grid_places(design: &Design, options: &MeshOptions) -> Result<Vec<Places>> {
+    let grids = choose(design, options, false)?;
+    let places = grids.iter().map(|grid| {
+        let (rows, columns) = grid.tessellation.counts();
+        Places { rows: (0..rows).map(|i| grid.tessellation.row(i)).collect(), columns }
+    });
+    Ok(places.collect())
+}
+
 /// The mesh of even rows and columns with every sum in double precision, rounded once.
 ///
 /// # Errors

@@ -2,6 +2,7 @@
 
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
+use crate::measure::{Gauge, gauge};
 
 /// What is made of each part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -68,13 +69,26 @@ impl Making {
     /// The factors that this asks for.
     ///
     /// # Errors
-    /// `out-of-range` for a size, shrinkage or tolerance outside its range.
+    /// `out-of-range` for a size, shrinkage or tolerance outside its range, or a size that the design has nothing of; `no-room` for the capacity of a design that holds nothing; what
+    /// [`Surface::solve`](crate::Surface::solve) refuses.
     pub fn scale(&self, design: &Design) -> Result<Scale> {
         self.check()?;
-        let size = 1.0;
+        let size = match self.size {
+            None => 1.0,
+            Some(Size::Height(height)) => factor("size.height", height, self.found(design, Gauge::Height)?)?,
+            Some(Size::Width(width)) => factor("size.width", width, self.found(design, Gauge::Width)?)?,
+            Some(Size::Capacity(capacity)) => {
+                libm::cbrt(factor("size.capacity", capacity, self.found(design, Gauge::Capacity)?)?)
+            }
+        };
         let shrinkage = 1.0 / (1.0 - self.shrinkage / 100.0);
         let millimetres = design.unit().millimetres() * size * shrinkage;
         Ok(Scale { size, shrinkage, millimetres })
+    }
+
+    /// What the design measures as it is.
+    fn found(&self, design: &Design, what: Gauge) -> Result<f64> {
+        gauge(design, self.product, what)
     }
 
     /// Refuses what is outside its range.
@@ -102,4 +116,14 @@ impl Making {
         }
         Ok(())
     }
+}
+
+/// By how much what was found has to grow.
+fn factor(path: &str, wanted: f64, found: f64) -> Result<f64> {
+    let factor = wanted / found;
+    if factor > 0.0 && factor.is_finite() {
+        return Ok(factor);
+    }
+    let message = format!("the design measures {}, which cannot be scaled to {}", plain(found), plain(wanted));
+    Err(Error::new(Code::OutOfRange, path, message))
 }

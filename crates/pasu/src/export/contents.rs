@@ -1,0 +1,103 @@
+//! What every file says of itself, and the bodies that it holds.
+
+use crate::design::Look;
+use crate::solid::FaceKind;
+
+/// The program that writes, with its version.
+pub(super) const PROGRAM: &str = concat!("Pasu ", env!("CARGO_PKG_VERSION"));
+
+/// One part, closed, in the very numbers of the file.
+pub(super) struct Body<'a> {
+    /// The name of the part, or `part 1`.
+    pub(super) name: String,
+    /// Clay and glaze.
+    pub(super) look: Look,
+    /// `x, y, z` per vertex in millimetres, one vertex per point.
+    pub(super) positions: &'a [f32],
+    /// Three vertex numbers per triangle, counter-clockwise from outside.
+    pub(super) indices: &'a [u32],
+    /// The faces in order: kind, first index, number of indices.
+    pub(super) faces: Vec<(FaceKind, usize, usize)>,
+}
+
+impl Body<'_> {
+    /// The number of triangles.
+    pub(super) fn n_triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// The vertices of every triangle.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
+        self.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]])
+    }
+
+    /// The position of a vertex.
+    pub(super) fn position(&self, vertex: u32) -> [f32; 3] {
+        let at = 3 * vertex as usize;
+        [self.positions[at], self.positions[at + 1], self.positions[at + 2]]
+    }
+}
+
+/// What a file says of itself.
+pub(super) struct Notes {
+    /// The title of the design; never empty.
+    pub(super) title: String,
+    /// The link, without `#`: ASCII without white space, quotes and brackets.
+    pub(super) link: String,
+    /// The fingerprint of the design.
+    pub(super) fingerprint: String,
+    /// The verdict of the checks, ASCII.
+    pub(super) verdict: String,
+    /// How long a unit of the design is in the file, ASCII.
+    pub(super) scale: String,
+}
+
+impl Notes {
+    /// All but the title, as name and text; every text is ASCII.
+    pub(super) fn list(&self) -> [(&'static str, &str); 5] {
+        [
+            ("link", &self.link),
+            ("fingerprint", &self.fingerprint),
+            ("version", PROGRAM),
+            ("checks", &self.verdict),
+            ("scale", &self.scale),
+        ]
+    }
+
+    /// The same as short lines `pasu-link: 1/bloor-wilson?a=6` for the comments of formats whose readers have short memories: a long text goes on
+    /// in further lines of the same name. Titles are escaped as in JSON where they are not ASCII.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let title = ascii(&self.title);
+        let mut lines = Vec::new();
+        for (name, text) in [("title", title.as_str())].into_iter().chain(self.list()) {
+            let mut rest = text;
+            loop {
+                let (line, after) = rest.split_at(rest.len().min(LINE));
+                lines.push(format!("pasu-{name}: {line}"));
+                rest = after;
+                if rest.is_empty() {
+                    break;
+                }
+            }
+        }
+        lines
+    }
+}
+
+/// The longest text of a line: some readers of PLY hold 256 characters.
+const LINE: usize = 200;
+
+/// What begins a line that holds a link or a piece of one.
+pub(super) const LINK_LINE: &str = "pasu-link: ";
+
+/// Printable ASCII, everything else as `\u{e9}`.
+fn ascii(text: &str) -> String {
+    let mut into = String::new();
+    for c in text.chars() {
+        match c {
+            ' '..='~' => into.push(c),
+            _ => into.push_str(&format!("\\u{{{:x}}}", u32::from(c))),
+        }
+    }
+    into
+}

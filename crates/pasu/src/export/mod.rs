@@ -1,0 +1,72 @@
+//! Files: what slicers, CAD programs, viewers and potters accept, at the right size.
+
+mod contents;
+mod crc32;
+mod drawn;
+mod glb;
+mod material;
+mod numbers;
+mod obj;
+mod open;
+mod ply;
+mod png;
+mod shading;
+mod step;
+mod stl;
+mod template;
+mod three_mf;
+mod thumbnail;
+mod write;
+mod xml;
+mod zip;
+
+pub use drawn::{Drawn, DrawnFace, drawn};
+pub use open::open;
+pub use write::write;
+
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Triangles in millimetres for any slicer, binary.
+    Stl,
+    /// For slicers: objects in millimetres with their colours, title and a thumbnail.
+    ThreeMf,
+    /// Binary glTF 2.0 for viewers: metres, y up, with a material.
+    Glb,
+    /// Wavefront OBJ: text, millimetres.
+    Obj,
+    /// PLY, binary little-endian, millimetres.
+    Ply,
+    /// For CAD programs: ISO 10303-21, one closed solid of B-spline surfaces per part.
+    Step,
+    /// A template at true scale: section, height marks and the rim unrolled.
+    Svg,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Format; 7] =
+        [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply, Format::Step, Format::Svg];
+
+    /// The ending of its files, which is also its name: `stl`, `3mf`, `glb`, `obj`, `ply`, `step`, `svg`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Stl => "stl",
+            Format::ThreeMf => "3mf",
+            Format::Glb => "glb",
+            Format::Obj => "obj",
+            Format::Ply => "ply",
+            Format::Step => "step",
+            Format::Svg => "svg",
+        }
+    }
+
+    /// The format of a [name](Format::name); `None` if there is none.
+    pub fn from_name(name: &str) -> Option<Format> {
+        Format::ALL.into_iter().find(|format| format.name() == name)
+    }
+}
+
+#[cfg(test)]
+mod tests;

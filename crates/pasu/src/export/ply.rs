@@ -1,0 +1,42 @@
+//! PLY, binary little-endian: one welded mesh.
+
+use super::contents::{Body, Notes, PROGRAM};
+
+/// All bodies in millimetres, one after the other; a property of each triangle says of which body it is, if there are several.
+pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
+    let n_vertices = bodies.iter().map(|body| body.positions.len() / 3).sum::<usize>();
+    let n_triangles = bodies.iter().map(Body::n_triangles).sum::<usize>();
+    let several = bodies.len() > 1;
+    let mut header = format!("ply\nformat binary_little_endian 1.0\ncomment {PROGRAM}, lengths in millimetres, z up\n");
+    for line in notes.lines() {
+        header.push_str(&format!("comment {line}\n"));
+    }
+    header.push_str(&format!("element vertex {n_vertices}\n"));
+    for axis in ["x", "y", "z"] {
+        header.push_str(&format!("property float {axis}\n"));
+    }
+    header.push_str(&format!("element face {n_triangles}\nproperty list uchar int vertex_indices\n"));
+    if several {
+        header.push_str("property int body\n");
+    }
+    header.push_str("end_header\n");
+    let mut bytes = header.into_bytes();
+    bytes.reserve(12 * n_vertices + 17 * n_triangles);
+    for number in bodies.iter().flat_map(|body| body.positions) {
+        bytes.extend_from_slice(&number.to_le_bytes());
+    }
+    let mut first_vertex = 0;
+    for (index, body) in bodies.iter().enumerate() {
+        for corners in body.triangles() {
+            bytes.push(3);
+            for vertex in corners {
+                bytes.extend_from_slice(&(first_vertex + vertex).to_le_bytes());
+            }
+            if several {
+                bytes.extend_from_slice(&(index as u32).to_le_bytes());
+            }
+        }
+        first_vertex += body.positions.len() as u32 / 3;
+    }
+    bytes
+}

@@ -1,0 +1,239 @@
+//! The faces of a solid sewn together: vertices and edges that neighbours share.
+
+use glam::DVec3;
+
+use super::exchange::{Entities, Id, integers, list, reals, string};
+use super::fit::{Boundary, Fitted, Net, Scaled, fit};
+use super::spline::multiplicities;
+use crate::error::{Code, Error, Result};
+use crate::solid::Face;
+
+/// Where ends of faces are compared, as parts of a turn.
+const PLACES: [f64; 8] = [0.0, 0.11, 0.23, 0.37, 0.5, 0.61, 0.78, 0.93];
+/// Ends that are no farther apart, as a part of the size of the solid, are one curve; smaller ones are one point.
+const SAME: f64 = 1e-9;
+/// What is off a plane by no more than this is in it, millimetres.
+const LEVEL: f64 = 2e-9;
+
+/// What a solid has become.
+pub(super) struct Sewn {
+    /// The `MANIFOLD_SOLID_BREP`.
+    pub(super) solid: Id,
+    pub(super) deviation: f64,
+    pub(super) bound: f64,
+    pub(super) n_samples: usize,
+}
+
+/// Writes one closed solid of the faces, within the tolerance.
+///
+/// # Errors
+/// `bug` when the faces do not close, which is a fault of Pasu.
+pub(super) fn sew(
+    into: &mut Entities,
+    name: &str,
+    faces: &[&dyn Face],
+    millimetres: f64,
+    tolerance: f64,
+    path: &str,
+) -> Result<Sewn> {
+    let faces: Vec<Scaled> = faces.iter().map(|face| Scaled { face: *face, millimetres }).collect();
+    let boundaries = boundaries(&faces, path)?;
+    let fitted = fit(&faces, &boundaries, tolerance);
+    let mut sewing = Sewing { into, fitted: &fitted, faces: &faces, boundaries: &boundaries, ends: Vec::new() };
+    let shell: Vec<Id> = (0..faces.len()).map(|face| sewing.face(face)).collect();
+    let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
+    let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
+    Ok(Sewn { solid, deviation: fitted.deviation, bound: fitted.bound, n_samples: fitted.n_samples })
+}
+
+/// Finds for every end of every face whether it is a pole or which neighbour it is shared with.
+fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
+    let ends: Vec<(usize, usize)> = (0..faces.len()).flat_map(|face| [(face, 0), (face, 1)]).collect();
+    let curves: Vec<Vec<DVec3>> = ends
+        .iter()
+        .map(|(face, end)| {
+            PLACES.iter().map(|part| faces[*face].position(*end as f64, part * std::f64::consts::TAU)).collect()
+        })
+        .collect();
+    let size = curves.iter().flatten().map(|point| (*point - curves[0][0]).length()).fold(0.0, f64::max);
+    let apart = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
+    let is_point = |curve: &[DVec3]| curve.iter().all(|point| (*point - curve[0]).length() <= SAME * size);
+    let mut found: Vec<Option<Boundary>> = vec![None; ends.len()];
+    for (index, (face, end)) in ends.iter().copied().enumerate() {
+        if found[index].is_some() {
+            continue;
+        }
+        if is_point(&curves[index]) {
+            found[index] = Some(Boundary::Pole { face, end });
+            continue;
+        }
+        let other = (index + 1..ends.len())
+            .find(|other| found[*other].is_none() && apart(&curves[index], &curves[*other]) <= SAME * size);
+        let Some(other) = other else {
+            let message = format!(
+                "The {:?} face of this part ends where no other begins; this is a mistake of Pasu's own.",
+                faces[face].face.kind()
+            );
+            return Err(Error::new(Code::Bug, path, message));
+        };
+        let curve = Some(Boundary::Curve { face, end });
+        (found[index], found[other]) = (curve, curve);
+    }
+    let found: Vec<Boundary> = found.into_iter().flatten().collect();
+    Ok(found.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect())
+}
+
+struct Sewing<'a> {
+    into: &'a mut Entities,
+    fitted: &'a Fitted,
+    faces: &'a [Scaled<'a>],
+    boundaries: &'a [[Boundary; 2]],
+    /// The boundaries written so far.
+    ends: Vec<(Boundary, End)>,
+}
+
+/// Where a face ends.
+#[derive(Clone, Copy)]
+struct End {
+    /// The pole, or the point of the curve at `v = 0`.
+    vertex: Id,
+    /// The closed edge, in the direction of `v`; none at a pole.
+    edge: Option<Id>,
+}
+
+impl Sewing<'_> {
+    fn face(&mut self, index: usize) -> Id {
+        let fitted = self.fitted;
+        let net = &fitted.faces[index];
+        let face = &self.faces[index];
+        let outward = face.face.outward();
+        let name = string(&format!("{:?}", face.face.kind()));
+        // Walked so that the face lies to the left, seen from outside: up the far end and down the near one where F_a x F_v points out.
+        let turned = outward < 0.0;
+        if let Some(normal) = level_normal(net, outward) {
+            return self.plane(&name, index, normal, turned);
+        }
+        let control: Vec<String> = net
+            .control
+            .iter()
+            .map(|row| list(&row.iter().map(|point| self.into.point(*point)).collect::<Vec<_>>()))
+            .collect();
+        let surface = self.into.add(&format!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({}),.UNSPECIFIED.,.F.,.T.,.F.,{},{},{},{},.UNSPECIFIED.)",
+            control.join(","),
+            integers(&multiplicities(net.rows.len())),
+            integers(&multiplicities(fitted.columns.len())),
+            reals(&net.rows),
+            reals(&fitted.columns),
+        ));
+        let ends = [self.end(index, 0), self.end(index, 1)];
+        let seam = self.seam(net, ends);
+        let mut walk = vec![(seam, true)];
+        walk.extend(ends[1].edge.map(|edge| (edge, true)));
+        walk.push((seam, false));
+        walk.extend(ends[0].edge.map(|edge| (edge, false)));
+        if turned {
+            walk.reverse();
+            for (_, forward) in &mut walk {
+                *forward = !*forward;
+            }
+        }
+        let bound = self.bound("FACE_OUTER_BOUND", &walk);
+        self.into.add(&format!("ADVANCED_FACE({name},({bound}),{surface},{})", boolean(!turned)))
+    }
+
+    /// A face in a plane, within its one or two boundary curves.
+    fn plane(&mut self, name: &str, index: usize, normal: DVec3, turned: bool) -> Id {
+        let control = &self.fitted.faces[index].control;
+        let rows = [&control[0], &control[control.len() - 1]];
+        let origin = self.into.point(rows[0][0]);
+        let axis = self.into.direction(normal);
+        let across = self.into.direction(normal.any_orthonormal_vector());
+        let placement = self.into.add(&format!("AXIS2_PLACEMENT_3D('',{origin},{axis},{across})"));
+        let plane = self.into.add(&format!("PLANE('',{placement})"));
+        let outer = usize::from(area(rows[1]).length() > area(rows[0]).length());
+        let mut bounds = Vec::new();
+        for end in [outer, 1 - outer] {
+            let is_pole = matches!(self.boundaries[index][end], Boundary::Pole { .. });
+            if let Some(edge) = if is_pole { None } else { self.end(index, end).edge } {
+                let entity = if end == outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
+                bounds.push(self.bound(entity, &[(edge, (end == 1) != turned)]));
+            }
+        }
+        self.into.add(&format!("ADVANCED_FACE({name},{},{plane},.T.)", list(&bounds)))
+    }
+
+    fn bound(&mut self, entity: &str, walk: &[(Id, bool)]) -> Id {
+        let edges: Vec<Id> = walk
+            .iter()
+            .map(|(edge, forward)| self.into.add(&format!("ORIENTED_EDGE('',*,*,{edge},{})", boolean(*forward))))
+            .collect();
+        let edge_loop = self.into.add(&format!("EDGE_LOOP('',{})", list(&edges)));
+        self.into.add(&format!("{entity}('',{edge_loop},.T.)"))
+    }
+
+    /// Where a face ends, written once for the neighbours that share it.
+    fn end(&mut self, face: usize, end: usize) -> End {
+        let boundary = self.boundaries[face][end];
+        if let Some((_, end)) = self.ends.iter().find(|(written, _)| *written == boundary) {
+            return *end;
+        }
+        let control = &self.fitted.faces[face].control;
+        let row = if end == 0 { &control[0] } else { &control[control.len() - 1] };
+        let vertex = self.vertex(row[0]);
+        let edge = match boundary {
+            Boundary::Pole { .. } => None,
+            Boundary::Curve { .. } => {
+                let curve = self.curve(row, &self.fitted.columns, true);
+                Some(self.into.add(&format!("EDGE_CURVE('',{vertex},{vertex},{curve},.T.)")))
+            }
+        };
+        let written = End { vertex, edge };
+        self.ends.push((boundary, written));
+        written
+    }
+
+    /// The curve `v = 0`, along which a face meets itself.
+    fn seam(&mut self, net: &Net, ends: [End; 2]) -> Id {
+        let column: Vec<DVec3> = net.control.iter().map(|row| row[0]).collect();
+        let curve = self.curve(&column, &net.rows, false);
+        let [start, end] = ends.map(|end| end.vertex);
+        self.into.add(&format!("EDGE_CURVE('',{start},{end},{curve},.T.)"))
+    }
+
+    fn vertex(&mut self, point: DVec3) -> Id {
+        let point = self.into.point(point);
+        self.into.add(&format!("VERTEX_POINT('',{point})"))
+    }
+
+    fn curve(&mut self, control: &[DVec3], nodes: &[f64], is_closed: bool) -> Id {
+        let points: Vec<Id> = control.iter().map(|point| self.into.point(*point)).collect();
+        self.into.add(&format!(
+            "B_SPLINE_CURVE_WITH_KNOTS('',3,{},.UNSPECIFIED.,{},.F.,{},{},.UNSPECIFIED.)",
+            list(&points),
+            boolean(is_closed),
+            integers(&multiplicities(nodes.len())),
+            reals(nodes),
+        ))
+    }
+}
+
+fn boolean(value: bool) -> &'static str {
+    if value { ".T." } else { ".F." }
+}
+
+/// The outward normal of a face all of whose control points are in one plane.
+///
+/// The integral of `F_a x F_v` over a face is that of `F x dF / 2` round its ends, so that it holds for a face that folds over itself within its plane.
+fn level_normal(net: &Net, outward: f64) -> Option<DVec3> {
+    let last = net.control.len() - 1;
+    let normal = (outward * (area(&net.control[last]) - area(&net.control[0]))).try_normalize()?;
+    let origin = net.control[0][0];
+    let is_level = net.control.iter().flatten().all(|point| (*point - origin).dot(normal).abs() <= LEVEL);
+    is_level.then_some(normal)
+}
+
+/// Twice the area within a closed row of points, as a vector.
+fn area(row: &[DVec3]) -> DVec3 {
+    row.windows(2).map(|pair| (pair[0] - row[0]).cross(pair[1] - row[0])).sum()
+}

@@ -1,0 +1,124 @@
+//! STEP: solids of B-spline surfaces for CAD programs (ISO 10303-21, application protocol 214).
+
+mod brep;
+mod exchange;
+mod fit;
+mod spline;
+
+use self::brep::sew;
+use self::exchange::{Entities, Id, list, real, string};
+use super::contents::{Notes, PROGRAM};
+use super::material::{Material, srgb};
+use crate::design::Look;
+use crate::error::Result;
+use crate::solid::Face;
+
+/// One part as CAD programs have it.
+pub(super) struct Part<'a> {
+    pub(super) name: String,
+    pub(super) look: Look,
+    /// The faces, which close.
+    pub(super) faces: Vec<&'a dyn Face>,
+    /// The largest distance between splines and faces that is aimed at, in millimetres.
+    pub(super) tolerance: f64,
+    /// For errors.
+    pub(super) path: String,
+}
+
+/// What the standard calls AP214, which every CAD program reads.
+const SCHEMA: &str = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }";
+/// The same on any day: a file is what its design is.
+const DATE: &str = "2000-01-01T00:00:00";
+/// Points that are no farther apart are one, for programs that ask, millimetres.
+const UNCERTAINTY: f64 = 1e-6;
+
+/// An exchange structure of one `MANIFOLD_SOLID_BREP` per part, in millimetres. `millimetres` is the length of a model unit. What was reached of the tolerance is in the header.
+///
+/// # Errors
+/// `bug` when faces do not close.
+pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<Vec<u8>> {
+    let mut data = Entities::default();
+    let mut solids = Vec::new();
+    let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
+    for part in parts {
+        let sewn = sew(&mut data, &part.name, &part.faces, millimetres, part.tolerance, &part.path)?;
+        deviation = deviation.max(sewn.deviation);
+        bound = bound.max(sewn.bound);
+        n_samples += sewn.n_samples;
+        solids.push((sewn.solid, part.look));
+    }
+    product(&mut data, &notes.title, &solids);
+    let accuracy = format!(
+        "pasu-deviation: {} mm at most from the exact surfaces at {n_samples} points compared, {} mm between them",
+        rounded_up(deviation),
+        rounded_up(bound)
+    );
+    let descriptions: Vec<String> = notes.lines().into_iter().chain([accuracy]).map(|line| string(&line)).collect();
+    let mut bytes = format!(
+        "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((\n{}\n),'2;1');\nFILE_NAME({},'{DATE}',(''),(''),{program},{program},'');\nFILE_SCHEMA(({}));\nENDSEC;\nDATA;\n",
+        descriptions.join(",\n"),
+        string(&notes.title),
+        string(SCHEMA),
+        program = string(PROGRAM),
+    )
+    .into_bytes();
+    bytes.append(&mut data.text());
+    bytes.extend_from_slice(b"ENDSEC;\nEND-ISO-10303-21;\n");
+    Ok(bytes)
+}
+
+/// The product that the solids are the shape of, their units and colours.
+fn product(data: &mut Entities, title: &str, solids: &[(Id, Look)]) {
+    let application = data.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+    data.add(&format!(
+        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})"
+    ));
+    let context = data.add(&format!("PRODUCT_CONTEXT('',{application},'mechanical')"));
+    let title = string(title);
+    let product = data.add(&format!("PRODUCT({title},{title},'',({context}))"));
+    data.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,({product}))"));
+    let formation = data.add(&format!("PRODUCT_DEFINITION_FORMATION('','',{product})"));
+    let design = data.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')"));
+    let definition = data.add(&format!("PRODUCT_DEFINITION('design','',{formation},{design})"));
+    let shape = data.add(&format!("PRODUCT_DEFINITION_SHAPE('','',{definition})"));
+
+    let metre = data.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+    let radian = data.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
+    let steradian = data.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
+    let uncertainty = data.add(&format!(
+        "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({}),{metre},'distance_accuracy_value','')",
+        real(UNCERTAINTY)
+    ));
+    let context = data.add(&format!(
+        "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty}))GLOBAL_UNIT_ASSIGNED_CONTEXT(({metre},{radian},{steradian}))REPRESENTATION_CONTEXT('','3D'))"
+    ));
+    let ids: Vec<Id> = solids.iter().map(|(solid, _)| *solid).collect();
+    let origin = data.point(glam::DVec3::ZERO);
+    let up = data.direction(glam::DVec3::Z);
+    let across = data.direction(glam::DVec3::X);
+    let placement = data.add(&format!("AXIS2_PLACEMENT_3D('',{origin},{up},{across})"));
+    let items: Vec<Id> = [placement].into_iter().chain(ids).collect();
+    let representation = data.add(&format!("ADVANCED_BREP_SHAPE_REPRESENTATION({title},{},{context})", list(&items)));
+    data.add(&format!("SHAPE_DEFINITION_REPRESENTATION({shape},{representation})"));
+
+    let styled: Vec<Id> = solids.iter().map(|(solid, look)| styled(data, *solid, *look)).collect();
+    data.add(&format!("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',{},{context})", list(&styled)));
+}
+
+/// A solid in the colour of its glaze.
+fn styled(data: &mut Entities, solid: Id, look: Look) -> Id {
+    let [red, green, blue] = Material::of(look).colour.map(|linear| real(f64::from(srgb(linear)) / 255.0));
+    let colour = data.add(&format!("COLOUR_RGB('',{red},{green},{blue})"));
+    let fill = data.add(&format!("FILL_AREA_STYLE_COLOUR('',{colour})"));
+    let fill = data.add(&format!("FILL_AREA_STYLE('',({fill}))"));
+    let fill = data.add(&format!("SURFACE_STYLE_FILL_AREA({fill})"));
+    let side = data.add(&format!("SURFACE_SIDE_STYLE('',({fill}))"));
+    let usage = data.add(&format!("SURFACE_STYLE_USAGE(.BOTH.,{side})"));
+    let style = data.add(&format!("PRESENTATION_STYLE_ASSIGNMENT(({usage}))"));
+    data.add(&format!("STYLED_ITEM('',({style}),{solid})"))
+}
+
+/// Millimetres to the nanometre, never less than they are.
+fn rounded_up(length: f64) -> String {
+    real(libm::ceil(length * 1e6) / 1e6)
+}

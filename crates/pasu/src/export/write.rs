@@ -1,0 +1,145 @@
+//! From a design to the bytes of a file.
+
+use core::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::contents::{Body, Notes};
+use super::template::{Frame, Stand};
+use super::{Format, glb, obj, ply, step, stl, template, three_mf};
+use crate::check::{Report, Severity, verdict};
+use crate::design::{Design, plain};
+use crate::error::{Code, Error, Result};
+use crate::fingerprint::fingerprint;
+use crate::solid::{Face, FaceKind, Made, Making, Pot, SolidMesh, make};
+
+/// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
+const STEP_TOLERANCE: f64 = 1e-5;
+/// Points round the rim of a template.
+const RIM: usize = 720;
+/// No file reaches 4 GB: its lengths would not fit.
+const MOST_TRIANGLES: usize = 20_000_000;
+
+/// The bytes of a file of what is made of a design: the same for the same design and making, on every machine and every day.
+///
+/// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from: the link, the [fingerprint](crate::fingerprint()),
+/// the version of Pasu and the verdict of the [checks](crate::check()); an STL file has room for a short link only. [`open`](super::open) finds the link again. `docs/files.md` says which format holds what.
+///
+/// - The mesh formats hold the very numbers of [`solid`](crate::solid()) that were checked.
+/// - STEP holds one closed solid per part, whose faces are cubic B-splines within a hundred-thousandth of its size of the exact faces, or within the tolerance asked for if that is less; how far they are off at most is in its header.
+/// - SVG is a template at true scale.
+///
+/// # Errors
+/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A design with warnings is written all the same; the verdict is in the file.
+pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>> {
+    let millimetres = making.scale(design)?.millimetres;
+    let parts = 0..design.parts().len();
+    let made = parts.map(|part| make(design, part, making, millimetres)).collect::<Result<Vec<Made>>>()?;
+    let n_triangles = made.iter().map(|made| made.mesh.n_triangles()).sum::<usize>();
+    if n_triangles > MOST_TRIANGLES {
+        let message = format!(
+            "expected at most {MOST_TRIANGLES} triangles in a file, found {n_triangles}; a larger tolerance takes fewer"
+        );
+        return Err(Error::new(Code::TooLarge, "tolerance", message));
+    }
+    let notes = Notes {
+        title: design.title().unwrap_or(making.product.name()).to_owned(),
+        link: design.link(),
+        fingerprint: fingerprint(design)?,
+        verdict: told(&verdict(making, made.iter().map(Ok))),
+        scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
+    };
+    let bodies: Vec<Body> = made.iter().map(|made| body(design, &made.mesh)).collect();
+    match format {
+        Format::Stl => Ok(stl::write(&notes, &bodies)),
+        Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
+        Format::Glb => Ok(glb::write(&notes, &bodies)),
+        Format::Obj => Ok(obj::write(&notes, &bodies)),
+        Format::Ply => Ok(ply::write(&notes, &bodies)),
+        Format::Step => {
+            let tolerance = |body: &Body| {
+                let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
+                asked.min(STEP_TOLERANCE * size(body))
+            };
+            let parts: Vec<step::Part> = bodies
+                .iter()
+                .zip(&made)
+                .map(|(body, Made { pot, .. })| step::Part {
+                    name: body.name.clone(),
+                    look: body.look,
+                    faces: pot.faces().iter().map(|face| face as &dyn Face).collect(),
+                    tolerance: tolerance(body),
+                    path: format!("parts[{}]", pot.part()),
+                })
+                .collect();
+            step::write(&notes, &parts, millimetres)
+        }
+        Format::Svg => {
+            let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, millimetres)).collect();
+            Ok(template::write(&notes, &bodies, &stands))
+        }
+    }
+}
+
+/// One part as files have it.
+pub(super) fn body<'a>(design: &Design, mesh: &'a SolidMesh) -> Body<'a> {
+    let part = &design.parts()[mesh.part];
+    Body {
+        name: part.name.clone().unwrap_or_else(|| match (design.parts().len(), design.title()) {
+            // Slicers show this name, and name what they write by it.
+            (1, Some(title)) => title.to_owned(),
+            _ => format!("part {}", mesh.part + 1),
+        }),
+        look: part.look,
+        positions: &mesh.positions,
+        indices: &mesh.indices,
+        faces: mesh.faces.iter().map(|(kind, first, count)| (*kind, *first as usize, *count as usize)).collect(),
+    }
+}
+
+/// The largest extent of a body.
+fn size(body: &Body) -> f64 {
+    let extent = |axis: usize| {
+        let along = || body.positions.iter().skip(axis).step_by(3).copied();
+        f64::from(along().fold(f32::NEG_INFINITY, f32::max)) - f64::from(along().fold(f32::INFINITY, f32::min))
+    };
+    extent(0).max(extent(1)).max(extent(2))
+}
+
+/// `passed`, `passed with warnings: thinned`. What is made has no errors, or it would have been refused.
+fn told(report: &Report) -> String {
+    let mut codes: Vec<&str> = Vec::new();
+    for finding in report.findings.iter().filter(|finding| finding.severity == Severity::Warning) {
+        if !codes.contains(&finding.code) {
+            codes.push(finding.code);
+        }
+    }
+    if codes.is_empty() { "passed".to_owned() } else { format!("passed with warnings: {}", codes.join(", ")) }
+}
+
+/// The axis of a pot and the upper edge of its outside.
+fn stand(pot: &Pot, millimetres: f64) -> Stand {
+    let axis = pot.axis();
+    // Along world x, or along y for a pot that lies along x.
+    let along = if axis.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
+    let across = (along - along.dot(axis) * axis).normalize();
+    let frame = Frame { origin: millimetres * pot.origin(), axis, across };
+    let mut rim = Vec::new();
+    let mut height = f64::NEG_INFINITY;
+    for face in pot.faces().iter().filter(|face| face.kind() == FaceKind::Outer) {
+        for a in [0.0, 1.0] {
+            let curve: Vec<DVec3> =
+                (0..RIM).map(|i| millimetres * face.jet(a, TAU * i as f64 / RIM as f64).position).collect();
+            let mean = curve.iter().map(|point| point.dot(axis)).sum::<f64>() / RIM as f64;
+            if mean > height {
+                height = mean;
+                rim = curve;
+            }
+        }
+    }
+    let across = rim.iter().map(|point| (*point - rim[0]).length()).fold(0.0, f64::max);
+    if !(across > 0.0) {
+        rim.clear();
+    }
+    Stand { frame, rim }
+}

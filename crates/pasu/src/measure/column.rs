@@ -1,0 +1,322 @@
+//! The inside of a pot, column by column: how high it is, where it is wet, and where water runs out.
+
+use core::f64::consts::TAU;
+
+use glam::DVec3;
+
+use super::search;
+use crate::solid::{Face, FaceJet, FaceKind};
+
+/// One face of the inside, run through from the middle of the floor to the rim.
+#[derive(Clone, Copy)]
+pub(crate) struct Link<'a> {
+    face: &'a dyn Face,
+    /// Whether `a` of the face runs the other way.
+    is_reversed: bool,
+}
+
+impl Link<'_> {
+    pub(crate) fn face(&self) -> &dyn Face {
+        self.face
+    }
+
+    /// The face at `s` in [0, 1] from the floor to the rim.
+    pub(crate) fn jet(&self, s: f64, v: f64) -> FaceJet {
+        self.face.jet(if self.is_reversed { 1.0 - s } else { s }, v)
+    }
+
+    /// Height and its derivative by `s`.
+    fn height(&self, s: f64, v: f64) -> (f64, f64) {
+        let jet = self.jet(s, v);
+        (jet.position.z, if self.is_reversed { -jet.da.z } else { jet.da.z })
+    }
+
+    fn sample(&self, link: usize, s: f64, v: f64) -> Sample {
+        let (z, slope) = self.height(s, v);
+        Sample { link, s, z, slope }
+    }
+
+    /// Cells in which at most one extreme of the height is looked for.
+    fn cells(&self) -> usize {
+        match self.face.kind() {
+            // Straight.
+            FaceKind::Floor => 2,
+            FaceKind::Rim => 8,
+            _ => 40,
+        }
+    }
+}
+
+/// The faces that water touches: floor, lining and rim, in this order.
+pub(crate) struct Inside<'a> {
+    links: Vec<Link<'a>>,
+    /// The middle of the rim and the direction of the axis.
+    rim: (DVec3, DVec3),
+    /// The largest coordinate.
+    size: f64,
+    /// Columns from which searches begin.
+    columns: usize,
+}
+
+/// A point of a column.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Sample {
+    link: usize,
+    s: f64,
+    z: f64,
+    slope: f64,
+}
+
+/// One column of constant `v`, from its beginning to its crest: the highest point after its lowest.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Column {
+    v: f64,
+    samples: Vec<Sample>,
+    /// The level at which water leaves this column.
+    pub(crate) brim: f64,
+    /// Where that is: number of the link and `s`.
+    pub(crate) at: (usize, f64),
+}
+
+/// A stretch of a column below the level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wet {
+    pub(crate) link: usize,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    /// Whether it begins, and whether it ends, on the level and not at the end of its link.
+    pub(crate) is_cut: [bool; 2],
+}
+
+/// Heights that differ by less than this part of the largest coordinate are one.
+pub(crate) const LEVEL: f64 = 1e-13;
+
+impl<'a> Inside<'a> {
+    /// Chains faces, of which the first comes from the middle of the floor or is the whole inside; `highest` is their highest harmonic.
+    pub(crate) fn new(faces: &[&'a dyn Face], axis: DVec3, highest: f64) -> Inside<'a> {
+        let mut links: Vec<Link> = Vec::with_capacity(faces.len());
+        for (index, &face) in faces.iter().enumerate() {
+            let gap = |this: f64, other: &dyn Fn(f64) -> DVec3| {
+                [0.3, 2.5].iter().map(|&v| face.jet(this, v).position.distance(other(v))).sum::<f64>()
+            };
+            // It begins where the one before it ends, or ends where the one after it begins.
+            let is_reversed = match (links.last(), faces.get(index + 1)) {
+                (Some(before), _) => {
+                    let end = |v: f64| before.jet(1.0, v).position;
+                    gap(1.0, &end) < gap(0.0, &end)
+                }
+                (None, Some(next)) => {
+                    let near = |this: f64| {
+                        gap(this, &|v| next.jet(0.0, v).position).min(gap(this, &|v| next.jet(1.0, v).position))
+                    };
+                    near(0.0) < near(1.0)
+                }
+                (None, None) => false,
+            };
+            links.push(Link { face, is_reversed });
+        }
+        let columns = (4 * highest.abs().clamp(1.0, 1e4) as usize + 1).max(49);
+        let (mut middle, mut size) = (DVec3::ZERO, 0.0f64);
+        let lining = links.iter().rfind(|link| link.face.kind() != FaceKind::Rim);
+        for j in 0..columns {
+            let v = TAU * j as f64 / columns as f64;
+            middle += lining.map_or(DVec3::ZERO, |link| link.jet(1.0, v).position) / columns as f64;
+            for link in &links {
+                for s in [0.0, 0.5, 1.0] {
+                    size = size.max(link.jet(s, v).position.abs().max_element());
+                }
+            }
+        }
+        Inside { links, rim: (middle, axis), size, columns }
+    }
+
+    pub(crate) fn links(&self) -> &[Link<'a>] {
+        &self.links
+    }
+
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// How many columns to begin with.
+    pub(crate) fn n_columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The position at a place of a column.
+    pub(crate) fn position(&self, (link, s): (usize, f64), v: f64) -> DVec3 {
+        self.links[link].jet(s, v).position
+    }
+
+    /// The column at `v`.
+    pub(crate) fn column(&self, v: f64) -> Column {
+        let samples = self.links.iter().enumerate().flat_map(|(link, face)| {
+            let cells = face.cells();
+            (0..=cells).map(move |k| face.sample(link, k as f64 / cells as f64, v))
+        });
+        self.column_of(v, samples.collect())
+    }
+
+    /// The columns at several `v`: as [`Self::column`], and faster, because row by row.
+    pub(crate) fn columns(&self, places: &[f64]) -> Vec<Column> {
+        let mut samples: Vec<Vec<Sample>> = places.iter().map(|_| Vec::with_capacity(64)).collect();
+        for (link, face) in self.links.iter().enumerate() {
+            let cells = face.cells();
+            for k in 0..=cells {
+                let s = k as f64 / cells as f64;
+                for (samples, &v) in samples.iter_mut().zip(places) {
+                    samples.push(face.sample(link, s, v));
+                }
+            }
+        }
+        samples.into_iter().zip(places).map(|(samples, &v)| self.column_of(v, samples)).collect()
+    }
+
+    /// Finds the crest of a column.
+    fn column_of(&self, v: f64, mut samples: Vec<Sample>) -> Column {
+        let eps = LEVEL * self.size;
+        let mut lowest = 0;
+        for (index, sample) in samples.iter().enumerate() {
+            if sample.z < samples[lowest].z - eps {
+                lowest = index;
+            }
+        }
+        let mut crest = lowest;
+        for (index, sample) in samples.iter().enumerate().skip(lowest) {
+            if sample.z > samples[crest].z + eps {
+                crest = index;
+            }
+        }
+        // The crest itself lies between samples of the same link.
+        let top = samples[crest];
+        let beside = |other: usize| samples.get(other).copied().filter(|other| other.link == top.link);
+        let neighbour = if top.slope > 0.0 { beside(crest + 1) } else { crest.checked_sub(1).and_then(beside) };
+        let refined =
+            neighbour.filter(|other| (other.slope > 0.0) != (top.slope > 0.0) && top.slope != 0.0).map(|other| {
+                let link = &self.links[top.link];
+                let s = search::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
+                let (z, slope) = link.height(s, v);
+                Sample { link: top.link, s, z, slope }
+            });
+        let end = samples.iter().rfind(|sample| self.links[sample.link].face.kind() != FaceKind::Rim).copied();
+        match refined.filter(|refined| refined.z >= top.z) {
+            Some(refined) => {
+                samples.retain(|sample| (sample.link, sample.s) < (refined.link, refined.s));
+                samples.push(refined);
+            }
+            None => samples.truncate(crest + 1),
+        }
+        let top = samples.last().copied().unwrap_or(top);
+        let (mut brim, mut at) = (top.z, (top.link, top.s));
+        // Where the wall turns in and down again, water leaves by the mouth and does not reach the crest.
+        if let Some(end) = end.filter(|end| end.z < top.z && (top.link, top.s) < (end.link, end.s)) {
+            let (middle, axis) = self.rim;
+            let far = |place| (self.position(place, v) - middle).reject_from_normalized(axis).length();
+            if far((end.link, end.s)) < far(at) {
+                (brim, at) = (end.z, (end.link, end.s));
+            }
+        }
+        Column { v, samples, brim, at }
+    }
+
+    /// The lowest point of the inside.
+    pub(crate) fn floor(&self) -> f64 {
+        let columns = self.columns;
+        let lowest = self.links.iter().map(|link| {
+            let grid = search::Grid::new(link.cells() + 1, columns, |s, v| -link.height(s, v).0);
+            grid.greatest(|z| *z, |s, v| -link.height(s, v).0).map_or(f64::INFINITY, |place| -place.value)
+        });
+        lowest.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The level at which water first runs out, and where: the lowest brim of all columns.
+    pub(crate) fn spill(&self) -> (f64, DVec3) {
+        let step = TAU / self.columns as f64;
+        let places: Vec<f64> = (0..self.columns).map(|j| step * j as f64).collect();
+        let brims: Vec<f64> = self.columns(&places).iter().map(|column| column.brim).collect();
+        let mut best = (f64::INFINITY, 0.0);
+        let n = brims.len();
+        let mut lows: Vec<usize> =
+            (0..n).filter(|&j| brims[j] < brims[(j + n - 1) % n] && brims[j] <= brims[(j + 1) % n]).collect();
+        lows.sort_by(|&i, &j| brims[i].total_cmp(&brims[j]).then(i.cmp(&j)));
+        lows.truncate(6);
+        if lows.is_empty() {
+            lows.push(0);
+        }
+        for j in lows {
+            let v = step * j as f64;
+            let (refined, value) = search::least(v - step, v + step, 1e-9 * step, |v| self.column(v).brim);
+            for (brim, v) in [(brims[j], v), (value, refined)] {
+                if brim < best.0 {
+                    best = (brim, v);
+                }
+            }
+        }
+        let column = self.column(best.1);
+        (best.0, self.position(column.at, column.v))
+    }
+
+    /// The stretches of a column that are below a level.
+    pub(crate) fn wet(&self, column: &Column, level: f64) -> Vec<Wet> {
+        // What is level to within rounding is dry in every column, or the rim of an upright pot would be wet here and there.
+        let level = level - LEVEL * self.size;
+        let v = column.v;
+        let mut wet: Vec<Wet> = Vec::with_capacity(self.links.len());
+        let mut start: Option<(f64, bool)> = None;
+        let mut put = |link: usize, (from, is_cut): (f64, bool), to: f64, ends: bool| {
+            if to > from {
+                wet.push(Wet { link, from, to, is_cut: [is_cut, ends] });
+            }
+        };
+        for (index, sample) in column.samples.iter().enumerate() {
+            let below = sample.z < level;
+            if sample.s == 0.0 || index == 0 {
+                start = below.then_some((sample.s, false));
+            } else {
+                let before = column.samples[index - 1];
+                let link = &self.links[sample.link];
+                let height = |s: f64| link.height(s, v).0 - level;
+                let cut = |from: (f64, f64), to: (f64, f64)| search::root(from, to, height);
+                let (s0, z0, s1, z1) = (before.s, before.z - level, sample.s, sample.z - level);
+                if (z0 < 0.0) != (z1 < 0.0) {
+                    let s = cut((s0, z0), (s1, z1));
+                    match start.take() {
+                        Some(from) => put(sample.link, from, s, true),
+                        None => start = Some((s, true)),
+                    }
+                } else if (z0 < 0.0) == (before.slope > 0.0) && (before.slope > 0.0) != (sample.slope > 0.0) {
+                    // An extreme between two samples on one side may lie on the other.
+                    let slope = |s: f64| link.height(s, v).1;
+                    let s = search::root((s0, before.slope), (s1, sample.slope), slope);
+                    let z = height(s);
+                    if (z < 0.0) != (z0 < 0.0) {
+                        let (first, second) = (cut((s0, z0), (s, z)), cut((s, z), (s1, z1)));
+                        match start.take() {
+                            Some(from) => {
+                                put(sample.link, from, first, true);
+                                start = Some((second, true));
+                            }
+                            None => put(sample.link, (first, true), second, true),
+                        }
+                    }
+                }
+            }
+            let is_last = column.samples.get(index + 1).is_none_or(|next| next.link != sample.link);
+            if is_last && let Some(from) = start.take() {
+                put(sample.link, from, sample.s, false);
+            }
+        }
+        wet
+    }
+}
+
+impl Column {
+    pub(crate) fn v(&self) -> f64 {
+        self.v
+    }
+
+    /// The same column one turn further.
+    pub(crate) fn turn(&mut self, by: f64) {
+        self.v += by;
+    }
+}

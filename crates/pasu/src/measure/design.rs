@@ -1,0 +1,352 @@
+//! Measuring a design, part by part.
+
+use super::bare::Bare;
+use super::capacity::{Capacity, Vessel};
+use super::curvature::curvature;
+use super::fill::Filling;
+use super::integral::Accuracy;
+use super::measures::{
+    Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+};
+use super::moments::{Moments, area, enclosed};
+use super::outside::{Outside, Spot, columns};
+use super::quantity::Quantity;
+use super::standing::Standing;
+use crate::design::{Clay, Design, Part, plain, rounded};
+use crate::error::{Code, Error, Result};
+use crate::solid::{Face, FaceKind, Pot, Product};
+
+/// What integrals over exact faces are asked to keep, as a part of their size.
+const ACCURACY: f64 = 1e-10;
+
+/// The same where a wall had to be thinned: its thickness is interpolated, which no rule integrates faster than by brute force.
+const ACCURACY_OF_THINNED: f64 = 1e-6;
+
+/// The mass of a cubic centimetre of water in grams.
+const WATER: f64 = 1.0;
+
+impl Clay {
+    /// The usual density of the fired body in g/cm3.
+    pub fn density(self) -> f64 {
+        match self {
+            Clay::Stoneware | Clay::Black => 2.3,
+            Clay::Porcelain => 2.4,
+            Clay::Terracotta => 1.9,
+        }
+    }
+}
+
+/// A part with what its measures are taken on.
+struct Taken {
+    bare: Bare,
+    inside: Bare,
+    pot: Result<Pot>,
+}
+
+impl Taken {
+    fn new(design: &Design, part: &Part, index: usize, product: Product) -> Result<Taken> {
+        let bare = Bare::new(part, index)?;
+        let inside = Bare::new(part, index)?.inside();
+        Ok(Taken { bare, inside, pot: Pot::new(design, index, product) })
+    }
+
+    /// Faces seen from outside, inside and between.
+    fn faces(&self) -> Vec<&dyn Face> {
+        match &self.pot {
+            Ok(pot) => pot.faces().iter().map(|piece| piece as &dyn Face).collect(),
+            Err(_) => vec![&self.bare],
+        }
+    }
+
+    fn outer_faces(&self) -> Vec<&dyn Face> {
+        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
+        let mut faces = self.faces();
+        faces.retain(|face| !is_inside(face.kind()));
+        faces
+    }
+
+    fn outside(&self) -> Outside<'_> {
+        Outside::new(self.outer_faces(), self.bare.highest())
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        let is_exact = self.faces().iter().all(|face| face.is_exact());
+        if is_exact {
+            Accuracy::new(ACCURACY, self.bare.highest())
+        } else {
+            Accuracy {
+                most_intervals: 16,
+                most_columns: 512,
+                ..Accuracy::new(ACCURACY_OF_THINNED, self.bare.highest())
+            }
+        }
+    }
+
+    /// What holds water: the pot, or the bare surface where no wall is asked for.
+    fn vessel(&self, has_wall: bool, product: Product) -> std::result::Result<Vessel<'_>, String> {
+        match &self.pot {
+            _ if product == Product::Solid => Err("a solid has no inside".to_owned()),
+            Ok(pot) => Vessel::of_pot(pot, self.bare.highest()),
+            Err(why) if has_wall => Err(why.message().to_owned()),
+            Err(_) => Vessel::of_bare(&self.inside),
+        }
+    }
+}
+
+/// What a part adds to the measures of the whole.
+struct Share {
+    /// Clay and water times their densities.
+    clay: Option<Moments>,
+    water: Option<Moments>,
+}
+
+/// Measures a design: by quadrature and search on the closed form, each quantity with its error.
+///
+/// A part that cannot be a pot has the measures of its surface, and says why.
+///
+/// # Errors
+/// What [`Surface::solve`](crate::Surface::solve) refuses; `out-of-range` for a density that is not positive, a fill level that is not finite, or one above the spill point, whose level is in the message; `overflow` where
+/// the surface leaves the range of numbers.
+pub fn measure(design: &Design, options: &MeasureOptions) -> Result<Measures> {
+    check(options)?;
+    let mut taken = Vec::with_capacity(design.parts().len());
+    for (index, part) in design.parts().iter().enumerate() {
+        taken.push(Taken::new(design, part, index, options.product)?);
+    }
+    let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
+    let mut parts = Vec::with_capacity(taken.len());
+    let mut shares = Vec::with_capacity(taken.len());
+    for (index, (taken, outside)) in taken.iter().zip(&outsides).enumerate() {
+        let (part, share) = part_measures(design, index, taken, outside, options)?;
+        parts.push(part);
+        shares.push(share);
+    }
+    if let Some(fill) = options.fill {
+        refuse_overflow(&parts, fill)?;
+    }
+    let whole = match parts.as_slice() {
+        [part] => part.body.clone(),
+        _ => whole(&taken, &parts, &shares),
+    };
+    Ok(Measures { unit: design.unit(), product: options.product, whole, parts })
+}
+
+/// What a design is scaled by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Gauge {
+    /// The height of the whole.
+    Height,
+    /// The greatest width of the whole.
+    Width,
+    /// What all parts together hold to the brim.
+    Capacity,
+}
+
+/// One measure of the whole design, without the others.
+///
+/// # Errors
+/// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
+pub(crate) fn gauge(design: &Design, product: Product, gauge: Gauge) -> Result<f64> {
+    let mut taken = Vec::with_capacity(design.parts().len());
+    for (index, part) in design.parts().iter().enumerate() {
+        taken.push(Taken::new(design, part, index, product)?);
+    }
+    let highest = taken.iter().fold(0.0f64, |highest, taken| highest.max(taken.bare.highest()));
+    let outside = || Outside::new(taken.iter().flat_map(Taken::outer_faces), highest);
+    match gauge {
+        Gauge::Height => Ok(outside().height().value),
+        Gauge::Width => Ok(outside().widths().greatest.value),
+        Gauge::Capacity => {
+            let (mut sum, mut reason) = (None, None);
+            for (taken, part) in taken.iter().zip(design.parts()) {
+                match taken.vessel(part.wall.is_some(), product) {
+                    Ok(vessel) => {
+                        *sum.get_or_insert(0.0) += vessel.capacity(&taken.accuracy(), None).0.brim.value;
+                    }
+                    Err(why) => {
+                        reason.get_or_insert(why);
+                    }
+                }
+            }
+            sum.ok_or_else(|| Error::new(Code::NoRoom, "size.capacity", reason.unwrap_or_default()))
+        }
+    }
+}
+
+fn check(options: &MeasureOptions) -> Result<()> {
+    if let Some(density) = options.density.filter(|density| !(*density > 0.0 && density.is_finite())) {
+        let message = format!("expected a density in g/cm3 greater than 0, found {}", plain(density));
+        return Err(Error::new(Code::OutOfRange, "density", message));
+    }
+    if let Some(fill) = options.fill.filter(|fill| !fill.is_finite()) {
+        let message = format!("expected a level, found {}", plain(fill));
+        return Err(Error::new(Code::OutOfRange, "fill", message));
+    }
+    Ok(())
+}
+
+fn refuse_overflow(parts: &[PartMeasures], fill: f64) -> Result<()> {
+    let spills = parts.iter().filter_map(|part| part.body.capacity).map(|capacity| capacity.spill_level);
+    let highest = spills.max_by(|x, y| x.value.total_cmp(&y.value));
+    match highest {
+        Some(spill) if fill > spill.value + spill.error => Err(above_spill("fill", fill, spill.value)),
+        _ => Ok(()),
+    }
+}
+
+/// The refusal of a level at which water runs out.
+pub(crate) fn above_spill(path: &str, level: f64, spill: f64) -> Error {
+    let message = format!(
+        "water runs out at the level {}: expected no more than that, found {}",
+        plain(rounded(spill)),
+        plain(level)
+    );
+    Error::new(Code::OutOfRange, path, message)
+}
+
+fn part_measures(
+    design: &Design,
+    index: usize,
+    taken: &Taken,
+    outside: &Outside,
+    options: &MeasureOptions,
+) -> Result<(PartMeasures, Share)> {
+    let part = &design.parts()[index];
+    let bare = &taken.bare;
+    let accuracy = taken.accuracy();
+    let [bottom, top] = outside.heights();
+    let surface = area(bare, &Accuracy::new(ACCURACY, bare.highest()));
+    if !(bottom.is_finite() && top.is_finite() && surface.value.is_finite()) {
+        let message = "the surface leaves the range of numbers";
+        return Err(Error::new(Code::Overflow, format!("parts[{index}]"), message));
+    }
+    let mut body =
+        Body { height: outside.height(), bottom, top, width: width(outside), area: surface, ..Body::default() };
+    let cubic_centimetre = (design.unit().millimetres() / 10.0).powi(3);
+    let mut share = Share { clay: None, water: None };
+    let mut thickness = None;
+    if let Ok(pot) = &taken.pot {
+        let (areas, clay) = enclosed(&taken.faces(), &accuracy);
+        let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
+        let mass = clay.scaled(density);
+        body.clay = Some(ClayMeasures {
+            area: areas.into_iter().fold(Quantity::default(), |sum, area| sum + area),
+            volume: clay.volume,
+            mass: mass.volume,
+        });
+        share.clay = Some(mass);
+        if let (Some(wall), Product::Pot) = (&part.wall, options.product) {
+            let (least, greatest) = pot.thickness();
+            let thinned = pot.thinned();
+            thickness = Some(ThicknessRange {
+                asked: wall.thickness,
+                least: (least, thinned.map(|(_, at)| at.to_array())),
+                greatest,
+                thinned: thinned.map_or(0.0, |(share, _)| share),
+            });
+        }
+    }
+    let mut capacity_reason = None;
+    match taken.vessel(part.wall.is_some(), options.product) {
+        Ok(vessel) => {
+            let (capacity, Filling { moments, .. }) = vessel.capacity(&accuracy, options.fill);
+            body.capacity = Some(capacity);
+            share.water = Some(moments.scaled(WATER * cubic_centimetre));
+        }
+        Err(reason) => capacity_reason = Some(reason),
+    }
+    stand(&mut body, &share, || Standing::new(&[outside], columns(bare.highest())), &accuracy);
+    let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
+    let lining = taken.pot.as_ref().ok().and_then(|pot| {
+        let lining = pot.faces().iter().filter(|face| face.kind() == FaceKind::Lining).map(|face| face as &dyn Face);
+        Outside::new(lining, bare.highest()).overhang(|_| true)
+    });
+    Ok((
+        PartMeasures {
+            part: index,
+            name: part.name.clone(),
+            body,
+            reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
+            capacity_reason,
+            thickness,
+            overhang: outside.overhang(is_wall).map(overhang),
+            overhang_inside: lining.map(overhang),
+            curvature: curvature(bare),
+        },
+        share,
+    ))
+}
+
+/// Centres of mass, footprint and tipping.
+fn stand<'a>(body: &mut Body, share: &Share, standing: impl FnOnce() -> Standing<'a>, accuracy: &Accuracy) {
+    let Some(clay) = &share.clay else { return };
+    let standing = standing();
+    body.footprint = Some(standing.footprint(accuracy));
+    let full = share.water.as_ref().map(|water| clay.plus(water));
+    if let Some((centre, error)) = clay.centre() {
+        body.centre_empty = Some(Centre { at: centre.to_array(), error });
+        body.tipping_empty = Some(standing.tipping(centre));
+    }
+    if let Some((centre, error)) = full.and_then(|full| full.centre()) {
+        body.centre_full = Some(Centre { at: centre.to_array(), error });
+        body.tipping_full = Some(standing.tipping(centre));
+    }
+}
+
+fn width(outside: &Outside) -> Width {
+    let widths = outside.widths();
+    Width {
+        least: widths.least,
+        greatest: widths.greatest,
+        least_direction: widths.least_direction.to_degrees(),
+        greatest_direction: widths.greatest_direction.to_degrees(),
+    }
+}
+
+fn overhang(spot: Spot) -> Overhang {
+    Overhang { degrees: spot.value.to_degrees(), at: spot.at.to_array(), face: spot.face }
+}
+
+/// The measures of several parts together.
+fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
+    let highest = taken.iter().fold(0.0f64, |highest, taken| highest.max(taken.bare.highest()));
+    let accuracy = Accuracy::new(ACCURACY, highest);
+    let bodies: Vec<Outside> = taken.iter().map(Taken::outside).collect();
+    let bottom = parts.iter().fold(f64::INFINITY, |bottom, part| bottom.min(part.body.bottom));
+    let top = parts.iter().fold(f64::NEG_INFINITY, |top, part| top.max(part.body.top));
+    let error = parts.iter().fold(0.0f64, |error, part| error.max(part.body.height.error));
+    let clays = parts.iter().filter_map(|part| part.body.clay);
+    let clay = clays.reduce(|sum, clay| ClayMeasures {
+        area: sum.area + clay.area,
+        volume: sum.volume + clay.volume,
+        mass: sum.mass + clay.mass,
+    });
+    let capacities = parts.iter().filter_map(|part| part.body.capacity);
+    let capacity = capacities.reduce(|sum, next| {
+        let last = if next.spill_level.value > sum.spill_level.value { next } else { sum };
+        Capacity {
+            brim: sum.brim + next.brim,
+            spill_level: last.spill_level,
+            spill_at: last.spill_at,
+            floor: sum.floor.min(next.floor),
+            fill: sum.fill.zip(next.fill).map(|(sum, next)| (sum.0.max(next.0), sum.1 + next.1)),
+            is_stopped: sum.is_stopped || next.is_stopped,
+        }
+    });
+    let sum = |of: fn(&Share) -> Option<Moments>| shares.iter().filter_map(of).reduce(|sum, next| sum.plus(&next));
+    let share = Share { clay: sum(|share| share.clay), water: sum(|share| share.water) };
+    let faces = taken.iter().flat_map(Taken::outer_faces);
+    let mut body = Body {
+        height: Quantity::new(top - bottom, error),
+        bottom,
+        top,
+        width: width(&Outside::new(faces, highest)),
+        area: parts.iter().fold(Quantity::default(), |sum, part| sum + part.body.area),
+        clay,
+        capacity,
+        ..Body::default()
+    };
+    let outsides: Vec<&Outside> = bodies.iter().collect();
+    stand(&mut body, &share, || Standing::new(&outsides, columns(highest)), &accuracy);
+    body
+}

@@ -1,0 +1,422 @@
+//! How much water stands in a pot: `int (h - z)` over what is wet, split where the water's edge is.
+
+use core::f64::consts::TAU;
+
+use glam::{DVec2, DVec3};
+
+use super::column::{Column, Inside, LEVEL, Wet};
+use super::integral::{Accuracy, Integral, along, between, finer};
+use super::moments::{Moments, element};
+use super::outside::round;
+use super::quantity::Quantity;
+
+/// Water up to a level.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Filling {
+    pub(crate) moments: Moments,
+    /// Of the water's surface.
+    pub(crate) area: Quantity,
+}
+
+/// Halvings of a gap between two columns until the change between them is located: the integral of a column is continuous there, so that what is left is far below rounding.
+const HALVINGS: usize = 24;
+
+/// What is wet of the columns of a pot at one level.
+pub(crate) struct Level<'a> {
+    inside: &'a Inside<'a>,
+    pub(crate) z: f64,
+    /// Columns in ascending `v`, with those on either side of each change.
+    pub(crate) columns: Vec<(Column, Vec<Wet>)>,
+    /// Where the water's edge goes from one face to another or turns back, in ascending order.
+    pub(crate) breaks: Vec<f64>,
+}
+
+/// What of a column's wet stretches must change without a break: which faces, and how they end.
+fn is_alike(one: &[Wet], other: &[Wet]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(x, y)| x.link == y.link && x.is_cut == y.is_cut)
+}
+
+impl<'a> Level<'a> {
+    /// The water's edge at a level, seen at so many columns.
+    pub(crate) fn new(inside: &'a Inside<'a>, z: f64, n: usize) -> Level<'a> {
+        let places: Vec<f64> = round(n).collect();
+        let mut even = inside.columns(&places).into_iter();
+        let at = |v: f64| {
+            let column = inside.column(v);
+            let wet = inside.wet(&column, z);
+            (column, wet)
+        };
+        let mut columns = Vec::with_capacity(n);
+        let mut breaks = Vec::new();
+        let wet = |column: Column| {
+            let wet = inside.wet(&column, z);
+            (column, wet)
+        };
+        let first = even.next().map_or_else(|| at(0.0), wet);
+        let mut before = first.clone();
+        for j in 1..=n {
+            let after = if j == n {
+                let (mut column, wet) = first.clone();
+                column.turn(TAU);
+                (column, wet)
+            } else {
+                even.next().map_or_else(|| at(TAU), wet)
+            };
+            columns.push(before.clone());
+            // Several changes between two columns are found one after the other.
+            while !is_alike(&before.1, &after.1) {
+                let (mut low, mut high) = (before.clone(), after.clone());
+                for _ in 0..HALVINGS {
+                    let middle = at(0.5 * (low.0.v() + high.0.v()));
+                    if is_alike(&middle.1, &before.1) { low = middle } else { high = middle }
+                }
+                breaks.push(0.5 * (low.0.v() + high.0.v()));
+                if low.0.v() > before.0.v() {
+                    columns.push(low);
+                }
+                before = high;
+                if breaks.len() > 4 * n {
+                    break;
+                }
+                if before.0.v() < after.0.v() {
+                    columns.push(before.clone());
+                }
+            }
+            before = after;
+        }
+        Level { inside, z, columns, breaks }
+    }
+
+    /// Where a column crosses the level, from the floor to the rim, seen from above.
+    pub(crate) fn roots(&self, column: &Column, wet: &[Wet]) -> Vec<DVec2> {
+        let ends = wet.iter().flat_map(|wet| [(wet.is_cut[0], wet.link, wet.from), (wet.is_cut[1], wet.link, wet.to)]);
+        let cut = ends.filter(|(is_cut, ..)| *is_cut);
+        cut.map(|(_, link, s)| self.inside.position((link, s), column.v()).truncate()).collect()
+    }
+
+    /// For each link the stretch that is wet in every column that was looked at, if each has one there: it is integrated row by row, and only what is beyond it column by column.
+    fn common(&self) -> Vec<Option<(f64, f64)>> {
+        let stretch = |link: usize| {
+            let (mut from, mut to) = (0.0f64, 1.0f64);
+            for (_, wet) in &self.columns {
+                let mut here = wet.iter().filter(|wet| wet.link == link);
+                match (here.next(), here.next()) {
+                    (Some(wet), None) => (from, to) = (from.max(wet.from), to.min(wet.to)),
+                    _ => return None,
+                }
+            }
+            (to - from > LEAST_COMMON).then_some((from, to))
+        };
+        (0..self.inside.links().len()).map(stretch).collect()
+    }
+
+    /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place.
+    fn integrand(&self, link: usize, s: f64, v: f64, middle: DVec3) -> [f64; 5] {
+        let link = &self.inside.links()[link];
+        let jet = link.jet(s, v);
+        let up = element(link.face(), &jet).z;
+        let arm = jet.position - middle;
+        let volume = (self.z - jet.position.z) * up;
+        [volume, arm.x * volume, arm.y * volume, 0.5 * (self.z - middle.z + arm.z) * volume, up]
+    }
+
+    /// The integral over what is wet of one column beyond the common stretches. It may end before such a stretch does; what is too much there is taken off again.
+    fn of_column(&self, column: &Column, rest: &Rest) -> Integral<5> {
+        let v = column.v();
+        let mut total = Integral::default();
+        let wet = self.inside.wet(column, self.z);
+        let mut stretches: Vec<(usize, f64, f64)> = Vec::with_capacity(2 * wet.len());
+        for (link, common) in rest.common.iter().enumerate() {
+            let here = || wet.iter().filter(|wet| wet.link == link);
+            match (common, here().count()) {
+                (Some((first, last)), 1) => {
+                    stretches.extend(here().flat_map(|wet| [(link, wet.from, *first), (link, *last, wet.to)]));
+                }
+                (common, _) => {
+                    stretches.extend(here().map(|wet| (link, wet.from, wet.to)));
+                    stretches.extend(common.map(|(first, last)| (link, last, first)));
+                }
+            }
+        }
+        for (link, from, to) in stretches.into_iter().filter(|(_, from, to)| from != to) {
+            let mut part = along(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
+                let value = self.integrand(link, s, v, rest.middle);
+                Integral { value, error: [0.0; 5], size: value.map(f64::abs) }
+            });
+            if from > to {
+                part.value = part.value.map(|value| -value);
+            }
+            total.add(&part);
+        }
+        // A stretch ends a rounding below the level, which only the surface of the water can notice.
+        for Wet { link, from, to, is_cut } in wet {
+            for (s, is_cut) in [from, to].into_iter().zip(is_cut) {
+                let link = &self.inside.links()[link];
+                let jet = link.jet(s, v);
+                let missing = LEVEL * self.inside.size() / jet.da.z.abs();
+                if is_cut && missing < 1e-6 {
+                    total.value[4] += missing * element(link.face(), &jet).z;
+                }
+            }
+        }
+        total
+    }
+
+    /// Volume, moments and surface of the water.
+    pub(crate) fn filling(&self, accuracy: &Accuracy) -> Filling {
+        let Some((_, first)) = self.columns.iter().find(|(_, wet)| !wet.is_empty()) else {
+            return Filling::default();
+        };
+        let middle = self.inside.position((first[0].link, first[0].from), 0.0).with_z(self.z);
+        let common = self.common();
+        let mut total = Integral::<5>::default();
+        for (link, stretch) in common.iter().enumerate() {
+            if let Some(stretch) = stretch {
+                total.add(&between(*stretch, accuracy, |s, v| self.integrand(link, s, v, middle)));
+            }
+        }
+        // What columns leave is held against the whole.
+        let rest =
+            Rest { common, middle, relative: 0.1 * accuracy.relative, at_least: total.size.map(|size| size / TAU) };
+        total.add(&if self.breaks.is_empty() { self.smooth(&rest, accuracy) } else { self.broken(rest, accuracy) });
+        let [.., area] = total.value;
+        // The level itself is off by rounding.
+        let edge = 2.0 * LEVEL * self.inside.size() * area.abs();
+        let first = |all: [f64; 5]| [all[0], all[1], all[2], all[3]];
+        let mut water = Integral { value: first(total.value), error: first(total.error), size: first(total.size) };
+        water.error[0] += edge;
+        let span = self.inside.size();
+        for i in 1..4 {
+            water.error[i] += edge * span;
+        }
+        Filling { moments: Moments::about(middle, &water), area: Quantity::new(area, total.error[4]) }
+    }
+
+    /// The rest where all columns are alike: by the trapezoidal rule, with more columns until that changes too little.
+    fn smooth(&self, rest: &Rest, accuracy: &Accuracy) -> Integral<5> {
+        let mut n = accuracy.columns;
+        let mut before: Option<[f64; 5]> = None;
+        loop {
+            let step = TAU / n as f64;
+            let mut sum = Integral::<5>::default();
+            for column in self.inside.columns(&round(n).collect::<Vec<_>>()) {
+                sum.add(&self.of_column(&column, rest));
+            }
+            let value = sum.value.map(|value| step * value);
+            let change: Option<[f64; 5]> = before.map(|before| core::array::from_fn(|i| (value[i] - before[i]).abs()));
+            let size: [f64; 5] = core::array::from_fn(|i| step * sum.size[i]);
+            n = finer(n);
+            if let Some(change) = change
+                && ((0..5).all(|i| change[i] <= accuracy.relative * size[i].max(TAU * rest.at_least[i]))
+                    || n > accuracy.most_columns)
+            {
+                return Integral { value, error: core::array::from_fn(|i| step * sum.error[i] + change[i]), size };
+            }
+            before = Some(value);
+        }
+    }
+
+    /// The rest where columns differ: Gauss-Kronrod between the places where they change.
+    fn broken(&self, mut rest: Rest, accuracy: &Accuracy) -> Integral<5> {
+        let mut breaks = self.breaks.clone();
+        breaks.push(self.breaks[0] + TAU);
+        let at_least = rest.at_least.map(|size| TAU * size);
+        along(&breaks, accuracy.relative, at_least, 3 * breaks.len() + 8, |v| {
+            let column = self.of_column(&self.inside.column(v), &rest);
+            for i in 0..5 {
+                rest.at_least[i] = rest.at_least[i].max(column.size[i]);
+            }
+            column
+        })
+    }
+}
+
+/// A stretch that is wet in every column is integrated by itself if it is at least this part of its link.
+const LEAST_COMMON: f64 = 0.05;
+
+/// How columns are integrated.
+struct Rest {
+    common: Vec<Option<(f64, f64)>>,
+    middle: DVec3,
+    relative: f64,
+    at_least: [f64; 5],
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use glam::DMat3;
+
+    use super::super::bare::Cap;
+    use super::super::pool::Pool;
+    use super::*;
+    use crate::solid::{Face, FaceJet, FaceKind};
+
+    /// The lining of a tilted round cup, `r(a)` and `z(a)` with their derivatives.
+    struct Cup {
+        profile: fn(f64) -> [[f64; 2]; 2],
+        turn: DMat3,
+    }
+
+    impl Face for Cup {
+        fn kind(&self) -> FaceKind {
+            FaceKind::Lining
+        }
+
+        fn jet(&self, a: f64, v: f64) -> FaceJet {
+            let [[r, z], [dr, dz]] = (self.profile)(a);
+            let (s, c) = (libm::sin(v), libm::cos(v));
+            FaceJet {
+                position: self.turn * DVec3::new(r * c, r * s, z) + DVec3::new(3.0, -2.0, 10.0),
+                da: self.turn * DVec3::new(dr * c, dr * s, dz),
+                dv: self.turn * DVec3::new(-r * s, r * c, 0.0),
+            }
+        }
+
+        /// Into the water: inwards and up.
+        fn outward(&self) -> f64 {
+            1.0
+        }
+    }
+
+    const RADIUS: f64 = 1.5;
+    const HEIGHT: f64 = 4.0;
+
+    fn cylinder(a: f64) -> [[f64; 2]; 2] {
+        [[RADIUS, HEIGHT * a], [0.0, HEIGHT]]
+    }
+
+    fn tilted(profile: fn(f64) -> [[f64; 2]; 2], tilt: f64) -> Cup {
+        Cup { profile, turn: DMat3::from_rotation_z(0.4) * DMat3::from_rotation_y(tilt) }
+    }
+
+    fn full(cup: &Cup, below: f64) -> (f64, Filling) {
+        let floor = Cap::new(cup, 0.0, 60);
+        let inside = Inside::new(&[&floor, cup], cup.turn.z_axis, 1.0);
+        let (level, _) = inside.spill();
+        (level, Level::new(&inside, level - below, 49).filling(&Accuracy::new(1e-11, 1.0)))
+    }
+
+    fn near(found: Quantity, exact: f64) {
+        assert!((found.value - exact).abs() <= 1e-10 * exact.abs().max(1.0), "{found:?} {exact}");
+        assert!((found.value - exact).abs() <= found.error, "dishonest: {found:?} {exact}");
+        assert!(found.error < 1e-8, "{found:?}");
+    }
+
+    #[test]
+    fn an_upright_cup() {
+        for below in [0.0, 1.3, 3.999] {
+            let (level, water) = full(&tilted(cylinder, 0.0), below);
+            let depth = HEIGHT - below;
+            assert!((level - 14.0).abs() < 1e-12);
+            let volume = PI * RADIUS * RADIUS * depth;
+            near(water.moments.volume, volume);
+            near(water.area, PI * RADIUS * RADIUS);
+            let (centre, _) = water.moments.centre().unwrap();
+            assert!((centre - DVec3::new(3.0, -2.0, 10.0 + 0.5 * depth)).length() < 1e-9);
+        }
+        assert_eq!(full(&tilted(cylinder, 0.0), 4.5).1, Filling::default());
+    }
+
+    #[test]
+    fn a_tilted_cup_with_its_floor_covered() {
+        for tilt in [0.1, 0.5, 0.9] {
+            let (level, water) = full(&tilted(cylinder, tilt), 0.0);
+            assert!((level - (10.0 + HEIGHT * tilt.cos() - RADIUS * tilt.sin())).abs() < 1e-12);
+            near(water.moments.volume, PI * RADIUS * RADIUS * (HEIGHT - RADIUS * tilt.tan()));
+            near(water.area, PI * RADIUS * RADIUS / tilt.cos());
+        }
+    }
+
+    /// A hoof of a cylinder: the plane meets the base in a chord at `x` from its centre.
+    fn ungula(tan: f64, x: f64) -> f64 {
+        let half = (RADIUS * RADIUS - x * x).sqrt();
+        tan * (2.0 / 3.0 * half.powi(3) - x * (RADIUS * RADIUS * (x / RADIUS).acos() - x * half))
+    }
+
+    #[test]
+    fn a_hoof_of_a_cylinder() {
+        for tilt in [1.0, 1.23, 1.4, 1.5] {
+            for below in [0.0, 0.03] {
+                let (_, water) = full(&tilted(cylinder, tilt), below);
+                let edge = RADIUS - (HEIGHT - below / tilt.cos()) / tilt.tan();
+                near(water.moments.volume, ungula(tilt.tan(), edge));
+            }
+        }
+        // On its side a cup holds nothing.
+        assert_eq!(full(&tilted(cylinder, FRAC_PI_2 + 0.2), 0.0).1.moments.volume.value, 0.0);
+    }
+
+    /// A ball without its cap: closed above a half.
+    fn bowl(a: f64) -> [[f64; 2]; 2] {
+        let t = 2.2 * a;
+        [[RADIUS * t.sin(), -RADIUS * t.cos()], [2.2 * RADIUS * t.cos(), 2.2 * RADIUS * t.sin()]]
+    }
+
+    fn surface_of(level: &Level) -> f64 {
+        let pool = Pool::new(level);
+        pool.triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|i| pool.points[i as usize]);
+                let area = 0.5 * (b - a).perp_dot(c - a);
+                assert!(area >= 0.0);
+                area
+            })
+            .sum()
+    }
+
+    #[test]
+    fn triangles_cover_the_water() {
+        for tilt in [0.0, 0.5, 1.0, 1.23, 1.4] {
+            let cup = tilted(cylinder, tilt);
+            let floor = Cap::new(&cup, 0.0, 60);
+            let inside = Inside::new(&[&floor, &cup], cup.turn.z_axis, 1.0);
+            let (spill, _) = inside.spill();
+            let low = inside.floor();
+            for share in [0.05, 0.3, 0.7, 0.95, 1.0] {
+                let level = Level::new(&inside, low + share * (spill - low), 193);
+                let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
+                assert!((area - exact).abs() < 0.01 * exact, "tilt {tilt}, {share}: {area} {exact}");
+            }
+        }
+    }
+
+    /// A ring cake: the middle rises.
+    fn ring(a: f64) -> [[f64; 2]; 2] {
+        let t = PI * (a - 0.0);
+        [[2.0 * a, 1.0 - libm::sin(t) + a], [2.0, -PI * libm::cos(t) + 1.0]]
+    }
+
+    #[test]
+    fn a_ring_of_water_has_a_hole() {
+        for tilt in [0.0, 0.1] {
+            let cup = tilted(ring, tilt);
+            let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
+            for level in [10.5, 10.8] {
+                let level = Level::new(&inside, level, 49);
+                assert!(level.filling(&Accuracy::new(1e-9, 1.0)).moments.volume.error < 1e-6);
+                let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
+                assert!((area - exact).abs() < 0.02 * exact, "tilt {tilt}: {area} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tilted_ball() {
+        for tilt in [0.0, 0.3, 0.8] {
+            let cup = tilted(bowl, tilt);
+            let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
+            let (spill, _) = inside.spill();
+            assert!((spill - 10.0 + RADIUS * (2.2f64 - tilt).cos()).abs() < 1e-12);
+            assert!((inside.floor() - 10.0 + RADIUS).abs() < 1e-12);
+            for level in [spill, 9.7, 9.0] {
+                let depth = level - 10.0 + RADIUS;
+                let water = Level::new(&inside, level, 49).filling(&Accuracy::new(1e-11, 1.0));
+                near(water.moments.volume, PI * depth * depth * (RADIUS - depth / 3.0));
+                near(water.area, PI * depth * (2.0 * RADIUS - depth));
+            }
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! What a maker measures on the outside of a pot: height, widths, overhang.
+
+use core::f64::consts::{PI, TAU};
+
+use glam::{DVec2, DVec3};
+
+use super::moments::element;
+use super::quantity::Quantity;
+use super::search::{Grid, Place, climb, least};
+use crate::solid::{Face, FaceJet, FaceKind};
+
+/// Faces seen from outside, each sampled on a grid from which searches begin.
+pub(crate) struct Outside<'a> {
+    faces: Vec<(&'a dyn Face, Grid<FaceJet>)>,
+    size: f64,
+}
+
+/// Directions in which widths are compared before the least and the greatest are refined.
+const DIRECTIONS: usize = 360;
+
+/// An extreme of some quantity on a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spot {
+    pub(crate) value: f64,
+    pub(crate) at: DVec3,
+    pub(crate) face: FaceKind,
+}
+
+/// Caliper widths of a silhouette, and the directions in which they are measured, in radians.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Widths {
+    pub(crate) least: Quantity,
+    pub(crate) greatest: Quantity,
+    pub(crate) least_direction: f64,
+    pub(crate) greatest_direction: f64,
+}
+
+/// Columns of a grid that meets every petal.
+pub(crate) fn columns(highest: f64) -> usize {
+    (4 * highest.abs().clamp(1.0, 1e4) as usize + 1).max(49)
+}
+
+impl<'a> Outside<'a> {
+    pub(crate) fn new(faces: impl IntoIterator<Item = &'a dyn Face>, highest: f64) -> Outside<'a> {
+        let columns = columns(highest);
+        let sampled = |face: &'a dyn Face| {
+            let rows = match face.kind() {
+                FaceKind::Outer | FaceKind::Lining => 49,
+                FaceKind::Rim => 9,
+                // Straight from one curve to another.
+                _ => 3,
+            };
+            (face, Grid::new(rows, columns, |a, v| face.jet(a, v)))
+        };
+        let faces: Vec<_> = faces.into_iter().map(sampled).collect();
+        let points = faces.iter().flat_map(|(_, grid)| grid.points());
+        let size = points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()));
+        Outside { faces, size }
+    }
+
+    /// The greatest extent in a direction, and where.
+    fn support(&self, direction: DVec3) -> Option<Spot> {
+        let of = |jet: &FaceJet| jet.position.dot(direction);
+        self.best(of, |_| true, 3)
+    }
+
+    /// The greatest value of a function of the jets over the faces of some kinds; faces whose grids come close are searched.
+    fn best(
+        &self,
+        of: impl Fn(&FaceJet) -> f64,
+        is_meant: impl Fn(FaceKind) -> bool,
+        most_faces: usize,
+    ) -> Option<Spot> {
+        let mut starts: Vec<(f64, usize)> = Vec::with_capacity(self.faces.len());
+        for (index, (face, grid)) in self.faces.iter().enumerate() {
+            if is_meant(face.kind()) {
+                let most = grid.points().iter().map(&of).filter(|value| value.is_finite()).fold(f64::MIN, f64::max);
+                starts.push((most, index));
+            }
+        }
+        starts.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
+        let mut best: Option<Spot> = None;
+        for &(_, index) in starts.iter().take(most_faces) {
+            let (face, grid) = &self.faces[index];
+            let Some(Place { a, v, value }) = grid.greatest(&of, |a, v| face.jet(a, v)) else { continue };
+            if best.is_none_or(|best| value > best.value) {
+                best = Some(Spot { value, at: face.jet(a, v).position, face: face.kind() });
+            }
+        }
+        best
+    }
+
+    /// Bottom and top.
+    pub(crate) fn heights(&self) -> [f64; 2] {
+        let [low, high] = [-DVec3::Z, DVec3::Z].map(|up| self.support(up).map_or(0.0, |spot| spot.value));
+        [-low, high]
+    }
+
+    /// From the lowest to the highest point.
+    pub(crate) fn height(&self) -> Quantity {
+        let [bottom, top] = self.heights();
+        Quantity::rounded(top - bottom, 2.0 * self.size)
+    }
+
+    /// Least and greatest caliper width from above.
+    pub(crate) fn widths(&self) -> Widths {
+        let points: Vec<DVec2> =
+            self.faces.iter().flat_map(|(_, grid)| grid.points()).map(|jet| jet.position.truncate()).collect();
+        let hull = hull(points);
+        let coarse = |angle: f64| {
+            let direction = DVec2::from_angle(angle);
+            let of = |p: &DVec2| p.dot(direction);
+            let (low, high) = hull.iter().map(of).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
+            high - low
+        };
+        let step = PI / DIRECTIONS as f64;
+        let widths: Vec<f64> = (0..DIRECTIONS).map(|i| coarse(step * i as f64)).collect();
+        let place = |is_better: fn(f64, f64) -> bool| {
+            (0..DIRECTIONS).fold(0, |best, i| if is_better(widths[i], widths[best]) { i } else { best })
+        };
+        let refine = |i: usize, sign: f64| {
+            let middle = step * i as f64;
+            let of = |angle: f64| sign * self.width(angle);
+            let (angle, width) = least(middle - 1.5 * step, middle + 1.5 * step, 1e-8, of);
+            let here = of(middle);
+            if here <= width { (middle, sign * here) } else { (angle, sign * width) }
+        };
+        let (least_direction, smallest) = refine(place(|x, y| x < y), 1.0);
+        let (greatest_direction, largest) = refine(place(|x, y| x > y), -1.0);
+        let turn = |angle: f64| {
+            if angle < 0.0 {
+                angle + PI
+            } else if angle >= PI {
+                angle - PI
+            } else {
+                angle
+            }
+        };
+        Widths {
+            least: Quantity::rounded(smallest, 2.0 * self.size),
+            greatest: Quantity::rounded(largest, 2.0 * self.size),
+            least_direction: turn(least_direction),
+            greatest_direction: turn(greatest_direction),
+        }
+    }
+
+    /// The caliper width in one direction: from the best points of the grids, climbed.
+    fn width(&self, angle: f64) -> f64 {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let direction = DVec3::new(cos, sin, 0.0);
+        [direction, -direction].into_iter().map(|direction| self.reach(direction)).sum()
+    }
+
+    fn reach(&self, direction: DVec3) -> f64 {
+        let mut starts: Vec<(f64, usize, usize)> = Vec::with_capacity(self.faces.len());
+        for (index, (_, grid)) in self.faces.iter().enumerate() {
+            let far = grid.points().iter().map(|jet| jet.position.dot(direction)).enumerate();
+            let (at, value) = far.fold((0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
+            starts.push((value, index, at));
+        }
+        starts.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
+        let mut most = f64::MIN;
+        // A face that ends far from where another reaches cannot overtake it between the points of its grid.
+        let near = starts.first().map_or(f64::MAX, |start| start.0) - 0.02 * self.size;
+        for &(value, index, at) in starts.iter().take(2).filter(|start| start.0 >= near) {
+            let (face, grid) = &self.faces[index];
+            let ((a, v), (p, q)) = (grid.place(at), grid.steps());
+            let top = climb(Place { a, v, value }, p, q, |a, v| face.jet(a, v).position.dot(direction));
+            most = most.max(top.value);
+        }
+        most
+    }
+
+    /// The largest angle below the horizontal of the outward normal of faces of some kinds, in radians: how far they overhang.
+    pub(crate) fn overhang(&self, is_meant: impl Fn(FaceKind) -> bool) -> Option<Spot> {
+        let mut best: Option<Spot> = None;
+        for (face, grid) in self.faces.iter().filter(|(face, _)| is_meant(face.kind())) {
+            let lean = |jet: &FaceJet| lean(element(*face, jet));
+            let Some(place) = grid.greatest(lean, |a, v| face.jet(off_the_end(a), v)) else { continue };
+            if best.is_none_or(|best| place.value > best.value) {
+                best = Some(Spot { value: place.value, at: face.jet(place.a, place.v).position, face: face.kind() });
+            }
+        }
+        best
+    }
+
+    /// Every lowest point to within a tolerance, and the faces that lie at that level as a whole.
+    pub(crate) fn lowest(&self, bottom: f64, tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
+        let (mut points, mut whole) = (Vec::new(), Vec::new());
+        for (index, (face, grid)) in self.faces.iter().enumerate() {
+            let near = |jet: &FaceJet| jet.position.z <= bottom + tolerance;
+            if grid.points().iter().all(near) {
+                whole.push(index);
+                continue;
+            }
+            let of = |jet: &FaceJet| -jet.position.z;
+            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |a, v| face.jet(a, v)) {
+                if -value <= bottom + tolerance {
+                    points.push(face.jet(a, v).position);
+                }
+            }
+        }
+        (points, whole)
+    }
+
+    /// One of the faces.
+    pub(crate) fn face(&self, index: usize) -> &'a dyn Face {
+        self.faces[index].0
+    }
+
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+}
+
+/// The angle of a normal below the horizontal.
+pub(crate) fn lean(normal: DVec3) -> f64 {
+    let level = libm::hypot(normal.x, normal.y);
+    if level == 0.0 && normal.z == 0.0 { f64::NAN } else { libm::atan2(-normal.z, level) }
+}
+
+/// A place so near to the end of a face that what it tells is the limit there, also at a pole.
+pub(crate) fn off_the_end(a: f64) -> f64 {
+    const NEAR: f64 = 1e-7;
+    a.clamp(NEAR, 1.0 - NEAR)
+}
+
+/// The convex hull of points, anticlockwise, without points in between (A. M. Andrew, 1979).
+pub(crate) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let mut hull: Vec<DVec2> = Vec::with_capacity(points.len());
+    for is_back in [false, true] {
+        let base = hull.len();
+        let mut take = |p: DVec2| {
+            while hull.len() >= base + 2
+                && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 2]) <= 0.0
+            {
+                hull.pop();
+            }
+            hull.push(p);
+        };
+        if is_back {
+            points.iter().rev().for_each(|p| take(*p));
+        } else {
+            points.iter().for_each(|p| take(*p));
+        }
+        hull.pop();
+    }
+    hull
+}
+
+/// The area of a polygon, positive if anticlockwise.
+pub(crate) fn polygon_area(polygon: &[DVec2]) -> f64 {
+    let Some(&first) = polygon.first() else { return 0.0 };
+    polygon.windows(2).map(|edge| 0.5 * (edge[0] - first).perp_dot(edge[1] - first)).sum()
+}
+
+/// A direction in degrees, from 0 to 360.
+pub(crate) fn degrees(angle: f64) -> f64 {
+    let degrees = angle.to_degrees();
+    if angle < 0.0 { degrees + 360.0 } else { degrees }
+}
+
+/// Even angles once round.
+pub(crate) fn round(n: usize) -> impl Iterator<Item = f64> {
+    (0..n).map(move |j| TAU * j as f64 / n as f64)
+}

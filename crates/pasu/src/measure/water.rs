@@ -1,0 +1,93 @@
+//! Water standing in a design, to be drawn.
+
+use super::bare::Bare;
+use super::capacity::Vessel;
+use super::design::above_spill;
+use super::fill::Level;
+use super::integral::Accuracy;
+use super::pool::Pool;
+use super::quantity::Quantity;
+use crate::design::{Design, plain};
+use crate::error::{Code, Error, Result};
+use crate::solid::{Face, Pot, Product};
+
+/// Water up to a level.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Water {
+    /// Its volume in model units cubed.
+    pub volume: f64,
+    /// How far the volume may be off.
+    pub error: f64,
+    /// The area of its surface.
+    pub area: f64,
+    /// `x, y, z` of each vertex of its surface, in model units after placement.
+    pub positions: Vec<f32>,
+    /// Three vertex numbers per triangle, counter-clockwise from above.
+    pub indices: Vec<u32>,
+}
+
+/// The relative error that is asked of the volume: water is dragged, and is to be drawn at once.
+const ACCURACY: f64 = 1e-6;
+
+/// The fewest columns that draw the water's edge.
+const COLUMNS: usize = 192;
+
+/// The water in a design that is filled to a level, the `z` of the world: its volume and its surface.
+///
+/// Below the floor there is none. Every hollow of the inside is filled; parts that hold nothing are passed over. Among several parts one whose spill point is below the level overflows, and
+/// stands full. A part without a wall is taken as one of zero thickness, as [`measure`](crate::measure) does.
+///
+/// # Errors
+/// `out-of-range` for a level that is not finite or above every spill point, the highest of which is in the message; `no-room` for a design that holds nothing, with the reason; what
+/// [`Surface::solve`](crate::Surface::solve) refuses.
+pub fn water(design: &Design, level: f64) -> Result<Water> {
+    if !level.is_finite() {
+        return Err(Error::new(Code::OutOfRange, "level", format!("expected a level, found {}", plain(level))));
+    }
+    let mut water = Water::default();
+    let mut highest: Option<(f64, f64)> = None;
+    let mut refusal = None;
+    for (index, part) in design.parts().iter().enumerate() {
+        let bare = Bare::new(part, index)?.inside();
+        let pot = part.wall.map(|_| Pot::new(design, index, Product::Pot));
+        let vessel = match &pot {
+            Some(Ok(pot)) => Vessel::of_pot(pot, bare.highest()),
+            Some(Err(why)) => Err(why.message().to_owned()),
+            None => Vessel::of_bare(&bare),
+        };
+        let vessel = match vessel {
+            Ok(vessel) => vessel,
+            Err(reason) => {
+                refusal.get_or_insert(Error::new(Code::NoRoom, format!("parts[{index}]"), reason));
+                continue;
+            }
+        };
+        let inside = vessel.inside();
+        let (spill, _) = inside.spill();
+        let slack = Quantity::rounded(spill, inside.size()).error;
+        if highest.is_none_or(|highest| spill > highest.0) {
+            highest = Some((spill, slack));
+        }
+        let level = level.min(spill);
+        if !(level > inside.floor()) {
+            continue;
+        }
+        let is_exact = !matches!(&pot, Some(Ok(pot)) if !pot.faces().iter().all(Face::is_exact));
+        let most_columns = if is_exact { 4096 } else { 256 };
+        let accuracy = Accuracy { most_columns, most_intervals: 16, ..Accuracy::new(ACCURACY, bare.highest()) };
+        let edge = Level::new(&inside, level, COLUMNS.max(inside.n_columns()));
+        let filling = edge.filling(&accuracy);
+        water.volume += filling.moments.volume.value;
+        water.error += filling.moments.volume.error;
+        water.area += filling.area.value;
+        let pool = Pool::new(&edge);
+        let base = (water.positions.len() / 3) as u32;
+        water.positions.extend(pool.points.iter().flat_map(|p| [p.x as f32, p.y as f32, level as f32]));
+        water.indices.extend(pool.triangles.iter().flatten().map(|index| base + index));
+    }
+    match (highest, refusal) {
+        (Some((spill, slack)), _) if level > spill + slack => Err(above_spill("level", level, spill)),
+        (None, Some(refusal)) => Err(refusal),
+        _ => Ok(water),
+    }
+}
