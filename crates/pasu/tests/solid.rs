@@ -142,3 +142,125 @@ fn every_gallery_design_can_be_made() {
         }
     }
 }
+
+/// Makes a pot of every form on these straight walls, and holds its mesh against its faces.
+fn forms(foot: f64, rim: f64) {
+    for side in ["inside", "outside"] {
+        for rounding in ["flat", "rounded"] {
+            for (more, genus) in [
+                ("", 0),
+                (r#", "foot": [0.4, 0.3]"#, 0),
+                (r#", "drain": 0.7"#, 1),
+                (r#", "foot": [0.4, 0.3], "drain": 0.7"#, 1),
+            ] {
+                let wall =
+                    format!(r#"{{ "thickness": 0.2, "base": 0.3, "side": "{side}", "rim": "{rounding}"{more} }}"#);
+                let design = straight(foot, rim, &wall);
+                let pot = Pot::new(&design, 0, Product::Pot).unwrap_or_else(|error| panic!("{error} {wall}"));
+                let mesh = made(&design, &Making { tolerance: Some(3e-3), ..POT });
+                assert_eq!(closed(&mesh), 2 - 2 * genus, "{wall}");
+                near(volume(&mesh), 1000.0 * exact_volume(&pot), 1e-2);
+                follows_on(&pot);
+            }
+        }
+    }
+}
+
+/// Asserts that every face begins where the one before ended, and that its derivatives are those of its positions.
+fn follows_on(pot: &Pot) {
+    let faces = pot.faces();
+    let step = 1e-5;
+    for (i, face) in faces.iter().enumerate() {
+        for v in [0.0, 0.4, 2.0, 5.1] {
+            let next = faces.get(i + 1).or(if pot.is_ring() { faces.first() } else { None });
+            if let Some(next) = next {
+                let gap = face.jet(1.0, v).position.distance(next.jet(0.0, v).position);
+                assert!(gap < 1e-12, "{:?} {v}: {gap}", face.kind());
+            }
+            for a in [0.2, 0.7] {
+                let jet = face.jet(a, v);
+                let along = (face.jet(a + step, v).position - face.jet(a - step, v).position) / (2.0 * step);
+                let round = (face.jet(a, v + step).position - face.jet(a, v - step).position) / (2.0 * step);
+                let (da, dv) = (jet.da.distance(along), jet.dv.distance(round));
+                let size = 1.0 + along.length() + round.length();
+                assert!(da < 1e-7 * size && dv < 1e-7 * size, "{:?} {a} {v}: {da} {dv}", face.kind());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_form_of_straight_walls_is_made() {
+    forms(2.0, 2.0);
+    forms(1.5, 3.0);
+    forms(2.5, 1.5);
+}
+
+#[test]
+fn a_rounded_rim_adds_half_a_ring() {
+    let volume = |rim: &str| {
+        let wall = format!(r#"{{ "thickness": 0.2, "base": 0.3, "rim": "{rim}" }}"#);
+        exact_volume(&Pot::new(&cylinder(&wall), 0, Product::Pot).unwrap())
+    };
+    // Pappus: the centroid of a half disc set upright over the middle of the wall stays over it.
+    near(volume("rounded") - volume("flat"), PI * 0.1 * 0.1 / 2.0 * TAU * 1.9, 1e-3);
+}
+
+#[test]
+fn a_tube_has_a_handle_and_two_rims() {
+    for (rim, expected) in [("flat", 0.0), ("rounded", PI * 0.1 * 0.1 * TAU * 1.9)] {
+        let design = cylinder(&format!(r#"{{ "thickness": 0.2, "base": 0, "rim": "{rim}" }}"#));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        near(exact_volume(&pot), 5.0 * PI * (4.0 - 1.8 * 1.8) + expected, 1e-5);
+        follows_on(&pot);
+        let mesh = made(&design, &POT);
+        assert_eq!(closed(&mesh), 0);
+        let kinds: Vec<FaceKind> = mesh.faces.iter().map(|face| face.0).collect();
+        assert_eq!(kinds, [FaceKind::Outer, FaceKind::Rim, FaceKind::Lining, FaceKind::Rim]);
+    }
+}
+
+#[test]
+fn ring_and_drain_take_away_what_formulas_say() {
+    let volume = |more: &str| {
+        let wall = format!(r#"{{ "thickness": 0.2, "base": 0.3{more} }}"#);
+        exact_volume(&Pot::new(&cylinder(&wall), 0, Product::Pot).unwrap())
+    };
+    let plain = volume("");
+    near(plain - volume(r#", "drain": 0.7"#), PI * 0.35 * 0.35 * 0.3, 1e-3);
+    // The floor rises by the height of the ring: a disc of the lining more, a recess less.
+    near(volume(r#", "foot": [0.4, 0.3]"#) - plain, PI * 0.3 * (1.8 * 1.8 - 1.6 * 1.6), 1e-3);
+}
+
+#[test]
+fn a_wall_is_as_thick_along_the_normal_as_asked_for() {
+    for exhibit in gallery().iter().filter(|exhibit| exhibit.name.starts_with("own")) {
+        let (design, _) = walled(exhibit);
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        let (least, most) = pot.thickness();
+        assert!(0.0 < least && least <= most && most <= 0.4, "{}", exhibit.name);
+        match pot.thinned() {
+            Some((share, _)) => assert!(share > 0.0 && share <= 1.0, "{}: {share}", exhibit.name),
+            None => assert_eq!((least, most), (0.4, 0.4)),
+        }
+        follows_on_if_exact(&pot);
+    }
+}
+
+fn follows_on_if_exact(pot: &Pot) {
+    if pot.thinned().is_none() {
+        follows_on(pot);
+    }
+}
+
+/// The highest point of a rim lies between the columns at which curves are looked at.
+#[test]
+fn a_solid_with_a_tilted_rim_reaches_its_highest_point() {
+    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == "own-leaning").unwrap();
+    let (design, making) = walled(&exhibit);
+    let mesh = made(&design, &Making { product: Product::Solid, ..making });
+    let (_, first, count) = *mesh.faces.last().unwrap();
+    for vertex in &mesh.indices[first as usize..(first + count) as usize] {
+        assert!((corner(&mesh, *vertex)[2] - 226.0).abs() < 0.01);
+    }
+}

@@ -13,6 +13,7 @@ type Point = [f32; 3];
 #[derive(Debug, Clone, Copy)]
 struct Bounded {
     number: u32,
+    group: Option<u32>,
     low: Point,
     high: Point,
 }
@@ -25,19 +26,24 @@ impl RTreeObject for Bounded {
     }
 }
 
-/// The numbers of the triangles of each pair that crosses, at most so many pairs.
-pub(crate) fn crossings(positions: &[Point], triangles: &[[u32; 3]], most: usize) -> Vec<[u32; 2]> {
+/// The numbers of the triangles of each pair that crosses, at most so many pairs. Triangles of one group that has a number are known not to cross each other.
+pub(crate) fn crossings(
+    positions: &[Point],
+    triangles: &[[u32; 3]],
+    group: impl Fn(u32) -> Option<u32>,
+    most: usize,
+) -> Vec<[u32; 2]> {
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
     let bounded = triangles.iter().zip(0..).map(|(triangle, number)| {
         let [a, b, c] = corners(triangle);
         let low = core::array::from_fn(|i| a[i].min(b[i]).min(c[i]));
         let high = core::array::from_fn(|i| a[i].max(b[i]).max(c[i]));
-        Bounded { number, low, high }
+        Bounded { number, group: group(number), low, high }
     });
     let tree = RTree::bulk_load(bounded.collect());
     let mut found = Vec::new();
     for (one, other) in tree.intersection_candidates_with_other_tree(&tree) {
-        if one.number < other.number {
+        if one.number < other.number && (one.group.is_none() || one.group != other.group) {
             let (p, q) = (&triangles[one.number as usize], &triangles[other.number as usize]);
             if cross(p, q, &corners(p), &corners(q)) {
                 found.push([one.number, other.number]);

@@ -19,6 +19,8 @@ pub(crate) enum Curve {
     Start(Rc<Sheet>),
     /// Where a sheet ends.
     End(Rc<Sheet>),
+    /// Where an offset sheet begins, or beside the foot of the surface at the same distance where that is lower.
+    Beside { sheet: Rc<Sheet> },
     /// Another curve moved along the axis to a level.
     Level { curve: Rc<Curve>, sheet: Rc<Sheet>, level: f64 },
     /// Another curve drawn towards the axis of the foot until it is on a cylinder.
@@ -42,6 +44,10 @@ impl Curve {
             Curve::End(sheet) => {
                 let jet = sheet.jet(1.0, v);
                 (jet.position, jet.dv)
+            }
+            Curve::Beside { sheet } => {
+                let (p, dp) = Curve::Start(Rc::clone(sheet)).at(v);
+                sheet.beside(v).filter(|(q, _)| sheet.skin().frame().axis().dot(p - *q) > 0.0).unwrap_or((p, dp))
             }
             Curve::Level { curve, sheet, level } => {
                 let (p, dp) = curve.at(v);

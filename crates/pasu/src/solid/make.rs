@@ -6,8 +6,8 @@ use super::face::FaceKind;
 use super::making::Making;
 use super::mesh::SolidMesh;
 use super::pot::Pot;
-use super::skin::place;
-use super::weave::{Grid, Woven, field, name, weave};
+use super::skin::{place, short};
+use super::weave::{Grid, Woven, field, name, weave, weave_surface};
 use crate::check::{self, Topology};
 use crate::design::Design;
 use crate::error::{Code, Error, Result};
@@ -16,11 +16,17 @@ use crate::mesh::places;
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
 
-/// How often a part is meshed more finely, and its thickness looked into more closely, before it is refused.
-const ATTEMPTS: usize = 3;
+/// How many times as finely a part is meshed, and its thickness looked into, in turn, before it is refused.
+const FINENESS: [usize; 2] = [1, 3];
+
+/// A wall that is somewhere thinner than this part of what was asked for cannot be made if it was not meshed at once.
+const THINNEST: f64 = 0.05;
 
 /// How often rows and columns are added until faces that have no bound beforehand keep the tolerance.
 const ROUNDS: usize = 3;
+
+/// The most crossings that are looked at for a reason.
+const CROSSINGS: usize = 200;
 
 /// A mesh is made finer by no more than this factor at a time.
 const LEAST_STEP: f64 = 0.4;
@@ -50,14 +56,18 @@ pub(crate) struct Made {
 /// As [`solid`].
 pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) -> Result<Made> {
     let mut refusal = None;
-    for attempt in 0..ATTEMPTS {
-        let fineness = 1 << attempt;
+    for fineness in FINENESS {
         let pot = Pot::with_fineness(design, part, making.product, fineness)?;
         let mut woven = woven(design, &pot, making, fineness as f64, scale)?;
         compact(&mut woven);
         match verdict(&pot, &woven, scale) {
             Ok(topology) => return Ok(Made { mesh: finished(&woven, part, scale), pot, topology }),
             Err(error) => refusal = Some(error),
+        }
+        if fineness == 1
+            && let Some(error) = surface_crossing(design, &pot, making, scale)?.or(too_thin(&pot, making))
+        {
+            return Err(error);
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
@@ -69,26 +79,59 @@ fn pot_path(part: usize) -> String {
 
 /// A mesh that keeps the tolerance.
 fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
-    let part = pot.part();
-    let mut asked = making.tolerance.map(|tolerance| tolerance / fineness);
-    let mut promised = asked;
+    let mut promised = making.tolerance.map(|tolerance| tolerance / fineness);
+    let mut asked = promised;
     for round in 1.. {
-        let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
-        let bound = bound.unwrap_or_else(|| asked.unwrap_or(pot.skin().size()));
-        let tolerance = *promised.get_or_insert(bound / fineness);
-        let rows = if pot.skin().is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
-        let grid = Grid { rows, columns: columns - 1, tolerance, bound };
-        if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
-            let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
-            return Err(Error::new(Code::TooLarge, pot_path(part), message));
-        }
+        let grid = grid(design, pot, asked, promised)?;
+        let tolerance = *promised.get_or_insert(grid.bound / fineness);
         let woven = weave(pot, &grid, scale)?;
         if woven.bound <= tolerance || round >= ROUNDS {
             return Ok(woven);
         }
-        asked = Some(tolerance.min(bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
+        asked = Some(tolerance.min(grid.bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
     }
     unreachable!("the loop returns")
+}
+
+/// That the wall is nearly nothing somewhere, if it is.
+fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
+    let (_, at) = pot.thinned()?;
+    let (thinnest, thickest) = pot.thickness();
+    let is_too_thin = thinnest < THINNEST * thickest || making.tolerance.is_some_and(|tolerance| thinnest < tolerance);
+    is_too_thin.then(|| {
+        let message = format!(
+            "the surface bends so sharply at {}, or comes so close to itself, that a wall there would be only {} thick: expected a smoother surface",
+            place(at),
+            short(thinnest)
+        );
+        Error::new(Code::NoRoom, pot.skin().path("wall.thickness"), message).near(at.to_array())
+    })
+}
+
+/// Where the surface of the design itself crosses itself, on a mesh twice as fine as was asked for.
+fn surface_crossing(design: &Design, pot: &Pot, making: &Making, scale: f64) -> Result<Option<Error>> {
+    let grid = grid(design, pot, making.tolerance.map(|tolerance| 0.5 * tolerance), making.tolerance)?;
+    let woven = weave_surface(pot, &grid, scale)?;
+    let at = |triangle: u32| {
+        let [x, y, z] = woven.positions[woven.triangles[triangle as usize][0] as usize].map(f64::from);
+        DVec3::new(x, y, z) / scale
+    };
+    let found = check::crossings(&woven.positions, &woven.triangles, |_| None, 1);
+    Ok(found.first().map(|pair| crossing(pot, [pot.surface_kind(); 2], at(pair[0]))))
+}
+
+/// The rows and columns that keep a tolerance of the surface of the design; `promised` is what is aimed at for the other faces.
+fn grid(design: &Design, pot: &Pot, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
+    let part = pot.part();
+    let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
+    let bound = bound.unwrap_or_else(|| asked.unwrap_or(pot.skin().size()));
+    let rows = if pot.skin().is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
+    let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
+    if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
+        let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
+        return Err(Error::new(Code::TooLarge, pot_path(part), message));
+    }
+    Ok(grid)
 }
 
 /// Removes vertices that no triangle uses.
@@ -112,14 +155,9 @@ fn compact(woven: &mut Woven) {
 /// Why it is not.
 fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
     let at = |vertex: u32| DVec3::from_array(woven.positions[vertex as usize].map(f64::from)) / scale;
-    let kind_of = |triangle: u32| {
-        let mut first = 0;
-        let face = woven.faces.iter().find(|(_, n)| {
-            first += n;
-            (triangle as usize) < first
-        });
-        face.map_or(FaceKind::Outer, |(kind, _)| *kind)
-    };
+    let kind_of = |triangle: u32| woven.face(triangle).map_or(FaceKind::Outer, |face| woven.faces[face].kind);
+    // The triangles of a level face are seen side by side along the axis.
+    let group = |triangle: u32| woven.face(triangle).filter(|face| woven.faces[*face].is_level).map(|face| face as u32);
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| woven.positions[vertex as usize]);
     if let Some(number) = woven.triangles.iter().position(|triangle| check::is_degenerate(corners(triangle))) {
         let kind = kind_of(number as u32);
@@ -135,16 +173,19 @@ fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
         let message = format!("the faces do not close at {}", place(at(vertex)));
         Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array())
     })?;
-    match check::crossings(&woven.positions, &woven.triangles, 1).first() {
-        Some(&[one, other]) => Err(crossing(pot, [kind_of(one), kind_of(other)], at(woven.triangles[one as usize][0]))),
+    let crossings = check::crossings(&woven.positions, &woven.triangles, group, CROSSINGS);
+    let kinds = |pair: &[u32; 2]| pair.map(kind_of);
+    // If the surface itself is at fault, that is the reason.
+    let worst = crossings.iter().find(|pair| kinds(pair) == [pot.surface_kind(); 2]).or(crossings.first());
+    match worst {
+        Some(pair) => Err(crossing(pot, kinds(pair), at(woven.triangles[pair[0] as usize][0]))),
         None => Ok(topology),
     }
 }
 
 /// What a crossing of two faces means to a potter.
 fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
-    let surface = if pot.is_lining() { FaceKind::Lining } else { FaceKind::Outer };
-    if kinds == [surface; 2] {
+    if kinds == [pot.surface_kind(); 2] {
         let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
         return Error::new(Code::CrossesItself, pot.skin().path("shape"), message).near(at.to_array());
     }
@@ -172,10 +213,10 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
 
 fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
     let mut first = 0;
-    let faces = woven.faces.iter().map(|(kind, n)| {
-        let count = 3 * *n as u32;
+    let faces = woven.faces.iter().map(|face| {
+        let count = 3 * face.n_triangles as u32;
         first += count;
-        (*kind, first - count, count)
+        (face.kind, first - count, count)
     });
     let faces = faces.collect();
     let largest = woven.positions.iter().flatten().fold(0.0f32, |largest, x| largest.max(x.abs()));

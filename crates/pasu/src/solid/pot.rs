@@ -18,8 +18,8 @@ use crate::error::{Code, Error, Result};
 /// A foot is level if its points are within this part of the size of one plane across the axis.
 const LEVEL: f64 = 1e-9;
 
-/// Even columns at which curves are looked at for room, star shape and middle.
-const COLUMNS: usize = 720;
+/// A curve no wider than this part of the size is a point.
+const POINT: f64 = 1e-6;
 
 /// One part of a design as a body of clay, bounded by smooth faces.
 ///
@@ -31,7 +31,7 @@ const COLUMNS: usize = 720;
 /// - **Wall.** The surface `P`, and `P - t N` (side inside) or `P + t N` (outside). `t` is the thickness asked for, or less where that would fold the clay: at most 0.8 of the largest ball
 ///   that touches the surface at `P` on that side and holds no other point of it.
 /// - **Base.** Inside: a level floor, `base` above the highest point of the foot or of the recess, down to which the lining is trimmed; where the lining begins above it, it is led straight down. Outside: the
-///   foot of the surface bounds the floor, and the outside is trimmed or led down in the same way to a level `base` below the lowest point of the floor. A `base` of 0 makes a tube with two rims.
+///   foot of the surface bounds the floor, and the outside is trimmed or led down to a level `base` below the lowest point of the floor; where the wall leans inwards at the foot, and so begins above it, by way of the place beside the foot. A `base` of 0 makes a tube with two rims.
 /// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
 /// - **Foot that is not level.** Its disc is the cone from the curve to the middle of the area that it goes round, which must see the whole curve.
 /// - **Solid.** The surface with a level disc at each open end. An end that is not level is first led straight along the axis to the level of its furthest point.
@@ -132,9 +132,12 @@ impl Pot {
         }
     }
 
-    /// Whether the surface of the design is the lining, not the outside.
-    pub(crate) fn is_lining(&self) -> bool {
-        self.wall.is_some_and(|wall| wall.side == Side::Outside)
+    /// What the surface of the design is.
+    pub(crate) fn surface_kind(&self) -> FaceKind {
+        match self.wall {
+            Some(Wall { side: Side::Outside, .. }) => FaceKind::Lining,
+            _ => FaceKind::Outer,
+        }
     }
 
     /// Whether this is a pot, not a solid.
@@ -314,28 +317,36 @@ impl Builder<'_> {
         let design_trim = if is_pole && radius > 0.0 { Trim::Cylinder(radius) } else { Trim::Foot };
         let [mut outer, mut lining] = self.sides(wall, design_trim, Trim::Level(cut))?;
         let offset = if inside { &lining } else { &outer };
-        // A round bottom may be all wall.
-        let has_level = !is_pole || offset.has_column_cut();
-        if is_pole && has_level && offset.has_column_above() {
+        // A round bottom may be all wall; over a tip the other side of the wall does not close.
+        let (is_cut, is_above) = (offset.has_column_cut(), offset.has_column_above());
+        let is_tip = is_pole && is_above && {
+            let edge = Outline::of(&Curve::Start(Rc::clone(offset)), self.skin);
+            edge.widest > POINT * self.skin.size()
+        };
+        if is_pole && is_above && (if is_tip { inside } else { is_cut }) {
             let message = format!(
-                "the tip at {} is too sharp for a base of {}: expected a thicker one",
+                "the bottom ends in a tip at {}, too sharp for a wall above a base of {}: expected a thicker base",
                 place(outline.mean),
-                short(wall.base)
+                plain(wall.base)
             );
-            return Err(self.error(Code::NoRoom, "wall.base", message));
+            return Err(self.error(Code::NoRoom, "wall.base", message).near(outline.mean.to_array()));
         }
+        let has_level = !is_pole || is_cut || is_tip;
         if is_pole && !has_level && radius > 0.0 {
             [outer, lining] = self.sides(wall, design_trim, Trim::Cylinder(radius))?;
         }
         let offset = Rc::clone(if inside { &lining } else { &outer });
         let is_exact = offset.is_exact();
-        let is_led = !is_pole && offset.has_column_above();
+        let is_led = has_level && is_above;
 
         // The edge of the clay at the design's side of the base, and at the other.
         let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };
         let edge = Rc::new(Curve::Start(Rc::clone(&offset)));
+        // Outside, straight down from above the foot would be through it: first to its side.
+        let beside =
+            Rc::new(if is_led && !inside { Curve::Beside { sheet: Rc::clone(&offset) } } else { (*edge).clone() });
         let level_edge = Rc::new(if is_led {
-            Curve::Level { curve: Rc::clone(&edge), sheet: Rc::clone(&surface), level: cut }
+            Curve::Level { curve: Rc::clone(&beside), sheet: Rc::clone(&surface), level: cut }
         } else {
             (*edge).clone()
         });
@@ -389,7 +400,8 @@ impl Builder<'_> {
             }
         }
         if !inside && is_led {
-            self.ruled(FaceKind::Outer, &level_edge, &edge, false, is_exact);
+            self.ruled(FaceKind::Outer, &level_edge, &beside, false, is_exact);
+            self.ruled(FaceKind::Outer, &beside, &edge, false, is_exact);
         }
         self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&outer), is_back: false }, false, outer.is_exact());
         self.rim(wall, &outer, &lining, 1.0);
@@ -439,7 +451,7 @@ impl Builder<'_> {
         let inner =
             Rc::new(Curve::Inset { curve: Rc::clone(edge), sheet: Rc::clone(surface), width: width * outline.turn });
         // Where the ring is as wide as the foot bends, its inner edge turns back.
-        for v in even_columns() {
+        for v in self.skin.round() {
             let ((_, outer), (at, inner)) = (edge.at(v), inner.at(v));
             if !(outer.dot(inner) > 0.0) {
                 let message = format!(
@@ -474,7 +486,7 @@ impl Builder<'_> {
     fn hole_fits(&self, hole: &Curve, outline: &Outline, wall: &Wall) -> Result<()> {
         let frame = self.skin.frame();
         let middle = frame.plan(outline.middle.unwrap_or(outline.mean));
-        let reach = even_columns().map(|v| (frame.plan(hole.at(v).0) - middle).length()).fold(0.0, f64::max);
+        let reach = self.skin.round().map(|v| (frame.plan(hole.at(v).0) - middle).length()).fold(0.0, f64::max);
         if reach < outline.narrowest {
             return Ok(());
         }
@@ -499,6 +511,8 @@ struct Outline {
     is_star: bool,
     /// 1 where it goes round anti-clockwise, otherwise -1.
     turn: f64,
+    /// The greatest distance from the mean.
+    widest: f64,
     /// The least distance from the middle.
     narrowest: f64,
     /// The direction from the middle to the point at `v = 0`.
@@ -508,7 +522,7 @@ struct Outline {
 impl Outline {
     fn of(curve: &Curve, skin: &Skin) -> Outline {
         let frame = skin.frame();
-        let points: Vec<(DVec3, DVec3)> = even_columns().map(|v| curve.at(v)).collect();
+        let points: Vec<(DVec3, DVec3)> = skin.round().map(|v| curve.at(v)).collect();
         let mean = points.iter().map(|(p, _)| *p).sum::<DVec3>() / points.len() as f64;
         let (mut lowest, mut highest, mut level) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
         for (p, _) in &points {
@@ -517,6 +531,11 @@ impl Outline {
             level += height / points.len() as f64;
         }
         let is_level = highest - lowest <= LEVEL * skin.size();
+        if !is_level {
+            let level = |v: f64| frame.level(curve.at(v).0);
+            highest = highest.max(extreme(points.len(), level));
+            lowest = lowest.min(-extreme(points.len(), |v| -level(v)));
+        }
         let centre = frame.plan(mean);
         let seen = || points.iter().map(|(p, dp)| (frame.plan(*p) - centre, frame.turned(*dp)));
         let plan = middle_of(seen()).map(|middle| middle + centre);
@@ -530,6 +549,7 @@ impl Outline {
             (least, most) = (least.min(turn), most.max(turn));
             narrowest = narrowest.min(arm.length());
         }
+        let widest = points.iter().fold(0.0f64, |widest, (p, _)| widest.max((*p - mean).length()));
         let first = points.first().map_or(DVec2::X, |(p, _)| frame.plan(*p) - middle);
         Outline {
             middle: plan.map(|plan| frame.point(plan, level)),
@@ -539,6 +559,7 @@ impl Outline {
             is_level,
             is_star: least > 0.0 || most < 0.0,
             turn: if area < 0.0 { -1.0 } else { 1.0 },
+            widest,
             narrowest,
             phase: libm::atan2(first.y, first.x),
         }
@@ -550,6 +571,18 @@ impl Outline {
     }
 }
 
-fn even_columns() -> impl Iterator<Item = f64> {
-    (0..COLUMNS).map(|j| TAU * j as f64 / COLUMNS as f64)
+/// The greatest value of a function of `v`, sought by golden sections round the greatest at even columns.
+fn extreme(n_columns: usize, f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let gap = TAU / n_columns as f64;
+    let best = (0..n_columns)
+        .map(|j| (f(j as f64 * gap), j))
+        .fold((f64::NEG_INFINITY, 0), |a, b| if b.0 > a.0 { b } else { a });
+    let (mut from, mut to) = ((best.1 as f64 - 1.0) * gap, (best.1 as f64 + 1.0) * gap);
+    let wrapped = |v: f64| f(if v < 0.0 { v + TAU } else { v });
+    for _ in 0..40 {
+        let inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
+        if wrapped(inner[0]) > wrapped(inner[1]) { to = inner[1] } else { from = inner[0] }
+    }
+    wrapped(0.5 * (from + to)).max(best.0)
 }

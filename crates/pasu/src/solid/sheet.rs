@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use glam::DVec3;
 
-use super::skin::Skin;
+use super::skin::{Columns, Skin};
 use super::thickness::Thickness;
 
 /// The most columns whose beginning is remembered.
@@ -86,13 +86,13 @@ impl Sheet {
             sheet.common = Some(0.0);
             return Some(sheet);
         }
-        let columns: Vec<f64> = skin.round().collect();
+        let columns = skin.columns(skin.round().count());
         // From the rim down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
         for i in (0..=ROWS).rev() {
             let s = i as f64 / ROWS as f64;
-            for (below, &v) in below.iter_mut().zip(&columns).filter(|(below, _)| below.is_none()) {
-                if sheet.above(s, v) < 0.0 {
+            for (j, below) in below.iter_mut().enumerate().filter(|(_, below)| below.is_none()) {
+                if sheet.height(sheet.at_column(s, &columns, j)) < 0.0 {
                     *below = Some(i);
                 }
             }
@@ -101,7 +101,7 @@ impl Sheet {
             return None;
         }
         sheet.brackets = below;
-        let starts: Vec<f64> = columns.iter().map(|&v| sheet.start(v).s).collect();
+        let starts: Vec<f64> = skin.round().map(|v| sheet.start(v).s).collect();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
         if most - least <= COMMON {
             sheet.common = Some(0.5 * (least + most));
@@ -116,6 +116,11 @@ impl Sheet {
     /// Whether the jets are those of the true surface.
     pub(crate) fn is_exact(&self) -> bool {
         self.face == Face::Design || self.thickness.is_even()
+    }
+
+    /// Whether this is the surface of the design.
+    pub(crate) fn is_design(&self) -> bool {
+        self.face == Face::Design
     }
 
     /// Whether this is the surface of the design from foot to rim.
@@ -146,6 +151,37 @@ impl Sheet {
             ds: jet.ds + jet.normal_s * t + jet.normal * t_s,
             dv: jet.dv + jet.normal_v * t + jet.normal * t_v,
         }
+    }
+
+    /// The position at a column.
+    pub(crate) fn at_column(&self, s: f64, columns: &Columns, column: usize) -> DVec3 {
+        let Face::Offset { direction } = self.face else { return self.skin.second_at(s, columns, column).position };
+        let jet = self.skin.jet_at(s, columns, column);
+        let [t, ..] = self.thickness.at(s, columns.v(column));
+        jet.position + jet.normal * (t * direction)
+    }
+
+    /// The point of an offset sheet's column that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, and how it changes
+    /// with `v`; `None` where the column does not begin at the foot.
+    pub(crate) fn beside(&self, v: f64) -> Option<(DVec3, DVec3)> {
+        let Face::Offset { direction } = self.face else { return None };
+        if self.start(v).s != 0.0 {
+            return None;
+        }
+        let frame = self.skin.frame();
+        let jet = self.skin.second(0.0, v);
+        let [t, _, t_v] = self.thickness.at(0.0, v).map(|t| t * direction);
+        // Outward of a curve that goes round as the foot does: to the right if it goes round anti-clockwise.
+        let (tangent, dtangent) = (frame.turned(jet.dv), frame.turned(jet.dvv));
+        let length = tangent.length();
+        if !(length > 0.0) {
+            return None;
+        }
+        let turn = self.skin.turn();
+        let unit = tangent / length;
+        let dunit = (dtangent - unit * unit.dot(dtangent)) / length;
+        let (normal, dnormal) = (frame.lifted(-unit.perp() * turn), frame.lifted(-dunit.perp() * turn));
+        Some((jet.position + normal * t, jet.dv + normal * t_v + dnormal * t))
     }
 
     /// The derivative of `S_v` with respect to `v` at the foot of the design surface, which is known; elsewhere it is not.
@@ -212,9 +248,12 @@ impl Sheet {
 
     /// How far a point is above the level, or outside the cylinder.
     fn above(&self, s: f64, v: f64) -> f64 {
-        let position = self.jet(s, v).position;
+        self.height(self.jet(s, v).position)
+    }
+
+    fn height(&self, position: DVec3) -> f64 {
         match self.trim {
-            Trim::Foot => s,
+            Trim::Foot => 0.0,
             Trim::Level(level) => self.skin.frame().level(position) - level,
             Trim::Cylinder(radius) => self.skin.frame().plan(position).length() - radius,
         }

@@ -46,9 +46,31 @@ pub(crate) struct Skin {
     /// Whether foot and rim are points.
     poles: [bool; 2],
     frame: Frame,
+    /// 1 where the foot goes round anti-clockwise seen from the rim, otherwise -1.
+    turn: f64,
     n_columns: usize,
     /// The number of the part.
     index: usize,
+}
+
+/// Cosines and sines of every harmonic of a surface at even columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Columns {
+    n: usize,
+    /// Column by column.
+    circles: Vec<(f64, f64)>,
+}
+
+impl Columns {
+    /// The number of columns.
+    pub(crate) fn len(&self) -> usize {
+        self.n
+    }
+
+    /// `v` of a column.
+    pub(crate) fn v(&self, column: usize) -> f64 {
+        TAU * column as f64 / self.n as f64
+    }
 }
 
 /// Position, first derivatives and unit normal with its derivatives. The normal points out of the pot.
@@ -92,6 +114,7 @@ impl Skin {
             size: 0.0,
             poles: [false; 2],
             frame: Frame::new(DVec3::ZERO, axis),
+            turn: 1.0,
             n_columns,
             index,
         };
@@ -102,12 +125,19 @@ impl Skin {
         }
         skin.measure()?;
         skin.frame = Frame::new(skin.middle(0.0), axis);
+        let area: f64 = skin
+            .round()
+            .map(|v| skin.second(0.0, v))
+            .map(|jet| skin.frame.plan(jet.position).perp_dot(skin.frame.turned(jet.dv)))
+            .sum();
+        skin.turn = if area < 0.0 { -1.0 } else { 1.0 };
         Ok(skin)
     }
 
     /// Finds the size, the poles and a pinch.
     fn measure(&mut self) -> Result<()> {
-        let widths: Vec<f64> = (0..=ROWS).map(|i| self.width(i as f64 / ROWS as f64)).collect();
+        let columns = self.columns(self.n_columns);
+        let widths: Vec<f64> = (0..=ROWS).map(|i| self.width(i as f64 / ROWS as f64, &columns)).collect();
         let rise = (self.mean(1.0) - self.mean(0.0)).length();
         self.size = widths.iter().fold(rise, |size, width| size.max(*width));
         if !(self.size.is_finite() && self.size > f64::MIN_POSITIVE && self.size < f64::MAX.sqrt()) {
@@ -117,7 +147,7 @@ impl Skin {
         self.poles = [widths[0], widths[ROWS]].map(|width| width <= POLE * self.size);
         for i in 1..ROWS {
             if widths[i] <= widths[i - 1] && widths[i] <= widths[i + 1] {
-                let (s, width) = self.narrowest((i - 1) as f64 / ROWS as f64, (i + 1) as f64 / ROWS as f64);
+                let (s, width) = self.narrowest((i - 1) as f64 / ROWS as f64, (i + 1) as f64 / ROWS as f64, &columns);
                 if width <= PINCH * self.size {
                     let at = self.mean(s);
                     let message = format!(
@@ -132,28 +162,29 @@ impl Skin {
     }
 
     /// The narrowest row between two, by golden sections.
-    fn narrowest(&self, from: f64, to: f64) -> (f64, f64) {
+    fn narrowest(&self, from: f64, to: f64, columns: &Columns) -> (f64, f64) {
         const GOLDEN: f64 = 0.618_033_988_749_895;
         let (mut from, mut to) = (from, to);
-        let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)].map(|s| (s, self.width(s)));
+        let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)].map(|s| (s, self.width(s, columns)));
         for _ in 0..48 {
             if inner[0].1 < inner[1].1 {
                 to = inner[1].0;
                 let s = to - GOLDEN * (to - from);
-                inner = [(s, self.width(s)), inner[0]];
+                inner = [(s, self.width(s, columns)), inner[0]];
             } else {
                 from = inner[0].0;
                 let s = from + GOLDEN * (to - from);
-                inner = [inner[1], (s, self.width(s))];
+                inner = [inner[1], (s, self.width(s, columns))];
             }
         }
         if inner[0].1 < inner[1].1 { inner[0] } else { inner[1] }
     }
 
     /// Twice the largest distance of a row from its mean.
-    fn width(&self, s: f64) -> f64 {
-        let mean = self.mean(s);
-        2.0 * self.round().fold(0.0f64, |most, v| most.max((self.second(s, v).position - mean).length()))
+    fn width(&self, s: f64, columns: &Columns) -> f64 {
+        let points: Vec<DVec3> = (0..columns.n).map(|j| self.second_at(s, columns, j).position).collect();
+        let mean = points.iter().sum::<DVec3>() / points.len() as f64;
+        2.0 * points.iter().fold(0.0f64, |most, p| most.max((*p - mean).length()))
     }
 
     fn mean(&self, s: f64) -> DVec3 {
@@ -196,6 +227,11 @@ impl Skin {
         self.outward
     }
 
+    /// 1 where the foot goes round anti-clockwise seen from the rim, otherwise -1.
+    pub(crate) fn turn(&self) -> f64 {
+        self.turn
+    }
+
     /// Whether `s` is `u`, not `1 - u`.
     pub(crate) fn is_upward(&self) -> bool {
         self.is_upward
@@ -206,15 +242,32 @@ impl Skin {
         format!("parts[{}].{field}", self.index)
     }
 
+    /// Even columns of this surface.
+    pub(crate) fn columns(&self, n: usize) -> Columns {
+        let circles = (0..n)
+            .flat_map(|j| self.distinct.iter().map(move |k| of_turns(libm::fmod(k * j as f64, n as f64) / n as f64)));
+        Columns { n, circles: circles.collect() }
+    }
+
     /// Position and derivatives up to the second, placed.
     pub(crate) fn second(&self, s: f64, v: f64) -> SurfaceJet {
+        let turns = v / TAU;
+        self.placed(s, |n| of_turns(self.distinct.get(n).copied().unwrap_or(0.0) * turns))
+    }
+
+    /// As [`Self::second`], at a column.
+    pub(crate) fn second_at(&self, s: f64, columns: &Columns, column: usize) -> SurfaceJet {
+        let circles = columns.circles.get(column * self.distinct.len()..).unwrap_or_default();
+        self.placed(s, |n| circles.get(n).copied().unwrap_or((1.0, 0.0)))
+    }
+
+    fn placed(&self, s: f64, circle: impl Fn(usize) -> (f64, f64)) -> SurfaceJet {
         let u = if self.is_upward { s } else { 1.0 - s };
         let mut row = self.row.borrow_mut();
         if row.0 != u {
             *row = (u, RowTable::at(&self.surface, &self.distinct, u));
         }
-        let turns = v / TAU;
-        let jet = row.1.jet(|n| of_turns(self.distinct.get(n).copied().unwrap_or(0.0) * turns));
+        let jet = row.1.jet(circle);
         let (m, along, round) = (self.matrix, if self.is_upward { 1.0 } else { -1.0 }, self.surface.span() / TAU);
         SurfaceJet {
             position: m * jet.position + self.shift,
@@ -228,10 +281,18 @@ impl Skin {
 
     /// Position, derivatives and normal. At a pole or where the surface has no normal it is that of the nearest place which has one.
     pub(crate) fn jet(&self, s: f64, v: f64) -> SkinJet {
-        let jet = self.second(s, v);
+        self.with_normal(&self.second(s, v), s, v)
+    }
+
+    /// As [`Self::jet`], at a column.
+    pub(crate) fn jet_at(&self, s: f64, columns: &Columns, column: usize) -> SkinJet {
+        self.with_normal(&self.second_at(s, columns, column), s, columns.v(column))
+    }
+
+    fn with_normal(&self, jet: &SurfaceJet, s: f64, v: f64) -> SkinJet {
         let is_pole = (s == 0.0 && self.poles[0]) || (s == 1.0 && self.poles[1]);
         let inward = if s < 0.5 { 1.0 } else { -1.0 };
-        if !is_pole && let Some([normal, normal_s, normal_v]) = self.normal(&jet) {
+        if !is_pole && let Some([normal, normal_s, normal_v]) = self.normal(jet) {
             return SkinJet { position: jet.position, ds: jet.du, dv: jet.dv, normal, normal_s, normal_v };
         }
         let beside = self.second(s + inward * BESIDE_POLE, v);

@@ -2,14 +2,14 @@
 //!
 //! A point at a distance `t` from `P` along its normal has no nearer point of the surface than `P` as long as `t` is less than the radius of the largest ball that touches the surface at `P`
 //! on that side and holds no other point of it. So no two of the lines along which the wall is laid meet, and the other side of the wall is embedded, whatever its thickness is within that bound.
-//! The ball is found by shrinking: through the nearest point inside it goes the next (J. Ma, S. W. Bae, S. Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, 2012).
+//! The ball is found by shrinking it to one through a point inside (J. Ma, S. W. Bae, S. Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, 2012).
 //! How the surface bends at `P` itself is known from its second derivatives.
 
 use core::f64::consts::TAU;
+use core::ops::ControlFlow;
 
 use glam::DVec3;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
+use rstar::{AABB, RTree};
 
 use super::skin::{Skin, SkinJet};
 use crate::design::{Part, Wall};
@@ -25,11 +25,14 @@ const WIDEST: f64 = 1.0 / 48.0;
 /// The fewest columns.
 const COLUMNS: usize = 64;
 
-/// How often a ball may shrink.
-const SHRINKINGS: usize = 24;
+/// A ball is shrunk at once when it can be by this factor.
+const SHRUNK: f64 = 0.7;
 
-/// A ball that shrinks by less than this part is the largest.
-const SHRUNK: f64 = 1e-3;
+/// What is thinner by less than this part is not thinned.
+const ROUNDING: f64 = 1e-12;
+
+/// The thickness is looked into at the places of a mesh that keeps this part of the size.
+const FINENESS: f64 = 1.0 / 600.0;
 
 /// How thick the wall is at each place of the surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,14 +82,16 @@ impl Thickness {
     ) -> Result<Thickness> {
         let (rows, columns) = rows_and_columns(part, index, skin, fineness)?;
         let samples = samples(skin, &rows, columns, direction);
-        let points = samples.iter().zip(0u32..).map(|(sample, i)| GeomWithData::new(sample.position.to_array(), i));
-        let tree = RTree::bulk_load(points.collect());
+        let tree = RTree::bulk_load(samples.iter().map(|sample| sample.position.to_array()).collect());
         let asked = wall.thickness;
         let values: Vec<f64> =
             samples.iter().map(|sample| asked.min(SHARE * radius(sample, &tree, asked / SHARE))).collect();
         if values.iter().all(|t| *t >= asked) {
             return Ok(Thickness::Even(asked));
         }
+        let mut values = smoothed(&values, columns);
+        // A mean of equal numbers may be less than they are in its last place.
+        values.iter_mut().filter(|t| **t > asked * (1.0 - ROUNDING)).for_each(|t| *t = asked);
         let mut thinnest = (f64::INFINITY, DVec3::ZERO);
         let (mut thinned, mut area) = (0.0, 0.0);
         for (sample, t) in samples.iter().zip(&values) {
@@ -98,7 +103,6 @@ impl Thickness {
                 thinned += sample.area;
             }
         }
-        let values = smoothed(&values, columns);
         let share = if area > 0.0 { thinned / area } else { 0.0 };
         Ok(Thickness::Thinned(Thinned { rows, values, n_columns: columns, thinnest, share }))
     }
@@ -161,7 +165,7 @@ fn smoothed(values: &[f64], columns: usize) -> Vec<f64> {
 
 /// The rows and columns of a mesh of the part, and as many more as it takes.
 fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
-    let (placed, columns, _) = places(part, index, None)?;
+    let (placed, columns, _) = places(part, index, Some(FINENESS * skin.size()))?;
     let mut rows = vec![0.0];
     for pair in placed.windows(2) {
         let n = (libm::ceil((pair[1] - pair[0]) / WIDEST) as usize).max(1) * fineness;
@@ -175,9 +179,10 @@ fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> 
 
 fn samples(skin: &Skin, rows: &[f64], columns: usize, direction: f64) -> Vec<Sample> {
     let mut samples = Vec::with_capacity(rows.len() * columns);
+    let even = skin.columns(columns);
     for &s in rows {
         for j in 0..columns {
-            let jet = skin.jet(s, TAU * j as f64 / columns as f64);
+            let jet = skin.jet_at(s, &even, j);
             let inward = jet.normal * direction;
             samples.push(Sample {
                 position: jet.position,
@@ -208,19 +213,26 @@ fn bend(jet: &SkinJet, direction: f64) -> f64 {
     if sharpest > 0.0 && sharpest.is_finite() { 1.0 / sharpest } else { f64::INFINITY }
 }
 
-/// The radius of the largest ball, up to `most`.
-fn radius(sample: &Sample, tree: &RTree<GeomWithData<[f64; 3], u32>>, most: f64) -> f64 {
+/// The radius of the largest ball, up to `most`: the least of `|Q - P|^2 / (2 N . (Q - P))` over all points `Q` on its side.
+fn radius(sample: &Sample, tree: &RTree<[f64; 3]>, most: f64) -> f64 {
     let mut radius = most.min(sample.bend);
-    for _ in 0..SHRINKINGS {
+    loop {
         let centre = sample.position + sample.inward * radius;
-        let Some(nearest) = tree.nearest_neighbor(centre.to_array()) else { break };
-        let across = DVec3::from_array(*nearest.geom()) - sample.position;
-        let depth = sample.inward.dot(across);
-        let through = across.length_squared() / (2.0 * depth);
-        if !(depth > 0.0 && through < radius * (1.0 - SHRUNK)) {
-            break;
+        let corners = [centre - DVec3::splat(radius), centre + DVec3::splat(radius)].map(|corner| corner.to_array());
+        let mut least = radius;
+        let _ = tree.locate_in_envelope_intersecting_int(AABB::from_corners(corners[0], corners[1]), |point| {
+            let across = DVec3::from_array(*point) - sample.position;
+            let depth = sample.inward.dot(across);
+            let through = across.length_squared() / (2.0 * depth);
+            if depth > 0.0 && through < least {
+                least = through;
+            }
+            // Where there are many points, most of them are outside of the ball through the first.
+            if least < SHRUNK * radius { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        if !(least < SHRUNK * radius) {
+            return least;
         }
-        radius = through;
+        radius = least;
     }
-    radius
 }

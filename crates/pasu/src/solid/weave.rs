@@ -9,7 +9,7 @@ use super::face::{Face, FaceKind};
 use super::piece::{Form, Piece};
 use super::pot::Pot;
 use super::sheet::Sheet;
-use super::skin::place;
+use super::skin::{Columns, place};
 use crate::error::{Code, Error, Result};
 
 /// A ring no wider than this part of the size is a point.
@@ -45,10 +45,30 @@ pub(crate) struct Grid {
 pub(crate) struct Woven {
     pub(crate) positions: Vec<[f32; 3]>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// (kind, number of triangles)
-    pub(crate) faces: Vec<(FaceKind, usize)>,
+    /// In the order of the triangles.
+    pub(crate) faces: Vec<WovenFace>,
     /// The largest distance between triangles and faces, without the rounding of positions.
     pub(crate) bound: f64,
+}
+
+/// The triangles of one face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WovenFace {
+    pub(crate) kind: FaceKind,
+    pub(crate) n_triangles: usize,
+    /// Whether all triangles are seen side by side, the same way up, along the axis.
+    pub(crate) is_level: bool,
+}
+
+impl Woven {
+    /// The number of the face that a triangle belongs to.
+    pub(crate) fn face(&self, triangle: u32) -> Option<usize> {
+        let mut first = 0;
+        self.faces.iter().position(|face| {
+            first += face.n_triangles;
+            (triangle as usize) < first
+        })
+    }
 }
 
 /// A curve across a face: its vertices, and where they are before rounding.
@@ -78,6 +98,7 @@ struct Weaver<'a> {
     grid: &'a Grid,
     /// From model units to those of the mesh.
     scale: f64,
+    columns: Columns,
     woven: Woven,
 }
 
@@ -86,7 +107,7 @@ struct Weaver<'a> {
 /// # Errors
 /// `crosses-itself` where a level face has an outline that crosses itself; `overflow` for a point beyond single precision.
 pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
-    let mut weaver = Weaver { pot, grid, scale, woven: Woven::default() };
+    let mut weaver = Weaver { pot, grid, scale, columns: pot.skin().columns(grid.columns), woven: Woven::default() };
     let mut last: Option<Ring> = None;
     let mut first: Option<Ring> = None;
     let n_pieces = pot.faces().len();
@@ -100,6 +121,22 @@ pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
             first = Some(start.clone());
         }
         last = Some(weaver.face(piece, start, end)?);
+    }
+    Ok(weaver.woven)
+}
+
+/// Triangles of the surface of the design alone, which are open at its ends.
+///
+/// # Errors
+/// As [`weave`].
+pub(crate) fn weave_surface(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
+    let columns = pot.skin().columns(grid.columns);
+    let mut weaver = Weaver { pot, grid, scale, columns, woven: Woven::default() };
+    for piece in pot.faces() {
+        if matches!(&piece.form, Form::Sheet { sheet, .. } if sheet.is_design()) {
+            let start = weaver.ring(weaver.curve(piece, 0.0), None)?;
+            weaver.face(piece, start, None)?;
+        }
     }
     Ok(weaver.woven)
 }
@@ -165,7 +202,8 @@ impl Weaver<'_> {
         let is_design = matches!(&piece.form, Form::Sheet { sheet, .. } if sheet.is_whole_design());
         let bound = if is_design { self.grid.bound } else { MARGIN * self.deviation(&rings) };
         self.woven.bound = self.woven.bound.max(bound);
-        self.woven.faces.push((piece.kind(), self.woven.triangles.len() - before));
+        let n_triangles = self.woven.triangles.len() - before;
+        self.woven.faces.push(WovenFace { kind: piece.kind(), n_triangles, is_level: piece.is_level() });
         Ok(rings.pop().unwrap_or_else(|| Ring { vertices: Vec::new(), points: Vec::new() }))
     }
 
@@ -196,8 +234,7 @@ impl Weaver<'_> {
 
     /// The rings of a sheet above where it begins: rows of constant `s`, and below them what leads over from its edge.
     fn sheet(&self, sheet: &Sheet) -> Vec<Vec<DVec3>> {
-        let columns: Vec<f64> = (0..self.grid.columns).map(|j| self.v(j)).collect();
-        let starts: Vec<f64> = columns.iter().map(|v| sheet.start(*v).s).collect();
+        let starts: Vec<f64> = (0..self.grid.columns).map(|j| sheet.start(self.v(j)).s).collect();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
         let rows = &self.grid.rows;
         let is_inside = |i: usize| rows[i] > most && rows[i] - most >= CLEARANCE * (rows[i] - rows[i - 1]);
@@ -210,12 +247,13 @@ impl Weaver<'_> {
             let n = (skipped + 1).min(MOST_BETWEEN);
             for i in 1..n {
                 let share = i as f64 / n as f64;
-                let ring = columns.iter().zip(&starts).map(|(v, s)| sheet.jet(s + share * (lowest - s), *v).position);
+                let ring =
+                    starts.iter().enumerate().map(|(j, s)| sheet.at_column(s + share * (lowest - s), &self.columns, j));
                 rings.push(ring.collect());
             }
         }
         for s in &rows[first..rows.len() - 1] {
-            rings.push(columns.iter().map(|v| sheet.jet(*s, *v).position).collect());
+            rings.push((0..self.grid.columns).map(|j| sheet.at_column(*s, &self.columns, j)).collect());
         }
         rings
     }
