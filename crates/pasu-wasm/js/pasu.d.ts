@@ -88,6 +88,221 @@ export interface Derivatives {
   dv: Float64Array;
 }
 
+/** A number and how far it may be off: the true one is within `error` of `value`. */
+export interface Quantity {
+  value: number;
+  error: number;
+}
+
+/** A point of the world, after placement, in the unit of the design; z is up. */
+export type Point = [x: number, y: number, z: number];
+
+/** A number and where it is reached. */
+export interface Located {
+  value: number;
+  at: Point;
+}
+
+/** What is made of each part: a hollow pot with the part's wall, or the surface with its ends closed for the vase mode of a slicer. */
+export type Product = "pot" | "solid";
+
+/** The size of the finished pot in the unit of the design; a capacity in its cube. Everything is scaled alike, the wall included. */
+export type Size =
+  | { height: number; width?: undefined; capacity?: undefined }
+  | { width: number; height?: undefined; capacity?: undefined }
+  | { capacity: number; height?: undefined; width?: undefined };
+
+/** What is made of a design, and how large. */
+export interface Making {
+  /** `"pot"` when left out. */
+  product?: Product | undefined;
+  /** As designed when left out. */
+  size?: Size | undefined;
+  /** By how many percent the clay shrinks in drying and firing, from 0 (when left out) to less than 50. What is made is larger by 1 / (1 - shrinkage / 100), so that `size` is that of the finished pot. */
+  shrinkage?: number | undefined;
+  /** The largest distance between triangles and the true faces, in the unit of the design, before scaling; one two-thousandth of each part's size when left out. */
+  tolerance?: number | undefined;
+}
+
+/** What to measure. */
+export interface MeasureOptions {
+  /** A level, the z of the world in the unit of the design, to which the pot is filled besides the brim. */
+  fill?: number | undefined;
+  /** `"pot"` when left out; a solid holds nothing. */
+  product?: Product | undefined;
+  /** Of the clay, in g/cm3; by the clay of each part's look when left out. */
+  density?: number | undefined;
+}
+
+/**
+ * What can be said of one part and of several together. Lengths are in the unit of the design, areas and volumes in its square and cube, angles in degrees, masses in grams. What there is not is null.
+ */
+export interface BodyMeasures {
+  /** From the lowest to the highest point. */
+  height: Quantity;
+  /** The lowest z. */
+  bottom: number;
+  /** The highest z. */
+  top: number;
+  /** Between two upright boards on either side, over all level directions; the directions are in degrees anticlockwise from x. */
+  width: { least: Quantity; greatest: Quantity; leastDirection: number; greatestDirection: number };
+  /** Of the design surface, one side. */
+  area: Quantity;
+  /** The whole boundary of the clay, and what is inside; `mass` in grams. */
+  clay: { area: Quantity; volume: Quantity; mass: Quantity } | null;
+  capacity: Capacity | null;
+  /** Centre of mass of the clay, and of clay and water to the brim. */
+  centre: { empty: { at: Point; error: number } | null; full: { at: Point; error: number } | null };
+  /** Of what touches the table: its area, and the area and corners of its convex hull, anticlockwise. */
+  footprint: { level: number; area: Quantity; hullArea: Quantity; hull: [x: number, y: number][] } | null;
+  /** How far it can be tilted until it falls, and in which direction, in degrees anticlockwise from x. */
+  tipping: { empty: Tipping | null; full: Tipping | null };
+}
+
+/** What a pot holds, in the unit of the design cubed. */
+export interface Capacity {
+  /** To the brim, in the position in which it is placed. */
+  brim: Quantity;
+  /** Where water first runs out. */
+  spill: { level: Quantity; at: Point };
+  /** The z of the lowest point inside. */
+  floor: number;
+  /** Up to the level that was asked for. */
+  fill: { level: number; volume: Quantity } | null;
+  /** Whether there is a drain hole, which is taken as stopped. */
+  stopped: boolean;
+}
+
+/** Degrees. */
+export interface Tipping {
+  degrees: number;
+  toward: number;
+}
+
+/** The measures of one part. */
+export interface PartMeasures extends BodyMeasures {
+  part: number;
+  name: string | null;
+  /** Whether it has a wall, and can have it. */
+  isPot: boolean;
+  /** Why it is no pot, in words. */
+  reason: string | null;
+  /** Why it holds nothing, in words. */
+  capacityReason: string | null;
+  /** Along the normal; `thinned` is the share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  thickness: { asked: number; least: { value: number; at: Point | null }; greatest: number; thinned: number } | null;
+  /** Of the outside against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up. */
+  overhang: Overhang | null;
+  /** Of the lining. */
+  overhangInside: Overhang | null;
+  /** Of the design surface: mean in 1 / length, Gaussian in 1 / area; null where it has no bound. */
+  curvature: {
+    mean: { least: Located | null; greatest: Located | null };
+    gaussian: { least: Located | null; greatest: Located | null };
+  };
+}
+
+/** How far a wall leans over what is below. */
+export interface Overhang {
+  degrees: number;
+  at: Point;
+  face: "outer" | "rim" | "lining";
+}
+
+/** What can be measured on a design and on each of its parts. */
+export interface Measures extends BodyMeasures {
+  unit: "mm" | "cm" | "in";
+  product: Product;
+  parts: PartMeasures[];
+}
+
+/** One thing that a check found. */
+export interface Finding {
+  /** A stable kebab-case word: `thinned`, or the code of the refusal. */
+  code: string;
+  /** It cannot be made; it differs from what was asked for; worth knowing. */
+  severity: "error" | "warning" | "note";
+  part: number;
+  /** One sentence in a potter's words. */
+  message: string;
+  at?: Point;
+}
+
+/** What the checks counted on the mesh of one part, on the very coordinates that a file holds. */
+export interface MeshReport {
+  part: number;
+  vertices: number;
+  triangles: number;
+  /** Whether every edge is shared by two triangles that pass it in opposite directions. */
+  closed: boolean;
+  /** Handles: 0 for a cup, 1 for a tube or a pot with a drain. */
+  genus?: number;
+  /** Triangles without area. */
+  degenerate: number;
+  /** Pairs of triangles that cross. */
+  crossings: number;
+  /** The largest distance between the triangles and the true faces, in the unit of the design. */
+  bound: number;
+  /** The share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  thinned: number;
+  /** The thinnest that the wall is, in the unit of the design. */
+  thinnest?: number;
+}
+
+/** Whether a design can be made, and what was found. */
+export interface Report {
+  ok: boolean;
+  product: Product;
+  triangles: number;
+  vertices: number;
+  findings: Finding[];
+  meshes: MeshReport[];
+}
+
+/** A kind of file: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale. */
+export type Format = "stl" | "3mf" | "glb" | "obj" | "ply" | "step" | "svg";
+
+/** What a piece of the boundary of a pot is to a potter. */
+export type FaceKind = "outer" | "lining" | "rim" | "underside" | "foot-ring" | "recess" | "floor" | "drain" | "lid";
+
+/** What is made of a design, to be drawn. The arrays are yours. */
+export interface Solid {
+  /** xyz triples in the unit of the design, before `scale`. */
+  positions: Float32Array;
+  /** Unit vectors out of the clay, one for each position; vertices are split where faces meet. */
+  normals: Float32Array;
+  /** Three indices of vertices for each triangle, counter-clockwise from outside the clay. */
+  indices: Uint32Array;
+  /** In the order of `indices`, which they cover. */
+  faces: { kind: FaceKind; part: number; first: number; count: number }[];
+  /** From the design to the finished pot, from that to the raw one, and from the unit of the design to the millimetres of a file, both included. */
+  scale: { size: number; shrinkage: number; millimetres: number };
+}
+
+/** What can be painted on a surface. Curvatures are in 1 / length and 1 / area, the thickness in the unit of the design, the overhang in degrees: 0 on a vertical wall, 90 on a level ceiling. */
+export type MapName = "mean-curvature" | "gaussian-curvature" | "thickness" | "overhang";
+
+/** One number for each vertex. */
+export interface Painted {
+  values: Float32Array;
+  least: number;
+  greatest: number;
+}
+
+/** Water standing in a design. */
+export interface Water {
+  /** In the unit of the design cubed. */
+  volume: number;
+  /** How far the volume may be off. */
+  error: number;
+  /** Of its surface. */
+  area: number;
+  /** xyz triples of its surface, in the unit of the design. */
+  positions: Float32Array;
+  /** Three indices for each triangle, counter-clockwise from above. */
+  indices: Uint32Array;
+}
+
 /**
  * Loads the WebAssembly module; wait for it before calling anything else. Calling it again does nothing.
  * @param source Where the module is, if not beside this file: an address, a response, its bytes, or a compiled module.
@@ -130,3 +345,27 @@ export function derivatives(source: DesignSource, part: number, at: Float64Array
 
 /** A short hash of the design's mesh: the same design has the same on every machine. */
 export function fingerprint(source: DesignSource): string;
+
+/** What can be measured on a design, by quadrature on the closed form. */
+export function measure(source: DesignSource, options?: MeasureOptions): Measures;
+
+/** Whether a design can be made. What cannot is in the findings; only what is no design is thrown. */
+export function check(source: DesignSource, making?: Making): Report;
+
+/**
+ * The bytes of a file: the same for the same design and making, on every machine and every day. It holds the link of the design, its fingerprint, the version
+ * of Pasu and the verdict of the checks, as far as the format can.
+ */
+export function write(source: DesignSource, format: Format, making?: Making): Uint8Array<ArrayBuffer>;
+
+/** What is made of a design, to be drawn: the triangles of the files of {@link write}, in the unit of the design, with normals. */
+export function solid(source: DesignSource, making?: Making): Solid;
+
+/** One number for each vertex of {@link mesh} with the same options, in the same order. */
+export function paint(source: DesignSource, map: MapName, options?: MeshOptions): Painted;
+
+/** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
+export function water(source: DesignSource, level: number): Water;
+
+/** The link in a file that {@link write} wrote, without `#`; `undefined` for every other file. */
+export function open(bytes: Uint8Array): string | undefined;

@@ -3,9 +3,34 @@
 import * as bindings from "./bindings.js";
 import { entry, PasuError } from "./wrapper.js";
 
-const { init, parse, link, mesh, bound, evaluate, derivatives, fingerprint } = entry(
+const { init, call, parse, link, mesh, bound, evaluate, derivatives, fingerprint } = entry(
   { module: () => new URL("./pasu_bg.wasm", import.meta.url), bindings: () => bindings },
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => bindings },
 );
 
-export { bound, derivatives, evaluate, fingerprint, init as default, link, mesh, PasuError, parse };
+const measure = (source, options) => call("measure", source, options);
+const check = (source, making) => call("check", source, making);
+const write = (source, format, making) => call("write", source, format, making);
+const solid = (source, making) => call("solid", source, making);
+const paint = (source, map, options) => call("paint", source, map, options);
+const water = (source, level) => call("water", source, level);
+const open = (bytes) => call("open", bytes);
+
+export {
+  bound,
+  check,
+  derivatives,
+  evaluate,
+  fingerprint,
+  init as default,
+  link,
+  measure,
+  mesh,
+  open,
+  PasuError,
+  paint,
+  parse,
+  solid,
+  water,
+  write,
+};

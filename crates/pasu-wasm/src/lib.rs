@@ -9,6 +9,10 @@
 #![cfg_attr(target_arch = "wasm32", warn(missing_docs))]
 
 mod error;
+#[cfg(feature = "making")]
+mod fields;
+#[cfg(feature = "making")]
+mod making;
 mod mesh;
 mod options;
 mod points;
@@ -19,6 +23,8 @@ use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
+#[cfg(feature = "making")]
+pub use crate::making::{check, measure, open, paint, solid, water, write};
 
 #[cfg(all(doctest, not(target_arch = "wasm32")))]
 #[doc = include_str!("../../../README.md")]

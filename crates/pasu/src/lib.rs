@@ -41,7 +41,7 @@ pub use design::{
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
-pub use export::{Format, open, write};
+pub use export::{Drawn, DrawnFace, Format, drawn, open, write};
 pub use fingerprint::fingerprint;
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,

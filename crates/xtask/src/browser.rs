@@ -1,12 +1,12 @@
 //! A Chromium for the browser tests.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
 use crate::workspace::Workspace;
-use crate::{command, node};
+use crate::{command, debian, node};
 
 /// The variable that names a browser to use.
 pub(crate) const VARIABLE: &str = "PASU_BROWSER";
@@ -43,14 +43,8 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
     if let Some(found) = installed() {
         return Ok(found);
     }
-    if Path::new("/etc/debian_version").exists() && is_root() {
-        eprintln!("installing Debian's chromium");
-        let apt = |arguments: &[&str]| {
-            command::run(Command::new("apt-get").args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
-        };
-        let done =
-            apt(&["update", "-q"]).and_then(|()| apt(&["install", "-y", "-q", "--no-install-recommends", "chromium"]));
-        match (done, installed()) {
+    if debian::is_at_hand() {
+        match (debian::install("chromium"), installed()) {
             (Ok(()), Some(found)) => return Ok(found),
             (Err(error), _) => eprintln!("that did not work: {error:#}"),
             (Ok(()), None) => eprintln!("that did not bring a browser"),
@@ -67,9 +61,7 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
 }
 
 fn installed() -> Option<PathBuf> {
-    let path = std::env::var_os("PATH")?;
-    let on_path = std::env::split_paths(&path).flat_map(|folder| NAMES.map(|name| folder.join(name)));
-    on_path.chain(PLACES.iter().map(PathBuf::from)).find(|candidate| candidate.is_file())
+    debian::on_path(&NAMES).or_else(|| PLACES.iter().map(PathBuf::from).find(|candidate| candidate.is_file()))
 }
 
 /// Where Playwright puts its own.
@@ -77,8 +69,4 @@ fn downloaded(workspace: &Workspace) -> Option<PathBuf> {
     const ASK: &str = "process.stdout.write(require('playwright-core').chromium.executablePath())";
     let path = command::read(Command::new("node").args(["-e", ASK]).current_dir(workspace.web())).ok()?;
     Some(PathBuf::from(path)).filter(|path| path.is_file())
-}
-
-fn is_root() -> bool {
-    command::read(Command::new("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }

@@ -4,6 +4,7 @@ mod bench;
 mod browser;
 mod build;
 mod command;
+mod debian;
 mod dev;
 mod node;
 mod report;
@@ -12,6 +13,7 @@ mod site;
 mod stamp;
 mod test;
 mod tidy;
+mod tools;
 mod wasm_package;
 mod wasm_target;
 mod weight;
@@ -25,7 +27,8 @@ cargo xtask <task>
   serve    build the designer and serve it; prints the address
   dev      serve the designer and rebuild it on every change
   build    build the library (crates/pasu-wasm/pkg) and the static site (web/dist) for release
-  test     every check there is; --fast leaves the browser out
+  test     every check there is; --fast leaves the browser out;
+           --tools asks other programs to judge our files
   bench    how fast surfaces are computed
 
 `cargo xtask <task> --help` tells more about each.";

@@ -7,21 +7,24 @@ use anyhow::{Result, bail};
 use crate::report::{Report, cargo_count, node_count, vitest_count};
 use crate::wasm_package::{self, Care};
 use crate::workspace::{Workspace, cargo};
-use crate::{browser, command, node, site, tidy, wasm_target, weight};
+use crate::{browser, command, node, site, tidy, tools, wasm_target, weight};
 
 const HELP: &str = "\
-cargo xtask test [--fast]
+cargo xtask test [--fast | --tools]
 
 Runs, and goes on after a failure: the rules of the house, the formatter, clippy, the tests of the
 mathematics, the WebAssembly tests in Node, the TypeScript check, the linter, the tests of the front
 end and of the library as it is published, and the browser tests.
 
-  --fast   leave out what needs a browser";
+  --fast   leave out what needs a browser
+  --tools  instead of all that, have other programs judge files of many designs: Manifold, trimesh, lib3mf,
+           OpenCASCADE, PrusaSlicer and the glTF validator. They are installed when first needed";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     let fast = match arguments {
         [] => false,
         [word] if word == "--fast" => true,
+        [word] if word == "--tools" => return with_tools(),
         [word] if word == "--help" || word == "-h" => {
             println!("{HELP}");
             return Ok(());
@@ -51,6 +54,14 @@ pub(crate) fn main(arguments: &[String]) -> Result<()> {
     report.close()
 }
 
+fn with_tools() -> Result<()> {
+    let workspace = Workspace::find()?;
+    node::ensure(&workspace)?;
+    let mut report = Report::default();
+    tools::check(&mut report, &workspace);
+    report.close()
+}
+
 fn rust(report: &mut Report, workspace: &Workspace) {
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(cargo());
@@ -64,13 +75,16 @@ fn rust(report: &mut Report, workspace: &Workspace) {
     });
     report.check("clippy for WebAssembly", || {
         let target = ["--target", wasm_target::TRIPLE];
-        command::run(
-            cargo(&["clippy", "--package", "pasu-wasm", "--all-targets"]).args(target).args(["--", "-D", "warnings"]),
-        )
+        let clippy = |arguments: &[&str]| {
+            let mut command = cargo(&["clippy", "--package", "pasu-wasm"]);
+            command::run(command.args(arguments).args(target).args(["--", "-D", "warnings"]))
+        };
+        clippy(&["--all-targets"])?;
+        clippy(&["--lib", "--no-default-features"])
     });
-    // The benchmarks are no default members. Without the feature `sparse`, whose solver takes a minute to compile.
-    report.check("clippy for the benchmarks", || {
-        let packages = ["--package", "bench", "--package", "bench-wasm"];
+    // These are no default members. Without the feature `sparse` of the benchmarks, whose solver takes a minute to compile.
+    report.check("clippy for what does not ship", || {
+        let packages = ["--package", "bench", "--package", "bench-wasm", "--package", "specimens"];
         command::run(cargo(&["clippy", "--all-targets"]).args(packages).args(["--", "-D", "warnings"]))
     });
     report.check("documentation", || {

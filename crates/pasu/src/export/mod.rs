@@ -2,6 +2,7 @@
 
 mod contents;
 mod crc32;
+mod drawn;
 mod glb;
 mod material;
 mod numbers;
@@ -19,6 +20,7 @@ mod write;
 mod xml;
 mod zip;
 
+pub use drawn::{Drawn, DrawnFace, drawn};
 pub use open::open;
 pub use write::write;
 

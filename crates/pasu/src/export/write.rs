@@ -81,7 +81,8 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
     }
 }
 
-fn body<'a>(design: &Design, mesh: &'a SolidMesh) -> Body<'a> {
+/// One part as files have it.
+pub(super) fn body<'a>(design: &Design, mesh: &'a SolidMesh) -> Body<'a> {
     let part = &design.parts()[mesh.part];
     Body {
         name: part.name.clone().unwrap_or_else(|| match (design.parts().len(), design.title()) {

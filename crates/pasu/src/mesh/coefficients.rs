@@ -37,7 +37,8 @@ pub(super) struct Harmonic {
 /// How the components use the harmonics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layout {
-    /// `x` is of cosines, `y` of sines, `z` of one of the two: one strand serves all three components.
+    /// For folded rows: `x` is of cosines, `y` of sines, `z` of one of the two, and what does not depend on `v` does not lean towards `y`. One strand serves
+    /// all three components.
     Split { z_is_sine: bool },
     /// Anything else: the strands of the cosines and those of the sines are summed one after the other.
     Both,
@@ -50,8 +51,6 @@ pub(super) struct Coefficients {
     pub(super) harmonics: Vec<Harmonic>,
     pub(super) n_even: usize,
     pub(super) layout: Layout,
-    /// What does not depend on `v` does not lean towards `y`.
-    pub(super) is_upright: bool,
     /// Half a turn takes the surface into itself: normals there are turned by as much.
     pub(super) is_turned: bool,
     /// For every curve where it goes.
@@ -87,7 +86,6 @@ impl Default for Coefficients {
             harmonics: Vec::new(),
             n_even: 0,
             layout: Layout::Both,
-            is_upright: false,
             is_turned: false,
             places: Vec::new(),
             matrix: DMat3::IDENTITY,
@@ -107,8 +105,8 @@ impl Default for Coefficients {
 }
 
 impl Coefficients {
-    /// Takes another surface, placed by a matrix and a shift.
-    pub(super) fn prepare(&mut self, curves: &Curves, matrix: DMat3, shift: DVec3) {
+    /// Takes another surface, placed by a matrix and a shift; `folds` as [`folds`](super::kernel::folds).
+    pub(super) fn prepare(&mut self, curves: &Curves, matrix: DMat3, shift: DVec3, folds: bool) {
         (self.matrix, self.shift) = (matrix, shift);
         let names = curves.list().iter().map(|curve| (curve.axis, curve.is_sine, curve.n));
         let is_twofold = names
@@ -145,10 +143,11 @@ impl Coefficients {
             }
         }
         self.layout = match self.has {
-            [[_, false], [false, _], [cos, sin]] if !(cos && sin) => Layout::Split { z_is_sine: sin },
+            [[_, false], [false, _], [cos, sin]] if !(cos && sin) && !leans[1] && folds => {
+                Layout::Split { z_is_sine: sin }
+            }
             _ => Layout::Both,
         };
-        self.is_upright = !leans[1];
         self.is_turned = self.n_even == 0 && self.has[2] == [false; 2] && !leans[0] && !leans[1];
         let zero = [[Block::ZERO; 2]; 3];
         for waves in &mut self.waves {
@@ -225,7 +224,7 @@ impl Coefficients {
     pub(super) fn circle(&self, row: usize) -> Option<Circle> {
         let at = |block: Block| block.to_array()[row];
         let ([cosine], [sine]) = (self.waves[0].as_slice(), self.waves[1].as_slice()) else { return None };
-        if self.layout != (Layout::Split { z_is_sine: false }) || self.has[2][0] || self.is_exact[row] {
+        if self.has != [[true, false], [false, true], [false; 2]] || self.is_exact[row] {
             return None;
         }
         let [[radius, slope], [other, other_slope]] = [cosine[0].map(at), sine[1].map(at)];

@@ -22,6 +22,12 @@ enum Fold {
 /// The fewest steps round the axis for which no block of a folded row reaches over the end of it.
 const LEAST_FOLDED: usize = 12;
 
+/// Whether columns share their sums, as in [`Fold::Quartered`].
+pub(super) fn folds(is_closed: bool, n_columns: usize) -> bool {
+    let n_steps = n_columns - 1;
+    is_closed && n_steps >= LEAST_FOLDED && n_steps.is_multiple_of(2)
+}
+
 /// Cosines and sines of the columns whose sums are formed, four at a time.
 #[derive(Debug, Default)]
 pub(super) struct Circles {
@@ -43,8 +49,7 @@ impl Circles {
     /// Makes the tables for a number of columns.
     pub(super) fn prepare(&mut self, coefficients: &Coefficients, is_closed: bool, turns: &Turns, n_columns: usize) {
         let n_steps = n_columns - 1;
-        let folds = is_closed && n_steps >= LEAST_FOLDED && n_steps.is_multiple_of(2);
-        let fold = if folds { Fold::Quartered } else { Fold::Open };
+        let fold = if folds(is_closed, n_columns) { Fold::Quartered } else { Fold::Open };
         let n_formed = match fold {
             Fold::Open => n_columns,
             Fold::Quartered => n_steps / 4 + 1,
@@ -89,7 +94,7 @@ impl Circles {
             n_steps: self.n_columns - 1,
         };
         // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
-        if self.n_wary == 0 && self.fold == Fold::Quartered {
+        if self.n_wary == 0 {
             if self.columns::<WholeRow>(coefficients, row, &task, positions, normals) == Some(true) {
                 self.close(positions, normals);
                 return false;
@@ -115,30 +120,29 @@ impl Circles {
         normals: &mut [f32],
     ) -> Option<bool> {
         let strands = coefficients.strands.as_slice();
-        let is_folded = self.fold == Fold::Quartered;
-        match coefficients.layout {
-            Layout::Split { .. } if coefficients.is_turned && is_folded => {
-                let layout = Split::<false, true> { strands, row };
-                Some(self.each_block(task, &layout, positions, normals, turned_block::<_, W>))
+        match (coefficients.layout, self.fold) {
+            (Layout::Split { z_is_sine: false }, Fold::Quartered) if coefficients.is_turned => W::IS_EACH.then(|| {
+                let layout = Split::<false> { strands, row };
+                self.each_block(task, &layout, positions, normals, turned_block::<_, EachNormal>)
+            }),
+            (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
+                let layout = Split::<false> { strands, row };
+                Some(self.each_block(task, &layout, positions, normals, quartered_block::<_, W>))
             }
-            // Mirroring matters to folded rows alone.
-            Layout::Split { z_is_sine: false } if coefficients.is_upright && is_folded => {
-                Some(self.fold::<_, W>(task, &Split::<false, true> { strands, row }, positions, normals))
+            (Layout::Split { z_is_sine: true }, Fold::Quartered) => {
+                let layout = Split::<true> { strands, row };
+                Some(self.each_block(task, &layout, positions, normals, quartered_block::<_, W>))
             }
-            Layout::Split { z_is_sine: true } if coefficients.is_upright && is_folded => {
-                Some(self.fold::<_, W>(task, &Split::<true, true> { strands, row }, positions, normals))
-            }
-            // These are rare: they have no second loop.
-            Layout::Split { .. } if !W::IS_EACH => None,
-            Layout::Split { z_is_sine: false } => {
-                Some(self.fold::<_, W>(task, &Split::<false, false> { strands, row }, positions, normals))
-            }
-            Layout::Split { z_is_sine: true } => {
-                Some(self.fold::<_, W>(task, &Split::<true, false> { strands, row }, positions, normals))
-            }
-            Layout::Both => {
-                let sine_strands = coefficients.sine_strands.as_slice();
-                Some(self.fold::<_, W>(task, &Both { strands, sine_strands, row }, positions, normals))
+            // The others have no loop of this kind: each is several kilobytes of every page that draws a pot.
+            _ if !W::IS_EACH => None,
+            (_, fold) => {
+                let layout = Both { strands, sine_strands: coefficients.sine_strands.as_slice(), row };
+                Some(match fold {
+                    Fold::Quartered => {
+                        self.each_block(task, &layout, positions, normals, quartered_block::<_, EachNormal>)
+                    }
+                    Fold::Open => self.each_block(task, &layout, positions, normals, open_block::<_, EachNormal>),
+                })
             }
         }
     }
@@ -150,14 +154,6 @@ impl Circles {
                 let last = array.len() - 3;
                 array.copy_within(0..3, last);
             }
-        }
-    }
-
-    /// Forms the sums of each block and writes the columns that are had from them. Returns whether all normals are sure.
-    fn fold<F: Form, W: Watch>(&mut self, task: &Task, layout: &F, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        match self.fold {
-            Fold::Quartered => self.each_block(task, layout, positions, normals, quartered_block::<_, W>),
-            Fold::Open => self.each_block(task, layout, positions, normals, open_block::<_, W>),
         }
     }
 
@@ -321,13 +317,13 @@ struct Place<W> {
     seen: W,
 }
 
-/// As [`Layout::Split`]. `UPRIGHT` says that what does not depend on `v` does not lean towards `y`.
-struct Split<'a, const Z_IS_SINE: bool, const UPRIGHT: bool> {
+/// As [`Layout::Split`].
+struct Split<'a, const Z_IS_SINE: bool> {
     strands: &'a [[Strand; 3]],
     row: usize,
 }
 
-impl<const Z_IS_SINE: bool, const UPRIGHT: bool> Form for Split<'_, Z_IS_SINE, UPRIGHT> {
+impl<const Z_IS_SINE: bool> Form for Split<'_, Z_IS_SINE> {
     type Formed = Sums;
 
     #[inline(always)]
@@ -351,17 +347,12 @@ impl<const Z_IS_SINE: bool, const UPRIGHT: bool> Form for Split<'_, Z_IS_SINE, U
         formed
     }
 
-    /// At `-v` the sums of sines have the other sign. Where the pot is upright, half of what the two normals are made of is shared:
+    /// At `-v` the sums of sines have the other sign, and half of what the two normals are made of is shared:
     /// with `z` of cosines all of it, with `z` of sines what `z_u` is not in.
     #[inline(always)]
     fn pair<W: Watch>(&self, task: &Task, sums: Sums) -> [Place<W>; 2] {
         let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
         let [[x0, xu0], [y0, _], [z0, zu0]] = task.constant;
-        if !UPRIGHT {
-            let z_signed = |z: Lanes| if Z_IS_SINE { -z } else { z };
-            let mirrored = [[x, -y, z_signed(z)], [xu, -yu, z_signed(zu)], [-xv, yv, -z_signed(zv)]];
-            return [task.place(&sums), task.place(&mirrored)];
-        }
         let (px, here_z) = (x0 + x, z0 + z);
         let here = [px, y0 + y, here_z];
         if !Z_IS_SINE {

@@ -8,7 +8,7 @@ use super::coefficients::{Coefficients, ROWS};
 use super::contract::{Mesh, MeshOptions};
 use super::exact::ExactRows;
 use super::grid::append_triangles;
-use super::kernel::Circles;
+use super::kernel::{self, Circles};
 use super::orientation::is_outward;
 use super::profile::Profile;
 use super::ring::Pattern;
@@ -113,7 +113,8 @@ impl PartGrid {
         let mut exact = ExactRows::new(self, columns);
         if !self.is_precise {
             turns.divide(columns - 1);
-            coefficients.prepare(curves, self.matrix, self.shift);
+            let folds = kernel::folds(self.surface.is_closed(), columns);
+            coefficients.prepare(curves, self.matrix, self.shift, folds);
             reached = coefficients.reached(&self.surface, curves);
             circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
             if let [harmonic] = coefficients.harmonics.as_slice() {

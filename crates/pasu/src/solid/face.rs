@@ -26,6 +26,23 @@ pub enum FaceKind {
     Lid,
 }
 
+impl FaceKind {
+    /// The word by which it is known: `outer`, `lining`, `rim`, `underside`, `foot-ring`, `recess`, `floor`, `drain`, `lid`.
+    pub fn name(self) -> &'static str {
+        match self {
+            FaceKind::Outer => "outer",
+            FaceKind::Lining => "lining",
+            FaceKind::Rim => "rim",
+            FaceKind::Underside => "underside",
+            FaceKind::FootRing => "foot-ring",
+            FaceKind::Recess => "recess",
+            FaceKind::Floor => "floor",
+            FaceKind::Drain => "drain",
+            FaceKind::Lid => "lid",
+        }
+    }
+}
+
 /// Position and first derivatives of a face at one point, in model units, after placement.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FaceJet {

@@ -58,7 +58,7 @@ impl Curves {
                     if !(solution.is_zero() || is_sine && term.n == 0.0) {
                         let first = first + count * n_expansions;
                         let (n, k) = (term.n, term.k);
-                        self.curves.push(Curve { axis, is_sine, n, k, term: index, first, n_expansions });
+                        self.insert(Curve { axis, is_sine, n, k, term: index, first, n_expansions });
                         count += 1;
                     }
                 }
@@ -76,8 +76,12 @@ impl Curves {
                 }
             }
         }
-        // Rows are placed among intervals once for all curves that have as many.
-        self.curves.sort_by_key(|curve| curve.n_expansions);
+    }
+
+    /// Puts a curve behind those of no more expansions: rows are placed among intervals once for all curves that have as many.
+    fn insert(&mut self, curve: Curve) {
+        let place = self.curves.partition_point(|other| other.n_expansions <= curve.n_expansions);
+        self.curves.insert(place, curve);
     }
 
     /// What there is, in the order of [`Curves::rows`].

@@ -1,0 +1,122 @@
+//! What it takes to make a design, besides drawing it: measures, checks, files.
+
+use js_sys::{Array, Float32Array, JSON, Object, Uint8Array, Uint32Array};
+use pasu::{Format, Map};
+use wasm_bindgen::prelude::*;
+
+use crate::error::thrown;
+use crate::mesh::set;
+use crate::{fields, options, source};
+
+/// What can be measured, as a plain object.
+///
+/// # Errors
+/// When the source is not a design, an option is not understood, or the design cannot be solved.
+#[wasm_bindgen]
+pub fn measure(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    let measured = || pasu::measure(&source::design(source)?, &fields::measuring(options)?);
+    JSON::parse(&measured().map_err(|error| thrown(&error))?.to_json())
+}
+
+/// Whether the design can be made, as a plain object.
+///
+/// # Errors
+/// When the source is not a design or an option is not understood.
+#[wasm_bindgen]
+pub fn check(source: &JsValue, making: &JsValue) -> Result<JsValue, JsValue> {
+    let checked = || pasu::check(&source::design(source)?, &fields::making(making)?);
+    JSON::parse(&checked().map_err(|error| thrown(&error))?.to_json())
+}
+
+/// The bytes of a file.
+///
+/// # Errors
+/// When the source is not a design, the format or an option is not understood, or the design cannot be made.
+#[wasm_bindgen]
+pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uint8Array, JsValue> {
+    let written = || {
+        let format = fields::one_of(format, "format", &Format::ALL, Format::name)?;
+        pasu::write(&source::design(source)?, format, &fields::making(making)?)
+    };
+    Ok(Uint8Array::from(written().map_err(|error| thrown(&error))?.as_slice()))
+}
+
+/// What is made, to be drawn: `{ positions, normals, indices, faces, scale }`.
+///
+/// # Errors
+/// As [`write`].
+#[wasm_bindgen]
+pub fn solid(source: &JsValue, making: &JsValue) -> Result<Object, JsValue> {
+    let drawn = || pasu::drawn(&source::design(source)?, &fields::making(making)?);
+    let drawn = drawn().map_err(|error| thrown(&error))?;
+    let faces = Array::new();
+    for face in &drawn.faces {
+        let object = Object::new();
+        set(&object, "kind", face.kind.name().into())?;
+        set(&object, "part", (face.part as f64).into())?;
+        set(&object, "first", (face.first as f64).into())?;
+        set(&object, "count", (face.count as f64).into())?;
+        faces.push(&object);
+    }
+    let scale = Object::new();
+    set(&scale, "size", drawn.scale.size.into())?;
+    set(&scale, "shrinkage", drawn.scale.shrinkage.into())?;
+    set(&scale, "millimetres", drawn.scale.millimetres.into())?;
+    let object = Object::new();
+    set(&object, "positions", Float32Array::from(drawn.positions.as_slice()).into())?;
+    set(&object, "normals", Float32Array::from(drawn.normals.as_slice()).into())?;
+    set(&object, "indices", Uint32Array::from(drawn.indices.as_slice()).into())?;
+    set(&object, "faces", faces.into())?;
+    set(&object, "scale", scale.into())?;
+    Ok(object)
+}
+
+/// One value for every vertex of the mesh of the same options: `{ values, least, greatest }`.
+///
+/// # Errors
+/// When the source is not a design, the map or an option is not understood, or the design cannot be solved.
+#[wasm_bindgen]
+pub fn paint(source: &JsValue, map: &JsValue, options: &JsValue) -> Result<Object, JsValue> {
+    let painted = || {
+        let map = fields::one_of(map, "map", &Map::ALL, Map::name)?;
+        pasu::paint(&source::design(source)?, map, &options::read(options)?)
+    };
+    let values = painted().map_err(|error| thrown(&error))?;
+    let object = Object::new();
+    let least = values.iter().copied().fold(f32::INFINITY, f32::min);
+    let greatest = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+    set(&object, "values", Float32Array::from(values.as_slice()).into())?;
+    set(&object, "least", least.into())?;
+    set(&object, "greatest", greatest.into())?;
+    Ok(object)
+}
+
+/// Water up to a level: `{ volume, error, area, positions, indices }`.
+///
+/// # Errors
+/// When the source is not a design, the level is above what the design holds, or the design holds nothing.
+#[wasm_bindgen]
+pub fn water(source: &JsValue, level: &JsValue) -> Result<Object, JsValue> {
+    let filled = || pasu::water(&source::design(source)?, fields::argument(level, "level")?);
+    let water = filled().map_err(|error| thrown(&error))?;
+    let object = Object::new();
+    set(&object, "volume", water.volume.into())?;
+    set(&object, "error", water.error.into())?;
+    set(&object, "area", water.area.into())?;
+    set(&object, "positions", Float32Array::from(water.positions.as_slice()).into())?;
+    set(&object, "indices", Uint32Array::from(water.indices.as_slice()).into())?;
+    Ok(object)
+}
+
+/// The link in a file of Pasu's; `undefined` for every other.
+///
+/// # Errors
+/// When these are not bytes.
+#[wasm_bindgen]
+pub fn open(bytes: &JsValue) -> Result<Option<String>, JsValue> {
+    let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
+        let error = pasu::Error::new(pasu::Code::WrongType, "bytes", "expected the bytes of a file, a Uint8Array");
+        return Err(thrown(&error));
+    };
+    Ok(pasu::open(&bytes.to_vec()))
+}

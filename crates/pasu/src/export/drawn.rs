@@ -1,0 +1,60 @@
+//! What is made of a design, to be drawn: no file, but the triangles that files hold.
+
+use super::shading::{Shaded, shaded};
+use super::write::body;
+use crate::design::Design;
+use crate::error::Result;
+use crate::solid::{FaceKind, Making, Scale, solid};
+
+/// The meshes of [`solid`](crate::solid()) as one, with normals, in model units.
+///
+/// A vertex is split where faces meet, so that edges are drawn sharp. Triangles are counter-clockwise seen from outside the clay.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawn {
+    /// `x, y, z` per vertex, in model units after placement: before size and shrinkage.
+    pub positions: Vec<f32>,
+    /// Unit vectors out of the clay, three numbers per vertex: the mean over the triangles of the face that meet there, weighted by their angles.
+    pub normals: Vec<f32>,
+    /// Three vertex numbers per triangle.
+    pub indices: Vec<u32>,
+    /// What the triangles are of, in the order of `indices`, which they cover.
+    pub faces: Vec<DrawnFace>,
+    /// The factors to what is made.
+    pub scale: Scale,
+}
+
+/// One face of one part in [`Drawn`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DrawnFace {
+    /// What it is.
+    pub kind: FaceKind,
+    /// The part of the design.
+    pub part: usize,
+    /// Its first index.
+    pub first: usize,
+    /// How many indices it has.
+    pub count: usize,
+}
+
+/// What is made of a design, to be drawn.
+///
+/// # Errors
+/// As [`solid`](crate::solid()).
+pub fn drawn(design: &Design, making: &Making) -> Result<Drawn> {
+    let scale = making.scale(design)?;
+    let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let mut drawn = Drawn { positions, normals, indices, faces, scale };
+    for mesh in solid(design, making)? {
+        let body = body(design, &mesh);
+        let (vertices, start) = (drawn.positions.len() / 3, drawn.indices.len());
+        let Shaded { positions, normals, indices } = shaded(&body);
+        drawn.positions.extend(positions.iter().map(|x| (f64::from(*x) / scale.millimetres) as f32));
+        drawn.normals.extend(normals);
+        drawn.indices.extend(indices.iter().map(|vertex| vertex + vertices as u32));
+        let part = mesh.part;
+        let face =
+            |&(kind, first, count): &(FaceKind, usize, usize)| DrawnFace { kind, part, first: start + first, count };
+        drawn.faces.extend(body.faces.iter().map(face));
+    }
+    Ok(drawn)
+}
