@@ -474,7 +474,7 @@ fn what_cannot_be_a_pot_says_why_and_where() {
     refused(&cup, base, "no-room", "parts[0].wall.drain", "expected a base greater than 0");
     let narrow = tapered("[1, 0, 3, 0]", "[1, 2]");
     let high = r#"{ "thickness": 0.2, "base": 0.3, "foot": [0.2, 2] }"#;
-    refused(&narrow, high, "no-room", "parts[0].wall.foot", "the foot ring has no room: it runs through the outside");
+    refused(&narrow, high, "no-room", "parts[0].wall.foot", "has no room: it runs through the outside near (");
     let bare = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {cup} }}] }}"#));
     let error = solid(&bare, &POT).unwrap_err();
     assert_eq!((error.code(), error.path()), ("no-wall", "parts[0].wall"));
