@@ -46,6 +46,8 @@ export default defineConfig({
         codeSplitting: {
           groups: [
             { name: "three", test: /[\\/]node_modules[\\/]three[\\/]/ },
+            // What draws, in one piece: the parts that are fetched later share it.
+            { name: "tableau", test: /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])/ },
             { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
           ],
         },

@@ -47,6 +47,25 @@ test.each<[string, VisitOptions]>([
     await pot.tab(name);
     await check(`the panel “${name}”`);
   }
+  await pot.makePot();
+  await check("the wall");
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  await pot.page.getByRole("combobox", { name: "Colours show" }).selectOption({ label: "overhang" });
+  await pot.page.getByRole("img", { name: /^Overhang: colours/ }).waitFor();
+  await pot.button("How exact").click();
+  await check("the measures");
+  await pot.button("Pour it out").click();
+  await pot.command("Export");
+  await pot.page.getByText("The mesh is closed").last().waitFor();
+  await check("the dialogue “Export”");
+  await pot.page.keyboard.press("Escape");
+  await pot.page.getByRole("dialog").waitFor({ state: "detached" });
+  await pot.tab("Wall");
+  await pot.button("Remove the wall").click();
+  await pot.button("Make it a pot").waitFor();
+  await check("the panel “Wall” of a surface");
+  await pot.fingerprint();
   await pot.tab("Shape");
   await pot.button("Explain").click();
   await check("the parameters explained");

@@ -68,7 +68,15 @@ test.each([390, 320])(
     }
     await pot.button("Explain").click();
     expect(await overhang(pot)).toBeLessThanOrEqual(0);
-    for (const name of ["New", "Gallery", "Picture", "Help"] as const) {
+    await pot.makePot();
+    expect(await overhang(pot), "Wall").toBeLessThanOrEqual(0);
+    expect(await unreachable(pot), "Wall").toEqual([]);
+    await pot.tab("Measures");
+    await pot.button("Fill it").click();
+    await pot.page.locator("pasu-water [data-volume]").waitFor();
+    expect(await overhang(pot), "Measures").toBeLessThanOrEqual(0);
+    expect(await unreachable(pot), "Measures").toEqual([]);
+    for (const name of ["New", "Gallery", "Export", "Picture", "Help"] as const) {
       await pot.command(name);
       const dialog = pot.page.getByRole("dialog");
       await dialog.waitFor();

@@ -31,7 +31,7 @@ interface Counted {
 
 /** Follows what is made on the GPU, and lets the worker's memory be seen; to be called before the page opens. */
 export async function watchMemory(pot: Visit): Promise<void> {
-  await pot.context.route(/\/worker-[^/]*\.js$/, async (route) => {
+  await pot.context.route(/\/solver-[^/]*\.js$/, async (route) => {
     const response = await route.fetch();
     await route.fulfill({ response, body: SHOW_MEMORY + (await response.text()) });
   });

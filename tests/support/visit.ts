@@ -170,12 +170,12 @@ export class Visit {
   }
 
   /** A command of the bar, which narrow windows keep in a menu. */
-  async command(name: "Gallery" | "New" | "Open" | "Save" | "Picture" | "Help"): Promise<void> {
+  async command(name: "Gallery" | "New" | "Open" | "Save" | "Export" | "Picture" | "Help"): Promise<void> {
     if (!(await this.button(name).isVisible())) await this.button("More").click();
     await this.button(name).click();
   }
 
-  async tab(name: "Shape" | "Profile" | "Order" | "Look"): Promise<void> {
+  async tab(name: "Shape" | "Profile" | "Order" | "Look" | "Wall" | "Measures"): Promise<void> {
     await this.page.getByRole("tab", { name }).click();
   }
 
@@ -199,15 +199,23 @@ export class Visit {
     return { name: download.suggestedFilename(), bytes: await bytesOf(download) };
   }
 
+  /** Gives the selected part a wall, and waits until the pot stands there with it. */
+  async makePot(): Promise<void> {
+    await this.tab("Wall");
+    await this.button("Make it a pot").click();
+    await this.page.getByText(/^Holds .* to the brim/).waitFor();
+  }
+
   /** Drops a file onto the page. */
-  async dropFile(name: string, text: string): Promise<void> {
+  async dropFile(name: string, content: string | Buffer): Promise<void> {
     const data = await this.page.evaluateHandle(
-      ([fileName, content]) => {
+      ([fileName, base64]) => {
         const transfer = new DataTransfer();
-        transfer.items.add(new File([content], fileName, { type: "application/json" }));
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        transfer.items.add(new File([bytes], fileName));
         return transfer;
       },
-      [name, text] as const,
+      [name, Buffer.from(content).toString("base64")] as const,
     );
     for (const event of ["dragenter", "dragover", "drop"]) {
       await this.page.dispatchEvent("pasu-app", event, { dataTransfer: data });

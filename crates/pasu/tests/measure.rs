@@ -4,7 +4,11 @@ mod support;
 
 use std::f64::consts::{PI, TAU};
 
-use pasu::{Code, Error, MeasureOptions, Measures, Quantity, measure};
+use glam::DVec3;
+use pasu::{
+    Code, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product, Quantity, Size,
+    measure, mesh, paint, water,
+};
 use support::design;
 
 fn measured(json: &str) -> Measures {
@@ -88,6 +92,401 @@ fn refusals_have_numbers() {
     assert_eq!((code.as_str(), path.as_str()), (Code::OutOfRange.as_str(), "fill"));
     assert_eq!(message, "water runs out at the level 8: expected no more than that, found 8.5");
     assert_eq!(say(with(MeasureOptions { density: Some(-1.0), ..MeasureOptions::default() })).1, "density");
-    let (_, path, message) = say(pasu::water(&cup, 9.0).unwrap_err());
+    let (_, path, message) = say(water(&cup, 9.0).unwrap_err());
     assert_eq!((path.as_str(), message.contains("level 8:")), ("level", true));
+}
+
+#[test]
+fn a_flaring_cup_by_formula() {
+    let (foot, rim, h, t, b) = (2.0, 5.0, 7.0, 0.25, 0.5);
+    let m = measured(&cone(foot, rim, h, WALL));
+    let slope = (rim - foot) / h;
+    let (cos, sin) = (1.0 / slope.hypot(1.0), slope / slope.hypot(1.0));
+    // Cut square, the inner edge of the rim is the higher one.
+    let top = h + t * sin;
+    let radius = |z: f64| foot + slope * z - t / cos;
+    let frustum = |low: f64, high: f64, r: f64, s: f64| PI * (high - low) * (r * r + r * s + s * s) / 3.0;
+    let capacity = m.whole.capacity.unwrap();
+    near(capacity.spill_level, top, h);
+    near(capacity.brim, frustum(b, top, radius(b), radius(top)), 300.0);
+    near(m.whole.height, top, h);
+    near(m.whole.area, PI * (foot + rim) * h.hypot(rim - foot), 200.0);
+    near(m.whole.width.greatest, 2.0 * rim, rim);
+    let overhang = m.parts[0].overhang.unwrap();
+    assert!((overhang.degrees - slope.atan().to_degrees()).abs() < 1e-9, "{overhang:?}");
+    assert!((m.parts[0].overhang_inside.unwrap().degrees + slope.atan().to_degrees()).abs() < 1e-9);
+    // Clay: outer frustum, and the ring under the rim, less the inside.
+    let ring = PI / 3.0 * (top - h) * (rim * rim + rim * radius(top) + radius(top).powi(2));
+    let clay = frustum(0.0, h, foot, rim) + ring - frustum(b, top, radius(b), radius(top));
+    near(m.whole.clay.unwrap().volume, clay, 300.0);
+}
+
+/// `r = R u`, `z = H u^2`: the force is a constant.
+fn paraboloid(r: f64, h: f64, extra: &str) -> String {
+    let round = |name: &str, wave: &str| {
+        format!(
+            r#""{name}": {{ "order": 2, "s": 1, "t": 0, "modes": [ {{ "n": 1, "{wave}": {{ "start": 0, "end": {r} }} }} ] }}"#
+        )
+    };
+    let z = format!(
+        r#""z": {{ "order": 2, "s": 1, "t": 0, "modes": [ {{ "n": 0, "cos": {{ "start": 0, "end": {h}, "force": [{}] }} }} ] }}"#,
+        2.0 * h
+    );
+    format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "boundary-value", "span": "2pi", {}, {}, {z} }}{extra} }}] }}"#,
+        round("x", "cos"),
+        round("y", "sin")
+    )
+}
+
+#[test]
+fn a_bare_paraboloid_by_formula() {
+    let (r, h) = (3.0f64, 4.0f64);
+    let m = measured(&paraboloid(r, h, ""));
+    let part = &m.parts[0];
+    near(m.whole.area, PI * r / (6.0 * h * h) * ((r * r + 4.0 * h * h).powf(1.5) - r.powi(3)), 50.0);
+    near(m.whole.capacity.unwrap().brim, PI * r * r * h / 2.0, 50.0);
+    assert!(part.reason.as_ref().unwrap().contains("no wall") && m.whole.clay.is_none() && m.whole.footprint.is_none());
+    let apex = 2.0 * h / (r * r);
+    let (mean, gaussian) = (part.curvature.mean.greatest.unwrap(), part.curvature.gaussian.greatest.unwrap());
+    assert!((mean.value - apex).abs() < 1e-6 && (gaussian.value - apex * apex).abs() < 1e-6, "{mean:?} {gaussian:?}");
+    assert!(DVec3::from_array(mean.at).length() < 1e-2);
+    // The tip of a cone bends without bound.
+    let m = measured(&cone(0.0, 3.0, 4.0, ""));
+    assert_eq!(m.parts[0].curvature.mean.greatest, None);
+    near(m.whole.capacity.unwrap().brim, PI * 9.0 * 4.0 / 3.0, 50.0);
+}
+
+#[test]
+fn a_tilted_cup_by_the_formula_of_a_hoof() {
+    let (r, h) = (2.75f64, 7.5f64);
+    for tilt in [0.2, 0.7, 1.1, 1.4] {
+        let place = format!(r#", "place": {{ "axis": [0, 1, 0], "angle": {tilt}, "shift": [1, 2, 30] }}"#);
+        let m = measured(&cone(3.0, 3.0, 8.0, &format!("{WALL}{place}")));
+        let tan = f64::tan(tilt);
+        let x = r - h / tan;
+        let exact = if x > -r {
+            let half = (r * r - x * x).sqrt();
+            tan * (2.0 / 3.0 * half.powi(3) - x * (r * r * (x / r).acos() - x * half))
+        } else {
+            PI * r * r * (h - r * tan)
+        };
+        near(m.whole.capacity.unwrap().brim, exact, 100.0);
+        assert_eq!(m.whole.tipping_empty.unwrap().degrees, 0.0);
+        assert!(m.whole.footprint.as_ref().unwrap().hull_area.value < 1e-9);
+    }
+}
+
+/// The water below a level by the midpoint rule, column by column up to the crest.
+fn dense(pot: &Pot, level: f64, columns: usize, rows: usize) -> f64 {
+    let mut sum = 0.0;
+    for j in 0..columns {
+        let v = TAU * j as f64 / columns as f64;
+        let mut column: Vec<(f64, f64)> = Vec::new();
+        for face in pot.faces().iter().rev() {
+            if matches!(face.kind(), FaceKind::Floor | FaceKind::Lining | FaceKind::Rim) {
+                column.extend((0..rows).rev().map(|i| {
+                    let jet = face.jet((i as f64 + 0.5) / rows as f64, v);
+                    (jet.position.z, jet.da.cross(jet.dv).z * face.outward())
+                }));
+            }
+        }
+        let crest = (0..column.len()).max_by(|&a, &b| column[a].0.total_cmp(&column[b].0)).unwrap();
+        sum += column[..crest].iter().map(|(z, up)| (level - z).max(0.0) * up).sum::<f64>();
+    }
+    sum * TAU / (columns * rows) as f64
+}
+
+/// A design of the gallery with a wall in proportion to its height.
+fn exhibit(name: &str, rim: &str, extra: &str) -> String {
+    let exhibit = support::gallery().into_iter().find(|exhibit| exhibit.name == name).expect("in the gallery");
+    let t = 0.015 * measure(&exhibit.design(), &MeasureOptions::default()).unwrap().whole.height.value;
+    let shape = serde_json::to_string(&exhibit.shape).unwrap();
+    format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": {t}, "base": {t}, "rim": "{rim}" }}{extra} }}] }}"#
+    )
+}
+
+#[test]
+fn dinted_and_petalled_rims_against_a_dense_sum() {
+    let leaning = r#", "place": { "axis": [1, 2, 0], "angle": 0.2 }"#;
+    for (name, rim, extra) in [
+        ("own-dint", "flat", ""),
+        ("own-dint", "rounded", leaning),
+        ("own-tulip", "rounded", ""),
+        ("own-trumpet", "flat", ""),
+        ("own-bowl", "rounded", leaning),
+    ] {
+        let design = design(&exhibit(name, rim, extra));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        let capacity = measure(&design, &MeasureOptions::default()).unwrap().whole.capacity.unwrap();
+        // The midpoint rule is off by what goes with the square of the gap.
+        let [coarse, fine] = [200, 400].map(|rows| dense(&pot, capacity.spill_level.value, 331, rows));
+        let dense = fine + (fine - coarse) / 3.0;
+        let brim = capacity.brim;
+        println!(
+            "{name} {rim} {brim:?} {dense} {:?}",
+            (0..pot.faces().len()).map(|i| pot.faces()[i].kind()).collect::<Vec<_>>()
+        );
+        if name == "own-dint" {
+            for (n, k) in [(331, 300), (331, 1000), (1301, 1000), (2603, 600)] {
+                println!("{n} {k} {}", self::dense(&pot, capacity.spill_level.value, n, k));
+            }
+        }
+        assert!((brim.value - dense).abs() < 1.0 + 3e-6 * dense, "{name} {rim}: {brim:?} {dense}");
+        assert!(brim.error < 1e-6 * dense, "{name} {rim}: {brim:?}");
+    }
+}
+
+/// The gallery's pots, and one that leans.
+#[test]
+fn water_rises_as_its_surface_says() {
+    for (name, extra) in [
+        ("own-jar", ""),
+        ("own-tulip", ""),
+        ("own-leaning", ""),
+        ("own-dint", r#", "place": { "axis": [0.3, 1, 0], "angle": 0.3, "shift": [0, 0, -5] }"#),
+    ] {
+        let design = design(&exhibit(name, "flat", extra));
+        let capacity = measure(&design, &MeasureOptions::default()).unwrap().whole.capacity.unwrap();
+        let (low, high) = (capacity.floor, capacity.spill_level.value);
+        assert_eq!(water(&design, low - 1.0).unwrap(), Default::default());
+        let mut before = 0.0;
+        for i in 1..=9 {
+            let level = low + (high - low) * f64::from(i) / 9.3;
+            let d = 1e-3 * (high - low);
+            let [below, here, above] = [level - d, level, level + d].map(|level| water(&design, level).unwrap());
+            assert!(here.volume > before, "{name}: {level}");
+            before = here.volume;
+            // The volume is the integral of the surface.
+            let slope = (above.volume - below.volume) / (2.0 * d);
+            assert!((slope - here.area).abs() < 1e-3 * here.area, "{name} at {i}: {slope} {}", here.area);
+            // The triangles cover it, level and facing up.
+            let point = |i: u32| DVec3::from_array([0, 1, 2].map(|c| f64::from(here.positions[3 * i as usize + c])));
+            let mut sum = 0.0;
+            for t in here.indices.chunks(3) {
+                let [a, b, c] = [point(t[0]), point(t[1]), point(t[2])];
+                let area = 0.5 * (b - a).cross(c - a).z;
+                assert!(area >= -1e-6 && (a.z - level).abs() < 1e-5);
+                sum += area;
+            }
+            assert!((sum - here.area).abs() < 5e-3 * here.area, "{name}: {sum} {}", here.area);
+        }
+        let full = water(&design, high).unwrap();
+        assert!((full.volume - capacity.brim.value).abs() <= full.error + capacity.brim.error, "{name}");
+    }
+}
+
+/// A prism over a rose of five petals.
+fn prism(extra: &str) -> String {
+    let component = |name: &str, wave: &str, sign: f64| {
+        let mode = |n: u32, r: f64| format!(r#"{{ "n": {n}, "{wave}": {{ "start": {r}, "end": {r} }} }}"#);
+        format!(
+            r#""{name}": {{ "order": 2, "s": 1, "t": 0, "modes": [ {}, {}, {} ] }}"#,
+            mode(1, 4.0),
+            mode(4, 0.2 * sign),
+            mode(6, 0.2)
+        )
+    };
+    let z = r#""z": { "order": 2, "s": 1, "t": 0, "modes": [ { "n": 0, "cos": { "start": 0, "end": 9 } } ] }"#;
+    format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "boundary-value", "span": "2pi", {}, {}, {z} }}{extra} }}] }}"#,
+        component("x", "cos", 1.0),
+        component("y", "sin", -1.0)
+    )
+}
+
+#[test]
+fn clay_and_inside_are_the_outside() {
+    for wall in [WALL, r#", "wall": { "thickness": 0.4, "base": 1, "rim": "flat" }"#] {
+        let json = prism(wall);
+        let pot = measured(&json).whole;
+        let solid = MeasureOptions { product: Product::Solid, ..MeasureOptions::default() };
+        let solid = measure(&design(&json), &solid).unwrap();
+        let (clay, brim) = (pot.clay.unwrap().volume, pot.capacity.unwrap().brim);
+        let whole = solid.whole.clay.unwrap().volume;
+        near(clay + brim, whole.value, whole.value);
+        // r = 4 + 0.4 cos 5 v: the area is pi (16 + 0.08).
+        near(whole, 9.0 * PI * 16.08, whole.value);
+        assert_eq!(
+            (solid.whole.capacity, solid.parts[0].capacity_reason.as_deref()),
+            (None, Some("a solid has no inside"))
+        );
+        // Five petals: the hull of the foot goes from tip to tip.
+        let footprint = pot.footprint.unwrap();
+        assert!(footprint.hull_area.value > footprint.area.value * 1.02 && footprint.hull_area.error < 1e-4);
+    }
+}
+
+#[test]
+fn turning_and_scaling_change_what_they_should() {
+    let wall = |t: f64| format!(r#", "wall": {{ "thickness": {t}, "base": {t} }}"#);
+    let one = measured(&prism(&wall(0.4)));
+    let turned = measured(&prism(&format!(r#"{}, "place": {{ "angle": 0.7 }}"#, wall(0.4))));
+    let twice = measured(&prism(&format!(r#"{}, "place": {{ "scale": [2, 2, 2] }}"#, wall(0.8))));
+    let scalars = |m: &Measures| {
+        let (w, c, k) = (&m.whole, m.whole.clay.unwrap(), m.whole.capacity.unwrap());
+        let footprint = w.footprint.as_ref().unwrap();
+        [
+            (w.height.value, 1),
+            (w.width.least.value, 1),
+            (w.width.greatest.value, 1),
+            (w.area.value, 2),
+            (c.area.value, 2),
+            (c.volume.value, 3),
+            (c.mass.value, 3),
+            (k.brim.value, 3),
+            (k.spill_level.value, 1),
+            (w.centre_full.unwrap().at[2], 1),
+            (footprint.area.value, 2),
+            (w.tipping_empty.unwrap().degrees, 0),
+            (w.tipping_full.unwrap().degrees, 0),
+            (m.parts[0].curvature.mean.least.unwrap().value, -1),
+            (m.parts[0].curvature.mean.greatest.unwrap().value, -1),
+        ]
+    };
+    for ((a, b), (c, power)) in scalars(&one).iter().zip(scalars(&turned)).zip(scalars(&twice)) {
+        assert!((a.0 - b.0).abs() < 1e-9 * a.0.abs().max(1e-3), "turned: {a:?} {b:?}");
+        assert!((a.0 * 2f64.powi(power) - c).abs() < 1e-9 * c.abs().max(1e-3), "scaled: {a:?} {c}");
+    }
+    let inches = measured(&prism(&wall(0.4)).replacen("{", r#"{ "unit": "in", "#, 1));
+    let grams = |m: &Measures| m.whole.clay.unwrap().mass.value;
+    assert!((grams(&inches) / grams(&one) - 2.54f64.powi(3)).abs() < 1e-9);
+}
+
+#[test]
+fn several_parts_are_added_up() {
+    let part = |json: &str| json[json.find("[{ ").unwrap() + 1..json.len() - 3].to_owned();
+    let cup = part(&cone(3.0, 3.0, 8.0, WALL));
+    let far = cup.replace(r#", "wall""#, r#", "name": "far", "place": { "shift": [20, 0, 0] }, "wall""#);
+    let bare = part(&cone(3.0, 3.0, 2.0, ""));
+    let one = measured(&format!(r#"{{ "pasu": 1, "parts": [{cup}] }}"#)).whole;
+    let all = measured(&format!(r#"{{ "pasu": 1, "parts": [{cup}, {far}, {bare}] }}"#));
+    let (a, b) = (&one, &all.whole);
+    near(b.clay.unwrap().mass, 2.0 * a.clay.unwrap().mass.value, 1000.0);
+    near(b.capacity.unwrap().brim, 2.0 * a.capacity.unwrap().brim.value + 18.0 * PI, 1000.0);
+    near(b.width.greatest, 26.0, 26.0);
+    near(b.width.least, 6.0, 6.0);
+    assert!((b.centre_empty.unwrap().at[0] - 10.0).abs() < 1e-9);
+    assert_eq!(all.parts[1].name.as_deref(), Some("far"));
+    assert!(b.tipping_empty.unwrap().degrees - a.tipping_empty.unwrap().degrees > -1e-9);
+}
+
+#[test]
+fn what_cannot_be_a_pot_still_has_measures() {
+    let open = measured(
+        r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "n": [0.5, 8] }, "wall": { "thickness": 0.05, "base": 0.1 } }] }"#,
+    );
+    assert!(open.whole.height.value > 3.0 && open.whole.capacity.is_none() && open.whole.clay.is_none());
+    assert!(open.parts[0].reason.is_some() && open.parts[0].capacity_reason.is_some());
+    let tube = measured(&cone(3.0, 3.0, 8.0, r#", "wall": { "thickness": 0.25, "base": 0 }"#));
+    near(tube.whole.clay.unwrap().volume, PI * (9.0 - 2.75 * 2.75) * 8.0, 100.0);
+    assert!(tube.whole.capacity.is_none() && tube.parts[0].capacity_reason.as_ref().unwrap().contains("tube"));
+    let planter = measured(&cone(3.0, 3.0, 8.0, r#", "wall": { "thickness": 0.25, "base": 0.5, "drain": 1 }"#));
+    let capacity = planter.whole.capacity.unwrap();
+    near(capacity.brim, PI * 2.75 * 2.75 * 7.5, 100.0);
+    assert!(capacity.is_stopped);
+}
+
+#[test]
+fn colours_have_one_number_for_each_vertex() {
+    let options = MeshOptions { rows: Some(9), columns: Some(13), tolerance: None };
+    let cup = design(&cone(3.0, 3.0, 8.0, WALL));
+    for (map, value) in
+        [(Map::MeanCurvature, 1.0 / 6.0), (Map::GaussianCurvature, 0.0), (Map::Thickness, 0.25), (Map::Overhang, 0.0)]
+    {
+        let values = paint(&cup, map, &options).unwrap();
+        assert_eq!(values.len(), mesh(&cup, &options).unwrap().n_vertices());
+        assert!(values.iter().all(|x| (f64::from(*x) - value).abs() < 1e-7), "{map:?} {values:?}");
+    }
+    // A pole: the apex of a bowl, at u = 0, bends alike in every direction and faces down.
+    let bowl = design(&paraboloid(3.0, 4.0, ""));
+    let apex = 8.0 / 9.0;
+    for (map, value) in [(Map::MeanCurvature, apex), (Map::GaussianCurvature, apex * apex), (Map::Overhang, 90.0)] {
+        let values = paint(&bowl, map, &options).unwrap();
+        assert!(values[..13].iter().all(|x| (f64::from(*x) - value).abs() < 1e-3), "{map:?} {values:?}");
+    }
+    assert!(paint(&bowl, Map::Thickness, &options).is_err());
+    for exhibit in support::gallery() {
+        let options = MeshOptions { columns: Some(40), ..MeshOptions::default() };
+        let (design, n) = (exhibit.design(), mesh(&exhibit.design(), &options).unwrap().n_vertices());
+        for map in [Map::MeanCurvature, Map::GaussianCurvature, Map::Overhang] {
+            let values = paint(&design, map, &options).unwrap();
+            assert!(values.len() == n && values.iter().all(|x| x.is_finite()), "{}", exhibit.name);
+        }
+    }
+}
+
+#[test]
+fn scaled_to_a_size() {
+    let cup = design(&cone(3.0, 3.0, 8.0, WALL));
+    let brim = PI * 2.75 * 2.75 * 7.5;
+    for (size, factor) in [(Size::Height(4.0), 0.5), (Size::Width(12.0), 2.0), (Size::Capacity(27.0 * brim), 3.0)] {
+        let making = Making { size: Some(size), shrinkage: 20.0, ..Making::default() };
+        let scale = making.scale(&cup).unwrap();
+        assert!((scale.size - factor).abs() < 1e-10 && (scale.millimetres - factor * 12.5).abs() < 1e-9, "{scale:?}");
+    }
+    let tube = design(&cone(3.0, 3.0, 8.0, r#", "wall": { "thickness": 0.25, "base": 0 }"#));
+    let making = Making { size: Some(Size::Capacity(1.0)), ..Making::default() };
+    let error = making.scale(&tube).unwrap_err();
+    assert_eq!((error.code(), error.path()), ("no-room", "size.capacity"));
+}
+
+#[test]
+fn the_json_is_complete() {
+    let json = measured(&cone(3.0, 5.0, 8.0, WALL)).to_json();
+    let value: serde_json::Value = serde_json::from_str(&json).unwrap();
+    for path in [
+        "/unit",
+        "/product",
+        "/height/value",
+        "/height/error",
+        "/bottom",
+        "/top",
+        "/width/least/value",
+        "/width/greatestDirection",
+        "/area/value",
+        "/clay/area/value",
+        "/clay/volume/error",
+        "/clay/mass/value",
+        "/capacity/brim/value",
+        "/capacity/spill/level/value",
+        "/capacity/spill/at/2",
+        "/capacity/floor",
+        "/capacity/stopped",
+        "/centre/empty/at/0",
+        "/centre/full/error",
+        "/footprint/level",
+        "/footprint/area/value",
+        "/footprint/hullArea/value",
+        "/footprint/hull/0/1",
+        "/tipping/empty/degrees",
+        "/tipping/full/toward",
+        "/parts/0/part",
+        "/parts/0/isPot",
+        "/parts/0/thickness/asked",
+        "/parts/0/thickness/least/value",
+        "/parts/0/thickness/greatest",
+        "/parts/0/thickness/thinned",
+        "/parts/0/overhang/degrees",
+        "/parts/0/overhang/face",
+        "/parts/0/overhangInside/at/0",
+        "/parts/0/curvature/mean/least/value",
+        "/parts/0/curvature/gaussian/greatest/at/2",
+    ] {
+        assert!(value.pointer(path).is_some_and(|found| !found.is_null()), "{path} in {json}");
+    }
+    for path in ["/capacity/fill", "/parts/0/name", "/parts/0/reason", "/parts/0/capacityReason"] {
+        assert!(value.pointer(path).is_some_and(|found| found.is_null()), "{path} in {json}");
+    }
+}
+
+#[test]
+fn every_gallery_design_is_measured() {
+    for exhibit in support::gallery() {
+        let m = measure(&exhibit.design(), &MeasureOptions::default()).unwrap();
+        let brim = m.whole.capacity.expect(&exhibit.name).brim;
+        assert!(brim.value > 0.0 && brim.error < 1e-6 * brim.value, "{}: {brim:?}", exhibit.name);
+        assert!(m.whole.area.error < 1e-8 * m.whole.area.value, "{}: {:?}", exhibit.name, m.whole.area);
+    }
 }

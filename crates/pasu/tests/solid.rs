@@ -264,3 +264,241 @@ fn a_solid_with_a_tilted_rim_reaches_its_highest_point() {
         assert!((corner(&mesh, *vertex)[2] - 226.0).abs() < 0.01);
     }
 }
+
+/// A bowl of a given bottom: `z` leaves a foot of this radius with slope `rise`.
+fn bowl(foot: f64, rise: f64, wall: &str) -> Design {
+    let round = |part: &str| {
+        format!(
+            r#"{{ "order": 4, "s": 1, "t": 0, "w": 0, "modes": [
+                {{ "n": 1, "{part}": {{ "start": {foot}, "end": 5, "start_u": 8, "end_u": 2 }} }},
+                {{ "n": 5, "{part}": {{ "end": 0.2 }} }} ] }}"#
+        )
+    };
+    let z = format!(
+        r#"{{ "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{{ "n": 0, "cos": {{ "end": 4, "start_u": {rise}, "end_u": 6 }} }}] }}"#
+    );
+    let (x, y) = (round("cos"), round("sin"));
+    let shape = format!(r#"{{ "kind": "boundary-value", "span": "2pi", "x": {x}, "y": {y}, "z": {z} }}"#);
+    design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#))
+}
+
+#[test]
+fn round_bottoms_have_floors_where_the_wall_is_thinner_than_the_base() {
+    for side in ["inside", "outside"] {
+        for (base, drain, is_flat) in [
+            (0.6, "0", true),
+            (0.1, "0", false),
+            (0.6, "0.8", true),
+            (0.1, "0.8", false),
+            (0.0, "0", false),
+            (0.0, "0.8", false),
+        ] {
+            let wall = format!(r#"{{ "thickness": 0.25, "base": {base}, "side": "{side}", "drain": {drain} }}"#);
+            let design = bowl(0.0, 0.0, &wall);
+            let pot = Pot::new(&design, 0, Product::Pot).unwrap_or_else(|error| panic!("{error} {wall}"));
+            follows_on(&pot);
+            let kinds: Vec<FaceKind> = pot.faces().iter().map(|face| face.kind()).collect();
+            // Outside, the floor is the round lining itself, and what is flat is the underside. A base thicker than the wall makes it so on the inside; a thinner one on the outside.
+            let flat = if side == "inside" { FaceKind::Floor } else { FaceKind::Underside };
+            assert_eq!(kinds.contains(&flat), is_flat == (side == "inside") && base > 0.0, "{wall} {kinds:?}");
+            let mesh = made(&design, &Making { tolerance: Some(5e-3), ..POT });
+            assert_eq!(closed(&mesh), if drain == "0" { 2 } else { 0 }, "{wall}");
+            near(volume(&mesh), 1000.0 * exact_volume(&pot), 2e-2);
+        }
+    }
+}
+
+/// Outside of a tip, the other side of the wall begins in a ring: it once stayed open.
+#[test]
+fn a_tip_stands_on_a_stump_outside_and_needs_a_base_inside() {
+    let outside = bowl(0.0, 6.0, r#"{ "thickness": 0.25, "base": 0.6, "side": "outside" }"#);
+    assert_eq!(closed(&made(&outside, &POT)), 2);
+    let inside = bowl(0.0, 6.0, r#"{ "thickness": 0.25, "base": 0.6 }"#);
+    assert_eq!(closed(&made(&inside, &POT)), 2);
+    for side in ["inside", "outside"] {
+        let thin = bowl(0.0, 6.0, &format!(r#"{{ "thickness": 0.25, "base": 0, "side": "{side}" }}"#));
+        let error = solid(&thin, &POT).unwrap_err();
+        assert_eq!((error.code(), error.path()), ("no-room", "parts[0].wall.base"));
+        assert!(error.message().starts_with("the bottom ends in a tip at (0, 0, 0)"), "{error}");
+        assert_eq!(error.place(), Some([0.0; 3]));
+    }
+}
+
+#[test]
+fn shallow_bowls_are_led_down_to_the_floor() {
+    for side in ["inside", "outside"] {
+        let design = bowl(2.0, 1.0, &format!(r#"{{ "thickness": 0.4, "base": 0.2, "side": "{side}" }}"#));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        follows_on(&pot);
+        assert_eq!(closed(&made(&design, &Making { tolerance: Some(5e-3), ..POT })), 2);
+    }
+}
+
+/// Straight down from above a foot that flares outwards was through the foot itself.
+#[test]
+fn the_outside_goes_round_a_foot_that_flares() {
+    let shape = r#"{ "kind": "bloor-wilson", "a": 1.2, "r": [3.9, 0.1, 0.2, 4.5], "R": [-4.4, -2.2, -2.2, 5.9], "h": [7.9, 0], "H": [-7.4, 0], "n1": 1 }"#;
+    let design = design(&format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": 0.35, "base": 0.36, "side": "outside" }} }}] }}"#
+    ));
+    follows_on(&Pot::new(&design, 0, Product::Pot).unwrap());
+    assert_eq!(closed(&made(&design, &Making { tolerance: Some(0.02), ..POT })), 2);
+}
+
+/// A wall with petals, waves at the foot and a twist of its axis by placement.
+#[test]
+fn a_foot_that_is_not_level_has_a_cone_under_it() {
+    let shape = r#"{ "kind": "boundary-value", "span": "2pi",
+        "x": { "order": 2, "s": 1, "t": 0, "modes": [{ "n": 1, "cos": { "start": 3, "end": 4 } }] },
+        "y": { "order": 2, "s": 1, "t": 0, "modes": [{ "n": 1, "sin": { "start": 3, "end": 4 } }] },
+        "z": { "order": 2, "s": 1, "t": 0, "modes": [{ "n": 0, "cos": { "end": 7 } }, { "n": 3, "cos": { "start": 0.3 } }] } }"#;
+    for more in ["", r#", "drain": 1"#, r#", "side": "outside", "rim": "rounded""#] {
+        let design = design(&format!(
+            r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": 0.3, "base": 0.3{more} }},
+                "place": {{ "scale": [1, -1.5, 1], "axis": [1, 2, 3], "angle": 1, "shift": [5, 5, 5] }} }}] }}"#
+        ));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        follows_on(&pot);
+        let mesh = made(&design, &Making { tolerance: Some(5e-3), ..POT });
+        near(volume(&mesh), 1000.0 * exact_volume(&pot), 1e-2);
+    }
+    let design = design(&format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": 0.3, "base": 0.3, "foot": [0.5, 0.5] }} }}] }}"#
+    ));
+    let error = solid(&design, &POT).unwrap_err();
+    assert_eq!((error.code(), error.path()), ("no-room", "parts[0].wall.foot"));
+}
+
+/// The distance of a point from a triangle.
+fn distance(p: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> f64 {
+    let sub = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let along = |a: [f64; 3], b: [f64; 3]| {
+        let (ab, ap) = (sub(b, a), sub(p, a));
+        let t = (dot(ap, ab) / dot(ab, ab)).clamp(0.0, 1.0);
+        let off = sub(ap, ab.map(|x| x * t));
+        dot(off, off)
+    };
+    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
+    let (d00, d01, d11, d20, d21) = (dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ap, ab), dot(ap, ac));
+    let (v, w) = (d11 * d20 - d01 * d21, d00 * d21 - d01 * d20);
+    let all = d00 * d11 - d01 * d01;
+    if v >= 0.0 && w >= 0.0 && v + w <= all {
+        let off = sub(sub(ap, ab.map(|x| x * v / all)), ac.map(|x| x * w / all));
+        return dot(off, off).sqrt();
+    }
+    along(a, b).min(along(b, c)).min(along(c, a)).sqrt()
+}
+
+#[test]
+fn faces_are_within_the_bound_of_the_mesh() {
+    for name in ["own-dint", "own-twist", "own-square", "own-leaning", "own-fluted", "zhang-you-1b"] {
+        let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == name).unwrap();
+        let (design, making) = walled(&exhibit);
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        let mesh = made(&design, &making);
+        assert!(mesh.bound < 2.0 * making.tolerance.unwrap(), "{name}: {}", mesh.bound);
+        let mut worst = 0.0f64;
+        for face in pot.faces() {
+            for i in 0..60 {
+                let (a, v) = ((i as f64 * 0.618_034 + 0.1) % 1.0, i as f64 * 2.399_96 % TAU);
+                let p = (face.jet(a, v).position * 10.0).to_array();
+                let near = mesh
+                    .indices
+                    .chunks(3)
+                    .map(|t| distance(p, [0, 1, 2].map(|k| corner(&mesh, t[k]))))
+                    .fold(f64::INFINITY, f64::min);
+                worst = worst.max(near / 10.0);
+            }
+        }
+        assert!(worst <= mesh.bound, "{name}: {worst} beyond {}", mesh.bound);
+        println!("{name}: {worst:.5} within {:.5}", mesh.bound);
+    }
+}
+
+#[test]
+fn the_lining_is_as_far_from_the_outside_as_the_wall_is_thick() {
+    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == "own-saddle").unwrap();
+    let (design, making) = walled(&exhibit);
+    let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+    assert_eq!(pot.thickness(), (0.4, 0.4));
+    let mesh = made(&design, &making);
+    let (_, first, count) = *mesh.faces.iter().find(|face| face.0 == FaceKind::Outer).unwrap();
+    let outside = &mesh.indices[first as usize..(first + count) as usize];
+    let lining = pot.faces().iter().find(|face| face.kind() == FaceKind::Lining).unwrap();
+    for i in 0..200 {
+        let (a, v) = ((i as f64 * 0.618_034) % 1.0, i as f64 * 2.399_96 % TAU);
+        let p = (lining.jet(a, v).position * 10.0).to_array();
+        let near = outside
+            .chunks(3)
+            .map(|t| distance(p, [0, 1, 2].map(|k| corner(&mesh, t[k]))))
+            .fold(f64::INFINITY, f64::min);
+        assert!((near / 10.0 - 0.4).abs() < 2.0 * mesh.bound, "{near}");
+    }
+}
+
+/// A refusal of a pot with this shape and wall: code, field and how the message begins.
+fn refused(shape: &str, wall: &str, code: &str, path: &str, message: &str) {
+    let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#);
+    let error = solid(&design(&json), &POT).expect_err(&json);
+    assert_eq!((error.code(), error.path()), (code, path), "{error}");
+    assert!(error.message().contains(message), "{error}");
+}
+
+fn tapered(r: &str, n: &str) -> String {
+    format!(r#"{{ "kind": "second-order", "r": {r}, "t": [0, 0], "n": {n}, "height": 5 }}"#)
+}
+
+#[test]
+fn what_cannot_be_a_pot_says_why_and_where() {
+    let wall = r#"{ "thickness": 0.2, "base": 0.3 }"#;
+    let shape = "parts[0].shape";
+    let cup = tapered("[2, 0, 2, 0]", "[1, 2]");
+    let open = tapered("[2, 0.3, 2, 0.3]", "[1, 2.5]");
+    refused(&open, wall, "open-surface", shape, "does not meet itself after one turn");
+    let pinched = tapered("[2, 0, -2, 0]", "[1, 2]");
+    refused(&pinched, wall, "pinched-surface", shape, "is pinched to a point at (0, 0, 2.5)");
+    let closed = tapered("[0, 0, 2, 0]", "[1, 2]");
+    refused(&closed, wall, "no-opening", shape, "closes to a point at (0, 0, 5), where the opening of a pot is");
+    // Three turns of a flower that is larger than the round it is on.
+    let flower = tapered("[2, 3, 2, 3]", "[1, 4]");
+    refused(&flower, wall, "crosses-itself", shape, "the surface runs through itself near (");
+    refused(&cup, r#"{ "thickness": 0.2, "base": 6 }"#, "no-room", "parts[0].wall.base", "the rim is lower than");
+    let ring = r#"{ "thickness": 0.2, "base": 0.3, "foot": [2.5, 0.3] }"#;
+    refused(&cup, ring, "no-room", "parts[0].wall.foot", "a ring 2.5 wide has no room within the foot");
+    let drain = r#"{ "thickness": 0.2, "base": 0.3, "drain": 3.8 }"#;
+    refused(&cup, drain, "no-room", "parts[0].wall.drain", "a drain of 3.8 has no room in the base");
+    let base = r#"{ "thickness": 0.2, "base": 0, "foot": [0.3, 0.3] }"#;
+    refused(&cup, base, "no-room", "parts[0].wall.foot", "expected a base greater than 0");
+    let base = r#"{ "thickness": 0.2, "base": 0, "drain": 0.3 }"#;
+    refused(&cup, base, "no-room", "parts[0].wall.drain", "expected a base greater than 0");
+    let narrow = tapered("[1, 0, 3, 0]", "[1, 2]");
+    let high = r#"{ "thickness": 0.2, "base": 0.3, "foot": [0.2, 2] }"#;
+    refused(&narrow, high, "no-room", "parts[0].wall.foot", "has no room: it runs through the outside near (");
+    let bare = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {cup} }}] }}"#));
+    let error = solid(&bare, &POT).unwrap_err();
+    assert_eq!((error.code(), error.path()), ("no-wall", "parts[0].wall"));
+    assert!(solid(&bare, &SOLID).is_ok());
+}
+
+#[test]
+fn a_part_that_is_not_there_is_refused() {
+    let error = Pot::new(&cylinder(r#"{ "thickness": 0.2, "base": 0.3 }"#), 1, Product::Pot).unwrap_err();
+    assert_eq!((error.code(), error.message()), ("no-such-point", "expected a part from 0 to 0, found 1"));
+}
+
+/// A wall thicker than the tube is wide is thinned, never folded; the report says by how much.
+#[test]
+fn a_wall_that_is_too_thick_is_thinned_and_says_so() {
+    let design = cylinder(r#"{ "thickness": 3, "base": 0.5 }"#);
+    let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+    let (least, most) = pot.thickness();
+    assert!((1.55..=1.6 + 1e-9).contains(&least) && (1.55..=1.6 + 1e-9).contains(&most), "{least} {most}");
+    assert!(pot.thinned().is_some_and(|(share, _)| (share - 1.0).abs() < 1e-9));
+    assert_eq!(closed(&made(&design, &POT)), 2);
+    let report = check(&design, &POT).unwrap();
+    let finding = &report.findings[0];
+    assert_eq!((finding.code, finding.severity), ("thinned", pasu::Severity::Warning));
+    assert!(finding.message.contains("the wall had to be thinned to 1.6 at (") && finding.at.is_some());
+    assert!(report.to_json().starts_with(r#"{"ok":true,"product":"pot","triangles":"#), "{}", report.to_json());
+}

@@ -75,9 +75,7 @@ fn size(specimen: &Specimen, millimetres: f64) -> Result<DVec3> {
     let mut size = (most - least) * millimetres;
     size.z = match specimen.making.size {
         // By the definition of what was asked for alone, whatever the factors say.
-        Some(Size::Height(height)) => {
-            height * design.unit().millimetres() / (1.0 - specimen.making.shrinkage / 100.0)
-        }
+        Some(Size::Height(height)) => height * design.unit().millimetres() / (1.0 - specimen.making.shrinkage / 100.0),
         _ => measured(specimen)?["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
     };
     Ok(size)

@@ -18,10 +18,11 @@ import type { Shelf } from "../state/storage";
 import { keepSettings, keepWork, readSettings, readWork } from "../state/storage";
 import type { Change, State } from "../state/store";
 import { Store } from "../state/store";
-import { fileName, MAX_FILE_BYTES, saveBlob } from "./files";
+import { fileName, saveBlob } from "./files";
 import { gridFor } from "./grid";
 import { Pace } from "./pace";
 import { trace } from "./trace";
+import type { Workshop } from "./workshop";
 
 /** What is on the stage: the last design that the solver accepted. */
 export interface Shown {
@@ -54,6 +55,9 @@ export interface Notice {
   readonly text: string;
   readonly id: number;
 }
+
+/** What a part of the page that is loaded late says when it cannot be. */
+export const UNFETCHED = "This part of the page could not be fetched. Try again when there is a network.";
 
 export type Status = "starting" | "solving" | "ready" | "error";
 
@@ -95,6 +99,9 @@ export class Designer {
   conflict: Conflict | null = null;
   notice: Notice | null = null;
   newVersion = false;
+  /** What is made of the design; null before anything of it was wanted. */
+  workshop: Workshop | null = null;
+  #workshop: Promise<Workshop | null> | null = null;
 
   constructor(solver: SolverClient, around: Surroundings) {
     const design = designOf(FIRST);
@@ -187,17 +194,38 @@ export class Designer {
     await this.#openText(text, false);
   }
 
+  /** Opens a document, or anything that Pasu made and that holds its link. */
   async openFile(file: File): Promise<void> {
-    if (file.size > MAX_FILE_BYTES) {
-      this.openProblem = {
-        code: "too-large",
-        path: "",
-        message: `“${file.name}” is too large to be a design of Pasu.`,
-      };
-      this.#tell();
-      return;
-    }
-    await this.openText(await file.text());
+    const found = await import("./open-file").then(
+      ({ readFile }) => readFile(file, () => this.openWorkshop()),
+      () => null,
+    );
+    if (!found) return;
+    if ("text" in found) return await this.openText(found.text);
+    this.openProblem = found.refusal;
+    this.#tell();
+  }
+
+  /** What makes things of the design, fetched now if it was not yet; null without a network. */
+  openWorkshop(): Promise<Workshop | null> {
+    this.#workshop ??= import("./open-workshop").then(
+      ({ openWorkshop }) => {
+        this.workshop = openWorkshop(this);
+        this.#tell();
+        return this.workshop;
+      },
+      () => {
+        this.#workshop = null;
+        this.say(UNFETCHED);
+        return null;
+      },
+    );
+    return this.#workshop;
+  }
+
+  /** Something that is shown changed beside the design. */
+  touched(): void {
+    this.#tell();
   }
 
   async #openText(text: string, asLink: boolean): Promise<void> {

@@ -12,6 +12,8 @@ export class PasuDialog extends LitElement {
   @property({ type: Boolean, reflect: true }) wide = false;
   /** All text and nothing to press: the text itself takes the focus, so that keys can scroll it. */
   @property({ type: Boolean }) reading = false;
+  /** A line above the actions, for a dialogue that usually scrolls. */
+  @property({ type: Boolean, reflect: true }) ruled = false;
   @query("dialog") private readonly dialog!: HTMLDialogElement;
 
   private opener: Element | null = null;
@@ -100,6 +102,11 @@ export class PasuDialog extends LitElement {
         justify-content: flex-end;
         gap: 8px;
         padding: 0 22px;
+      }
+      :host([ruled]) footer {
+        align-items: center;
+        padding-top: 14px;
+        border-top: 1px solid var(--line);
       }
       ::slotted([slot="actions"]) {
         margin-bottom: 18px;

@@ -2,9 +2,6 @@
 
 import { MAX_TITLE } from "../state/actions";
 
-/** Larger files are refused before they are read; the format's own limit is 1 MiB of JSON. */
-export const MAX_FILE_BYTES = 4 * 1024 * 1024;
-
 /** A file name from a title: what every file system allows, never empty. */
 export function fileName(title: string | undefined, extension: string): string {
   const name = (title ?? "")

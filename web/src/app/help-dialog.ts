@@ -29,6 +29,14 @@ const KEYS: readonly (readonly [string, readonly (readonly [string, string])[]])
     ],
   ],
   [
+    "On the water",
+    [
+      ["Arrows", "Up and down by a hundredth"],
+      ["Shift arrows", "By a tenth"],
+      ["Home, End", "Empty, full to the brim"],
+    ],
+  ],
+  [
     "On a number",
     [
       ["Arrows", "One step"],
@@ -46,6 +54,10 @@ export class PasuHelp extends LitElement {
       <p>
         Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an
         equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.
+      </p>
+      <p>
+        A wall makes a surface a pot, which has a capacity, a weight and a foot to stand on: under Measures they are told, and Export saves a file
+        for a printer, a CAD program or a potter's wheel. Every such file holds its link: dropped on this page, it opens again.
       </p>
       <p>
         With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom.

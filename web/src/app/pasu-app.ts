@@ -2,7 +2,10 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import type { Refusal } from "../document/types";
+import type { Design, Refusal } from "../document/types";
+import type { Session } from "../state/session";
+import type { Command, CommandEvent } from "./command";
+import { UNFETCHED } from "./designer";
 import "./dialog";
 import { DesignerElement } from "./element";
 import { fileName, pickFile, saveBlob } from "./files";
@@ -14,7 +17,6 @@ import type { PasuPanel } from "./side-panel";
 import type { PasuStage } from "./stage-view";
 import { base, buttons, fields } from "./styles";
 import "./top-bar";
-import type { Command, CommandEvent } from "./top-bar";
 
 const NOTICE_MS = 6000;
 
@@ -24,11 +26,12 @@ const DIALOGUES = {
   gallery: () => import("./gallery-dialog"),
   help: () => import("./help-dialog"),
   picture: () => import("./picture-dialog"),
+  export: () => import("./export-dialog"),
 } as const;
 
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
-  @state() private dialog: "none" | "new" | "gallery" | "help" | "picture" | "link" = "none";
+  @state() private dialog: "none" | keyof typeof DIALOGUES | "link" = "none";
   @state() private address = "";
   @state() private dropping = false;
   private spoken = "";
@@ -58,7 +61,7 @@ export class PasuApp extends DesignerElement {
     return html`
       <button class="skip" type="button" @click=${() => this.panel.focus()}>Skip to the parameters</button>
       <header>
-        <pasu-top-bar .designer=${designer} @command-chosen=${(event: CommandEvent) => void this.perform(event.command)}></pasu-top-bar>
+        <pasu-top-bar .designer=${designer} @command-chosen=${this.commanded}></pasu-top-bar>
       </header>
       <main aria-label="The pot">
         <pasu-stage .designer=${designer}></pasu-stage>
@@ -66,7 +69,7 @@ export class PasuApp extends DesignerElement {
         ${this.dropping ? html`<div class="drop"><p>Drop to open</p></div>` : nothing}
       </main>
       <aside aria-label="Parameters">
-        <pasu-panel .designer=${designer}></pasu-panel>
+        <pasu-panel .designer=${designer} @command-chosen=${this.commanded}></pasu-panel>
       </aside>
       <p class="spoken" role="status">${this.spoken}</p>
       <div class="toasts" role="status">
@@ -139,6 +142,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-help @help-closed=${close}></pasu-help>`;
       case "picture":
         return html`<pasu-picture .save=${this.savePicture} @picture-closed=${close}></pasu-picture>`;
+      case "export":
+        return html`<pasu-export .designer=${designer} @export-closed=${close}></pasu-export>`;
       case "link":
         return html`<pasu-dialog heading="The link of this pot" @dialog-closed=${close}>
           <p>Your browser did not let the page copy it. Copy it from here:</p>
@@ -166,6 +171,7 @@ export class PasuApp extends DesignerElement {
     if (session.theme === "auto") delete document.documentElement.dataset.theme;
     else document.documentElement.dataset.theme = session.theme;
     const settled = shown?.settled === true && shown.design === design;
+    if (settled && !designer.workshop && wantsMaking(design, session)) void designer.openWorkshop();
     this.dataset.state = status === "starting" ? "solving" : status;
     this.dataset.fingerprint = settled ? shown.solved.fingerprint : "";
     this.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
@@ -177,16 +183,19 @@ export class PasuApp extends DesignerElement {
     }
   }
 
+  private readonly commanded = (event: CommandEvent): void => void this.perform(event.command);
+
   private async perform(command: Command): Promise<void> {
     switch (command) {
       case "new":
       case "gallery":
       case "help":
       case "picture":
+      case "export":
         await this.show(command);
         return;
       case "open": {
-        const file = await pickFile(".json,application/json");
+        const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.ply,.step,.svg,application/json");
         if (file) await this.designer.openFile(file);
         return;
       }
@@ -207,7 +216,7 @@ export class PasuApp extends DesignerElement {
       await DIALOGUES[dialogue]();
       this.dialog = dialogue;
     } catch {
-      this.designer.say("This part of the page could not be fetched. Try again when there is a network.");
+      this.designer.say(UNFETCHED);
     }
   }
 
@@ -440,6 +449,12 @@ export class PasuApp extends DesignerElement {
 /** The solver's sentence first; where it happened and what it means for the stage in small print. */
 function explain(problem: Refusal, comfort: string) {
   return html`<p>${problem.message}<small>${[comfort, problem.path].filter(Boolean).join(" ")}</small></p>`;
+}
+
+/** Whether anything is looked at that the maker makes. */
+function wantsMaking({ parts }: Design, { tab, fill, map, overlays }: Session): boolean {
+  const looked = tab === "wall" || tab === "measures" || overlays.cut;
+  return looked || fill !== null || map !== null || parts.some(({ wall }) => wall);
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

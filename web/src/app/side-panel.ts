@@ -1,13 +1,21 @@
-/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders and the look. */
+/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders, the look, the wall and what it measures. */
 
 import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { selectPart, selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
+import { UNFETCHED } from "./designer";
 import { DesignerElement } from "./element";
 import { base, fields } from "./styles";
 
-const TAB_NAMES: Readonly<Record<Tab, string>> = { shape: "Shape", profile: "Profile", order: "Order", look: "Look" };
+const TAB_NAMES: Readonly<Record<Tab, string>> = {
+  shape: "Shape",
+  profile: "Profile",
+  order: "Order",
+  look: "Look",
+  wall: "Wall",
+  measures: "Measures",
+};
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
@@ -15,6 +23,8 @@ const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
   profile: () => import("./profile-editor"),
   order: () => import("./orders-panel"),
   look: () => import("./look-panel"),
+  wall: () => import("./wall-panel"),
+  measures: () => import("./measures-panel"),
 };
 
 @customElement("pasu-panel")
@@ -34,7 +44,7 @@ export class PasuPanel extends DesignerElement {
     this.fetched = tab;
     PANELS[tab]().catch(() => {
       this.fetched = null;
-      this.designer.say("This panel could not be fetched. Try again when there is a network.");
+      this.designer.say(UNFETCHED);
     });
   }
 
@@ -74,6 +84,10 @@ export class PasuPanel extends DesignerElement {
         return html`<pasu-orders .designer=${designer}></pasu-orders>`;
       case "look":
         return html`<pasu-look .designer=${designer}></pasu-look>`;
+      case "wall":
+        return html`<pasu-wall .designer=${designer}></pasu-wall>`;
+      case "measures":
+        return html`<pasu-measures .designer=${designer}></pasu-measures>`;
     }
   }
 
@@ -125,7 +139,7 @@ export class PasuPanel extends DesignerElement {
     css`
       :host {
         display: grid;
-        grid-template-rows: auto 1fr;
+        grid-template: auto 1fr / minmax(0, 1fr);
         min-height: 0;
         min-width: 0;
         background: var(--sheet);
@@ -172,6 +186,15 @@ export class PasuPanel extends DesignerElement {
       }
       .part .field {
         flex: 1;
+      }
+      @media (max-width: 379px) {
+        .tabs {
+          padding: 0 6px;
+        }
+        [role="tab"] {
+          padding: 0 2px;
+          font-size: 0.88rem;
+        }
       }
       @media (max-width: 859px) {
         .body {

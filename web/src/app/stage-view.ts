@@ -2,52 +2,20 @@
 
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { KIND_NAMES } from "../document/kinds";
 import { looksOf, unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
-import { toggleOverlay } from "../state/actions";
-import type { Overlays } from "../state/session";
-import type { Comparison, Shown } from "./designer";
+import { type Comparison, type Shown, UNFETCHED } from "./designer";
 import { DesignerElement } from "./element";
-import { type IconName, icon } from "./icons";
-import "./menu";
-import { base, buttons } from "./styles";
+import type { StageMade } from "./stage-made";
+import "./stage-tools";
+import { VIEWS, ZOOM } from "./stage-tools";
+import { base } from "./styles";
 import { trace } from "./trace";
-
-type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
-
-const VIEWS: readonly { readonly name: ViewName; readonly label: string }[] = [
-  { name: "three-quarter", label: "Three-quarter" },
-  { name: "front", label: "Front" },
-  { name: "side", label: "Side" },
-  { name: "top", label: "Top" },
-  { name: "below", label: "Below" },
-];
-
-const OVERLAYS: readonly { readonly name: keyof Overlays; readonly label: string }[] = [
-  { name: "isoU", label: "Lines round the pot (u)" },
-  { name: "isoV", label: "Lines up the wall (v)" },
-  { name: "wireframe", label: "Wireframe" },
-  { name: "boundary", label: "Rim, foot and tangents" },
-  { name: "axes", label: "Axes and dimensions" },
-];
 
 const TURN = Math.PI / 18;
 const PAN = 40;
-const ZOOM = 1.2;
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
-
-const ZOOMS: readonly {
-  readonly label: string;
-  readonly key: string;
-  readonly icon: IconName;
-  readonly act: (stage: Stage) => void;
-}[] = [
-  { label: "Zoom out", key: "−", icon: "less", act: (stage) => stage.zoom(1 / ZOOM) },
-  { label: "Zoom in", key: "+", icon: "add", act: (stage) => stage.zoom(ZOOM) },
-  { label: "Fit to view", key: "F", icon: "fit", act: (stage) => stage.fit() },
-];
 
 const REDUCED = "(prefers-reduced-motion: reduce)";
 const DARK = "(prefers-color-scheme: dark)";
@@ -61,6 +29,8 @@ export class PasuStage extends DesignerElement {
   private drawn: Shown | null = null;
   private compared: Comparison | null = null;
   private said = "";
+  private made: StageMade | null = null;
+  private making = false;
   private framed = -1;
   private framedSize = 0;
   private readonly dark = matchMedia(DARK);
@@ -80,6 +50,8 @@ export class PasuStage extends DesignerElement {
     this.resizes.disconnect();
     this.stage?.dispose();
     this.stage = null;
+    this.made = null;
+    this.making = false;
   }
 
   override firstUpdated(): void {
@@ -129,7 +101,6 @@ export class PasuStage extends DesignerElement {
 
   override render() {
     const { designer } = this;
-    const overlays = designer.state.session.overlays;
     return html`
       <div
         class="host"
@@ -142,53 +113,14 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
-      ${designer.comparison ? this.captions(designer.comparison) : nothing}
+      ${designer.comparison ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.order}></pasu-captions>` : nothing}
       <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
       <div class="foot">
         <p id="description">${designer.description}${this.accuracy()}</p>
         ${
           this.mode === "still"
             ? nothing
-            : html`<div class="tools" role="toolbar" aria-label="View">
-                <div class="views">
-                  ${VIEWS.map(
-                    ({ name, label }) =>
-                      html`<button class="button" type="button" @click=${() => this.stage?.view(name)}>${label}</button>`,
-                  )}
-                </div>
-                <div class="zooms">
-                  ${ZOOMS.map(
-                    ({ label, key, icon: name, act }) =>
-                      html`<button class="button bare" type="button" aria-label=${label} title="${label} (${key})" @click=${() => this.stage && act(this.stage)}>
-                        ${icon(name)}
-                      </button>`,
-                  )}
-                </div>
-                <pasu-menu class="small" label="View" icon="view" side="up" bare>
-                  ${VIEWS.map(
-                    ({ name, label }) =>
-                      html`<button class="button item" type="button" @click=${() => this.stage?.view(name)}>${label}</button>`,
-                  )}
-                  ${ZOOMS.map(
-                    ({ label, icon: name, act }) =>
-                      html`<button class="button item phone" type="button" @click=${() => this.stage && act(this.stage)}>
-                        ${icon(name)}<span>${label}</span>
-                      </button>`,
-                  )}
-                </pasu-menu>
-                <pasu-menu label="Overlays" icon="layers" side="up" bare>
-                  ${OVERLAYS.map(
-                    ({ name, label }) => html`<label class="check">
-                      <input
-                        type="checkbox"
-                        .checked=${overlays[name]}
-                        @change=${() => designer.apply(toggleOverlay(designer.state, name))}
-                      />
-                      <span>${label}</span>
-                    </label>`,
-                  )}
-                </pasu-menu>
-              </div>`
+            : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
         }
       </div>
     `;
@@ -218,15 +150,6 @@ export class PasuStage extends DesignerElement {
     }
   }
 
-  private captions(comparison: Comparison) {
-    const { design, session } = this.designer.state;
-    const kind = design.parts[session.part]?.shape.kind ?? "second-order";
-    return html`<div class="captions">
-      <p>${KIND_NAMES[kind]} <span>as it is</span></p>
-      <p>${KIND_NAMES[comparison.order]} <span>to compare</span></p>
-    </div>`;
-  }
-
   override updated(_changed: PropertyValues): void {
     const { designer, stage } = this;
     const { comparison, state: now } = designer;
@@ -240,9 +163,25 @@ export class PasuStage extends DesignerElement {
     stage.unit(unitOf(now.design));
     this.display();
     stage.overlays(now.session.overlays);
+    if (designer.workshop && !this.making) void this.make(stage);
+    this.made?.update();
     if (comparison !== this.compared) {
       this.compared = comparison;
+      if (comparison) void import("./stage-captions");
       stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
+    }
+  }
+
+  /** What is made of the design is drawn by code that is fetched with the first thing to draw. */
+  private async make(stage: Stage): Promise<void> {
+    this.making = true;
+    try {
+      const { StageMade } = await import("./stage-made");
+      if (stage !== this.stage) return;
+      this.made = new StageMade(this.designer, stage, this.renderRoot);
+      this.requestUpdate();
+    } catch {
+      this.designer.say(UNFETCHED);
     }
   }
 
@@ -318,7 +257,6 @@ export class PasuStage extends DesignerElement {
 
   static override readonly styles = [
     base,
-    buttons,
     css`
       :host {
         position: relative;
@@ -370,59 +308,6 @@ export class PasuStage extends DesignerElement {
       #description:empty {
         visibility: hidden;
       }
-      .tools {
-        display: flex;
-        flex: none;
-        align-items: center;
-        padding: 4px;
-        border: 1px solid var(--line);
-        border-radius: 13px;
-        background: var(--sheet);
-        box-shadow: 0 3px 14px var(--shadow);
-        pointer-events: auto;
-      }
-      .views {
-        display: flex;
-        margin-right: 4px;
-        padding-right: 4px;
-        border-right: 1px solid var(--line);
-      }
-      .views .button {
-        padding: 0 10px;
-        font-size: 0.9rem;
-      }
-      .zooms {
-        display: flex;
-      }
-      .small {
-        display: none;
-      }
-      @media (min-width: 860px) {
-        .phone {
-          display: none !important;
-        }
-      }
-      .item {
-        justify-content: flex-start;
-      }
-      .check {
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        padding: 0 10px;
-        border-radius: 8px;
-        white-space: nowrap;
-        cursor: pointer;
-      }
-      .check:hover {
-        background: var(--well);
-      }
-      .check input {
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
-      }
       .note {
         position: absolute;
         z-index: 2;
@@ -434,26 +319,6 @@ export class PasuStage extends DesignerElement {
         border: 1px solid var(--line);
         border-radius: 10px;
         background: var(--sheet);
-      }
-      .captions {
-        position: absolute;
-        z-index: 2;
-        inset: 14px 0 auto;
-        display: grid;
-        grid-template-columns: 1fr 1fr;
-        pointer-events: none;
-      }
-      .captions p {
-        justify-self: center;
-        padding: 5px 12px;
-        border-radius: 9px;
-        background: var(--sheet);
-        border: 1px solid var(--line);
-        font-weight: 550;
-      }
-      .captions span {
-        color: var(--soft);
-        font-weight: 400;
       }
       .wheel {
         position: absolute;
@@ -469,14 +334,6 @@ export class PasuStage extends DesignerElement {
       @keyframes turn {
         to {
           rotate: 1turn;
-        }
-      }
-      @media (max-width: 1239px) {
-        .views {
-          display: none;
-        }
-        .small {
-          display: inline-block;
         }
       }
       @media (max-width: 859px) {
@@ -504,27 +361,24 @@ export class PasuStage extends DesignerElement {
           font-size: 0.68rem;
           white-space: nowrap;
         }
-        .captions ~ .foot .accuracy {
-          display: none;
+        /* The captions stand in its place. */
+        pasu-captions ~ .foot #description {
+          visibility: hidden;
         }
-        .captions {
-          inset: auto 0 24px;
-          padding-right: 104px;
-          font-size: 0.86rem;
-        }
-        .captions span {
-          display: none;
-        }
-        .tools {
+        pasu-stage-tools {
           align-self: end;
           margin-top: auto;
-          padding: 1px;
         }
-        .zooms {
+      }
+      @media (max-width: 379px) {
+        #description {
+          max-width: 100%;
+          overflow: hidden;
+          text-overflow: ellipsis;
+          white-space: nowrap;
+        }
+        .accuracy {
           display: none;
-        }
-        .small {
-          --menu-columns: auto auto;
         }
       }
     `,

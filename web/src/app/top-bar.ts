@@ -4,21 +4,11 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
 import { THEMES, type ThemeChoice } from "../state/session";
+import { type Command, CommandEvent } from "./command";
 import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
 import { base, buttons } from "./styles";
-
-export type Command = "new" | "gallery" | "open" | "save" | "link" | "share" | "picture" | "help";
-
-/** The person asked for something that the page as a whole does. */
-export class CommandEvent extends Event {
-  readonly command: Command;
-  constructor(command: Command) {
-    super("command-chosen", { bubbles: true, composed: true });
-    this.command = command;
-  }
-}
 
 interface Item {
   readonly command: Command;
@@ -30,6 +20,7 @@ const FILE_ITEMS: readonly Item[] = [
   { command: "new", label: "New", icon: "add" },
   { command: "open", label: "Open", icon: "open" },
   { command: "save", label: "Save", icon: "save" },
+  { command: "export", label: "Export", icon: "make" },
   { command: "picture", label: "Picture", icon: "picture" },
 ];
 

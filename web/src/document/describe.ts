@@ -28,6 +28,8 @@ export interface Facts {
   /** How many times the rim rises. */
   readonly waves: number;
   readonly closed: boolean;
+  /** Height and mean radius of the rings of the first part, from the foot to the rim. */
+  readonly outline: readonly (readonly [number, number])[];
 }
 
 /** A ripple smaller than this share of the mean radius (or of the height) is not spoken of. */
@@ -85,6 +87,7 @@ export function facts(grids: readonly Grid[], { min: low, max: high }: Box): Fac
     petalsAt: rimPetals > 1 || footPetals <= 1 ? "rim" : "foot",
     waves: peaks(rim.heights, VISIBLE * height),
     closed: grids.every(isClosed),
+    outline: (rim === end ? rings : rings.toReversed()).map((ring) => [ring.height, ring.radius] as const),
   };
 }
 

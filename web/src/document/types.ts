@@ -6,7 +6,7 @@
 import type * as pasu from "pasu";
 
 /** Read-only all the way down. */
-export type Frozen<T> = { readonly [K in keyof T]: T[K] extends object ? Frozen<T[K]> : T[K] };
+export type Frozen<T> = T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T;
 
 export type SecondOrder = Frozen<pasu.SecondOrder>;
 export type MixedOrder = Frozen<pasu.MixedOrder>;
@@ -35,6 +35,9 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
 export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
 export type Kind = Shape["kind"];
 
+/** What makes a surface a pot. */
+export type Wall = Frozen<pasu.Wall>;
+
 export type Placement = Frozen<pasu.Placement>;
 export type Look = Frozen<pasu.Look>;
 export type GlazeName = NonNullable<pasu.Look["glaze"]>;
@@ -48,6 +51,21 @@ export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {
 export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {
   readonly parts: readonly Part[];
 }
+
+export type Making = Frozen<pasu.Making>;
+export type Product = pasu.Product;
+export type Format = pasu.Format;
+export type MapName = pasu.MapName;
+/** A number and how far it may be off. */
+export type Quantity = Frozen<pasu.Quantity>;
+/** What was measured; `docs/measures.md` says what each means. */
+export type Measures = Frozen<pasu.Measures>;
+export type PartMeasures = Frozen<pasu.PartMeasures>;
+export type Curvature = PartMeasures["curvature"]["mean"];
+export type Capacity = Frozen<pasu.Capacity>;
+/** What the checks found of the very triangles that a file holds. */
+export type Report = Frozen<pasu.Report>;
+export type Finding = Frozen<pasu.Finding>;
 
 export type Pair = readonly [number, number];
 export type Triple = readonly [number, number, number];

@@ -1,4 +1,4 @@
-import { DoubleSide, GLSL3, RawShaderMaterial } from "three";
+import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial } from "three";
 import { CLAYS } from "./clay";
 import { GLAZES, type StageLook } from "./glaze";
 import type { PotUniforms } from "./pot";
@@ -8,7 +8,12 @@ const VERTEX = /* glsl */ `
 precision highp float;
 in vec3 position;
 in vec3 normal;
+#ifdef SOLID
+in vec4 wares;
+out float vLining;
+#else
 in vec3 place;  // u, v / span, part
+#endif
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 uniform vec4 frame;
@@ -20,6 +25,7 @@ out vec3 vScene;
 out vec3 vNormal;
 out vec4 vWare;
 
+#ifndef SOLID
 // Between the samples by hand: not every GPU filters textures of floats.
 vec4 wareAt(vec3 where) {
   ivec2 last = textureSize(ware, 0) - 1;
@@ -31,13 +37,19 @@ vec4 wareAt(vec3 where) {
   vec4 far = mix(texelFetch(ware, ivec2(a.x, b.y), 0), texelFetch(ware, b, 0), f.x);
   return mix(near, far, f.y);
 }
+#endif
 
 void main() {
+#ifdef SOLID
+  vLining = wares.x;
+  vWare = vec4(0.0, wares.yz * frame.w, wares.w);
+#else
   vec4 wares = wareAt(place);
+  vWare = vec4(wares.x / frame.w, wares.yz * frame.w, wares.w);
+#endif
   vObject = (position - frame.xyz) * frame.w;
   vScene = vObject + shift;
   vNormal = normal;
-  vWare = vec4(wares.x / frame.w, wares.yz * frame.w, wares.w);
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
 `;
@@ -60,6 +72,14 @@ uniform vec3 body;
 uniform vec3 edgeColour;
 uniform vec4 layer;       // opacity, breaking, mottle, streak
 uniform vec3 surface;     // speckle, roughness, coat
+#ifdef SOLID
+in float vLining;
+uniform float level;      // of the water, in scene space
+#endif
+#ifdef CUT
+uniform vec4 cut;         // the plane before which everything is taken away
+uniform float core;       // which side of the surface is within the clay: -1 its back, 1 its front, 0 neither
+#endif
 out vec4 colour;
 ${STUDIO_GLSL}
 ${TONE_GLSL}
@@ -72,15 +92,24 @@ vec4 cells(vec3 p) {
 }
 
 void main() {
-  vec3 toEye = normalize(eye - vScene);
-  bool inside = !gl_FrontFacing;
-  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
-  // A sliver of the far wall shows along a silhouette: it must not look like the depth of the pot.
-  float within = 0.0;
-  if (inside) {
-    n = -n;
-    within = smoothstep(0.02, 0.2, dot(n, toEye));
+#ifdef CUT
+  if (dot(vScene, cut.xyz) > cut.w) discard;
+  // What is seen through the cut of the inner side of a closed surface stands for the cut itself.
+  if (core != 0.0 && gl_FrontFacing == (core > 0.0)) {
+    colour = vec4(toScreen(mix(clayColour, vec3(0.5), 0.25)), 1.0);
+    return;
   }
+#endif
+  vec3 toEye = normalize(eye - vScene);
+  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
+  if (!gl_FrontFacing) n = -n;
+#ifdef SOLID
+  bool inside = vLining > 0.5;
+#else
+  bool inside = !gl_FrontFacing;
+#endif
+  // A sliver of the far wall shows along a silhouette: it must not look like the depth of the pot.
+  float within = inside ? smoothstep(0.02, 0.2, dot(n, toEye)) : 0.0;
 
   vec4 broad = cells(vObject * 4.3) - 0.5;
   vec4 fine = cells(vObject * vec3(17.0, 17.0, mix(17.0, 2.2, layer.w))) - 0.5;
@@ -119,6 +148,9 @@ void main() {
 
   // Light that reaches this place: the inside by its opening, the underside by the table, hollows by their walls.
   float depth = min(vWare.w, 100.0);
+#ifdef CUT
+  depth *= 0.25;  // the light comes in by the cut
+#endif
   float fromFoot = 2.2 * min(vWare.z, 100.0);
   float open = max(1.0 / (1.0 + 1.15 * depth * depth + 0.35 * depth), lean.y / (1.0 + fromFoot * fromFoot));
   open = mix(1.0, open, within);
@@ -140,15 +172,35 @@ void main() {
   float mirrorAccess = min(1.0, access * access * 1.2) ;
 
   vec3 light = albedo * irradiance(ns) * matt * (1.0 - fresnel) + mirrored * fresnel * mirrorAccess;
+#ifdef SOLID
+  // Under water: what the way down and back lets through, and what the water scatters.
+  if (inside && vScene.z < level) {
+    vec3 through = exp2(-vec3(1.5, 0.5, 0.32) * min(level - vScene.z + 0.25, 2.0));
+    light = light * through + vec3(0.02, 0.13, 0.19) * (1.0 - through.r);
+  }
+#endif
   colour = vec4(toScreen(light), 1.0);
 }
 `;
 
 /**
+ * What a material is besides: `SOLID`, of faces that bring what the glaze goes by with their vertices; `CUT`, of a pot that is cut open.
+ */
+export interface CeramicVariant {
+  readonly defines?: Partial<Record<"SOLID" | "CUT", string>>;
+  readonly uniforms?: Readonly<Record<string, IUniform>>;
+}
+
+/**
  * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
  * on a pot and needs no environment map to be made before the first picture.
  */
-export function ceramic(look: StageLook, studio: Studio, pot: PotUniforms): RawShaderMaterial {
+export function ceramic(
+  look: StageLook,
+  studio: Studio,
+  pot: Partial<PotUniforms>,
+  variant: CeramicVariant = {},
+): RawShaderMaterial {
   const clay = CLAYS[look.clay];
   const glaze = GLAZES[look.glaze];
   const log2 = (x: number) => Math.log2(Math.max(x, 1e-4));
@@ -157,6 +209,7 @@ export function ceramic(look: StageLook, studio: Studio, pot: PotUniforms): RawS
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     side: DoubleSide,
+    defines: variant.defines ?? {},
     uniforms: {
       frame: studio.frame,
       eye: studio.eye,
@@ -168,6 +221,7 @@ export function ceramic(look: StageLook, studio: Studio, pot: PotUniforms): RawS
       floor_: studio.floor,
       noise: studio.noise,
       ...pot,
+      ...variant.uniforms,
       clayColour: { value: clay.colour },
       grainColour: { value: clay.grain },
       clay: { value: [clay.grog, clay.roughness] },

@@ -29,6 +29,9 @@ export interface PotUniforms {
   readonly wareRows: IUniform<number>;
 }
 
+/** The material of a part in the place of its glaze. */
+export type Coat = (look: StageLook, part: number) => RawShaderMaterial;
+
 /** One design on the GPU: its buffers, kept and overwritten while the grid stays the same, and a material per look. */
 export class Pot {
   readonly object: Mesh<BufferGeometry, RawShaderMaterial[]>;
@@ -39,7 +42,11 @@ export class Pot {
   };
   /** Whether its first part is dark. */
   dark = false;
+  /** What everything fills that belongs to the pot, while that is more than its mesh. */
+  extent: Bounds | null = null;
   private mesh: StageMesh | null = null;
+  private looks: readonly StageLook[] = [];
+  private dressed: Coat | null = null;
   private readonly materials = new Map<string, RawShaderMaterial>();
   private used: RawShaderMaterial[] = [];
 
@@ -50,7 +57,14 @@ export class Pot {
   }
 
   get bounds(): Bounds | null {
-    return this.mesh?.bounds ?? null;
+    return this.extent ?? this.mesh?.bounds ?? null;
+  }
+
+  /** Other materials than the glazes of the parts; null for those. */
+  set coat(coat: Coat | null) {
+    if (coat === this.dressed) return;
+    this.dressed = coat;
+    if (this.mesh) this.dress(this.mesh.groups);
   }
 
   /** The corners that the mesh is made of, in model units. */
@@ -76,7 +90,8 @@ export class Pot {
     }
     this.glaze(mesh.ware);
     this.dark = isDark(looks[0] ?? DEFAULT_LOOK);
-    this.dress(mesh.groups, looks);
+    this.looks = looks;
+    this.dress(mesh.groups);
     this.object.visible = mesh.bounds !== null;
     return before;
   }
@@ -104,29 +119,25 @@ export class Pot {
   }
 
   /** One draw call per run of parts that look the same. */
-  private dress(groups: Uint32Array, looks: readonly StageLook[]): void {
+  private dress(groups: Uint32Array): void {
     const geometry = this.object.geometry;
     geometry.clearGroups();
     this.used = [];
-    let previous = { key: "", end: -1 };
     for (let g = 0; g < groups.length; g += 3) {
-      const look = looks[at(groups, g + 2)] ?? DEFAULT_LOOK;
-      const key = `${look.glaze}/${look.clay}`;
-      const start = at(groups, g);
-      const count = at(groups, g + 1);
+      const part = at(groups, g + 2);
+      const look = this.looks[part] ?? DEFAULT_LOOK;
+      const material = this.dressed?.(look, part) ?? this.material(look);
+      const [start, count] = [at(groups, g), at(groups, g + 1)];
       const last = geometry.groups.at(-1);
-      if (last && previous.key === key && previous.end === start) {
-        last.count += count;
-      } else {
-        geometry.addGroup(start, count, this.used.push(this.material(key, look)) - 1);
-      }
-      previous = { key, end: start + count };
+      if (last && this.used.at(-1) === material && last.start + last.count === start) last.count += count;
+      else geometry.addGroup(start, count, this.used.push(material) - 1);
     }
     this.object.material = this.used;
   }
 
   /** Kept for good once made: there are 32 at most, and a program without a material would be compiled again. */
-  private material(key: string, look: StageLook): RawShaderMaterial {
+  private material(look: StageLook): RawShaderMaterial {
+    const key = `${look.glaze}/${look.clay}`;
     let material = this.materials.get(key);
     if (!material) {
       material = ceramic(look, this.studio, this.uniforms);

@@ -1,5 +1,6 @@
+import type { Object3D } from "three";
 import { Camera } from "./camera";
-import { GlContext, webgl2Supported } from "./context";
+import { GlContext, type Tenant, webgl2Supported } from "./context";
 import { Gesture } from "./gesture";
 import type { StageLook } from "./glaze";
 import type { Unit } from "./length";
@@ -8,10 +9,11 @@ import type { StageMesh } from "./mesh";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
+import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
 import { Screen } from "./screen";
 import { Stopwatch } from "./stopwatch";
-import type { Theme } from "./studio";
+import type { Studio, Theme } from "./studio";
 import { Tableau } from "./tableau";
 
 /** How the stage begins; `theme`, `reducedMotion` and `unit` may change later. */
@@ -28,6 +30,27 @@ export interface StageOptions {
   onDrawn?(): void;
   /** What a frame with a new mesh cost, until the GPU was done with it, and whether it was drawn as coarsely as is ever done. */
   onCost?(milliseconds: number, coarsest: boolean): void;
+}
+
+/** Where something is drawn. */
+export interface Place {
+  readonly studio: Studio;
+  readonly pot: Pot;
+  readonly overlay: Overlays;
+  /** Holds elements over the picture. */
+  readonly root: HTMLElement;
+  /** Something is different: frames are drawn. */
+  readonly changed: () => void;
+}
+
+/** Something that is drawn besides the pot, by code that is fetched when it is needed. */
+export interface Guest extends Tenant {
+  readonly objects: readonly Object3D[];
+  /** Another mesh is on the stage. */
+  forget(): void;
+  /** Before every frame, on a screen of so many CSS pixels. */
+  prepare(camera: Camera, width: number, height: number): void;
+  dispose(): void;
 }
 
 /** Turning by the height of the stage turns the pot by half a turn. */
@@ -62,6 +85,7 @@ export class Stage {
   private disposed = false;
   private readonly listeners = new AbortController();
   private readonly settings = new Map<string, string>();
+  private guest: Guest | null = null;
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -136,6 +160,7 @@ export class Stage {
   show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
     const before = this.tableau.show(mesh, looks);
     this.overlay.forget();
+    this.guest?.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place("three-quarter", true);
@@ -161,6 +186,25 @@ export class Stage {
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
     if (this.differs("overlays", JSON.stringify(overlays))) this.overlay.overlays = overlays;
+  }
+
+  /** Lets something else be drawn from now on. */
+  invite<G extends Guest>(arrive: (place: Place) => G): G {
+    const { tableau, overlay, root } = this;
+    const guest = arrive({
+      studio: tableau.studio,
+      pot: tableau.main,
+      overlay,
+      root,
+      changed: () => {
+        overlay.forget();
+        this.changed();
+      },
+    });
+    tableau.scene.add(...guest.objects);
+    this.context.admit(guest);
+    this.guest = guest;
+    return guest;
   }
 
   /** Goes to a standard view, fitted. */
@@ -236,6 +280,7 @@ export class Stage {
     this.gesture.dispose();
     this.loop.dispose();
     this.overlay.dispose();
+    this.guest?.dispose();
     this.context.dispose();
     this.root.remove();
   }
@@ -372,6 +417,7 @@ export class Stage {
     const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
     this.overlay.scale(Math.floor(width * fineness.ratio), Math.floor(height * fineness.ratio), fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
+    this.guest?.prepare(this.camera, width, height);
     this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
     this.drawn++;
     // A frame after a rest says nothing by its distance from the one before: its own cost is taken.

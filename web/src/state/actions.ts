@@ -4,7 +4,7 @@ import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
 import type { Design, Look, Unit } from "../document/types";
-import type { Overlays, Tab, ThemeChoice } from "./session";
+import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
 export const MAX_TITLE = 200;
@@ -59,6 +59,13 @@ export function toggleOverlay(state: State, name: keyof Overlays): Change {
 
 export function toggleExplain(state: State): Change {
   return { undo: "none", session: { explain: !state.session.explain } };
+}
+
+/** Remembers what was chosen for a file. */
+export function setExport(state: State, change: Partial<Session["export"]>): Change {
+  const before = state.session.export;
+  const same = Object.entries(change).every(([name, value]) => before[name as keyof typeof before] === value);
+  return same ? NOTHING : { undo: "none", session: { export: { ...before, ...change } } };
 }
 
 export function compareWith(order: OrderKind | null): Change {

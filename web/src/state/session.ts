@@ -1,9 +1,10 @@
 /** What the page remembers that is not part of the design. */
 
 import type { OrderKind } from "../document/convert";
+import type { Format, MapName } from "../document/types";
 
-export type Tab = "shape" | "profile" | "order" | "look";
-export const TABS: readonly Tab[] = ["shape", "profile", "order", "look"];
+export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
+export const TABS: readonly Tab[] = ["shape", "profile", "order", "look", "wall", "measures"];
 
 export type ThemeChoice = "auto" | "light" | "dark";
 export const THEMES: readonly ThemeChoice[] = ["auto", "light", "dark"];
@@ -14,6 +15,8 @@ export interface Overlays {
   readonly wireframe: boolean;
   readonly boundary: boolean;
   readonly axes: boolean;
+  /** The half that is before the eye is taken away, so that the wall is seen. */
+  readonly cut: boolean;
 }
 
 export interface Session {
@@ -28,14 +31,23 @@ export interface Session {
   readonly explain: boolean;
   /** The order shown beside the design. */
   readonly compare: OrderKind | null;
+  /** What the colours on the pot stand for; its own when there is none. */
+  readonly map: MapName | null;
+  /** How high the water stands, from 0 at the floor to 1 where it spills; null without water. */
+  readonly fill: number | null;
+  /** What was last chosen for files: the clay stays the same from pot to pot. */
+  readonly export: { readonly format: Format; readonly shrinkage: number };
 }
 
 export const NEW_SESSION: Session = {
   part: 0,
   tab: "shape",
   theme: "auto",
-  overlays: { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false },
+  overlays: { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false, cut: false },
   unlocked: [],
   explain: false,
   compare: null,
+  map: null,
+  fill: null,
+  export: { format: "3mf", shrinkage: 0 },
 };

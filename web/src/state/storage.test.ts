@@ -40,13 +40,20 @@ test("nonsense on the shelf is the default, field by field", () => {
   const place = shelf();
   place.setItem(
     "pasu.settings",
-    JSON.stringify({ theme: "pink", tab: "order", overlays: { axes: true, isoU: 7 }, unlocked: [1, "t"] }),
+    JSON.stringify({
+      theme: "pink",
+      tab: "order",
+      overlays: { axes: true, isoU: 7, cut: true },
+      unlocked: [1, "t"],
+      export: { format: "exe", shrinkage: 12.5 },
+    }),
   );
   expect(readSettings(place)).toEqual({
     ...NEW_SESSION,
     tab: "order",
     overlays: { ...NEW_SESSION.overlays, axes: true },
     unlocked: ["t"],
+    export: { format: "3mf", shrinkage: 12.5 },
   });
   place.setItem("pasu.settings", "{");
   expect(readSettings(place)).toEqual(NEW_SESSION);

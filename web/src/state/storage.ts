@@ -3,6 +3,7 @@
  * person the convenience and nothing else: every access is allowed to fail.
  */
 
+import { FORMAT_NAMES } from "../document/format";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
 import type { State } from "./store";
@@ -19,6 +20,9 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   unlocked: "browser",
   explain: "browser",
   compare: "nowhere",
+  map: "nowhere",
+  fill: "nowhere",
+  export: "browser",
 };
 
 /** The design as last left in this browser. */
@@ -79,14 +83,25 @@ export function readSettings(shelf: Shelf | null): Session {
     theme: oneOf<ThemeChoice>(THEMES, kept.theme, NEW_SESSION.theme),
     overlays: overlaysFrom(kept.overlays),
     explain: kept.explain === true,
+    export: exportFrom(kept.export),
     unlocked: Array.isArray(kept.unlocked) ? kept.unlocked.filter((name) => typeof name === "string") : [],
   };
 }
 
 function overlaysFrom(kept: unknown): Overlays {
   if (!isRecord(kept)) return NEW_SESSION.overlays;
-  const on = (name: keyof Overlays) => kept[name] === true;
-  return { isoU: on("isoU"), isoV: on("isoV"), wireframe: on("wireframe"), boundary: on("boundary"), axes: on("axes") };
+  const names = Object.keys(NEW_SESSION.overlays);
+  const overlays = Object.fromEntries(names.map((name) => [name, kept[name] === true])) as unknown as Overlays;
+  // A pot that is opened is whole.
+  return { ...overlays, cut: false };
+}
+
+function exportFrom(kept: unknown): Session["export"] {
+  const { format, shrinkage } = isRecord(kept) ? kept : {};
+  return {
+    format: oneOf(FORMAT_NAMES, format, NEW_SESSION.export.format),
+    shrinkage: typeof shrinkage === "number" && shrinkage > 0 && shrinkage < 50 ? shrinkage : 0,
+  };
 }
 
 function oneOf<T>(all: readonly T[], value: unknown, fallback: T): T {

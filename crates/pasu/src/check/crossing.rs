@@ -148,3 +148,65 @@ fn volume(a: Point, b: Point, c: Point, d: Point) -> f64 {
     let [a, b, c, d] = [a, b, c, d].map(|p| Coord3D { x: f64::from(p[0]), y: f64::from(p[1]), z: f64::from(p[2]) });
     orient3d(a, b, c, d)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether two triangles with these vertices cross; equal points are equal vertices.
+    fn crosses(p: [Point; 3], q: [Point; 3]) -> bool {
+        let mut positions: Vec<Point> = Vec::new();
+        let mut number = |point: Point| {
+            positions.iter().position(|known| *known == point).unwrap_or_else(|| {
+                positions.push(point);
+                positions.len() - 1
+            }) as u32
+        };
+        let triangles = [p, q].map(|triangle| triangle.map(&mut number));
+        let found = crossings(&positions, &triangles, |_| None, 9);
+        let turned = triangles.map(|[a, b, c]| [c, a, b]);
+        assert_eq!(found, crossings(&positions, &turned, |_| None, 9));
+        !found.is_empty()
+    }
+
+    const T: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+
+    #[test]
+    fn triangles_without_a_common_vertex() {
+        assert!(crosses(T, [[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [2.0, 2.0, 5.0]]));
+        assert!(!crosses(T, [[1.0, 1.0, 1e-30], [1.0, 1.0, 1.0], [2.0, 2.0, 5.0]]));
+        // A corner in the inside, a corner on an edge, an edge through an edge.
+        assert!(crosses(T, [[1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [2.0, 2.0, 5.0]]));
+        assert!(crosses(T, [[2.0, 2.0, 0.0], [2.0, 2.0, 1.0], [3.0, 3.0, 5.0]]));
+        assert!(crosses(T, [[2.0, -1.0, 0.0], [2.0, 1.0, 0.0], [9.0, 9.0, 5.0]]));
+        // In one plane: overlapping, one within the other, side by side.
+        assert!(crosses(T, [[1.0, 1.0, 0.0], [5.0, 1.0, 0.0], [1.0, 5.0, 0.0]]));
+        assert!(crosses(T, [[1.0, 1.0, 0.0], [1.5, 1.0, 0.0], [1.0, 1.5, 0.0]]));
+        assert!(!crosses(T, [[4.0, 4.0, 0.0], [5.0, 1.0, 0.0], [9.0, 5.0, 0.0]]));
+        assert!(crosses(T, [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [2.0, -4.0, 0.0]]));
+    }
+
+    #[test]
+    fn triangles_with_a_common_vertex() {
+        let o = T[0];
+        assert!(!crosses(T, [o, [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]));
+        assert!(!crosses(T, [o, [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]]));
+        assert!(crosses(T, [o, [3.0, 3.0, 1.0], [3.0, 3.0, -1.0]]));
+        assert!(crosses(T, [o, [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]]));
+        // In one plane: overlapping, side by side, along an edge.
+        assert!(crosses(T, [o, [1.0, 1.0, 0.0], [1.0, 2.0, 0.0]]));
+        assert!(crosses(T, [o, [9.0, 1.0, 0.0], [1.0, 9.0, 0.0]]));
+        assert!(!crosses(T, [o, [-1.0, 1.0, 0.0], [-1.0, 2.0, 0.0]]));
+        assert!(crosses(T, [o, [2.0, 0.0, 0.0], [2.0, -2.0, 0.0]]));
+        assert!(crosses(T, [o, [2.0, 0.0, 0.0], [2.0, 0.0, -2.0]]));
+    }
+
+    #[test]
+    fn triangles_with_a_common_edge() {
+        let [a, b, _] = T;
+        assert!(!crosses(T, [b, a, [1.0, -1.0, 0.0]]));
+        assert!(!crosses(T, [b, a, [1.0, 1.0, 1e-30]]));
+        assert!(crosses(T, [b, a, [1.0, 1.0, 0.0]]));
+        assert!(crosses(T, [b, a, T[2]]));
+    }
+}

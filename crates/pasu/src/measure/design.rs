@@ -222,7 +222,8 @@ fn part_measures(
     }
     let mut body =
         Body { height: outside.height(), bottom, top, width: width(outside), area: surface, ..Body::default() };
-    let cubic_centimetre = (design.unit().millimetres() / 10.0).powi(3);
+    let centimetres = design.unit().millimetres() / 10.0;
+    let cubic_centimetre = centimetres * centimetres * centimetres;
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;
     if let Ok(pot) = &taken.pot {

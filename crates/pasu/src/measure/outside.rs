@@ -5,8 +5,8 @@ use core::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 
 use super::moments::element;
-use super::quantity::Quantity;
-use super::search::{Grid, Place, climb, least};
+use super::quantity::{Quantity, ROUNDING};
+use super::search::{Grid, Place, least};
 use crate::solid::{Face, FaceJet, FaceKind};
 
 /// Faces seen from outside, each sampled on a grid from which searches begin.
@@ -17,6 +17,12 @@ pub(crate) struct Outside<'a> {
 
 /// Directions in which widths are compared before the least and the greatest are refined.
 const DIRECTIONS: usize = 360;
+
+/// How closely the direction of the least width is found, in radians. A width has a kink there as soon as one board touches two petals; the greatest is smooth.
+const KINK: f64 = 1e-12;
+
+/// How far a face may reach beyond the points of its grid, as a part of the size.
+const BETWEEN: f64 = 0.01;
 
 /// An extreme of some quantity on a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,29 +110,38 @@ impl<'a> Outside<'a> {
 
     /// Least and greatest caliper width from above.
     pub(crate) fn widths(&self) -> Widths {
-        let points: Vec<DVec2> =
-            self.faces.iter().flat_map(|(_, grid)| grid.points()).map(|jet| jet.position.truncate()).collect();
-        let hull = hull(points);
-        let coarse = |angle: f64| {
-            let direction = DVec2::from_angle(angle);
-            let of = |p: &DVec2| p.dot(direction);
-            let (low, high) = hull.iter().map(of).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
-            high - low
-        };
+        let rim = self.silhouette();
         let step = PI / DIRECTIONS as f64;
-        let widths: Vec<f64> = (0..DIRECTIONS).map(|i| coarse(step * i as f64)).collect();
-        let place = |is_better: fn(f64, f64) -> bool| {
-            (0..DIRECTIONS).fold(0, |best, i| if is_better(widths[i], widths[best]) { i } else { best })
+        let coarse = |i: usize| {
+            let direction = level_direction(step * i as f64).truncate();
+            self.reach_of_grid(&rim, direction) + self.reach_of_grid(&rim, -direction)
         };
-        let refine = |i: usize, sign: f64| {
-            let middle = step * i as f64;
-            let of = |angle: f64| sign * self.width(angle);
-            let (angle, width) = least(middle - 1.5 * step, middle + 1.5 * step, 1e-8, of);
-            let here = of(middle);
-            if here <= width { (middle, sign * here) } else { (angle, sign * width) }
+        let widths: Vec<f64> = (0..DIRECTIONS).map(coarse).collect();
+        // The best extremes of the table, refined: petals repeat one, and the table is a little off.
+        let refine = |sign: f64, tolerance: f64, most: usize| {
+            let of = |i: usize| sign * widths[i % DIRECTIONS];
+            let mut lows: Vec<usize> =
+                (0..DIRECTIONS).filter(|&i| of(i) < of(i + DIRECTIONS - 1) && of(i) <= of(i + 1)).collect();
+            lows.sort_by(|&i, &j| of(i).total_cmp(&of(j)).then(i.cmp(&j)));
+            lows.truncate(most);
+            if lows.is_empty() {
+                lows.push(0);
+            }
+            let mut best = (0.0, f64::INFINITY);
+            for i in lows {
+                let middle = step * i as f64;
+                let of = |angle: f64| sign * self.width(angle);
+                let (angle, width) = least(middle - 1.5 * step, middle + 1.5 * step, tolerance, of);
+                for (angle, width) in [(middle, of(middle)), (angle, width)] {
+                    if width < best.1 {
+                        best = (angle, width);
+                    }
+                }
+            }
+            (best.0, sign * best.1)
         };
-        let (least_direction, smallest) = refine(place(|x, y| x < y), 1.0);
-        let (greatest_direction, largest) = refine(place(|x, y| x > y), -1.0);
+        let (least_direction, smallest) = refine(1.0, KINK, 2);
+        let (greatest_direction, largest) = refine(-1.0, 1e-8, 2);
         let turn = |angle: f64| {
             if angle < 0.0 {
                 angle + PI
@@ -137,38 +152,55 @@ impl<'a> Outside<'a> {
             }
         };
         Widths {
-            least: Quantity::rounded(smallest, 2.0 * self.size),
+            least: Quantity::new(smallest, 2.0 * (KINK + ROUNDING) * self.size),
             greatest: Quantity::rounded(largest, 2.0 * self.size),
             least_direction: turn(least_direction),
             greatest_direction: turn(greatest_direction),
         }
     }
 
+    /// The points of the grids on the convex hull seen from above: face and number.
+    fn silhouette(&self) -> Vec<(usize, usize)> {
+        let ids: Vec<(usize, usize)> = (0..self.faces.len())
+            .flat_map(|face| (0..self.faces[face].1.points().len()).map(move |point| (face, point)))
+            .collect();
+        let points: Vec<DVec2> = ids.iter().map(|&(face, point)| self.seen(face, point)).collect();
+        hull_of(&points).into_iter().map(|index| ids[index]).collect()
+    }
+
+    fn seen(&self, face: usize, point: usize) -> DVec2 {
+        self.faces[face].1.points()[point].position.truncate()
+    }
+
+    /// How far the grids reach in a direction, with parabolas between their points.
+    fn reach_of_grid(&self, rim: &[(usize, usize)], direction: DVec2) -> f64 {
+        let far = rim.iter().map(|&(face, point)| (self.seen(face, point).dot(direction), face, point));
+        let Some((most, face, point)) = far.max_by(|x, y| x.0.total_cmp(&y.0)) else { return 0.0 };
+        let neighbours = self.faces[face].1.neighbours(point);
+        let above = neighbours.into_iter().flatten().map(|pair| {
+            let [before, after] = pair.map(|point| self.seen(face, point).dot(direction) - most);
+            let bend = -(before + after);
+            if bend > 0.0 { (after - before) * (after - before) / (8.0 * bend) } else { 0.0 }
+        });
+        most + above.sum::<f64>()
+    }
+
     /// The caliper width in one direction: from the best points of the grids, climbed.
     fn width(&self, angle: f64) -> f64 {
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        let direction = DVec3::new(cos, sin, 0.0);
+        let direction = level_direction(angle);
         [direction, -direction].into_iter().map(|direction| self.reach(direction)).sum()
     }
 
     fn reach(&self, direction: DVec3) -> f64 {
-        let mut starts: Vec<(f64, usize, usize)> = Vec::with_capacity(self.faces.len());
-        for (index, (_, grid)) in self.faces.iter().enumerate() {
-            let far = grid.points().iter().map(|jet| jet.position.dot(direction)).enumerate();
-            let (at, value) = far.fold((0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
-            starts.push((value, index, at));
-        }
-        starts.sort_by(|x, y| y.0.total_cmp(&x.0).then(x.1.cmp(&y.1)));
-        let mut most = f64::MIN;
-        // A face that ends far from where another reaches cannot overtake it between the points of its grid.
-        let near = starts.first().map_or(f64::MAX, |start| start.0) - 0.02 * self.size;
-        for &(value, index, at) in starts.iter().take(2).filter(|start| start.0 >= near) {
-            let (face, grid) = &self.faces[index];
-            let ((a, v), (p, q)) = (grid.place(at), grid.steps());
-            let top = climb(Place { a, v, value }, p, q, |a, v| face.jet(a, v).position.dot(direction));
-            most = most.max(top.value);
-        }
-        most
+        let of = |jet: &FaceJet| jet.position.dot(direction);
+        let ends: Vec<f64> =
+            self.faces.iter().map(|(_, grid)| grid.points().iter().map(of).fold(f64::MIN, f64::max)).collect();
+        let most = ends.iter().copied().fold(f64::MIN, f64::max);
+        // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
+        let near = most - BETWEEN * self.size;
+        let tops = self.faces.iter().zip(ends).filter(|(_, end)| *end >= near);
+        let tops = tops.flat_map(|((face, grid), _)| grid.tops(of, near, |a, v| face.jet(a, v)));
+        tops.fold(most, |most, top| most.max(top.value))
     }
 
     /// The largest angle below the horizontal of the outward normal of faces of some kinds, in radians: how far they overhang.
@@ -225,28 +257,43 @@ pub(crate) fn off_the_end(a: f64) -> f64 {
     a.clamp(NEAR, 1.0 - NEAR)
 }
 
-/// The convex hull of points, anticlockwise, without points in between (A. M. Andrew, 1979).
-pub(crate) fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
-    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
+/// The level unit vector in a direction.
+fn level_direction(angle: f64) -> DVec3 {
+    DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+}
+
+/// The convex hull of points, anticlockwise, without points in between.
+pub(crate) fn hull(points: &[DVec2]) -> Vec<DVec2> {
+    hull_of(points).into_iter().map(|index| points[index]).collect()
+}
+
+/// The numbers of the points on the convex hull (A. M. Andrew, 1979).
+fn hull_of(points: &[DVec2]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&i, &j| {
+        let (p, q) = (points[i], points[j]);
+        p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(i.cmp(&j))
+    });
+    order.dedup_by(|i, j| points[*i] == points[*j]);
+    if order.len() < 3 {
+        return order;
     }
-    let mut hull: Vec<DVec2> = Vec::with_capacity(points.len());
+    let mut hull: Vec<usize> = Vec::with_capacity(order.len());
     for is_back in [false, true] {
         let base = hull.len();
-        let mut take = |p: DVec2| {
-            while hull.len() >= base + 2
-                && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 2]) <= 0.0
-            {
+        let mut take = |index: usize| {
+            while let [.., p, q] = hull[base..] {
+                if (points[q] - points[p]).perp_dot(points[index] - points[p]) > 0.0 {
+                    break;
+                }
                 hull.pop();
             }
-            hull.push(p);
+            hull.push(index);
         };
         if is_back {
-            points.iter().rev().for_each(|p| take(*p));
+            order.iter().rev().for_each(|index| take(*index));
         } else {
-            points.iter().for_each(|p| take(*p));
+            order.iter().for_each(|index| take(*index));
         }
         hull.pop();
     }

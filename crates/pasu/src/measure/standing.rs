@@ -79,11 +79,11 @@ impl<'a> Standing<'a> {
     pub(crate) fn footprint(&self, accuracy: &Accuracy) -> Footprint {
         let area = self.touching.iter().fold(Quantity::default(), |sum, face| sum + area(*face, accuracy));
         let n = EDGE_POINTS.max(4 * self.columns);
-        let [coarse, middle, fine] = [n / 4, n / 2, n].map(|n| polygon_area(&hull(self.edge(n))));
+        let [coarse, middle, fine] = [n / 4, n / 2, n].map(|n| polygon_area(&hull(&self.edge(n))));
         // The hull of points of a smooth curve lacks a part that goes with 1 / n^2, and then with 1 / n^4 (Romberg).
         let [before, after] = [(coarse, middle), (middle, fine)].map(|(a, b)| b + (b - a) / 3.0);
         let hull_area = Quantity::new(after + (after - before) / 15.0, (after - before).abs() + 1e-13 * after);
-        let told = hull(self.edge(TOLD));
+        let told = hull(&self.edge(TOLD));
         Footprint { level: self.level, area, hull_area, hull: told.iter().map(|p| p.to_array()).collect() }
     }
 
@@ -107,7 +107,7 @@ impl<'a> Standing<'a> {
     /// The tilt about the nearest edge of the hull.
     pub(crate) fn tipping(&self, centre: DVec3) -> Tipping {
         let from = centre.truncate();
-        let corners = hull(self.edge(4 * self.columns));
+        let corners = hull(&self.edge(4 * self.columns));
         let rise = (centre.z - self.level).max(0.0);
         let (mut reach, mut toward) = (f64::INFINITY, 0.0);
         let n = corners.len();
@@ -130,7 +130,7 @@ impl<'a> Standing<'a> {
         }
         if !self.edges.is_empty() {
             let step = TAU / self.columns as f64;
-            let (angle, refined) = least(toward - step, toward + step, 1e-8, |angle| self.reach(from, angle));
+            let (angle, refined) = least(toward - step, toward + step, 1e-10, |angle| self.reach(from, angle));
             let here = self.reach(from, toward);
             (reach, toward) = if here <= refined { (here, toward) } else { (refined, angle) };
         }

@@ -1,12 +1,14 @@
 //! From a design to meshes that pass every check.
 
+use std::rc::Rc;
+
 use glam::DVec3;
 
 use super::face::FaceKind;
 use super::making::Making;
 use super::mesh::SolidMesh;
 use super::pot::Pot;
-use super::skin::{place, short};
+use super::skin::{Skin, place, short};
 use super::weave::{Grid, Woven, field, name, weave, weave_surface};
 use crate::check::{self, Topology};
 use crate::design::Design;
@@ -24,6 +26,9 @@ const THINNEST: f64 = 0.05;
 
 /// How often rows and columns are added until faces that have no bound beforehand keep the tolerance.
 const ROUNDS: usize = 3;
+
+/// The part of the size that the first, coarse mesh keeps.
+const COARSE: f64 = 1.0 / 250.0;
 
 /// The most crossings that are looked at for a reason.
 const CROSSINGS: usize = 200;
@@ -55,6 +60,10 @@ pub(crate) struct Made {
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) -> Result<Made> {
+    let skin = Rc::new(Skin::new(&design.parts()[part], part)?);
+    if let Some(error) = surface_crossing(design, &skin, making, scale)? {
+        return Err(error);
+    }
     let mut refusal = None;
     for fineness in FINENESS {
         let pot = Pot::with_fineness(design, part, making.product, fineness)?;
@@ -65,7 +74,7 @@ pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) ->
             Err(error) => refusal = Some(error),
         }
         if fineness == 1
-            && let Some(error) = surface_crossing(design, &pot, making, scale)?.or(too_thin(&pot, making))
+            && let Some(error) = too_thin(&pot, making)
         {
             return Err(error);
         }
@@ -82,7 +91,7 @@ fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64)
     let mut promised = making.tolerance.map(|tolerance| tolerance / fineness);
     let mut asked = promised;
     for round in 1.. {
-        let grid = grid(design, pot, asked, promised)?;
+        let grid = grid(design, pot.skin(), asked, promised)?;
         let tolerance = *promised.get_or_insert(grid.bound / fineness);
         let woven = weave(pot, &grid, scale)?;
         if woven.bound <= tolerance || round >= ROUNDS {
@@ -108,24 +117,31 @@ fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
     })
 }
 
-/// Where the surface of the design itself crosses itself, on a mesh twice as fine as was asked for.
-fn surface_crossing(design: &Design, pot: &Pot, making: &Making, scale: f64) -> Result<Option<Error>> {
-    let grid = grid(design, pot, making.tolerance.map(|tolerance| 0.5 * tolerance), making.tolerance)?;
-    let woven = weave_surface(pot, &grid, scale)?;
-    let at = |triangle: u32| {
-        let [x, y, z] = woven.positions[woven.triangles[triangle as usize][0] as usize].map(f64::from);
-        DVec3::new(x, y, z) / scale
-    };
-    let found = check::crossings(&woven.positions, &woven.triangles, |_| None, 1);
-    Ok(found.first().map(|pair| crossing(pot, [pot.surface_kind(); 2], at(pair[0]))))
+/// Where the surface of the design itself crosses itself: seen on a coarse mesh, and again on one that keeps the tolerance.
+fn surface_crossing(design: &Design, skin: &Rc<Skin>, making: &Making, scale: f64) -> Result<Option<Error>> {
+    let coarse = COARSE * skin.size();
+    let mut steps = vec![making.tolerance];
+    if making.tolerance.is_none_or(|tolerance| tolerance < coarse) {
+        steps.insert(0, Some(coarse));
+    }
+    let mut found = None;
+    for asked in steps {
+        let grid = grid(design, skin, asked, asked)?;
+        let woven = weave_surface(skin, &grid, scale)?;
+        let Some(pair) = check::crossings(&woven.positions, &woven.triangles, |_| None, 1).first().copied() else {
+            return Ok(None);
+        };
+        found = Some(surface_crosses(skin, woven.middle(pair[0]) / scale));
+    }
+    Ok(found)
 }
 
 /// The rows and columns that keep a tolerance of the surface of the design; `promised` is what is aimed at for the other faces.
-fn grid(design: &Design, pot: &Pot, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
-    let part = pot.part();
+fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
+    let part = skin.index();
     let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
-    let bound = bound.unwrap_or_else(|| asked.unwrap_or(pot.skin().size()));
-    let rows = if pot.skin().is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
+    let bound = bound.unwrap_or_else(|| asked.unwrap_or(skin.size()));
+    let rows = if skin.is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
     let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
     if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
         let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
@@ -154,7 +170,7 @@ fn compact(woven: &mut Woven) {
 /// # Errors
 /// Why it is not.
 fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
-    let at = |vertex: u32| DVec3::from_array(woven.positions[vertex as usize].map(f64::from)) / scale;
+    let at = |vertex: u32| woven.position(vertex) / scale;
     let kind_of = |triangle: u32| woven.face(triangle).map_or(FaceKind::Outer, |face| woven.faces[face].kind);
     // The triangles of a level face are seen side by side along the axis.
     let group = |triangle: u32| woven.face(triangle).filter(|face| woven.faces[*face].is_level).map(|face| face as u32);
@@ -178,16 +194,20 @@ fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
     // If the surface itself is at fault, that is the reason.
     let worst = crossings.iter().find(|pair| kinds(pair) == [pot.surface_kind(); 2]).or(crossings.first());
     match worst {
-        Some(pair) => Err(crossing(pot, kinds(pair), at(woven.triangles[pair[0] as usize][0]))),
+        Some(pair) => Err(crossing(pot, kinds(pair), woven.middle(pair[0]) / scale)),
         None => Ok(topology),
     }
+}
+
+fn surface_crosses(skin: &Skin, at: DVec3) -> Error {
+    let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
+    Error::new(Code::CrossesItself, skin.path("shape"), message).near(at.to_array())
 }
 
 /// What a crossing of two faces means to a potter.
 fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
     if kinds == [pot.surface_kind(); 2] {
-        let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
-        return Error::new(Code::CrossesItself, pot.skin().path("shape"), message).near(at.to_array());
+        return surface_crosses(pot.skin(), at);
     }
     // Which of the two was added to the surface, and how late.
     let order = |kind: FaceKind| match kind {

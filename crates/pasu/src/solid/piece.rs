@@ -7,7 +7,9 @@ use glam::DVec3;
 
 use super::curve::Curve;
 use super::face::{Face, FaceJet, FaceKind};
-use super::sheet::{Sheet, Start};
+use super::sheet::{Sheet, Start, WallSide};
+use super::skin::Skin;
+use super::thickness::Thickness;
 
 /// One smooth face of the boundary of a pot. Those of a pot follow on from each other: where one ends (`a = 1`) the next begins (`a = 0`).
 #[derive(Debug)]
@@ -83,6 +85,15 @@ impl Bead {
 }
 
 impl Piece {
+    /// The surface of a design from foot to rim, as the outside.
+    pub(crate) fn surface(skin: &Rc<Skin>) -> Piece {
+        let form = Form::Sheet {
+            sheet: Rc::new(Sheet::whole(skin, &Rc::new(Thickness::Even(0.0)), WallSide::Design)),
+            is_back: false,
+        };
+        Piece { kind: FaceKind::Outer, form, outward: skin.outward(), is_level: false, is_exact: true }
+    }
+
     /// Whether the whole face lies in one plane across the axis of the pot.
     pub fn is_level(&self) -> bool {
         self.is_level

@@ -9,7 +9,7 @@ use super::curve::Curve;
 use super::face::FaceKind;
 use super::making::Product;
 use super::piece::{Bead, Form, Piece};
-use super::sheet::{self, Sheet, Trim};
+use super::sheet::{Sheet, Trim, WallSide};
 use super::skin::{Skin, middle_of, place, short};
 use super::thickness::Thickness;
 use crate::design::{Design, RimForm, Side, Wall, plain};
@@ -165,8 +165,16 @@ struct Builder<'a> {
 type Parts = (Vec<Piece>, bool, f64);
 
 impl Builder<'_> {
-    fn sheet(&self, face: sheet::Face, trim: Trim) -> Option<Rc<Sheet>> {
-        Sheet::new(self.skin, self.thickness, face, trim).map(Rc::new)
+    fn whole(&self, face: WallSide) -> Rc<Sheet> {
+        Rc::new(Sheet::whole(self.skin, self.thickness, face))
+    }
+
+    fn sheet(&self, face: WallSide, trim: Trim) -> Option<Rc<Sheet>> {
+        if trim == Trim::Foot {
+            Some(self.whole(face))
+        } else {
+            Sheet::new(self.skin, self.thickness, face, trim).map(Rc::new)
+        }
     }
 
     fn push(&mut self, kind: FaceKind, form: Form, is_level: bool, is_exact: bool) {
@@ -183,7 +191,7 @@ impl Builder<'_> {
 
     /// The surface between a level disc at each of its open ends.
     fn solid(mut self) -> Result<Parts> {
-        let sheet = self.sheet(sheet::Face::Design, Trim::Foot).ok_or_else(|| self.unreachable())?;
+        let sheet = self.whole(WallSide::Design);
         let poles = self.skin.poles();
         let ends = [Curve::Start(Rc::clone(&sheet)), Curve::End(Rc::clone(&sheet))];
         let outlines = ends.each_ref().map(|curve| Outline::of(curve, self.skin));
@@ -233,10 +241,6 @@ impl Builder<'_> {
         Ok(middle)
     }
 
-    fn unreachable(&self) -> Error {
-        self.error(Code::NoRoom, "shape", "the surface ends before it begins".to_owned())
-    }
-
     fn pot(self, wall: &Wall) -> Result<Parts> {
         let poles = self.skin.poles();
         if poles[1] {
@@ -275,9 +279,9 @@ impl Builder<'_> {
             self.error(Code::NoRoom, field, message)
         };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
-        let design = self.sheet(sheet::Face::Design, design).ok_or_else(|| no_room("wall.drain"))?;
+        let design = self.sheet(WallSide::Design, design).ok_or_else(|| no_room("wall.drain"))?;
         let field = if matches!(offset, Trim::Cylinder(_)) { "wall.drain" } else { "wall.base" };
-        let offset = self.sheet(sheet::Face::Offset { direction }, offset).ok_or_else(|| no_room(field))?;
+        let offset = self.sheet(WallSide::Offset { direction }, offset).ok_or_else(|| no_room(field))?;
         Ok(if wall.side == Side::Inside { [design, offset] } else { [offset, design] })
     }
 
@@ -302,7 +306,7 @@ impl Builder<'_> {
         let is_pole = self.skin.poles()[0];
         let [ring_width, ring_height] = wall.foot.unwrap_or([0.0; 2]);
         let radius = wall.drain / 2.0;
-        let surface = self.sheet(sheet::Face::Design, Trim::Foot).ok_or_else(|| self.unreachable())?;
+        let surface = self.whole(WallSide::Design);
         let foot = Rc::new(Curve::Start(Rc::clone(&surface)));
         let outline = Outline::of(&foot, self.skin);
         if is_pole && wall.foot.is_some() {
@@ -315,15 +319,17 @@ impl Builder<'_> {
         let cut =
             if inside { outline.highest + ring_height + wall.base } else { outline.lowest - wall.base - ring_height };
         let design_trim = if is_pole && radius > 0.0 { Trim::Cylinder(radius) } else { Trim::Foot };
-        let [mut outer, mut lining] = self.sides(wall, design_trim, Trim::Level(cut))?;
+        // Without a base a round bottom is all wall.
+        let offset_trim = if is_pole && wall.base == 0.0 { Trim::Foot } else { Trim::Level(cut) };
+        let [mut outer, mut lining] = self.sides(wall, design_trim, offset_trim)?;
         let offset = if inside { &lining } else { &outer };
         // A round bottom may be all wall; over a tip the other side of the wall does not close.
         let (is_cut, is_above) = (offset.has_column_cut(), offset.has_column_above());
-        let is_tip = is_pole && is_above && {
+        let is_tip = is_pole && !is_cut && {
             let edge = Outline::of(&Curve::Start(Rc::clone(offset)), self.skin);
             edge.widest > POINT * self.skin.size()
         };
-        if is_pole && is_above && (if is_tip { inside } else { is_cut }) {
+        if is_pole && (if is_tip { inside || wall.base == 0.0 } else { is_cut && is_above }) {
             let message = format!(
                 "the bottom ends in a tip at {}, too sharp for a wall above a base of {}: expected a thicker base",
                 place(outline.mean),
@@ -337,7 +343,7 @@ impl Builder<'_> {
         }
         let offset = Rc::clone(if inside { &lining } else { &outer });
         let is_exact = offset.is_exact();
-        let is_led = has_level && is_above;
+        let is_led = has_level && (is_above || is_tip);
 
         // The edge of the clay at the design's side of the base, and at the other.
         let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };

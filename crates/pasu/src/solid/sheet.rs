@@ -29,7 +29,7 @@ pub(crate) struct SheetJet {
 
 /// Which side of the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Face {
+pub(crate) enum WallSide {
     /// The surface of the design.
     Design,
     /// `X + direction t N`, with `direction` 1 for outwards and -1 for inwards.
@@ -60,7 +60,7 @@ pub(crate) struct Start {
 pub(crate) struct Sheet {
     skin: Rc<Skin>,
     thickness: Rc<Thickness>,
-    face: Face,
+    face: WallSide,
     trim: Trim,
     /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
     brackets: Vec<Option<usize>>,
@@ -71,21 +71,22 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
-    /// `None` where a column ends before it can begin: its rim is below the level or inside the cylinder.
-    pub(crate) fn new(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: Face, trim: Trim) -> Option<Sheet> {
-        let mut sheet = Sheet {
+    /// All of a side, from foot to rim.
+    pub(crate) fn whole(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: WallSide) -> Sheet {
+        Sheet {
             skin: Rc::clone(skin),
             thickness: Rc::clone(thickness),
             face,
-            trim,
+            trim: Trim::Foot,
             brackets: Vec::new(),
-            common: None,
+            common: Some(0.0),
             starts: RefCell::default(),
-        };
-        if trim == Trim::Foot {
-            sheet.common = Some(0.0);
-            return Some(sheet);
         }
+    }
+
+    /// `None` where a column ends before it can begin: its rim is below the level or inside the cylinder.
+    pub(crate) fn new(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: WallSide, trim: Trim) -> Option<Sheet> {
+        let mut sheet = Sheet { trim, common: None, ..Sheet::whole(skin, thickness, face) };
         let columns = skin.columns(skin.round().count());
         // From the rim down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
@@ -115,17 +116,12 @@ impl Sheet {
 
     /// Whether the jets are those of the true surface.
     pub(crate) fn is_exact(&self) -> bool {
-        self.face == Face::Design || self.thickness.is_even()
-    }
-
-    /// Whether this is the surface of the design.
-    pub(crate) fn is_design(&self) -> bool {
-        self.face == Face::Design
+        self.face == WallSide::Design || self.thickness.is_even()
     }
 
     /// Whether this is the surface of the design from foot to rim.
     pub(crate) fn is_whole_design(&self) -> bool {
-        self.face == Face::Design && self.trim == Trim::Foot
+        self.face == WallSide::Design && self.trim == Trim::Foot
     }
 
     /// Whether any column is all above the level.
@@ -140,7 +136,7 @@ impl Sheet {
 
     /// Position and derivatives with respect to `s` and `v`.
     pub(crate) fn jet(&self, s: f64, v: f64) -> SheetJet {
-        let Face::Offset { direction } = self.face else {
+        let WallSide::Offset { direction } = self.face else {
             let jet = self.skin.second(s, v);
             return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
         };
@@ -155,7 +151,7 @@ impl Sheet {
 
     /// The position at a column.
     pub(crate) fn at_column(&self, s: f64, columns: &Columns, column: usize) -> DVec3 {
-        let Face::Offset { direction } = self.face else { return self.skin.second_at(s, columns, column).position };
+        let WallSide::Offset { direction } = self.face else { return self.skin.second_at(s, columns, column).position };
         let jet = self.skin.jet_at(s, columns, column);
         let [t, ..] = self.thickness.at(s, columns.v(column));
         jet.position + jet.normal * (t * direction)
@@ -164,7 +160,7 @@ impl Sheet {
     /// The point of an offset sheet's column that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, and how it changes
     /// with `v`; `None` where the column does not begin at the foot.
     pub(crate) fn beside(&self, v: f64) -> Option<(DVec3, DVec3)> {
-        let Face::Offset { direction } = self.face else { return None };
+        let WallSide::Offset { direction } = self.face else { return None };
         if self.start(v).s != 0.0 {
             return None;
         }
@@ -186,7 +182,7 @@ impl Sheet {
 
     /// The derivative of `S_v` with respect to `v` at the foot of the design surface, which is known; elsewhere it is not.
     pub(crate) fn second_round(&self, v: f64) -> Option<DVec3> {
-        (self.face == Face::Design && self.trim == Trim::Foot).then(|| self.skin.second(0.0, v).dvv)
+        (self.face == WallSide::Design && self.trim == Trim::Foot).then(|| self.skin.second(0.0, v).dvv)
     }
 
     /// Where the column at `v` begins.

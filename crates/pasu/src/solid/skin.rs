@@ -237,6 +237,11 @@ impl Skin {
         self.is_upward
     }
 
+    /// The number of the part.
+    pub(crate) fn index(&self) -> usize {
+        self.index
+    }
+
     /// Where something of this part is in the design.
     pub(crate) fn path(&self, field: &str) -> String {
         format!("parts[{}].{field}", self.index)
@@ -334,19 +339,25 @@ pub(crate) fn middle_of(curve: impl Iterator<Item = (glam::DVec2, glam::DVec2)>)
     (area.abs() > 1e-6 * size).then(|| moment / area)
 }
 
-/// A point as people read it, to four digits.
+/// A point as people read it, to four digits of its largest coordinate.
 pub(crate) fn place(at: DVec3) -> String {
-    let [x, y, z] = at.to_array().map(short);
+    let largest = at.abs().max_element();
+    let [x, y, z] = at.to_array().map(|x| rounded(x, largest));
     format!("({x}, {y}, {z})")
 }
 
 /// A length as people read it, to four digits.
 pub(crate) fn short(x: f64) -> String {
-    if x == 0.0 || !x.is_finite() {
+    rounded(x, x.abs())
+}
+
+/// A number to the fourth digit of another.
+fn rounded(x: f64, size: f64) -> String {
+    if !(size > 0.0 && size.is_finite()) {
         return plain(x);
     }
-    let digits = 3.0 - libm::floor(libm::log10(x.abs()));
+    let digits = 3.0 - libm::floor(libm::log10(size));
     let power = libm::pow(10.0, digits.clamp(-300.0, 300.0));
-    // Dividing by a power of ten, and not multiplying by a tenth of one, gives the nearest double.
-    plain(libm::round(x * power) / power)
+    // Dividing by a power of ten, and not multiplying by a tenth of one, gives the nearest double; adding 0 takes the sign of -0.
+    plain(libm::round(x * power) / power + 0.0)
 }

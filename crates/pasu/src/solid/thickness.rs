@@ -34,6 +34,9 @@ const ROUNDING: f64 = 1e-12;
 /// The thickness is looked into at the places of a mesh that keeps this part of the size.
 const FINENESS: f64 = 1.0 / 600.0;
 
+/// The most places of such a mesh.
+const MOST_PLACES: usize = 100_000;
+
 /// How thick the wall is at each place of the surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Thickness {
@@ -165,7 +168,14 @@ fn smoothed(values: &[f64], columns: usize) -> Vec<f64> {
 
 /// The rows and columns of a mesh of the part, and as many more as it takes.
 fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
-    let (placed, columns, _) = places(part, index, Some(FINENESS * skin.size()))?;
+    let mut tolerance = FINENESS * skin.size();
+    let (placed, columns) = loop {
+        let (placed, columns, _) = places(part, index, Some(tolerance))?;
+        if placed.len() * columns <= MOST_PLACES {
+            break (placed, columns);
+        }
+        tolerance *= 2.0;
+    };
     let mut rows = vec![0.0];
     for pair in placed.windows(2) {
         let n = (libm::ceil((pair[1] - pair[0]) / WIDEST) as usize).max(1) * fineness;

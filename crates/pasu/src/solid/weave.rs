@@ -1,6 +1,7 @@
 //! From the faces of a pot to triangles that share their vertices.
 
 use core::f64::consts::{PI, TAU};
+use std::rc::Rc;
 
 use glam::{DVec2, DVec3};
 
@@ -9,7 +10,7 @@ use super::face::{Face, FaceKind};
 use super::piece::{Form, Piece};
 use super::pot::Pot;
 use super::sheet::Sheet;
-use super::skin::{Columns, place};
+use super::skin::{Columns, Skin, place};
 use crate::error::{Code, Error, Result};
 
 /// A ring no wider than this part of the size is a point.
@@ -61,6 +62,16 @@ pub(crate) struct WovenFace {
 }
 
 impl Woven {
+    /// Where a vertex is.
+    pub(crate) fn position(&self, vertex: u32) -> DVec3 {
+        DVec3::from_array(self.positions[vertex as usize].map(f64::from))
+    }
+
+    /// The middle of a triangle.
+    pub(crate) fn middle(&self, triangle: u32) -> DVec3 {
+        self.triangles[triangle as usize].iter().map(|vertex| self.position(*vertex)).sum::<DVec3>() / 3.0
+    }
+
     /// The number of the face that a triangle belongs to.
     pub(crate) fn face(&self, triangle: u32) -> Option<usize> {
         let mut first = 0;
@@ -94,7 +105,7 @@ impl Ring {
 }
 
 struct Weaver<'a> {
-    pot: &'a Pot,
+    skin: &'a Skin,
     grid: &'a Grid,
     /// From model units to those of the mesh.
     scale: f64,
@@ -107,7 +118,8 @@ struct Weaver<'a> {
 /// # Errors
 /// `crosses-itself` where a level face has an outline that crosses itself; `overflow` for a point beyond single precision.
 pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
-    let mut weaver = Weaver { pot, grid, scale, columns: pot.skin().columns(grid.columns), woven: Woven::default() };
+    let mut weaver =
+        Weaver { skin: pot.skin(), grid, scale, columns: pot.skin().columns(grid.columns), woven: Woven::default() };
     let mut last: Option<Ring> = None;
     let mut first: Option<Ring> = None;
     let n_pieces = pot.faces().len();
@@ -125,19 +137,16 @@ pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
     Ok(weaver.woven)
 }
 
-/// Triangles of the surface of the design alone, which are open at its ends.
+/// Triangles of the surface of a design alone, which are open at its ends.
 ///
 /// # Errors
 /// As [`weave`].
-pub(crate) fn weave_surface(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
-    let columns = pot.skin().columns(grid.columns);
-    let mut weaver = Weaver { pot, grid, scale, columns, woven: Woven::default() };
-    for piece in pot.faces() {
-        if matches!(&piece.form, Form::Sheet { sheet, .. } if sheet.is_design()) {
-            let start = weaver.ring(weaver.curve(piece, 0.0), None)?;
-            weaver.face(piece, start, None)?;
-        }
-    }
+pub(crate) fn weave_surface(skin: &Rc<Skin>, grid: &Grid, scale: f64) -> Result<Woven> {
+    let columns = skin.columns(grid.columns);
+    let mut weaver = Weaver { skin, grid, scale, columns, woven: Woven::default() };
+    let surface = Piece::surface(skin);
+    let start = weaver.ring(weaver.curve(&surface, 0.0), None)?;
+    weaver.face(&surface, start, None)?;
     Ok(weaver.woven)
 }
 
@@ -155,7 +164,7 @@ impl Weaver<'_> {
     fn ring(&mut self, points: Vec<DVec3>, before: Option<&Ring>) -> Result<Ring> {
         let mean = points.iter().sum::<DVec3>() / points.len() as f64;
         let width = points.iter().fold(0.0f64, |width, p| width.max((*p - mean).length()));
-        let points = if width <= POLE * self.pot.skin().size() { vec![mean] } else { points };
+        let points = if width <= POLE * self.skin.size() { vec![mean] } else { points };
         let mut vertices = Vec::with_capacity(points.len());
         for (j, point) in points.iter().enumerate() {
             let same = before.filter(|ring| {
@@ -173,7 +182,7 @@ impl Weaver<'_> {
         let position = point.to_array().map(|x| (x * self.scale) as f32);
         if position.iter().any(|x| !x.is_finite()) {
             let message = "the pot is larger than a file can hold: numbers up to 3e38 millimetres can be held";
-            return Err(Error::new(Code::Overflow, format!("parts[{}]", self.pot.part()), message));
+            return Err(Error::new(Code::Overflow, format!("parts[{}]", self.skin.index()), message));
         }
         self.woven.positions.push(position);
         Ok(self.woven.positions.len() as u32 - 1)
@@ -284,7 +293,7 @@ impl Weaver<'_> {
     }
 
     fn plan(&self, vertex: u32) -> DVec2 {
-        self.pot.skin().frame().plan(self.at(vertex) / self.scale)
+        self.skin.frame().plan(self.at(vertex) / self.scale)
     }
 
     /// Whether the triangles of a level face, from a number on, all lie the same way up.
@@ -307,7 +316,7 @@ impl Weaver<'_> {
             let at = rings.last().map_or(DVec3::ZERO, |ring| ring.point(0));
             return Err(Error::new(
                 Code::CrossesItself,
-                self.pot.skin().path(field(piece.kind())),
+                self.skin.path(field(piece.kind())),
                 format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at)),
             ));
         };

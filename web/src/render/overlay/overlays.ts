@@ -30,6 +30,12 @@ export interface StageOverlays {
   axes: boolean;
 }
 
+/** A word at a point of the model. */
+export interface Word {
+  readonly text: string;
+  readonly at: Triple;
+}
+
 export const NO_LINES: StageLines = { iso_u: [], iso_v: [], rim: null, foot: null, tangents: [] };
 
 const WHITE = [1, 1, 1] as const;
@@ -67,7 +73,8 @@ export class Overlays implements Tenant {
   private readonly pen: Pen = { viewport: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
   private readonly wireframe: Wireframe;
   private readonly strokes: Record<StrokeName, Stroke>;
-  private readonly labels: [Label, Label, Label];
+  private readonly labels: Label[] = [];
+  private extra: readonly Word[] = [];
   private given: StageLines = NO_LINES;
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
   private dimensions: Dimension[] = [];
@@ -78,7 +85,7 @@ export class Overlays implements Tenant {
 
   constructor(
     private readonly studio: Studio,
-    host: HTMLElement,
+    private readonly host: HTMLElement,
     private theme: Theme,
     private unit: Unit,
   ) {
@@ -97,7 +104,6 @@ export class Overlays implements Tenant {
     };
     this.wireframe = new Wireframe(studio, 10);
     this.objects.push(this.wireframe.object);
-    this.labels = [new Label(host), new Label(host), new Label(host)];
     this.appearance = theme;
   }
 
@@ -116,6 +122,11 @@ export class Overlays implements Tenant {
     for (const label of this.labels) label.theme = theme;
     if (theme === "light") this.strokes.axes.recolour(INK, WHITE);
     else this.strokes.axes.recolour(WHITE, INK);
+  }
+
+  /** What is said beside the dimensions. */
+  set words(words: readonly Word[]) {
+    this.extra = words;
   }
 
   set measure(unit: Unit) {
@@ -166,7 +177,12 @@ export class Overlays implements Tenant {
 
   /** Moves the labels to where their lines are on a screen of so many CSS pixels. */
   label(camera: Camera, width: number, height: number): void {
-    const words = this.words(camera, width, height);
+    const words = this.placed(camera, width, height);
+    while (this.labels.length < words.length) {
+      const label = new Label(this.host);
+      label.theme = this.theme;
+      this.labels.push(label);
+    }
     this.labels.forEach((label, i) => {
       const word = words[i];
       label.place(word?.text ?? "", word?.spot ?? null);
@@ -175,7 +191,7 @@ export class Overlays implements Tenant {
 
   /** Writes the labels on a picture. */
   paint(context: CanvasRenderingContext2D, camera: Camera, width: number, height: number, scale: number): void {
-    for (const { text, spot } of this.words(camera, width / scale, height / scale)) {
+    for (const { text, spot } of this.placed(camera, width / scale, height / scale)) {
       paint(context, text, { x: spot.x * scale, y: spot.y * scale }, this.theme, scale);
     }
   }
@@ -196,15 +212,16 @@ export class Overlays implements Tenant {
     this.strokes.axes.segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
   }
 
-  private words(camera: Camera, width: number, height: number): { text: string; spot: Spot }[] {
+  private placed(camera: Camera, width: number, height: number): { text: string; spot: Spot }[] {
     if (!this.shown.axes) return [];
     const words: { text: string; spot: Spot }[] = [];
-    for (const { label, length } of this.dimensions) {
-      const at = this.toScene(label).applyMatrix4(camera.matrixWorldInverse);
+    const dimensions = this.dimensions.map(({ label, length }) => ({ at: label, text: lengthText(length, this.unit) }));
+    for (const { at: point, text } of [...dimensions, ...this.extra]) {
+      const at = this.toScene(point).applyMatrix4(camera.matrixWorldInverse);
       if (at.z >= 0) continue;
       at.applyMatrix4(camera.projectionMatrix);
       words.push({
-        text: lengthText(length, this.unit),
+        text,
         // A label stays on the stage when the middle of its line leaves it.
         spot: {
           x: within((at.x * 0.5 + 0.5) * width, LABEL_WIDTH / 2, width),

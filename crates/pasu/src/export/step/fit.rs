@@ -16,10 +16,15 @@ const MOST_ROWS: usize = 257;
 const MOST_COLUMNS: usize = 769;
 /// Within an interval each direction is measured here while it is being refined,
 const PROBES: [f64; 3] = [0.25, 0.5, 0.75];
-/// and with so many samples at last, which no node coincides with.
-const SAMPLES: usize = 5;
+/// and with so many samples in each direction at last, of which none is at a node; with fewer where there are many intervals.
+const SAMPLES: [usize; 2] = [5, 3];
+const MANY: usize = 10_000;
 /// The part of the tolerance that each direction may use.
 const SHARE: f64 = 0.4;
+/// A face that is not exact has creases where it was interpolated, which are no part of the pot: it is followed so many times less closely, and with fewer nodes.
+const INEXACT: f64 = 10.0;
+const MOST_ROWS_INEXACT: usize = 129;
+const MOST_COLUMNS_INEXACT: usize = 257;
 
 /// The faces of one solid as splines, with common columns: neighbours that share a boundary curve have the same boundary row.
 pub(super) struct Fitted {
@@ -58,9 +63,15 @@ pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], tolerance: f64
         let mut rough_columns = vec![false; columns.len() - 1];
         let mut is_done = true;
         for ((face, net), rows) in faces.iter().zip(&nets).zip(&mut rows) {
-            let rough_rows = rough_rows(face, net, &columns, SHARE * tolerance);
-            is_done &= !halved(rows, &rough_rows, MOST_ROWS);
-            mark_rough_columns(face, net, &columns, SHARE * tolerance, &mut rough_columns);
+            let (share, most_rows, most_columns) = match face.face.is_exact() {
+                true => (SHARE * tolerance, MOST_ROWS, MOST_COLUMNS),
+                false => (SHARE * INEXACT * tolerance, MOST_ROWS_INEXACT, MOST_COLUMNS_INEXACT),
+            };
+            let rough_rows = rough_rows(face, net, &columns, share);
+            is_done &= !halved(rows, &rough_rows, most_rows);
+            if columns.len() < most_columns {
+                mark_rough_columns(face, net, &columns, share, &mut rough_columns);
+            }
         }
         is_done &= !halved(&mut columns, &rough_columns, MOST_COLUMNS);
         if is_done {
@@ -164,15 +175,16 @@ fn mark_rough_columns(face: &Scaled, net: &Net, columns: &[f64], share: f64, rou
 fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Fitted {
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for (face, net) in faces.iter().zip(&nets) {
+        let samples = SAMPLES[usize::from((net.rows.len() - 1) * (columns.len() - 1) > MANY)];
         for i in 0..net.rows.len() - 1 {
-            let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * SAMPLES) as f64;
-            for p in 0..SAMPLES {
-                let a = between(&net.rows, i, (p as f64 + 0.5) / SAMPLES as f64);
+            let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * samples) as f64;
+            for p in 0..samples {
+                let a = between(&net.rows, i, (p as f64 + 0.5) / samples as f64);
                 let (row, row_slopes) = net.row(i, a);
                 for j in 0..columns.len() - 1 {
-                    let half_v = (columns[j + 1] - columns[j]) / (2 * SAMPLES) as f64;
-                    for q in 0..SAMPLES {
-                        let v = between(&columns, j, (q as f64 + 0.5) / SAMPLES as f64);
+                    let half_v = (columns[j + 1] - columns[j]) / (2 * samples) as f64;
+                    for q in 0..samples {
+                        let v = between(&columns, j, (q as f64 + 0.5) / samples as f64);
                         let (found, found_dv) = point(&row, &columns, j, v);
                         let (found_da, _) = point(&row_slopes, &columns, j, v);
                         let jet = face.face.jet(a, v);

@@ -1,0 +1,144 @@
+// Files to make a pot from: chosen, told beforehand, saved, stopped, and dropped back on the page.
+
+import { expect, test } from "vitest";
+import { stay } from "../support/stay.ts";
+import type { Visit } from "../support/visit.ts";
+
+const here = stay();
+
+/** Opens the dialogue on a pot with a wall and waits for the verdict. */
+async function exporting(link: string): Promise<{ readonly pot: Visit; readonly fingerprint: string }> {
+  const pot = await here.enter({ link });
+  await pot.fingerprint();
+  await pot.makePot();
+  const fingerprint = await pot.fingerprint();
+  await pot.command("Export");
+  await verdict(pot);
+  return { pot, fingerprint };
+}
+
+async function verdict(pot: Visit): Promise<void> {
+  await pot.page.getByText("The mesh is closed").last().waitFor();
+}
+
+/** Asks for few triangles: these tests are not about how fine they are. */
+async function coarse(pot: Visit): Promise<void> {
+  await pot.page.getByLabel("Tolerance").fill("0.5");
+  await verdict(pot);
+}
+
+const text = (bytes: Buffer, length: number) => bytes.toString("latin1", 0, length);
+
+/** How each file begins, and whether it can hold its design: an STL is triangles and nothing else. */
+const FILES: readonly (readonly [
+  label: string,
+  extension: string,
+  begins: (bytes: Buffer) => boolean,
+  opens: boolean,
+])[] = [
+  ["3MF", "3mf", (bytes) => text(bytes, 4) === "PK\u0003\u0004", true],
+  ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), false],
+  ["STEP", "step", (bytes) => text(bytes, 13) === "ISO-10303-21;", true],
+  ["SVG", "svg", (bytes) => /^<\?xml|^<svg/.test(text(bytes, 8)), true],
+  ["GLB", "glb", (bytes) => text(bytes, 4) === "glTF", true],
+  ["OBJ", "obj", (bytes) => text(bytes, 1) === "#", true],
+  ["PLY", "ply", (bytes) => text(bytes, 4) === "ply\n", true],
+];
+
+test("every format is saved, and dropped on the page opens the pot again", { timeout: 120_000 }, async () => {
+  const { pot, fingerprint } = await exporting("#1/fourth-order");
+  await pot.button("Cancel").click();
+  await pot.page.getByRole("textbox", { name: "Title" }).fill("Jar");
+  const saved = new Map<string, Buffer>();
+  for (const [label, extension, begins] of FILES) {
+    await pot.command("Export");
+    await pot.page.getByRole("radio", { name: label, exact: true }).check();
+    if (await pot.page.getByLabel("Tolerance").isVisible()) await coarse(pot);
+    else await verdict(pot);
+    const file = await pot.download(`Save ${label}`);
+    expect(file.name).toBe(`Jar.${extension}`);
+    expect(begins(file.bytes), label).toBe(true);
+    saved.set(extension, file.bytes);
+    await pot.page.getByRole("dialog").waitFor({ state: "detached" });
+  }
+  for (const [label, extension, , opens] of FILES) {
+    if (!opens) continue;
+    await pot.openLink("#1/second-order");
+    const other = pot.button("Open the link");
+    await Promise.race([other.waitFor(), pot.fingerprintOtherThan(fingerprint)]);
+    if (await other.isVisible()) await other.click();
+    await pot.fingerprintOtherThan(fingerprint);
+    await pot.dropFile(`Jar.${extension}`, saved.get(extension) ?? Buffer.alloc(0));
+    await pot.shows(fingerprint);
+    expect(await pot.page.title(), label).toBe("Jar · Pasu");
+  }
+});
+
+test("the size that is told is the size in the file", async () => {
+  const { pot } = await exporting("#1/fourth-order");
+  await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
+  await pot.page.getByRole("combobox", { name: "Size" }).selectOption("height");
+  await pot.page.getByLabel("Finished height").fill("18");
+  await pot.page.getByLabel("Shrinkage of the clay").fill("10");
+  await coarse(pot);
+  const told = await pot.page.locator("pasu-export .outcome").innerText();
+  expect(told).toMatch(/200\u00a0mm high/);
+  expect(told).toMatch(/180\u00a0mm high/);
+  expect(told).toMatch(/11\.1 % larger/);
+  const triangles = Number(told.match(/Triangles\s+([\d\u202f]+)/)?.[1]?.replaceAll("\u202f", ""));
+  const { bytes } = await pot.download("Save STL");
+  expect(bytes.readUInt32LE(80)).toBe(triangles);
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (let i = 0; i < 3 * triangles; i += 1) {
+    const z = bytes.readFloatLE(84 + 50 * Math.floor(i / 3) + 12 * (1 + (i % 3)) + 8);
+    [low, high] = [Math.min(low, z), Math.max(high, z)];
+  }
+  expect(high - low).toBeCloseTo(200, 1);
+});
+
+test("what makes no sense is said at its field, and nothing is saved", async () => {
+  const { pot } = await exporting("#1/fourth-order");
+  await pot.page.getByLabel("Shrinkage of the clay").fill("70");
+  expect(await pot.page.getByText("A percentage from 0 to less than 50.").isVisible()).toBe(true);
+  expect(await pot.page.getByLabel("Shrinkage of the clay").getAttribute("aria-invalid")).toBe("true");
+  expect(await pot.button("Save 3MF").isDisabled()).toBe(true);
+  await pot.page.getByLabel("Shrinkage of the clay").fill("7");
+  await verdict(pot);
+  expect(await pot.button("Save 3MF").isDisabled()).toBe(false);
+});
+
+test("a surface without a wall is made as a closed solid", async () => {
+  const pot = await here.enter({ link: "#1/fourth-order" });
+  await pot.fingerprint();
+  await pot.command("Export");
+  expect(await pot.page.getByRole("radio", { name: /^Hollow pot/ }).count()).toBe(0);
+  await verdict(pot);
+  const { bytes } = await pot.download("Save 3MF");
+  expect(text(bytes, 2)).toBe("PK");
+});
+
+test("a file that takes long is stopped, and the page goes on", async () => {
+  const { pot } = await exporting("#1/second-order");
+  await pot.page.getByRole("radio", { name: "STEP", exact: true }).check();
+  await pot.button("Save STEP").click();
+  await pot.button("Stop").click();
+  await pot.button("Cancel").waitFor();
+  await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
+  await coarse(pot);
+  const { bytes } = await pot.download("Save STL");
+  expect(bytes.length).toBeGreaterThan(1000);
+});
+
+test.each([
+  ["holiday.stl", Buffer.alloc(84)],
+  ["drawing.svg", Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')],
+  ["archive.3mf", Buffer.from("PK\u0003\u0004 nothing")],
+])("%s holds no design: that is said and the pot stays", async (name, bytes) => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const before = await pot.fingerprint();
+  await pot.dropFile(name, bytes);
+  const alert = pot.page.getByRole("alert");
+  await alert.waitFor();
+  expect(await alert.innerText()).toContain(name);
+  expect(await pot.fingerprint()).toBe(before);
+});

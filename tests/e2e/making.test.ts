@@ -1,0 +1,168 @@
+// A pot with a wall: seen, measured, filled, coloured, and told whether it can be made.
+
+import { expect, test } from "vitest";
+import { difference, stagePicture } from "../support/sight.ts";
+import { stay } from "../support/stay.ts";
+import type { Visit } from "../support/visit.ts";
+
+const here = stay();
+const JAR = "#1/fourth-order";
+
+/** The number at the beginning of a text, such as that of “13.1 ml”. */
+const numberOf = (text: string) => Number(text.replaceAll("\u2212", "-").match(/-?[\d.]+/)?.[0]);
+
+/** What the panel says of one measure. */
+async function measure(pot: Visit, name: string): Promise<string> {
+  const line = pot.page.locator("pasu-measures dl div").filter({ has: pot.page.getByText(name, { exact: true }) });
+  return await line.locator("dd").innerText();
+}
+
+/** The pot from above, where its wall is seen. */
+async function fromAbove(pot: Visit): Promise<Buffer> {
+  await pot.page.getByRole("application", { name: "The pot" }).press("4");
+  return await stagePicture(pot);
+}
+
+test("a wall makes a surface a pot, is seen, and is taken back step by step", async () => {
+  const pot = await here.enter({ link: JAR });
+  await pot.fingerprint();
+  const bare = await fromAbove(pot);
+  await pot.makePot();
+  await expect.poll(async () => difference(bare, await stagePicture(pot)).share).toBeGreaterThan(0.02);
+  await expect.poll(() => pot.address()).not.toBe(JAR);
+  const held = await pot.page.getByText(/^Holds/).innerText();
+
+  await pot.type("Thickness", "0.05");
+  await expect.poll(() => pot.page.getByText(/^Holds/).innerText()).not.toBe(held);
+  await pot.page.getByRole("checkbox", { name: "Foot ring" }).check();
+  expect(await pot.field("Ring width").isVisible()).toBe(true);
+  await pot.page.getByRole("radio", { name: /^Rounded/ }).check();
+  await pot.page.reload();
+  await pot.fingerprint();
+  expect(await pot.page.getByRole("radio", { name: /^Rounded/ }).isChecked()).toBe(true);
+  expect(await pot.field("Thickness").inputValue()).toBe("0.05");
+
+  await pot.button("Remove the wall").click();
+  await pot.button("Make it a pot").waitFor();
+  await pot.undo();
+  expect(await pot.field("Thickness").inputValue()).toBe("0.05");
+  await pot.fingerprint();
+});
+
+test("dragging the thickness moves the wall under the hand and is one step", async () => {
+  const pot = await here.enter({ link: JAR });
+  await pot.fingerprint();
+  await pot.makePot();
+  const before = await pot.field("Thickness").inputValue();
+  const thin = await fromAbove(pot);
+  await pot.drag("Thickness", 0.5, {
+    held: async () => {
+      await expect.poll(async () => difference(thin, await stagePicture(pot)).share).toBeGreaterThan(0.01);
+    },
+  });
+  expect(await pot.field("Thickness").inputValue()).not.toBe(before);
+  await pot.undo();
+  expect(await pot.field("Thickness").inputValue()).toBe(before);
+});
+
+test("what cannot be a pot says why, and the surface stays", async () => {
+  const pot = await here.enter({ link: JAR });
+  await pot.fingerprint();
+  await pot.makePot();
+  await pot.type("Base", "9");
+  const why = pot.page.locator("pasu-wall .problem").first();
+  await why.waitFor();
+  expect((await why.innerText()).length).toBeGreaterThan(20);
+  await pot.undo();
+  await expect.poll(() => pot.page.locator("pasu-wall .problem").count()).toBe(0);
+});
+
+test("measures have units, follow the design, and tell their errors", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const first = await pot.fingerprint();
+  await pot.makePot();
+  await pot.tab("Measures");
+  await pot.page.getByRole("heading", { name: "Size" }).waitFor();
+  expect(await measure(pot, "Height")).toMatch(/^3\.\d+\u00a0cm$/);
+  expect(await measure(pot, "To the brim")).toMatch(/ml$/);
+  expect(await measure(pot, "Mass, fired")).toMatch(/g$/);
+  expect(await measure(pot, "Tips when tilted by")).toMatch(/°$/);
+  await pot.button("How exact").click();
+  expect(await measure(pot, "To the brim")).toMatch(/± |exact/);
+  const verdict = pot.page.locator("pasu-measures .sentences li");
+  await verdict.first().waitFor();
+  const sentences = await verdict.allInnerTexts();
+  expect(sentences.some((text) => /support|hangs over/.test(text))).toBe(true);
+  expect(sentences.some((text) => /stands|tips|falls/i.test(text))).toBe(true);
+  await pot.tab("Shape");
+  await pot.type("Height", "5");
+  await pot.fingerprintOtherThan(first);
+  await pot.tab("Measures");
+  await expect.poll(() => measure(pot, "Height")).toMatch(/^5/);
+});
+
+test("water is poured in, follows the slider, the keys and the hand on the stage, and its volume with it", async () => {
+  const pot = await here.enter({ link: JAR });
+  await pot.fingerprint();
+  await pot.makePot();
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  const volume = pot.page.locator("pasu-water [data-volume]");
+  const now = async () => numberOf(await volume.innerText());
+  await expect.poll(now).toBeGreaterThan(0);
+  const poured = await stagePicture(pot);
+  const first = await now();
+
+  await pot.slider("Water level").focus();
+  await pot.page.keyboard.press("PageDown");
+  await expect.poll(now).toBeLessThan(first);
+  const second = await now();
+
+  const handle = pot.slider("Water on the stage");
+  const box = (await handle.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(x, y + 15, { steps: 3 });
+  await pot.page.mouse.move(x, y + 40, { steps: 3 });
+  await pot.page.mouse.up();
+  await expect.poll(now).toBeLessThan(second);
+  expect((await handle.boundingBox())?.y).toBeGreaterThan(box.y);
+  expect(difference(poured, await stagePicture(pot)).share).toBeGreaterThan(0.001);
+
+  await handle.focus();
+  await pot.page.keyboard.press("End");
+  const brim = numberOf(await measure(pot, "To the brim"));
+  await expect.poll(now).toBeCloseTo(brim, 1);
+  expect(await handle.getAttribute("aria-valuetext")).toMatch(/ml|l$/);
+  await pot.button("Pour it out").click();
+  await expect.poll(() => handle.isVisible()).toBe(false);
+});
+
+test("colours show a map with its legend, and the glaze comes back", async () => {
+  const pot = await here.enter({ link: JAR });
+  await pot.fingerprint();
+  await pot.makePot();
+  await pot.tab("Measures");
+  const glazed = await stagePicture(pot);
+  const choice = pot.page.getByRole("combobox", { name: "Colours show" });
+  let before = glazed;
+  for (const [name, unit] of [
+    ["mean curvature", "/cm"],
+    ["gaussian curvature", "/cm²"],
+    ["wall thickness", "cm"],
+    ["overhang", "°"],
+  ] as const) {
+    await choice.selectOption({ label: name });
+    const legend = pot.page.getByRole("img", { name: new RegExp(`^${name}: colours from`, "i") });
+    await legend.waitFor();
+    expect(await legend.getAttribute("aria-label")).toContain(unit);
+    const picture = await stagePicture(pot);
+    expect(difference(before, picture).share, name).toBeGreaterThan(0.01);
+    before = picture;
+  }
+  await choice.selectOption({ label: "the glaze" });
+  await expect
+    .poll(async () => difference(glazed, await stagePicture(pot)).share, { timeout: 20_000 })
+    .toBeLessThan(0.001);
+});

@@ -1,0 +1,11 @@
+/** What a person asks of the page as a whole, from wherever on it. */
+
+export type Command = "new" | "gallery" | "open" | "save" | "export" | "link" | "share" | "picture" | "help";
+
+export class CommandEvent extends Event {
+  readonly command: Command;
+  constructor(command: Command) {
+    super("command-chosen", { bubbles: true, composed: true });
+    this.command = command;
+  }
+}

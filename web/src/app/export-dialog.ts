@@ -1,0 +1,325 @@
+/** Saving a file to make the pot from: what, how large, how finely; what comes out and the verdict of the checks before it is saved. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { unitOf } from "../document/look";
+import { formatNumber } from "../document/number";
+import { lengthWords, millilitres } from "../document/quantities";
+import { asSentence, checked, type Sentence } from "../document/report-words";
+import {
+  type Choices,
+  FORMATS,
+  formatNote,
+  makingOf,
+  type Problem,
+  type SizeKind,
+  scaleOf,
+  sizesOf,
+} from "../document/saving";
+import type { Format, Making, Measures, Product, Refusal, Report } from "../document/types";
+import { setExport } from "../state/actions";
+import { choiceStyles, choices } from "./choices";
+import "./dialog";
+import { DesignerElement } from "./element";
+import { exportStyles } from "./export-styles";
+import { fileName, saveBlob } from "./files";
+import { sentenceStyles, sentences } from "./sentences";
+import { base, buttons, fields } from "./styles";
+
+const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
+  { value: "designed", label: "As designed" },
+  { value: "height", label: "Height" },
+  { value: "width", label: "Width" },
+  { value: "capacity", label: "Capacity" },
+];
+
+/** The dialogue asks for itself, whatever the panels ask meanwhile. */
+const MEASURING = "export measure";
+const CHECKING = "export check";
+
+const TYPING_MS = 300;
+
+/** More is not listed: the first say enough. */
+const MOST_SENTENCES = 6;
+
+@customElement("pasu-export")
+export class PasuExport extends DesignerElement {
+  @state() private chosen: Choices = { product: "pot", size: "designed", measure: "", shrinkage: "", tolerance: "" };
+  @state() private measures: Measures | null = null;
+  @state() private report: Report | null = null;
+  @state() private refusal: Refusal | null = null;
+  @state() private saving = false;
+  @state() private failure = "";
+  /** What the report is of. */
+  private asked = "";
+  private ended = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    const { design, session } = this.designer.state;
+    const walled = design.parts.some((part) => part.wall !== undefined);
+    const { shrinkage } = session.export;
+    this.chosen = {
+      ...this.chosen,
+      product: walled ? "pot" : "solid",
+      shrinkage: shrinkage === 0 ? "" : formatNumber(shrinkage),
+    };
+    void this.measure();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.ended = true;
+    clearTimeout(this.timer);
+    this.designer.workshop?.maker.cancel("write", MEASURING, CHECKING);
+  }
+
+  private get format(): Format {
+    return this.designer.state.session.export.format;
+  }
+
+  override render() {
+    const { chosen, measures } = this;
+    const { design } = this.designer.state;
+    const unit = unitOf(design);
+    const made = measures && makingOf(chosen, measures, unit);
+    const problem = made && "field" in made ? made : null;
+    const making = made && !("field" in made) ? made : null;
+    const ready = making !== null && this.report?.ok === true && !this.saving;
+    return html`<pasu-dialog ruled heading="Export" @dialog-closed=${this.close}>
+      <div class="formats">
+        ${choices(
+          "Format",
+          FORMATS.map(({ format, label }) => ({ value: format, label })),
+          this.format,
+          (format) => this.choose({}, { format }),
+        )}
+        <p class="hint">${formatNote(this.format).note}</p>
+      </div>
+      ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
+      <div class="row">
+        <label>
+          <span>Size</span>
+          <select
+            class="field"
+            @change=${(event: Event) => this.resize((event.target as HTMLSelectElement).value as SizeKind)}
+          >
+            ${SIZES.map(
+              ({ value, label }) =>
+                html`<option value=${value} ?selected=${chosen.size === value} ?disabled=${value === "capacity" && !measures?.capacity}>
+                  ${label}
+                </option>`,
+            )}
+          </select>
+        </label>
+        ${
+          chosen.size === "designed"
+            ? nothing
+            : this.text("measure", sizeLabel(chosen.size), chosen.size === "capacity" ? "ml" : unit, problem)
+        }
+        ${this.text("shrinkage", "Shrinkage of the clay", "%", problem)}
+        ${formatNote(this.format).triangles ? this.text("tolerance", "Tolerance", "mm", problem, "fine") : nothing}
+      </div>
+      ${this.outcome(making)}
+      <p class="problem" role="alert">${this.failure}</p>
+      <div slot="actions" class="progress" role="status">
+        ${this.saving ? html`<span>Writing the file…</span><span class="track"></span>` : nothing}
+      </div>
+      <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
+        ${this.saving ? "Stop" : "Cancel"}
+      </button>
+      <button slot="actions" class="button primary" type="button" ?disabled=${!ready} @click=${() => making && void this.save(making)}>
+        Save ${formatNote(this.format).label}
+      </button>
+    </pasu-dialog>`;
+  }
+
+  private products() {
+    const walled = this.designer.state.design.parts.some((part) => part.wall !== undefined);
+    return [
+      ...(walled ? [{ value: "pot" as Product, label: "Hollow pot", note: "With its wall, floor and foot." }] : []),
+      {
+        value: "solid" as Product,
+        label: "Closed solid",
+        note: walled ? "For the vase mode of a slicer." : "For vase mode. A hollow pot needs a wall.",
+      },
+    ];
+  }
+
+  private text(
+    name: "measure" | "shrinkage" | "tolerance",
+    label: string,
+    unit: string,
+    problem: Problem | null,
+    placeholder = "0",
+  ) {
+    const wrong = problem?.field === name ? problem.text : "";
+    return html`<label>
+      <span>${label}</span>
+      <span class="typed">
+        <input
+          class="field"
+          name=${name}
+          inputmode="decimal"
+          autocomplete="off"
+          placeholder=${placeholder}
+          .value=${this.chosen[name]}
+          aria-invalid=${wrong === "" ? "false" : "true"}
+          aria-describedby=${wrong === "" ? nothing : `wrong-${name}`}
+          @input=${(event: Event) => this.choose({ [name]: (event.target as HTMLInputElement).value })}
+        /><span class="unit">${unit}</span>
+      </span>
+      ${wrong === "" ? nothing : html`<span class="wrong" id="wrong-${name}">${wrong}</span>`}
+    </label>`;
+  }
+
+  /** What comes out: sizes, what was applied, how finely, and the verdict. */
+  private outcome(making: Making | null) {
+    const { measures, report, refusal } = this;
+    if (refusal)
+      return html`<section class="outcome">${sentences([{ severity: "error", text: asSentence(refusal.message) }])}</section>`;
+    if (!measures) return html`<section class="outcome" aria-busy="true"><p class="wait">Measuring…</p></section>`;
+    const unit = unitOf(this.designer.state.design);
+    if (!making) return nothing;
+    const { file, fired, applied } = sizesOf(making, measures, unit);
+    return html`<section class="outcome" aria-label="What is saved">
+      <dl>
+        <div><dt>In the file</dt><dd>${file}</dd></div>
+        ${fired === null ? nothing : html`<div><dt>Once fired</dt><dd>${fired}</dd></div>`}
+        ${applied === "" ? nothing : html`<div><dt>Applied</dt><dd>${applied}</dd></div>`}
+        ${report ? this.fineness(report, making, measures) : nothing}
+      </dl>
+      <div role="status">
+        ${report ? sentences(this.verdict(report)) : html`<p class="wait">Checking…</p>`}
+      </div>
+    </section>`;
+  }
+
+  private fineness(report: Report, making: Making, measures: Measures) {
+    if (!formatNote(this.format).triangles) return nothing;
+    const { millimetres } = scaleOf(making, measures, unitOf(this.designer.state.design));
+    const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
+    return html`
+      <div><dt>Triangles</dt><dd>${report.triangles.toLocaleString("en").replaceAll(",", "\u202f")}</dd></div>
+      <div><dt>True to within</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
+    `;
+  }
+
+  private verdict(report: Report): readonly Sentence[] {
+    const { shown, state: now } = this.designer;
+    const all = checked(report, shown?.solved.facts?.outline ?? [], unitOf(now.design));
+    const rest = all.length - MOST_SENTENCES;
+    if (rest <= 0) return all;
+    return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
+  }
+
+  private choose(change: Partial<Choices>, exported: { readonly format?: Format } = {}): void {
+    const { designer } = this;
+    this.failure = "";
+    this.chosen = { ...this.chosen, ...change };
+    designer.apply(setExport(designer.state, exported));
+    if ("product" in change) void this.measure();
+    else this.checkSoon();
+  }
+
+  /** Begins at the size that the pot has. */
+  private resize(size: SizeKind): void {
+    const { measures } = this;
+    const unit = unitOf(this.designer.state.design);
+    const now = {
+      designed: undefined,
+      height: measures?.height.value,
+      width: measures?.width.greatest.value,
+      capacity: measures?.capacity && millilitres(measures.capacity.brim.value, unit),
+    }[size];
+    this.choose({ size, measure: now === undefined || now === null ? "" : formatNumber(now, 4) });
+  }
+
+  private async measure(): Promise<void> {
+    const { designer } = this;
+    const { product } = this.chosen;
+    const workshop = await designer.openWorkshop();
+    if (!workshop) {
+      this.close();
+      return;
+    }
+    const { design } = designer.state;
+    const outcome = await workshop.maker.ask({ kind: "measure", design, product, fill: null }, MEASURING);
+    if (this.ended || outcome.state === "superseded" || product !== this.chosen.product) return;
+    this.refusal = outcome.state === "refused" ? outcome.refusal : null;
+    this.measures = outcome.state === "done" ? outcome.value : null;
+    await this.check();
+  }
+
+  /** Once the typing rests: to check takes seconds. An earlier verdict does not hold meanwhile. */
+  private checkSoon(): void {
+    if (this.making() === this.asked && this.report) return;
+    this.report = null;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.check(), TYPING_MS);
+  }
+
+  /** What the fields ask for, to be compared; empty when that makes no sense. */
+  private making(): string {
+    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.state.design));
+    return made && !("field" in made) ? JSON.stringify(made) : "";
+  }
+
+  private async check(): Promise<void> {
+    const { designer } = this;
+    const { design } = designer.state;
+    const asked = this.making();
+    if (asked === this.asked && this.report) return;
+    this.asked = asked;
+    this.report = null;
+    if (asked === "") return;
+    const making = JSON.parse(asked) as Making;
+    const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making }, CHECKING);
+    if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
+    this.refusal = outcome.state === "refused" ? outcome.refusal : null;
+    this.report = outcome.state === "done" ? outcome.value : null;
+  }
+
+  private async save(making: Making): Promise<void> {
+    const { designer, format } = this;
+    const { design } = designer.state;
+    const maker = designer.workshop?.maker;
+    if (!maker) return;
+    this.saving = true;
+    this.failure = "";
+    const outcome = await maker.ask({ kind: "write", design, format, making });
+    this.saving = false;
+    if (this.ended || outcome.state === "superseded") return;
+    if (outcome.state === "refused") {
+      this.failure = asSentence(outcome.refusal.message);
+      return;
+    }
+    const { shrinkage = 0 } = making;
+    designer.apply(setExport(designer.state, { shrinkage }));
+    const name = fileName(design.title, format);
+    saveBlob(new Blob([outcome.value.bytes], { type: formatNote(format).type }), name);
+    designer.say(`Saved as “${name}”.`);
+    this.close();
+  }
+
+  private readonly stop = (): void => {
+    this.designer.workshop?.maker.cancel("write");
+  };
+
+  private readonly close = (): void => {
+    this.dispatchEvent(new Event("export-closed"));
+  };
+
+  static override readonly styles = [base, buttons, fields, choiceStyles, sentenceStyles, exportStyles];
+}
+
+function sizeLabel(size: SizeKind): string {
+  return { designed: "", height: "Finished height", width: "Finished width", capacity: "Holds to the brim" }[size];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-export": PasuExport;
+  }
+}

@@ -1,0 +1,47 @@
+/** What a file that was dropped or chosen stands for: the text of a design, or the link in something that Pasu made. */
+
+import type { Refusal } from "../document/types";
+import type { Workshop } from "./workshop";
+
+/** Documents are read as text; the format's own limit is 1 MiB of JSON. */
+const MAX_TEXT_BYTES = 4 * 1024 * 1024;
+
+/** Things that were made are larger: a million triangles are 50 MB. */
+const MAX_MADE_BYTES = 512 * 1024 * 1024;
+
+/** How much of a file tells a document from anything else. */
+const BEGINNING = 64;
+
+export type Found = { readonly text: string } | { readonly refusal: Refusal } | null;
+
+/** Null when something newer was opened meanwhile. */
+export async function readFile(file: File, workshop: () => Promise<Workshop | null>): Promise<Found> {
+  const document = isDocument(file.name, await file.slice(0, BEGINNING).text());
+  if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
+    return refused("too-large", `“${file.name}” is too large to be a design of Pasu.`);
+  }
+  if (document) return { text: await file.text() };
+  const makers = await workshop();
+  if (!makers) return null;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const outcome = await makers.maker.ask({ kind: "open", bytes });
+  switch (outcome.state) {
+    case "superseded":
+      return null;
+    case "refused":
+      return { refusal: outcome.refusal };
+    case "done":
+      return outcome.value === null
+        ? refused("no-design", `“${file.name}” holds no design of Pasu. Files that Pasu saved do, and links.`)
+        : { text: outcome.value };
+  }
+}
+
+/** Whether a file is a document or a link, which the solver reads and whose faults it names. */
+export function isDocument(name: string, beginning: string): boolean {
+  return /\.(json|txt)$/i.test(name) || /^\ufeff?\s*(\{|#?\d+[~/]|https?:)/.test(beginning);
+}
+
+function refused(code: string, message: string): Found {
+  return { refusal: { code, path: "", message } };
+}

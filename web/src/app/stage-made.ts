@@ -1,0 +1,84 @@
+/** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with the workshop. */
+
+import { looksOf, unitOf } from "../document/look";
+import { mapOf, rangeOf } from "../document/maps";
+import { lengthWords, volumeWords } from "../document/quantities";
+import type { MapName } from "../document/types";
+import { sameSurface } from "../document/wall";
+import { type Hold, Made } from "../render/made/made";
+import type { StageMap } from "../render/made/map-coat";
+import type { Word } from "../render/overlay/overlays";
+import type { Stage } from "../render/stage";
+import type { Designer, Shown } from "./designer";
+import "./water-handle";
+import type { PasuWaterHandle } from "./water-handle";
+import type { Piece, Workshop } from "./workshop";
+
+export class StageMade {
+  readonly #designer: Designer;
+  readonly #made: Made;
+  readonly #handle: PasuWaterHandle;
+  #mesh: Shown["solved"]["mesh"] | null = null;
+  #last: readonly unknown[] = [];
+
+  /** The handle of the water is put into `root`. */
+  constructor(designer: Designer, stage: Stage, root: ParentNode) {
+    this.#designer = designer;
+    this.#made = stage.invite((place) => new Made(place));
+    this.#handle = document.createElement("pasu-water-handle");
+    this.#handle.designer = designer;
+    root.append(this.#handle);
+    this.#made.onHold = (hold: Hold | null) => this.#handle.hold(hold);
+  }
+
+  /** Brings the stage up to date with the designer; cheap when nothing changed. */
+  update(): void {
+    const { workshop, shown, state } = this.#designer;
+    if (!workshop || !shown) return;
+    const { map, overlays, fill } = state.session;
+    const { solid, water, painted, measures } = workshop;
+    const now = [shown, solid, water, painted, measures, map, overlays, fill];
+    if (now.every((each, i) => each === this.#last[i])) return;
+    this.#last = now;
+    const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
+    this.#made.show(fits(solid) ? solid.value : null, looksOf(shown.design));
+    this.#made.cut(overlays.cut);
+    this.#made.pour(fits(water) ? water.value : null, fill === null ? null : workshop.level);
+    this.#paint(workshop, shown, map);
+    this.#made.say(measures.of === shown.design ? wordsOf(workshop, shown) : []);
+  }
+
+  #paint({ painted }: Workshop, shown: Shown, map: MapName | null): void {
+    const another = shown.solved.mesh !== this.#mesh;
+    this.#mesh = shown.solved.mesh;
+    if (map === null) this.#made.paint(null);
+    else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
+      const { ramp } = mapOf(map);
+      const [low, high] = rangeOf(mapOf(map), painted.value.low, painted.value.high);
+      const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
+      const next: StageMap = { values: painted.value.values, low, high, ramp };
+      this.#made.paint(fits ? next : undefined);
+    } else if (another || painted.of !== shown.design) this.#made.paint(undefined);
+  }
+}
+
+/** The thickness at the rim and how much the pot holds, where each can be seen. */
+function wordsOf({ measures, solid }: Workshop, { design }: Shown): readonly Word[] {
+  const unit = unitOf(design);
+  const words: Word[] = [];
+  const { value } = measures;
+  const wall = design.parts[0]?.wall;
+  if (value?.capacity && measures.of === design) {
+    const { brim, spill } = value.capacity;
+    words.push({ text: volumeWords(brim.value, unit, 3), at: middleOf(solid.value?.bounds, spill.level.value) });
+    if (wall) words.push({ text: `wall ${lengthWords(wall.thickness, unit, 3)}`, at: spill.at });
+  }
+  return words;
+}
+
+function middleOf(
+  bounds: { readonly centre: readonly [number, number, number] } | null | undefined,
+  z: number,
+): readonly [number, number, number] {
+  return [bounds?.centre[0] ?? 0, bounds?.centre[1] ?? 0, z];
+}

@@ -1,0 +1,196 @@
+/**
+ * What is made of the design besides its picture: the pot with its wall, its measures, the verdict of the checks, colour maps
+ * and water. It follows the designer, asks the maker once the design rests (or when nothing but a wall changes), and only
+ * for what somebody looks at.
+ */
+
+import { unitOf } from "../document/look";
+import { holdsText, waterRange } from "../document/measure-words";
+import type { Design, MapName, Measures, Refusal, Report } from "../document/types";
+import { sameSurface } from "../document/wall";
+import type { MakerClient } from "../maker/client";
+import type { Answers, Ask, Filled, Kind, Painted, Solid } from "../maker/messages";
+import type { Designer } from "./designer";
+
+/** What the maker made last, and of what. */
+export interface Piece<T> {
+  readonly value: T | null;
+  readonly of: Design | null;
+  /** Why there is none. */
+  readonly problem: Refusal | null;
+  /** What the value was asked with besides the design. */
+  readonly key: string;
+}
+
+const NOTHING: Piece<never> = { value: null, of: null, problem: null, key: "" };
+
+/** What is shown in the panels; the export dialogue asks for itself. */
+interface Pieces {
+  readonly solid: Piece<Solid>;
+  readonly measure: Piece<Measures>;
+  readonly check: Piece<Report>;
+  readonly paint: Piece<Painted>;
+  readonly water: Piece<Filled>;
+}
+
+type Shown = keyof Pieces;
+
+/** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
+const COARSE = 1 / 150;
+const FINE = 1 / 700;
+
+/** Of these, what is made of an earlier change is better to look at than what was there before. */
+const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
+
+type DesignAsk = Extract<Ask, { readonly design: Design }>;
+
+export class Workshop {
+  readonly maker: MakerClient;
+  readonly #designer: Designer;
+  #pieces: Pieces = { solid: NOTHING, measure: NOTHING, check: NOTHING, paint: NOTHING, water: NOTHING };
+  /** What is asked for, so that it is asked once. */
+  readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
+
+  constructor(designer: Designer, maker: MakerClient) {
+    this.#designer = designer;
+    this.maker = maker;
+    designer.subscribe(() => this.#follow());
+    this.#follow();
+  }
+
+  /** The pot with its wall. */
+  get solid(): Piece<Solid> {
+    return this.#pieces.solid;
+  }
+
+  get measures(): Piece<Measures> {
+    return this.#pieces.measure;
+  }
+
+  get report(): Piece<Report> {
+    return this.#pieces.check;
+  }
+
+  get painted(): Piece<Painted> {
+    return this.#pieces.paint;
+  }
+
+  get water(): Piece<Filled> {
+    return this.#pieces.water;
+  }
+
+  /** The map that the colours on the stage show, if any. */
+  get map(): MapName | null {
+    return this.#designer.state.session.map;
+  }
+
+  /** Whether something that is looked at is not there yet. */
+  get busy(): boolean {
+    return this.#asked.size > 0;
+  }
+
+  /** How much the pot holds, in words; null while that is not known. */
+  get holds(): string | null {
+    const { value, of } = this.measures;
+    return value && of ? holdsText(value, unitOf(of)) : null;
+  }
+
+  /** How high the water is to stand, which its surface may still have to follow; null without water. */
+  get level(): number | null {
+    const { design, session } = this.#designer.state;
+    const range = this.measures.of === design ? this.waterRange : null;
+    return range && session.fill !== null ? range.low + session.fill * (range.high - range.low) : null;
+  }
+
+  /** The heights between which water can stand; null when none can. */
+  get waterRange(): { readonly low: number; readonly high: number } | null {
+    return this.measures.value && waterRange(this.measures.value);
+  }
+
+  #follow(): void {
+    const { design, session } = this.#designer.state;
+    const { shown } = this.#designer;
+    const rests = shown?.settled === true && shown.design === design;
+    const { of } = this.solid;
+    const rewalled = of !== null && of !== design && sameSurface(of.parts, design.parts);
+    const walled = design.parts.some((part) => part.wall !== undefined);
+    if (rests || rewalled) {
+      this.#draw(walled ? design : null, rests && of === design);
+      const labelled = walled && session.overlays.axes;
+      const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
+      this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
+    }
+    if (rests) {
+      const checked = session.tab === "measures" && walled;
+      this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
+      const { map } = session;
+      const { rows, columns } = this.#designer.grid(design);
+      this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
+    }
+    this.#pour();
+  }
+
+  /** Coarsely at once, and finely once that is there and the hand rests. */
+  #draw(design: Design | null, fine: boolean): void {
+    const facts = this.#designer.shown?.solved.facts;
+    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
+    const tolerance = size * (fine ? FINE : COARSE);
+    // What was refused is not tried again.
+    if (design && fine && this.solid.value === null) return;
+    this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");
+  }
+
+  /** The water follows the hand as soon as its range is known. */
+  #pour(): void {
+    const { design, session } = this.#designer.state;
+    if (session.fill === null) {
+      this.#want("water", null, "");
+      return;
+    }
+    const { level } = this;
+    if (level !== null) this.#want("water", { kind: "water", design, level }, String(level));
+    else if (this.measures.of === design) this.#want("water", null, "");
+  }
+
+  /** Sees to it that a piece is there, or that it is not. */
+  #want<K extends Shown>(name: K, ask: Extract<DesignAsk, { kind: K }> | null, key: string): void {
+    const asked = this.#asked.get(name);
+    if (!ask) {
+      if (asked) {
+        this.#asked.delete(name);
+        this.maker.cancel(name);
+      }
+      if (this.#pieces[name] !== NOTHING) this.#put(name, NOTHING);
+      return;
+    }
+    const { design }: DesignAsk = ask;
+    if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
+    const mine = { of: design, key };
+    this.#asked.set(name, mine);
+    void this.maker.ask<Kind>(ask).then((outcome) => {
+      const asked = this.#asked.get(name);
+      if (asked === mine) this.#asked.delete(name);
+      if (outcome.state === "superseded") return;
+      const done = outcome.state === "done";
+      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
+      this.#put(name, {
+        value: done ? (outcome.value as Answers[K]) : null,
+        of: design,
+        problem: done ? null : outcome.refusal,
+        key,
+      });
+    });
+  }
+
+  #has(name: Shown, design: Design, key: string): boolean {
+    const piece = this.#pieces[name];
+    return piece.of === design && piece.key === key;
+  }
+
+  #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
+    this.#pieces = { ...this.#pieces, [name]: piece };
+    this.#designer.touched();
+    // What was just made may be what something else waits for.
+    this.#follow();
+  }
+}

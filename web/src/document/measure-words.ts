@@ -1,0 +1,177 @@
+/** Measures as the panel lists them, and what can be said of a pot that holds water. */
+
+import { formatNumber } from "./number";
+import { angleWords, areaWords, errorWords, lengthWords, massWords, volumeWords } from "./quantities";
+import { asSentence } from "./report-words";
+import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "./types";
+
+/** One line of the panel. */
+export interface Line {
+  readonly name: string;
+  readonly value: string;
+  /** How far it may be off, in words; empty where it is read off to the digits shown. */
+  readonly error: string;
+  /** What the number means, or where it is. */
+  readonly note?: string;
+}
+
+export interface Group {
+  readonly title: string;
+  readonly lines: readonly Line[];
+  /** Why there are no numbers, in words. */
+  readonly reason?: string;
+}
+
+/** Everything that was measured; `part` is the one whose wall and curvature are told. */
+export function measureGroups(measures: Measures, part: number, unit: Unit): readonly Group[] {
+  const own = measures.parts[part];
+  return [sizes(measures, unit), ...held(measures, unit), ...clay(measures, unit), ...standing(measures, unit)].concat(
+    own ? wall(own, unit) : [],
+  );
+}
+
+function sizes({ height, width, area }: Measures, unit: Unit): Group {
+  const length = (value: number) => lengthWords(value, unit);
+  return {
+    title: "Size",
+    lines: [
+      quantity("Height", height, length),
+      quantity("Greatest width", width.greatest, length, `across, at ${angleWords(width.greatestDirection)}`),
+      quantity("Least width", width.least, length, `across, at ${angleWords(width.leastDirection)}`),
+      quantity("Area of the surface", area, (value) => areaWords(value, unit)),
+    ],
+  };
+}
+
+function held(measures: Measures, unit: Unit): readonly Group[] {
+  const { capacity } = measures;
+  if (!capacity) return [{ title: "Capacity", lines: [], reason: emptyReason(measures) }];
+  const { brim, spill, stopped } = capacity;
+  return [
+    {
+      title: "Capacity",
+      lines: [
+        quantity(
+          "To the brim",
+          brim,
+          (value) => volumeWords(value, unit),
+          stopped ? "with the drain hole stopped" : undefined,
+        ),
+        quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), (value) => lengthWords(value, unit)),
+      ],
+    },
+  ];
+}
+
+/** Why a design holds nothing. */
+export function emptyReason({ parts }: Measures): string {
+  const reasons = parts.map((part) => part.capacityReason ?? part.reason);
+  return asSentence(reasons.find((reason) => reason !== null) ?? "it holds nothing");
+}
+
+function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
+  if (!body) return [];
+  return [
+    {
+      title: "Clay",
+      lines: [
+        quantity("Volume", body.volume, (value) => volumeWords(value, unit)),
+        quantity("Mass, fired", body.mass, massWords),
+        quantity("Area to glaze, all sides", body.area, (value) => areaWords(value, unit)),
+      ],
+    },
+  ];
+}
+
+function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit): readonly Group[] {
+  const lines: Line[] = [];
+  const heavy = (name: string, at: { readonly at: Triple; readonly error: number } | null) => {
+    if (!at) return;
+    const [x, y, z] = at.at;
+    const off = Math.hypot(x, y);
+    lines.push({
+      name,
+      value: lengthWords(z - bottom, unit),
+      error: errorWords(at.error),
+      note:
+        off > 1e-6 * Math.abs(z - bottom)
+          ? `above the foot, ${lengthWords(off, unit, 3)} from the axis`
+          : "above the foot",
+    });
+  };
+  heavy("Centre of mass", centre.empty);
+  heavy("Centre of mass, full", centre.full);
+  if (footprint) {
+    const { area, hullArea } = footprint;
+    const touching = `of which ${areaWords(area.value, unit)} touch the table`;
+    lines.push(quantity("Footprint", hullArea, (value) => areaWords(value, unit), touching));
+  }
+  const tips = (name: string, tip: { readonly degrees: number; readonly toward: number } | null) => {
+    if (tip) lines.push({ name, value: angleWords(tip.degrees), error: "", note: `towards ${angleWords(tip.toward)}` });
+  };
+  tips("Tips when tilted by", tipping.empty);
+  tips("Tips when full, by", tipping.full);
+  return lines.length > 0 ? [{ title: "Standing", lines }] : [];
+}
+
+function wall(part: PartMeasures, unit: Unit): readonly Group[] {
+  const { thickness, overhang, curvature } = part;
+  const length = (value: number) => lengthWords(value, unit);
+  const lines: Line[] = [];
+  if (thickness) {
+    const { least, greatest } = thickness;
+    const same = formatNumber(least.value, 4) === formatNumber(greatest, 4);
+    lines.push({
+      name: "Thickness",
+      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest)}`,
+      error: "",
+      ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
+    });
+  }
+  if (overhang) {
+    const { degrees } = overhang;
+    lines.push(
+      degrees > 0
+        ? { name: "Largest overhang", value: angleWords(degrees), error: "", note: "from upright, where it faces down" }
+        : { name: "Largest overhang", value: "none", error: "", note: "nothing faces down" },
+    );
+  }
+  lines.push(...curved("Mean curvature", curvature.mean, `/${unit}`));
+  lines.push(...curved("Gaussian curvature", curvature.gaussian, `/${unit}²`));
+  return [{ title: "Wall", lines }];
+}
+
+function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
+  const end = (extreme: { readonly value: number } | null, otherwise: string) =>
+    extreme ? formatNumber(extreme.value, 4) : otherwise;
+  return [{ name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error: "" }];
+}
+
+function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {
+  return { value: value - bottom, error };
+}
+
+function quantity(name: string, { value, error }: Quantity, words: (value: number) => string, note?: string): Line {
+  return { name, value: words(value), error: errorWords(error), ...(note === undefined ? {} : { note }) };
+}
+
+/** "Holds 820 ml to the brim."; or why it holds nothing. */
+export function holdsText(measures: Measures, unit: Unit): string {
+  const { capacity } = measures;
+  if (!capacity) return emptyReason(measures);
+  const stopped = capacity.stopped ? " with its drain hole stopped" : "";
+  return `Holds ${volumeWords(capacity.brim.value, unit, 3)} to the brim${stopped}.`;
+}
+
+/** The heights between which water can stand; null where none can. */
+export function waterRange({ capacity }: Measures): { readonly low: number; readonly high: number } | null {
+  if (!capacity) return null;
+  const [low, high] = [capacity.floor, levelOf(capacity)];
+  return high > low ? { low, high } : null;
+}
+
+/** As high as water can stand, without a doubt: its error is taken off. */
+function levelOf({ spill, floor }: Capacity): number {
+  const { value, error } = spill.level;
+  return Math.max(floor, value - error);
+}

@@ -1,0 +1,62 @@
+/** Numbers of the workbench as people read them: lengths, areas, volumes, masses and angles with their units. */
+
+import { formatNumber } from "./number";
+import type { Unit } from "./types";
+
+/** Digits that a person reads; the error tells how many more are known. */
+const DIGITS = 4;
+
+/** Millimetres in one unit. */
+export const MILLIMETRES: Readonly<Record<Unit, number>> = { mm: 1, cm: 10, in: 25.4 };
+
+/** A space that does not break, between a number and its unit. */
+const GAP = "\u00a0";
+
+export function lengthWords(value: number, unit: Unit, digits = DIGITS): string {
+  return `${formatNumber(value, digits)}${GAP}${unit}`;
+}
+
+export function areaWords(value: number, unit: Unit): string {
+  return `${formatNumber(value, DIGITS)}${GAP}${unit}²`;
+}
+
+/** Millilitres in a volume of this unit's cube. */
+export function millilitres(value: number, unit: Unit): number {
+  return (value * MILLIMETRES[unit] ** 3) / 1000;
+}
+
+/** In ml below a litre, else in l: what jugs are marked with, whatever the unit of the design. */
+export function volumeWords(value: number, unit: Unit, digits = DIGITS): string {
+  const ml = millilitres(value, unit);
+  return Math.abs(ml) < 999.5 ? `${formatNumber(ml, digits)}${GAP}ml` : `${formatNumber(ml / 1000, digits)}${GAP}l`;
+}
+
+export function massWords(grams: number): string {
+  return Math.abs(grams) < 999.5
+    ? `${formatNumber(grams, DIGITS)}${GAP}g`
+    : `${formatNumber(grams / 1000, DIGITS)}${GAP}kg`;
+}
+
+export function angleWords(degrees: number): string {
+  return `${formatNumber(Number(degrees.toFixed(1)))}°`;
+}
+
+/** An angle inside a sentence that may be read aloud. */
+export function degreesWords(degrees: number): string {
+  const rounded = Math.round(degrees);
+  return `${formatNumber(rounded)} ${Math.abs(rounded) === 1 ? "degree" : "degrees"}`;
+}
+
+const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** "± 3 × 10⁻¹³", rounded up, because it is a promise; nothing where nothing is known. */
+export function errorWords(error: number): string {
+  if (!Number.isFinite(error) || error < 0) return "";
+  if (error === 0) return "exact";
+  const power = Math.floor(Math.log10(error));
+  const digit = Math.ceil(error / 10 ** power - 1e-9);
+  const [shown, exponent] = digit === 10 ? [1, power + 1] : [digit, power];
+  if (exponent >= -3 && exponent <= 2) return `±${GAP}${formatNumber(shown * 10 ** exponent, 1)}`;
+  const raised = [...String(Math.abs(exponent))].map((each) => SUPERSCRIPT[Number(each)]).join("");
+  return `±${GAP}${shown === 1 ? "" : `${shown}${GAP}×${GAP}`}10${exponent < 0 ? "⁻" : ""}${raised}`;
+}

@@ -1,0 +1,88 @@
+import { expect, test } from "vitest";
+import type { Outline } from "./places";
+import { findingWords, verdict } from "./report-words";
+import type { Measures, PartMeasures, Report, Triple } from "./types";
+
+const OUTLINE: Outline = [
+  [0, 2],
+  [4, 4],
+  [5, 3.6],
+  [6, 2],
+  [7, 1.2],
+  [10, 1.5],
+];
+const SHOULDER: Triple = [3, 0, 5.5];
+const RIM: Triple = [1.5, 0, 10];
+
+const part = (given: Partial<PartMeasures>): PartMeasures =>
+  ({ part: 0, name: null, isPot: true, reason: null, thickness: null, overhang: null, ...given }) as PartMeasures;
+const measures = (given: Partial<Measures>, ...parts: readonly Partial<PartMeasures>[]): Measures =>
+  ({ tipping: { empty: null, full: null }, parts: parts.map(part), ...given }) as Measures;
+const texts = (made: Measures, report: Report | null = null) =>
+  verdict(made, report, OUTLINE, "cm").map(({ severity, text }) => `${severity}: ${text.replaceAll("\u00a0", " ")}`);
+
+test("an overhang is told by its angle and place", () => {
+  const overhang = (degrees: number) => measures({}, { overhang: { degrees, at: SHOULDER, face: "outer" } });
+  expect(texts(overhang(61.6))).toEqual([
+    "warning: Overhang of 62 degrees at the shoulder: a printer needs support there.",
+  ]);
+  expect(texts(overhang(30))).toEqual([
+    "good: The steepest overhang is 30 degrees, at the shoulder: it prints without support.",
+  ]);
+  expect(texts(overhang(-3))).toEqual(["good: Nothing hangs over: it prints without support."]);
+});
+
+test("a wall is told where it was thinned and where it is too thin to print", () => {
+  const thickness = { asked: 0.3, least: { value: 0.07, at: RIM }, greatest: 0.3, thinned: 0.1 };
+  expect(texts(measures({}, { thickness }))).toEqual([
+    "warning: The wall is thinned to 0.07 cm at the rim, where the pot bends too tightly for 0.3 cm.",
+    "warning: The wall is only 0.7 mm thick at the rim: too thin for most clay and most printers at this size.",
+  ]);
+});
+
+test("how it stands, empty and full", () => {
+  const tip = (empty: number, full: number | null) =>
+    texts(
+      measures({
+        tipping: { empty: { degrees: empty, toward: 0 }, full: full === null ? null : { degrees: full, toward: 0 } },
+      }),
+    );
+  expect(tip(24, 19.6)).toEqual([
+    "good: It stands: empty it tips when tilted by 24 degrees, and when full by 20 degrees.",
+  ]);
+  expect(tip(24, null)).toEqual(["good: It stands: empty it tips when tilted by 24 degrees."]);
+  expect(tip(8, 5)).toEqual(["warning: It tips easily: empty when tilted by 8 degrees, and when full by 5 degrees."]);
+  expect(tip(0, null)).toEqual(["error: It falls over: its weight is not above its foot."]);
+  expect(tip(12, 0)).toEqual(["error: It stands empty, but falls over when it is full."]);
+});
+
+test("the worst comes first, and parts are named where there are several", () => {
+  const made = measures(
+    { tipping: { empty: { degrees: 30, toward: 0 }, full: null } },
+    { overhang: { degrees: 80, at: SHOULDER, face: "outer" } },
+    { part: 1, name: "lid", isPot: false, reason: "The surface does not close." },
+  );
+  expect(texts(made).map((text) => text.split(":")[0])).toEqual(["error", "warning", "good"]);
+  expect(texts(made)[0]).toBe("error: lid: The surface does not close.");
+});
+
+test("what the checks say of a thinned wall is told once, with its unit and place", () => {
+  const thickness = { asked: 0.3, least: { value: 0.12, at: RIM }, greatest: 0.3, thinned: 0.034 };
+  const finding = { code: "thinned", severity: "warning", part: 0, message: "thin", at: SHOULDER } as const;
+  const report = { ok: true, findings: [finding], meshes: [{ part: 0, thinnest: 0.12, thinned: 0.034 }] };
+  expect(texts(measures({}, { thickness }), report as unknown as Report)).toEqual([
+    "warning: The wall is thinned to 0.12 cm at the shoulder, where the pot bends more tightly or comes closer to itself than the wall is thick: 3.4 % of it is thinner than asked for.",
+    "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  ]);
+});
+
+test("findings are given the name of their place, once", () => {
+  const finding = { code: "thinned", severity: "warning", part: 0, message: "The wall is thin.", at: RIM } as const;
+  expect(findingWords(finding, OUTLINE)).toBe("The wall is thin (at the rim).");
+  expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE)).toBe("Thin at the rim.");
+  const { at: _, ...nowhere } = finding;
+  expect(findingWords(nowhere, OUTLINE)).toBe("The wall is thin.");
+  expect(texts(measures({}), { ok: true, findings: [] } as unknown as Report)).toEqual([
+    "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  ]);
+});

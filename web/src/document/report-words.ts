@@ -1,0 +1,141 @@
+/** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
+
+import { formatNumber } from "./number";
+import { type Outline, placeWords } from "./places";
+import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
+import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
+
+export type Severity = "error" | "warning" | "note" | "good";
+
+export interface Sentence {
+  readonly severity: Severity;
+  readonly text: string;
+}
+
+/** Steeper than this, printed layers hang in the air. */
+const SUPPORT_DEGREES = 45;
+
+/** Two lines of the usual nozzle of 0.4 mm. */
+const LEAST_PRINTED_MM = 0.8;
+
+/** A pot that tips sooner than this is knocked over by a cat. */
+const STEADY_DEGREES = 10;
+
+/** The code of a finding of the checks. */
+const THINNED = "thinned";
+
+const ORDER: readonly Severity[] = ["error", "warning", "note", "good"];
+
+/** The worst comes first. */
+export function verdict(
+  measures: Measures | null,
+  report: Report | null,
+  outline: Outline,
+  unit: Unit,
+): readonly Sentence[] {
+  const thinned = (report?.findings ?? []).filter(({ code }) => code === THINNED).map(({ part }) => part);
+  return [
+    ...(report ? checked(report, outline, unit) : []),
+    ...(measures ? measured(measures, outline, unit, thinned) : []),
+  ].sort((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity));
+}
+
+/** What the checks say of the very triangles that a file holds. */
+export function checked(report: Report, outline: Outline, unit: Unit): readonly Sentence[] {
+  const sentences = report.findings.map((finding) => ({
+    severity: finding.severity,
+    text: finding.code === THINNED ? thinnedWords(finding, report, outline, unit) : findingWords(finding, outline),
+  }));
+  const closed: Sentence = {
+    severity: "good",
+    text: "The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  };
+  return report.ok ? [...sentences, closed] : sentences;
+}
+
+/** A finding as a sentence, with the name of its place. */
+export function findingWords({ message, at }: Finding, outline: Outline): string {
+  const sentence = asSentence(message);
+  if (!at || outline.length < 2) return sentence;
+  const place = placeWords(at, outline);
+  return sentence.includes(place) ? sentence : `${sentence.slice(0, -1)} (${place}).`;
+}
+
+/** A message of the library as a sentence of its own. */
+export function asSentence(message: string): string {
+  const ended = /[.!?]$/.test(message) ? message : `${message}.`;
+  return ended.charAt(0).toUpperCase() + ended.slice(1);
+}
+
+/** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
+function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
+  const mesh = meshes.find((each) => each.part === part);
+  if (!mesh?.thinnest || !at) return findingWords({ code: THINNED, severity: "warning", part, message }, outline);
+  const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
+  return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
+}
+
+function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
+  const several = measures.parts.length > 1;
+  return [
+    ...measures.parts.flatMap((part) => ofPart(part, outline, unit, several, thinned.includes(part.part))),
+    ...stands(measures),
+  ];
+}
+
+function ofPart(
+  part: PartMeasures,
+  outline: Outline,
+  unit: Unit,
+  several: boolean,
+  told: boolean,
+): readonly Sentence[] {
+  const sentences: Sentence[] = [];
+  const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
+  const say = (severity: Severity, text: string) => sentences.push({ severity, text: `${name}${text}` });
+  const where = (at: Triple | null) => (at ? placeWords(at, outline) : "in places");
+  if (!part.isPot && part.reason) say("error", asSentence(part.reason));
+  const { thickness, overhang } = part;
+  if (thickness) {
+    const { least, asked } = thickness;
+    const thin = lengthWords(least.value, unit, 3);
+    if (part.thickness?.thinned && !told) {
+      say(
+        "warning",
+        `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,
+      );
+    }
+    if (least.value * MILLIMETRES[unit] < LEAST_PRINTED_MM) {
+      say(
+        "warning",
+        `The wall is only ${lengthWords(least.value * MILLIMETRES[unit], "mm", 2)} thick ${where(least.at)}: too thin for most clay and most printers at this size.`,
+      );
+    }
+  }
+  if (overhang) {
+    const { degrees, at } = overhang;
+    if (degrees > SUPPORT_DEGREES) {
+      say("warning", `Overhang of ${degreesWords(degrees)} ${where(at)}: a printer needs support there.`);
+    } else if (degrees > 1) {
+      say("good", `The steepest overhang is ${degreesWords(degrees)}, ${where(at)}: it prints without support.`);
+    } else say("good", "Nothing hangs over: it prints without support.");
+  }
+  return sentences;
+}
+
+function stands({ tipping: { empty, full } }: Measures): readonly Sentence[] {
+  if (!empty) return [];
+  const filled = full ? `, and when full by ${degreesWords(full.degrees)}` : "";
+  if (empty.degrees === 0) {
+    return [{ severity: "error", text: "It falls over: its weight is not above its foot." }];
+  }
+  if (full && full.degrees === 0) {
+    return [{ severity: "error", text: `It stands empty, but falls over when it is full.` }];
+  }
+  const steady = Math.min(empty.degrees, full?.degrees ?? empty.degrees) >= STEADY_DEGREES;
+  return [
+    steady
+      ? { severity: "good", text: `It stands: empty it tips when tilted by ${degreesWords(empty.degrees)}${filled}.` }
+      : { severity: "warning", text: `It tips easily: empty when tilted by ${degreesWords(empty.degrees)}${filled}.` },
+  ];
+}

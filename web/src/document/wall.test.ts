@@ -1,0 +1,58 @@
+import { expect, test } from "vitest";
+import type { Part } from "./types";
+import { firstFoot, firstWall, sameSurface, wallFields, wallNumber, wallRange, withWallNumber } from "./wall";
+
+test.each([
+  [3.6, 0.15],
+  [20, 0.8],
+  [250, 10],
+  [0.02, 0.0008],
+])("a pot of size %d begins with a wall of %d", (size, thickness) => {
+  expect(firstWall(size)).toEqual({ thickness, base: thickness });
+});
+
+test("a size that is not known takes a usual wall", () => {
+  for (const size of [0, Number.NaN, Number.POSITIVE_INFINITY]) expect(firstWall(size).thickness).toBe(0.3);
+});
+
+test("only numbers that mean something are asked for", () => {
+  const names = (wall: Parameters<typeof wallFields>[0]) => wallFields(wall).map(({ name }) => name);
+  const wall = firstWall(20);
+  expect(names(wall)).toEqual(["Thickness", "Base", "Drain hole"]);
+  expect(names({ ...wall, base: 0 })).toEqual(["Thickness", "Base"]);
+  expect(names({ ...wall, foot: firstFoot(wall) })).toEqual([
+    "Thickness",
+    "Base",
+    "Ring width",
+    "Ring height",
+    "Drain hole",
+  ]);
+});
+
+test("numbers are read and changed by their fields, and a hole of no width is none", () => {
+  const wall = { ...firstWall(20), foot: [1, 2] as const };
+  for (const field of wallFields(wall)) {
+    const changed = withWallNumber(wall, field, 0.7);
+    expect(wallNumber(changed, field)).toBe(0.7);
+    expect(withWallNumber(changed, field, 0.7)).toBe(changed);
+  }
+  const drain = wallFields(wall).find(({ name }) => name === "Drain hole");
+  if (!drain) throw new Error("drain");
+  expect(withWallNumber({ ...wall, drain: 2 }, drain, 0)).toEqual(wall);
+});
+
+test("sliders end at short numbers and step by a hundredth or so", () => {
+  for (const field of wallFields({ ...firstWall(7.3), foot: [1, 1] })) {
+    const { max, step } = wallRange(field, 7.3);
+    expect(max / step).toBeGreaterThanOrEqual(100);
+    expect(max / step).toBeLessThanOrEqual(1000);
+  }
+});
+
+test("another wall is the same surface, another shape is not", () => {
+  const part = { shape: { kind: "fourth-order" } } as unknown as Part;
+  const walled = { ...part, wall: firstWall(3) };
+  expect(sameSurface([part], [walled])).toBe(true);
+  expect(sameSurface([part], [part, part])).toBe(false);
+  expect(sameSurface([part], [{ ...part, shape: { ...part.shape } }])).toBe(false);
+});

@@ -1,0 +1,103 @@
+/** What makes an open surface a pot: its numbers as a person changes them, and the wall that a pot begins with. */
+
+import type { Path } from "./path";
+import { numberAt, setPath } from "./path";
+import type { Part, Wall } from "./types";
+
+/** One number of a wall; all are lengths. */
+export interface WallField {
+  readonly path: Path;
+  readonly name: string;
+  /** The end of the slider, as a share of the size of the pot. */
+  readonly most: number;
+  readonly help: string;
+}
+
+const THICKNESS: WallField = {
+  path: ["thickness"],
+  name: "Thickness",
+  most: 0.2,
+  help: "Through the clay, square to the wall. Where the pot bends more tightly than this, the wall is thinned.",
+};
+
+const BASE: WallField = {
+  path: ["base"],
+  name: "Base",
+  most: 0.2,
+  help: "How thick the floor is. 0 leaves the pot open below, as a tube.",
+};
+
+const RING_WIDTH: WallField = {
+  path: ["foot", 0],
+  name: "Ring width",
+  most: 0.2,
+  help: "How wide the ring is that the pot stands on.",
+};
+
+const RING_HEIGHT: WallField = {
+  path: ["foot", 1],
+  name: "Ring height",
+  most: 0.2,
+  help: "How far the underside is set back inside the ring.",
+};
+
+const DRAIN: WallField = {
+  path: ["drain"],
+  name: "Drain hole",
+  most: 0.4,
+  help: "Across the hole in the middle of the base. 0 is none.",
+};
+
+/** The numbers of a wall that mean something as it is. */
+export function wallFields(wall: Wall): readonly WallField[] {
+  const closed = wall.base > 0;
+  return [THICKNESS, BASE, ...(wall.foot ? [RING_WIDTH, RING_HEIGHT] : []), ...(closed ? [DRAIN] : [])];
+}
+
+export function wallNumber(wall: Wall, field: WallField): number {
+  return numberAt(wall, field.path, 0);
+}
+
+/** The wall with one number changed; a hole of no width is left out. */
+export function withWallNumber(wall: Wall, field: WallField, value: number): Wall {
+  return setPath(wall, field.path, field === DRAIN && value === 0 ? undefined : value);
+}
+
+/** How the thickness of a first wall relates to the height or width of its pot. */
+const FIRST_THICKNESS = 1 / 25;
+/** And a foot ring to that wall. */
+const RING_IN_WALLS = 1.5;
+
+/** What a pot of this size begins with. */
+export function firstWall(size: number): Wall {
+  const thickness = neat(size * FIRST_THICKNESS);
+  return { thickness, base: thickness };
+}
+
+/** The foot ring that a wall begins with. */
+export function firstFoot(wall: Wall): readonly [number, number] {
+  return [neat(RING_IN_WALLS * wall.thickness), neat(wall.thickness)];
+}
+
+const NEAT = [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+
+/** The nearest short number. */
+function neat(value: number): number {
+  if (!(value > 0 && Number.isFinite(value))) return 0.3;
+  const power = 10 ** Math.floor(Math.log10(value));
+  const best = NEAT.reduce((a, b) => (Math.abs(b * power - value) < Math.abs(a * power - value) ? b : a));
+  return Number((best * power).toPrecision(2));
+}
+
+/** How long a slider is and how fine its steps are, for a pot of this size: both short numbers. */
+export function wallRange(field: WallField, size: number): { readonly max: number; readonly step: number } {
+  const max = neat(field.most * size);
+  return { max, step: Number((10 ** (Math.floor(Math.log10(max)) - 2)).toPrecision(1)) };
+}
+
+/** Whether anything but walls differs between two designs that share what is the same. */
+export function sameSurface(a: readonly Part[], b: readonly Part[]): boolean {
+  return (
+    a.length === b.length && a.every((part, index) => part.shape === b[index]?.shape && part.place === b[index]?.place)
+  );
+}

@@ -1,0 +1,90 @@
+/** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
+
+import type { Design, Format, Making, MapName, Measures, Product, Refusal, Report } from "../document/types";
+import type { GridSize } from "../document/waves";
+import type { Bounds } from "../solver/bounds";
+
+/** The faces of a pot that its own surface does not show, ready to be drawn. */
+export interface Solid {
+  /** xyz triples in model units. */
+  readonly positions: Float32Array;
+  /** Out of the clay, split at edges. */
+  readonly normals: Float32Array;
+  /** Four numbers for each vertex, what the glaze goes by: 1 in the lining and 0 elsewhere, distance to rim and to foot, depth in radii of the mouth. */
+  readonly wares: Float32Array;
+  readonly indices: Uint32Array;
+  /** (first index, count of indices, part) triples. */
+  readonly groups: Uint32Array;
+  /** What the whole pot fills, wall included. */
+  readonly bounds: Bounds | null;
+  /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
+  readonly sides: readonly ("inside" | "outside" | null)[];
+}
+
+/** One value for each vertex of the mesh on the stage. */
+export interface Painted {
+  readonly values: Float32Array;
+  readonly least: number;
+  readonly greatest: number;
+  /** The range that the colours stand for: what a few extreme places have beyond it is shown as its end. */
+  readonly low: number;
+  readonly high: number;
+}
+
+/** The water in a pot: how much there is, and its surface. */
+export interface Filled {
+  readonly volume: number;
+  readonly error: number;
+  /** Height of the surface in model units. */
+  readonly level: number;
+  readonly positions: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+/** A file that is ready to be saved. */
+export interface Written {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+export type Ask =
+  | {
+      readonly kind: "solid";
+      readonly design: Design;
+      /** How far the picture may be from the faces, in model units. */
+      readonly tolerance: number;
+      /** Whether there is a coarser picture to look at until then. */
+      readonly fine: boolean;
+    }
+  | { readonly kind: "measure"; readonly design: Design; readonly product: Product; readonly fill: number | null }
+  | { readonly kind: "check"; readonly design: Design; readonly making: Making }
+  | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)
+  | { readonly kind: "water"; readonly design: Design; readonly level: number }
+  | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
+  | { readonly kind: "open"; readonly bytes: Uint8Array };
+
+export interface Answers {
+  readonly solid: Solid;
+  readonly measure: Measures;
+  readonly check: Report;
+  readonly paint: Painted;
+  readonly water: Filled;
+  readonly write: Written;
+  /** The link in the file, or null when it is not one of Pasu's. */
+  readonly open: string | null;
+}
+
+export type Kind = Ask["kind"];
+
+export interface Request {
+  readonly id: number;
+  readonly ask: Ask;
+}
+
+/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
+export interface Begin {
+  readonly module: WebAssembly.Module | null;
+}
+
+export type Reply =
+  | { readonly id: number; readonly ok: true; readonly answer: Answers[Kind] }
+  | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };

@@ -1,0 +1,72 @@
+/** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
+
+import init, { check, measure, open, PasuError, paint, solid, water, write } from "pasu";
+import type { Design, Refusal } from "../document/types";
+import type { Answers, Ask, Begin, Kind, Reply, Request, Solid } from "./messages";
+import { paintedOf } from "./painted";
+import { solidOf } from "./solid";
+
+let begin: (ready: Promise<void>) => void;
+const ready = new Promise<void>((resolve) => {
+  begin = resolve;
+});
+
+self.addEventListener("message", ({ data }: MessageEvent<Request | Begin>) => {
+  if ("module" in data) begin(data.module ? init(data.module) : init());
+  else void respond(data);
+});
+
+async function respond({ id, ask }: Request): Promise<void> {
+  try {
+    await ready;
+    const answer = perform(ask);
+    post({ id, ok: true, answer }, buffersOf(answer));
+  } catch (error) {
+    post({ id, ok: false, refusal: refusalOf(error), broken: error instanceof WebAssembly.RuntimeError }, []);
+  }
+}
+
+function post(reply: Reply, transfer: Transferable[]): void {
+  self.postMessage(reply, { transfer });
+}
+
+function perform(ask: Ask): Answers[Kind] {
+  switch (ask.kind) {
+    case "solid":
+      return drawn(ask.design, ask.tolerance);
+    case "measure":
+      return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
+    case "check":
+      return check(ask.design, ask.making);
+    case "paint":
+      return paintedOf(paint(ask.design, ask.map, { rows: ask.rows, columns: ask.columns }));
+    case "water":
+      return { ...water(ask.design, ask.level), level: ask.level };
+    case "write":
+      return { bytes: write(ask.design, ask.format, ask.making) };
+    case "open":
+      return open(ask.bytes) ?? null;
+  }
+}
+
+/** Parts that are no pots are drawn by the solver alone. */
+function drawn(design: Design, tolerance: number): Solid {
+  const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
+  if (walled.length === design.parts.length) return solidOf(design, solid(design, { tolerance }));
+  const parts = walled.map((part) => design.parts[part]);
+  const made = solid({ ...design, parts }, { tolerance });
+  const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
+  return solidOf(design, { ...made, faces });
+}
+
+function refusalOf(error: unknown): Refusal {
+  if (error instanceof PasuError) return { code: error.code, path: error.path, message: error.message };
+  const message = error instanceof Error ? error.message : String(error);
+  return { code: "internal", path: "", message: `This could not be made: ${message}` };
+}
+
+/** Arrays travel; they are not copied. */
+function buffersOf(answer: Answers[Kind]): Transferable[] {
+  if (typeof answer !== "object" || answer === null) return [];
+  return Object.values(answer).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+}
