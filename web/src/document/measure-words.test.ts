@@ -74,6 +74,11 @@ test("errors are there to be told", () => {
   expect(capacity?.lines[0]?.error.replaceAll("\u00a0", " ")).toBe("± 3 × 10⁻⁹");
 });
 
+test("errors are in the unit of their numbers", () => {
+  const [, capacity] = measureGroups(MEASURES, 0, "mm");
+  expect(capacity?.lines[0]).toMatchObject({ value: "0.4205\u00a0ml", error: "±\u00a03\u00a0×\u00a010⁻¹²" });
+});
+
 test("what holds nothing says why", () => {
   const [part] = MEASURES.parts;
   if (!part) throw new Error("part");

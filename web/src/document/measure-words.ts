@@ -1,7 +1,18 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
 import { formatNumber } from "./number";
-import { angleWords, areaWords, errorWords, lengthWords, massWords, volumeWords } from "./quantities";
+import {
+  angleWords,
+  areaShown,
+  areaWords,
+  errorWords,
+  lengthWords,
+  massShown,
+  type Shown,
+  volumeShown,
+  volumeWords,
+  words,
+} from "./quantities";
 import { asSentence } from "./report-words";
 import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "./types";
 
@@ -31,14 +42,14 @@ export function measureGroups(measures: Measures, part: number, unit: Unit): rea
 }
 
 function sizes({ height, width, area }: Measures, unit: Unit): Group {
-  const length = (value: number) => lengthWords(value, unit);
+  const length: Shown = { factor: 1, unit };
   return {
     title: "Size",
     lines: [
       quantity("Height", height, length),
       quantity("Greatest width", width.greatest, length, `across, at ${angleWords(width.greatestDirection)}`),
       quantity("Least width", width.least, length, `across, at ${angleWords(width.leastDirection)}`),
-      quantity("Area of the surface", area, (value) => areaWords(value, unit)),
+      quantity("Area of the surface", area, areaShown(unit)),
     ],
   };
 }
@@ -54,10 +65,10 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
         quantity(
           "To the brim",
           brim,
-          (value) => volumeWords(value, unit),
+          volumeShown(brim.value, unit),
           stopped ? "with the drain hole stopped" : undefined,
         ),
-        quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), (value) => lengthWords(value, unit)),
+        quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), { factor: 1, unit }),
       ],
     },
   ];
@@ -75,9 +86,9 @@ function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
     {
       title: "Clay",
       lines: [
-        quantity("Volume", body.volume, (value) => volumeWords(value, unit)),
-        quantity("Mass, fired", body.mass, massWords),
-        quantity("Area to glaze, all sides", body.area, (value) => areaWords(value, unit)),
+        quantity("Volume", body.volume, volumeShown(body.volume.value, unit)),
+        quantity("Mass, fired", body.mass, massShown(body.mass.value)),
+        quantity("Area to glaze, all sides", body.area, areaShown(unit)),
       ],
     },
   ];
@@ -104,7 +115,7 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
   if (footprint) {
     const { area, hullArea } = footprint;
     const touching = `of which ${areaWords(area.value, unit)} touch the table`;
-    lines.push(quantity("Footprint", hullArea, (value) => areaWords(value, unit), touching));
+    lines.push(quantity("Footprint", hullArea, areaShown(unit), touching));
   }
   const tips = (name: string, tip: { readonly degrees: number; readonly toward: number } | null) => {
     if (tip) lines.push({ name, value: angleWords(tip.degrees), error: "", note: `towards ${angleWords(tip.toward)}` });
@@ -151,8 +162,9 @@ function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {
   return { value: value - bottom, error };
 }
 
-function quantity(name: string, { value, error }: Quantity, words: (value: number) => string, note?: string): Line {
-  return { name, value: words(value), error: errorWords(error), ...(note === undefined ? {} : { note }) };
+function quantity(name: string, { value, error }: Quantity, shown: Shown, note?: string): Line {
+  const line = { name, value: words(value, shown), error: errorWords(error * shown.factor) };
+  return note === undefined ? line : { ...line, note };
 }
 
 /** "Holds 820 ml to the brim."; or why it holds nothing. */

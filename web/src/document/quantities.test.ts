@@ -1,5 +1,14 @@
 import { expect, test } from "vitest";
-import { angleWords, areaWords, degreesWords, errorWords, lengthWords, massWords, volumeWords } from "./quantities";
+import {
+  angleWords,
+  areaWords,
+  degreesWords,
+  errorWords,
+  lengthWords,
+  massShown,
+  volumeWords,
+  words,
+} from "./quantities";
 
 const plain = (text: string) => text.replaceAll("\u00a0", " ");
 
@@ -11,8 +20,8 @@ test.each([
   [volumeWords(1_500_000, "mm"), "1.5 l"],
   [volumeWords(100, "mm"), "0.1 ml"],
   [volumeWords(61.0237, "in"), "1 l"],
-  [massWords(412.34), "412.3 g"],
-  [massWords(2300), "2.3 kg"],
+  [words(412.34, massShown(412.34)), "412.3 g"],
+  [words(2300, massShown(2300)), "2.3 kg"],
   [angleWords(61.96), "62°"],
   [angleWords(-4.04), "−4°"],
   [degreesWords(1.2), "1 degree"],

@@ -9,15 +9,28 @@ const DIGITS = 4;
 /** Millimetres in one unit. */
 export const MILLIMETRES: Readonly<Record<Unit, number>> = { mm: 1, cm: 10, in: 25.4 };
 
+/** From here on, rounded to whole numbers, the larger unit is shorter. */
+const THOUSAND = 999.5;
+
 /** A space that does not break, between a number and its unit. */
 const GAP = "\u00a0";
 
+/** How a measure is shown: by what it is multiplied, and the unit that it has then. */
+export interface Shown {
+  readonly factor: number;
+  readonly unit: string;
+}
+
 export function lengthWords(value: number, unit: Unit, digits = DIGITS): string {
-  return `${formatNumber(value, digits)}${GAP}${unit}`;
+  return words(value, { factor: 1, unit }, digits);
+}
+
+export function areaShown(unit: Unit): Shown {
+  return { factor: 1, unit: `${unit}²` };
 }
 
 export function areaWords(value: number, unit: Unit): string {
-  return `${formatNumber(value, DIGITS)}${GAP}${unit}²`;
+  return words(value, areaShown(unit));
 }
 
 /** Millilitres in a volume of this unit's cube. */
@@ -26,15 +39,23 @@ export function millilitres(value: number, unit: Unit): number {
 }
 
 /** In ml below a litre, else in l: what jugs are marked with, whatever the unit of the design. */
-export function volumeWords(value: number, unit: Unit, digits = DIGITS): string {
-  const ml = millilitres(value, unit);
-  return Math.abs(ml) < 999.5 ? `${formatNumber(ml, digits)}${GAP}ml` : `${formatNumber(ml / 1000, digits)}${GAP}l`;
+export function volumeShown(value: number, unit: Unit): Shown {
+  const factor = millilitres(1, unit);
+  return Math.abs(value * factor) < THOUSAND ? { factor, unit: "ml" } : { factor: factor / 1000, unit: "l" };
 }
 
-export function massWords(grams: number): string {
-  return Math.abs(grams) < 999.5
-    ? `${formatNumber(grams, DIGITS)}${GAP}g`
-    : `${formatNumber(grams / 1000, DIGITS)}${GAP}kg`;
+export function volumeWords(value: number, unit: Unit, digits = DIGITS): string {
+  return words(value, volumeShown(value, unit), digits);
+}
+
+/** From grams. */
+export function massShown(grams: number): Shown {
+  return Math.abs(grams) < THOUSAND ? { factor: 1, unit: "g" } : { factor: 0.001, unit: "kg" };
+}
+
+/** A number with its unit, which does not leave it at the end of a line. */
+export function words(value: number, { factor, unit }: Shown, digits = DIGITS): string {
+  return `${formatNumber(value * factor, digits)}${GAP}${unit}`;
 }
 
 export function angleWords(degrees: number): string {

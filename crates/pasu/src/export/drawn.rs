@@ -45,7 +45,7 @@ pub fn drawn(design: &Design, making: &Making) -> Result<Drawn> {
     let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut drawn = Drawn { positions, normals, indices, faces, scale };
     for mesh in solid(design, making)? {
-        let body = body(design, &mesh);
+        let body = body(design, "", &mesh);
         let (vertices, start) = (drawn.positions.len() / 3, drawn.indices.len());
         let Shaded { positions, normals, indices } = shaded(&body);
         drawn.positions.extend(positions.iter().map(|x| (f64::from(*x) / scale.millimetres) as f32));

@@ -43,13 +43,13 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
         return Err(Error::new(Code::TooLarge, "tolerance", message));
     }
     let notes = Notes {
-        title: design.title().unwrap_or(making.product.name()).to_owned(),
+        title: design.title().map_or_else(|| format!("Pasu {}", making.product.name()), str::to_owned),
         link: design.link(),
         fingerprint: fingerprint(design)?,
         verdict: told(&verdict(making, made.iter().map(Ok))),
         scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
     };
-    let bodies: Vec<Body> = made.iter().map(|made| body(design, &made.mesh)).collect();
+    let bodies: Vec<Body> = made.iter().map(|made| body(design, &notes.title, &made.mesh)).collect();
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -82,12 +82,12 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
 }
 
 /// One part as files have it.
-pub(super) fn body<'a>(design: &Design, mesh: &'a SolidMesh) -> Body<'a> {
+pub(super) fn body<'a>(design: &Design, title: &str, mesh: &'a SolidMesh) -> Body<'a> {
     let part = &design.parts()[mesh.part];
     Body {
-        name: part.name.clone().unwrap_or_else(|| match (design.parts().len(), design.title()) {
-            // Slicers show this name, and name what they write by it.
-            (1, Some(title)) => title.to_owned(),
+        name: part.name.clone().unwrap_or_else(|| match design.parts().len() {
+            // Slicers show this name, and name by it what they write.
+            1 => title.to_owned(),
             _ => format!("part {}", mesh.part + 1),
         }),
         look: part.look,

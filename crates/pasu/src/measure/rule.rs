@@ -27,10 +27,14 @@ pub(super) fn nodes(from: f64, to: f64) -> impl Iterator<Item = (f64, f64, f64)>
 }
 
 /// The error of Kronrod's sum, from its difference to Gauss's and from how much the integrand departs from its mean (QUADPACK's estimate: the
-/// power 3/2 is for the eleven further degrees of the longer rule).
+/// power 3/2 is for the twelve further degrees of the longer rule), and no more than the difference: the longer rule is not worse than the shorter.
 pub(super) fn error(difference: f64, departure: f64) -> f64 {
     let ratio = 200.0 * difference / departure;
-    if difference == 0.0 || !(departure > 0.0) { difference } else { departure * (ratio * libm::sqrt(ratio)).min(1.0) }
+    if difference == 0.0 || !(departure > 0.0) {
+        difference
+    } else {
+        (departure * ratio * libm::sqrt(ratio)).min(difference)
+    }
 }
 
 #[cfg(test)]

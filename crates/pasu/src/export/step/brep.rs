@@ -1,10 +1,12 @@
 //! The faces of a solid sewn together: vertices and edges that neighbours share.
+//!
+//! A face with few columns is one face of STEP with a seam; one with many is cut along columns into panels.
 
 use glam::DVec3;
 
-use super::exchange::{Entities, Id, integers, list, reals, string};
+use super::exchange::{Entities, Id, integers, list, reals, settled, string};
 use super::fit::{Boundary, Fitted, Net, Scaled, fit};
-use super::spline::multiplicities;
+use super::spline::{multiplicities, restricted};
 use crate::error::{Code, Error, Result};
 use crate::solid::Face;
 
@@ -14,6 +16,10 @@ const PLACES: [f64; 8] = [0.0, 0.11, 0.23, 0.37, 0.5, 0.61, 0.78, 0.93];
 const SAME: f64 = 1e-9;
 /// What is off a plane by no more than this is in it, millimetres.
 const LEVEL: f64 = 2e-9;
+
+/// At most so many intervals round a face are one panel. OpenCASCADE integrates along an edge with a fixed number of points, however many intervals it has: were a fluted face one
+/// panel, its programs would show half of its volume.
+const PANEL: usize = 32;
 
 /// What a solid has become.
 pub(super) struct Sewn {
@@ -39,8 +45,11 @@ pub(super) fn sew(
     let faces: Vec<Scaled> = faces.iter().map(|face| Scaled { face: *face, millimetres }).collect();
     let boundaries = boundaries(&faces, path)?;
     let fitted = fit(&faces, &boundaries, tolerance);
-    let mut sewing = Sewing { into, fitted: &fitted, faces: &faces, boundaries: &boundaries, ends: Vec::new() };
-    let shell: Vec<Id> = (0..faces.len()).map(|face| sewing.face(face)).collect();
+    let last = fitted.columns.len() - 1;
+    let n_panels = last.div_ceil(PANEL);
+    let panels = (0..=n_panels).map(|panel| panel * last / n_panels).collect();
+    let mut sewing = Sewing { into, fitted: &fitted, faces: &faces, boundaries: &boundaries, panels, ends: Vec::new() };
+    let shell: Vec<Id> = (0..faces.len()).flat_map(|face| sewing.face(face)).collect();
     let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
     let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
     Ok(Sewn { solid, deviation: fitted.deviation, bound: fitted.bound, n_samples: fitted.n_samples })
@@ -88,58 +97,53 @@ struct Sewing<'a> {
     fitted: &'a Fitted,
     faces: &'a [Scaled<'a>],
     boundaries: &'a [[Boundary; 2]],
+    /// The columns at which panels begin and the last one ends.
+    panels: Vec<usize>,
     /// The boundaries written so far.
     ends: Vec<(Boundary, End)>,
 }
 
 /// Where a face ends.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct End {
-    /// The pole, or the point of the curve at `v = 0`.
-    vertex: Id,
-    /// The closed edge, in the direction of `v`; none at a pole.
-    edge: Option<Id>,
+    /// The pole, or the point of the curve at which each panel begins.
+    vertices: Vec<Id>,
+    /// The edge of each panel in the direction of `v`; none at a pole.
+    edges: Vec<Id>,
 }
 
 impl Sewing<'_> {
-    fn face(&mut self, index: usize) -> Id {
-        let fitted = self.fitted;
-        let net = &fitted.faces[index];
+    /// The faces of STEP that make up one face of the pot: one if it is level, else one per panel.
+    fn face(&mut self, index: usize) -> Vec<Id> {
+        let net = &self.fitted.faces[index];
         let face = &self.faces[index];
         let outward = face.face.outward();
         let name = string(&format!("{:?}", face.face.kind()));
         // Walked so that the face lies to the left, seen from outside: up the far end and down the near one where F_a x F_v points out.
         let turned = outward < 0.0;
         if let Some(normal) = level_normal(net, outward) {
-            return self.plane(&name, index, normal, turned);
+            return vec![self.plane(&name, index, normal, turned)];
         }
-        let control: Vec<String> = net
-            .control
-            .iter()
-            .map(|row| list(&row.iter().map(|point| self.into.point(*point)).collect::<Vec<_>>()))
-            .collect();
-        let surface = self.into.add(&format!(
-            "B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({}),.UNSPECIFIED.,.F.,.T.,.F.,{},{},{},{},.UNSPECIFIED.)",
-            control.join(","),
-            integers(&multiplicities(net.rows.len())),
-            integers(&multiplicities(fitted.columns.len())),
-            reals(&net.rows),
-            reals(&fitted.columns),
-        ));
         let ends = [self.end(index, 0), self.end(index, 1)];
-        let seam = self.seam(net, ends);
-        let mut walk = vec![(seam, true)];
-        walk.extend(ends[1].edge.map(|edge| (edge, true)));
-        walk.push((seam, false));
-        walk.extend(ends[0].edge.map(|edge| (edge, false)));
-        if turned {
-            walk.reverse();
-            for (_, forward) in &mut walk {
-                *forward = !*forward;
-            }
-        }
-        let bound = self.bound("FACE_OUTER_BOUND", &walk);
-        self.into.add(&format!("ADVANCED_FACE({name},({bound}),{surface},{})", boolean(!turned)))
+        let n_panels = self.panels.len() - 1;
+        let sides: Vec<Id> = (0..n_panels).map(|panel| self.side(net, panel, &ends)).collect();
+        (0..n_panels)
+            .map(|panel| {
+                let surface = self.surface(net, panel);
+                let mut walk = vec![(sides[panel], true)];
+                walk.extend(ends[1].edges.get(panel).map(|edge| (*edge, true)));
+                walk.push((sides[(panel + 1) % n_panels], false));
+                walk.extend(ends[0].edges.get(panel).map(|edge| (*edge, false)));
+                if turned {
+                    walk.reverse();
+                    for (_, forward) in &mut walk {
+                        *forward = !*forward;
+                    }
+                }
+                let bound = self.bound("FACE_OUTER_BOUND", &walk);
+                self.into.add(&format!("ADVANCED_FACE({name},({bound}),{surface},{})", boolean(!turned)))
+            })
+            .collect()
     }
 
     /// A face in a plane, within its one or two boundary curves.
@@ -154,11 +158,16 @@ impl Sewing<'_> {
         let outer = usize::from(area(rows[1]).length() > area(rows[0]).length());
         let mut bounds = Vec::new();
         for end in [outer, 1 - outer] {
-            let is_pole = matches!(self.boundaries[index][end], Boundary::Pole { .. });
-            if let Some(edge) = if is_pole { None } else { self.end(index, end).edge } {
-                let entity = if end == outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
-                bounds.push(self.bound(entity, &[(edge, (end == 1) != turned)]));
+            if matches!(self.boundaries[index][end], Boundary::Pole { .. }) {
+                continue;
             }
+            let forward = (end == 1) != turned;
+            let mut walk: Vec<(Id, bool)> = self.end(index, end).edges.iter().map(|edge| (*edge, forward)).collect();
+            if !forward {
+                walk.reverse();
+            }
+            let entity = if end == outer { "FACE_OUTER_BOUND" } else { "FACE_BOUND" };
+            bounds.push(self.bound(entity, &walk));
         }
         self.into.add(&format!("ADVANCED_FACE({name},{},{plane},.T.)", list(&bounds)))
     }
@@ -176,29 +185,65 @@ impl Sewing<'_> {
     fn end(&mut self, face: usize, end: usize) -> End {
         let boundary = self.boundaries[face][end];
         if let Some((_, end)) = self.ends.iter().find(|(written, _)| *written == boundary) {
-            return *end;
+            return end.clone();
         }
         let control = &self.fitted.faces[face].control;
         let row = if end == 0 { &control[0] } else { &control[control.len() - 1] };
-        let vertex = self.vertex(row[0]);
-        let edge = match boundary {
-            Boundary::Pole { .. } => None,
+        let written = match boundary {
+            Boundary::Pole { .. } => End { vertices: vec![self.vertex(row[0])], edges: Vec::new() },
             Boundary::Curve { .. } => {
-                let curve = self.curve(row, &self.fitted.columns, true);
-                Some(self.into.add(&format!("EDGE_CURVE('',{vertex},{vertex},{curve},.T.)")))
+                let n_panels = self.panels.len() - 1;
+                let arcs: Vec<Vec<DVec3>> = (0..n_panels).map(|panel| self.within(row, panel)).collect();
+                let vertices: Vec<Id> = arcs.iter().map(|arc| self.vertex(arc[0])).collect();
+                let edges = arcs.iter().enumerate().map(|(panel, arc)| {
+                    let nodes = &self.fitted.columns[self.panels[panel]..=self.panels[panel + 1]];
+                    let curve = self.curve(arc, nodes, n_panels == 1);
+                    let [from, to] = [panel, panel + 1].map(|panel| vertices[panel % n_panels]);
+                    self.into.add(&format!("EDGE_CURVE('',{from},{to},{curve},.T.)"))
+                });
+                let edges = edges.collect();
+                End { vertices, edges }
             }
         };
-        let written = End { vertex, edge };
-        self.ends.push((boundary, written));
+        self.ends.push((boundary, written.clone()));
         written
     }
 
-    /// The curve `v = 0`, along which a face meets itself.
-    fn seam(&mut self, net: &Net, ends: [End; 2]) -> Id {
-        let column: Vec<DVec3> = net.control.iter().map(|row| row[0]).collect();
+    /// The curve of constant `v` at which a panel begins; of one panel alone the seam, along which it meets itself.
+    fn side(&mut self, net: &Net, panel: usize, ends: &[End; 2]) -> Id {
+        let column: Vec<DVec3> = net.control.iter().map(|row| self.within(row, panel)[0]).collect();
         let curve = self.curve(&column, &net.rows, false);
-        let [start, end] = ends.map(|end| end.vertex);
+        let [start, end] = [0, 1].map(|end: usize| {
+            let vertices = &ends[end].vertices;
+            vertices[panel % vertices.len()]
+        });
         self.into.add(&format!("EDGE_CURVE('',{start},{end},{curve},.T.)"))
+    }
+
+    fn surface(&mut self, net: &Net, panel: usize) -> Id {
+        let columns = &self.fitted.columns[self.panels[panel]..=self.panels[panel + 1]];
+        let control: Vec<String> = net
+            .control
+            .iter()
+            .map(|row| {
+                list(&self.within(row, panel).into_iter().map(|point| self.into.point(point)).collect::<Vec<_>>())
+            })
+            .collect();
+        self.into.add(&format!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({}),.UNSPECIFIED.,.F.,{},.F.,{},{},{},{},.UNSPECIFIED.)",
+            control.join(","),
+            boolean(self.panels.len() == 2),
+            integers(&multiplicities(net.rows.len())),
+            integers(&multiplicities(columns.len())),
+            reals(&net.rows),
+            reals(columns),
+        ))
+    }
+
+    /// The control points of a row within a panel.
+    fn within(&self, row: &[DVec3], panel: usize) -> Vec<DVec3> {
+        let part = restricted(&self.fitted.columns, row, self.panels[panel], self.panels[panel + 1]);
+        part.into_iter().map(|point| DVec3::from_array(point.to_array().map(settled))).collect()
     }
 
     fn vertex(&mut self, point: DVec3) -> Id {

@@ -35,6 +35,34 @@ pub(super) fn control_points(nodes: &[f64], points: &[DVec3], ends: &Ends) -> Ve
     control
 }
 
+/// The control points of the part of a spline between two nodes, as a spline of its own.
+///
+/// Blossoms at three nodes in a row within the part stay; at its ends stand the point there and a third of the step along its tangent.
+pub(super) fn restricted(nodes: &[f64], control: &[DVec3], from: usize, to: usize) -> Vec<DVec3> {
+    let last = nodes.len() - 1;
+    // The same numbers whether a part begins or ends at a node, and for a closed spline at its first and at its last.
+    let at = |node: usize| {
+        let interval = node.min(last - 1);
+        basis(nodes, interval, nodes[node])
+            .into_iter()
+            .enumerate()
+            .fold((DVec3::ZERO, DVec3::ZERO), |sum, (r, (b, d))| {
+                (sum.0 + b * control[interval + r], sum.1 + d * control[interval + r])
+            })
+    };
+    let end = |node: usize| match node {
+        0 => control[0],
+        _ if node == last => control[last + 2],
+        _ => at(node).0,
+    };
+    let mut part = vec![end(from)];
+    part.push(if from == 0 { control[1] } else { end(from) + (nodes[from + 1] - nodes[from]) / 3.0 * at(from).1 });
+    part.extend_from_slice(&control[from + 2..to + 1]);
+    part.push(if to == last { control[last + 1] } else { end(to) - (nodes[to] - nodes[to - 1]) / 3.0 * at(to).1 });
+    part.push(end(to));
+    part
+}
+
 /// Each knot once, and how often it counts: four times at both ends.
 pub(super) fn multiplicities(n_nodes: usize) -> Vec<usize> {
     (0..n_nodes).map(|i| if i == 0 || i + 1 == n_nodes { 4 } else { 1 }).collect()
@@ -165,6 +193,23 @@ mod tests {
                     assert!((found - cubic(x)).length() < 1e-14);
                     assert!((found_slope - slope(x)).length() < 1e-13);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_of_a_spline_is_that_spline() {
+        let nodes = [0.0, 0.2, 0.3, 0.55, 0.8, 1.0];
+        let points = nodes.map(|x| DVec3::new(x, libm::sin(7.0 * x), libm::cos(9.0 * x)));
+        let control = control_points(&nodes, &points, &Ends::Slopes(DVec3::X, DVec3::Y));
+        for (from, to) in [(0, 5), (0, 2), (1, 2), (1, 4), (3, 5)] {
+            let part = restricted(&nodes, &control, from, to);
+            assert_eq!(part.len(), to - from + 3);
+            for interval in from..to {
+                let x = 0.3 * nodes[interval] + 0.7 * nodes[interval + 1];
+                let (whole, _) = value(&nodes, &control, interval, x);
+                let (found, _) = value(&nodes[from..=to], &part, interval - from, x);
+                assert!((whole - found).length() < 1e-14, "{from} {to} {interval}");
             }
         }
     }
