@@ -17,7 +17,7 @@ use crate::error::{Code, Error, Result};
 use crate::solid::{Face, FaceKind, Pot, Product};
 
 /// What integrals over exact faces are asked to keep, as a part of their size.
-const ACCURACY: f64 = 1e-10;
+const ACCURACY: f64 = 1e-9;
 
 /// The same where a wall had to be thinned: its thickness is interpolated, which no rule integrates faster than by brute force.
 const ACCURACY_OF_THINNED: f64 = 1e-6;

@@ -179,8 +179,8 @@ pub(crate) struct Round<F> {
 impl<const N: usize, F: FnMut(f64, f64) -> [f64; N]> Round<F> {
     /// For a function of `(a, v)`.
     pub(crate) fn new(accuracy: &Accuracy, at: F) -> Self {
-        // A tenth of the error is left to the rows.
-        let relative = 0.1 * accuracy.relative;
+        // The last change of a row is far more than what is left of its error.
+        let relative = accuracy.relative;
         Round { at, relative, columns: accuracy.columns, most: accuracy.most_columns, largest: vec![0.0; N] }
     }
 
