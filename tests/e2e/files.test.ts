@@ -82,9 +82,9 @@ test("the size that is told is the size in the file", async () => {
   await pot.page.getByLabel("Shrinkage of the clay").fill("10");
   await coarse(pot);
   const told = await pot.page.locator("pasu-export .outcome").innerText();
-  expect(told).toMatch(/200\u00a0mm high/);
-  expect(told).toMatch(/180\u00a0mm high/);
-  expect(told).toMatch(/11\.1 % larger/);
+  expect(told).toMatch(/200\smm\shigh/);
+  expect(told).toMatch(/180\smm\shigh/);
+  expect(told).toMatch(/11\.1\s% larger/);
   const triangles = Number(told.match(/Triangles\s+([\d\u202f]+)/)?.[1]?.replaceAll("\u202f", ""));
   const { bytes } = await pot.download("Save STL");
   expect(bytes.readUInt32LE(80)).toBe(triangles);

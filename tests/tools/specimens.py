@@ -104,6 +104,6 @@ def load(folder: Path) -> list[Specimen]:
 
 def read(folder: Path, entry: dict) -> Specimen:
     """One entry of `specimens.json`."""
-    fields = {key: value for key, value in entry.items() if key not in ("files", "size")}
+    fields = {key: value for key, value in entry.items() if key not in ("files", "size", "link", "making")}
     files = {kind: folder / name for kind, name in entry["files"].items()}
-    return Specimen(files=files, size=tuple(entry["size"]), **fields)
+    return Specimen(files=files, size=tuple(entry["size"]), product=entry["making"]["product"], **fields)

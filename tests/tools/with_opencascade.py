@@ -36,7 +36,7 @@ def judge(specimen: Specimen) -> Iterator[str]:
         for shell in explored(solid, TopAbs_ShapeEnum.TopAbs_SHELL):
             yield from equal("shell closed", BRep_Tool.IsClosed_s(shell), True)
     properties = GProp_GProps()
-    # With a fixed number of points, as it is without the third argument, it is off by more than the whole on fluted walls.
+    # Without the third argument the number of points is fixed, and too small for fluted walls.
     BRepGProp.VolumeProperties_s(shape, properties, 1e-5, False, False)
     yield from near("volume", properties.Mass(), specimen.clay_volume, 1e-3 * specimen.clay_volume)
     box = Bnd_Box()

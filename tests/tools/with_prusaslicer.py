@@ -63,15 +63,19 @@ def judge(specimen: Specimen) -> Iterator[str]:
 
 def judge_file(specimen: Specimen, path: Path) -> Iterator[str]:
     """What it tells of one file."""
-    told = dict(re.findall(r"^(\w+) = +(\S+)$", run("--info", str(path)), re.MULTILINE))
-    yield from equal("manifold", told.get("manifold"), "yes")
-    for repair in REPAIRS:
-        yield from equal(repair, told.get(repair), None)
-    yield from equal("number of triangles", int(told["number_of_facets"]), specimen.triangles)
+    # One section for each object, under the name of the file.
+    sections = run("--info", str(path)).split(f"[{path.name}]")[1:]
+    told = [dict(re.findall(r"^(\w+) = +(\S+)$", section, re.MULTILINE)) for section in sections]
+    for one in told:
+        yield from equal("manifold", one.get("manifold"), "yes")
+        for repair in REPAIRS:
+            yield from equal(repair, one.get(repair), None)
+    yield from equal("number of triangles", sum(int(one["number_of_facets"]) for one in told), specimen.triangles)
     # Its volume is summed in single precision.
-    yield from near("volume", float(told["volume"]), specimen.mesh_volume, 1e-3 * specimen.mesh_volume)
+    volume = sum(float(one["volume"]) for one in told)
+    yield from near("volume", volume, specimen.mesh_volume, 1e-3 * specimen.mesh_volume)
     for axis, expected in zip("xyz", specimen.size, strict=True):
-        found = float(told[f"size_{axis}"])
+        found = max(float(one[f"max_{axis}"]) for one in told) - min(float(one[f"min_{axis}"]) for one in told)
         yield from near(f"size along {axis}", found, expected, 2 * specimen.bound + 1e-5 * expected + 1e-6)
 
 

@@ -420,11 +420,17 @@ fn files_are_larger_by_what_the_clay_shrinks() {
     assert!(text.contains("# pasu-scale: 1 cm of the design is 11.363636"));
 }
 
+/// The tests in Node make the same files of the links in it.
+///
 /// After a change that is meant, or of the version, `PASU_BLESS=1 cargo test -p pasu --test export` writes the file anew; the CHANGELOG says why.
 #[test]
 fn files_are_golden() {
     let mut found = BTreeMap::from([("version".to_owned(), env!("CARGO_PKG_VERSION").to_owned())]);
-    for Specimen { name, files, .. } in specimens() {
+    for Specimen { name, design, making, files, .. } in specimens() {
+        let Making { product, shrinkage, tolerance, .. } = making;
+        let making = serde_json::json!({ "product": product.name(), "shrinkage": shrinkage, "tolerance": tolerance });
+        found.insert(format!("{name}: link"), design.link());
+        found.insert(format!("{name}: making"), making.to_string());
         for (format, bytes) in files {
             found.insert(format!("{name}.{format}"), format!("{:016x}", xxh64(bytes, 0)));
         }

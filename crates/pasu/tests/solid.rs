@@ -502,3 +502,58 @@ fn a_wall_that_is_too_thick_is_thinned_and_says_so() {
     assert!(finding.message.contains("the wall had to be thinned to 1.6 at (") && finding.at.is_some());
     assert!(report.to_json().starts_with(r#"{"ok":true,"product":"pot","triangles":"#), "{}", report.to_json());
 }
+
+/// Upright walls on a band round an arc, as a Fourier series.
+fn crescent(radius: f64, half_width: f64, half_angle: f64) -> String {
+    let n = 64;
+    let harmonics = |axis: usize, part: &str| {
+        let modes = (0..12).map(|k| {
+            let sum: f64 = (0..n)
+                .map(|j| TAU * j as f64 / n as f64)
+                .map(|v| {
+                    let (radius, angle) = (radius + half_width * v.cos(), half_angle * v.sin());
+                    let point = [radius * angle.cos(), radius * angle.sin()];
+                    let wave = [(k as f64 * v).cos(), (k as f64 * v).sin()];
+                    point[axis] * wave[axis] * if k == 0 { 1.0 } else { 2.0 } / n as f64
+                })
+                .sum();
+            format!(r#"{{ "n": {k}, "{part}": {{ "start": {sum}, "end": {sum} }} }}"#)
+        });
+        format!(r#"{{ "order": 2, "s": 1, "t": 0, "modes": [{}] }}"#, modes.collect::<Vec<_>>().join(", "))
+    };
+    let (x, y) = (harmonics(0, "cos"), harmonics(1, "sin"));
+    let z = r#"{ "order": 2, "s": 1, "t": 0, "modes": [{ "n": 0, "cos": { "end": 7 } }] }"#;
+    format!(r#"{{ "kind": "boundary-value", "span": "2pi", "x": {x}, "y": {y}, "z": {z} }}"#)
+}
+
+/// A crescent, whose middle does not see its tips: level faces are triangulated, with the hole of a drain in them.
+#[test]
+fn a_crescent_has_level_faces_that_are_seen_from_nowhere() {
+    let shape = crescent(6.0, 2.6, 1.5);
+    for (wall, euler) in [
+        (r#""base": 0.4"#, 2),
+        (r#""base": 0.4, "drain": 0.5, "foot": [0.15, 0.4]"#, 0),
+        (r#""base": 0.4, "side": "outside", "drain": 0.5"#, 0),
+    ] {
+        let design = design(&format!(
+            r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": 0.2, {wall} }}, "place": {{ "axis": [1, 2, 0], "angle": 0.7 }} }}] }}"#
+        ));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        follows_on(&pot);
+        let making = Making { tolerance: Some(0.01), ..POT };
+        let mesh = made(&design, &making);
+        assert_eq!(closed(&mesh), euler, "{wall}");
+        near(volume(&mesh), 1000.0 * exact_volume(&pot), 1e-2);
+        let mesh = made(&design, &Making { product: Product::Solid, ..making });
+        near(volume(&mesh), 1000.0 * exact_volume(&Pot::new(&design, 0, Product::Solid).unwrap()), 1e-2);
+    }
+    // The middle of a longer one is not in it.
+    let wall = r#"{ "thickness": 0.2, "base": 0.4, "drain": 0.5 }"#;
+    refused(
+        &crescent(6.0, 2.0, 2.0),
+        wall,
+        "no-room",
+        "parts[0].wall.drain",
+        "is outside of it, so no drain can be there",
+    );
+}

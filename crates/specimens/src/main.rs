@@ -63,7 +63,6 @@ fn write(folder: &Path, specimen: &designs::Specimen) -> Result<pasu::Result<Val
     }
     let mut sheet = expected;
     sheet["name"] = specimen.name.clone().into();
-    sheet["product"] = specimen.making.product.name().into();
     sheet["slice"] = specimen.slice.into();
     sheet["files"] = files.into();
     Ok(Ok(sheet))

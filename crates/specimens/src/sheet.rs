@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 use crate::designs::Specimen;
 
 /// Points of each face along and around, in which the widest are found.
-const ALONG: usize = 100;
-const AROUND: usize = 720;
+const ALONG: usize = 60;
+const AROUND: usize = 480;
 
 /// Lengths in millimetres: how many parts and triangles, how large by the measures, volume and area of the triangles, volume of the clay.
 pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
@@ -18,11 +18,24 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
     let millimetres = making.scale(design)?.millimetres;
     let meshes = pasu::solid(design, making)?;
     let (volume, area) = meshes.iter().map(content).fold((0.0, 0.0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
-    let clay = clay_volume(specimen)?;
+    let measured = measured(specimen)?;
+    let clay = measured["clay"]["volume"]["value"].as_f64().unwrap_or(f64::NAN);
     Ok(json!({
+        "link": design.link(),
+        "making": {
+            "size": match making.size {
+                Some(Size::Height(height)) => json!({ "height": height }),
+                Some(Size::Width(width)) => json!({ "width": width }),
+                Some(Size::Capacity(capacity)) => json!({ "capacity": capacity }),
+                None => Value::Null,
+            },
+            "product": making.product.name(),
+            "shrinkage": making.shrinkage,
+            "tolerance": making.tolerance,
+        },
         "parts": meshes.len(),
         "triangles": meshes.iter().map(SolidMesh::n_triangles).sum::<usize>(),
-        "size": size(specimen, millimetres)?.to_array(),
+        "size": size(specimen, &measured, millimetres)?.to_array(),
         "mesh_volume": volume,
         "mesh_area": area,
         "clay_volume": clay * millimetres * millimetres * millimetres,
@@ -45,11 +58,6 @@ fn content(mesh: &SolidMesh) -> (f64, f64) {
     (volume, area)
 }
 
-/// The volume of the clay by quadrature, in the unit of the design cubed.
-fn clay_volume(specimen: &Specimen) -> Result<f64> {
-    Ok(measured(specimen)?["clay"]["volume"]["value"].as_f64().unwrap_or(f64::NAN))
-}
-
 /// What the measures say.
 fn measured(specimen: &Specimen) -> Result<Value> {
     let options = MeasureOptions { product: specimen.making.product, ..MeasureOptions::default() };
@@ -58,7 +66,7 @@ fn measured(specimen: &Specimen) -> Result<Value> {
 }
 
 /// Widths along x, y and z in millimetres, of many points of the true faces. The height is what was asked for, or what was measured.
-fn size(specimen: &Specimen, millimetres: f64) -> Result<DVec3> {
+fn size(specimen: &Specimen, measured: &Value, millimetres: f64) -> Result<DVec3> {
     let design = &specimen.design;
     let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for part in 0..design.parts().len() {
@@ -76,7 +84,7 @@ fn size(specimen: &Specimen, millimetres: f64) -> Result<DVec3> {
     size.z = match specimen.making.size {
         // By the definition of what was asked for alone, whatever the factors say.
         Some(Size::Height(height)) => height * design.unit().millimetres() / (1.0 - specimen.making.shrinkage / 100.0),
-        _ => measured(specimen)?["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
+        _ => measured["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
     };
     Ok(size)
 }

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 
 use crate::report::{Report, node_count};
 use crate::stamp::Stamp;
+use crate::wasm_package::{self, Care};
 use crate::workspace::{Workspace, cargo};
 use crate::{command, debian};
 
@@ -34,11 +35,14 @@ pub(crate) fn check(report: &mut Report, workspace: &Workspace) {
             Ok(judge)
         });
     }
-    report.tests("glTF validator", node_count, || {
-        let mut judge = Command::new("node");
-        judge.arg(scripts(workspace).join("with_gltf_validator.mjs")).arg(specimens(workspace));
-        Ok(judge)
-    });
+    report.check("library package", || wasm_package::build(workspace, Care::Release));
+    for (name, script) in [("glTF validator", "with_gltf_validator.mjs"), ("WebAssembly", "with_webassembly.mjs")] {
+        report.tests(name, node_count, || {
+            let mut judge = Command::new("node");
+            judge.arg(scripts(workspace).join(script)).arg(specimens(workspace));
+            Ok(judge)
+        });
+    }
 }
 
 fn scripts(workspace: &Workspace) -> PathBuf {

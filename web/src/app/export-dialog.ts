@@ -233,7 +233,7 @@ export class PasuExport extends DesignerElement {
       width: measures?.width.greatest.value,
       capacity: measures?.capacity && millilitres(measures.capacity.brim.value, unit),
     }[size];
-    this.choose({ size, measure: now === undefined || now === null ? "" : formatNumber(now, 4) });
+    this.choose({ size, measure: now === undefined || now === null ? "" : formatNumber(now) });
   }
 
   private async measure(): Promise<void> {

@@ -2,7 +2,7 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { type ColourMap, mapWords, rangeOf } from "../document/maps";
+import { type ColourMap, mapWords, scaleOf } from "../document/maps";
 import type { Unit } from "../document/types";
 import type { Painted } from "../maker/messages";
 import { base } from "./styles";
@@ -16,7 +16,7 @@ export class PasuLegend extends LitElement {
   override render() {
     const { map, painted, unit } = this;
     if (!painted) return html`<p class="note">${map.note}</p>`;
-    const [low, high] = rangeOf(map, painted.low, painted.high);
+    const { low, high, note } = scaleOf(map, painted.low, painted.high);
     const words = (value: number) => mapWords(map.name, value, unit);
     const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
     return html`
@@ -25,12 +25,14 @@ export class PasuLegend extends LitElement {
         <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
         ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
       </p>
-      <p class="note">${map.note} On this pot: ${words(painted.least)} to ${words(painted.greatest)}.</p>
+      <p class="note">${note} On this pot: ${words(painted.least)} to ${words(painted.greatest)}.</p>
     `;
   }
 
   override updated(): void {
-    const stops = this.map.ramp.map((rgb) => `rgb(${rgb.join(" ")})`);
+    const { map, painted } = this;
+    const { ramp } = painted ? scaleOf(map, painted.low, painted.high) : map;
+    const stops = ramp.map((rgb) => `rgb(${rgb.join(" ")})`);
     this.style.setProperty("--ramp", `linear-gradient(to right, ${stops.join(", ")})`);
   }
 

@@ -6,7 +6,6 @@ import type { Design, Refusal } from "../document/types";
 import type { Session } from "../state/session";
 import type { Command, CommandEvent } from "./command";
 import { UNFETCHED } from "./designer";
-import "./dialog";
 import { DesignerElement } from "./element";
 import { fileName, pickFile, saveBlob } from "./files";
 import { icon } from "./icons";
@@ -15,7 +14,7 @@ import "./side-panel";
 import "./stage-view";
 import type { PasuPanel } from "./side-panel";
 import type { PasuStage } from "./stage-view";
-import { base, buttons, fields } from "./styles";
+import { base, buttons } from "./styles";
 import "./top-bar";
 
 const NOTICE_MS = 6000;
@@ -27,11 +26,12 @@ const DIALOGUES = {
   help: () => import("./help-dialog"),
   picture: () => import("./picture-dialog"),
   export: () => import("./export-dialog"),
+  link: () => import("./link-dialog"),
 } as const;
 
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
-  @state() private dialog: "none" | keyof typeof DIALOGUES | "link" = "none";
+  @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
   @state() private address = "";
   @state() private dropping = false;
   private spoken = "";
@@ -122,14 +122,8 @@ export class PasuApp extends DesignerElement {
       this.dialog = "none";
     };
     if (designer.conflict) {
-      return html`<pasu-dialog heading="Open this link?" @dialog-closed=${() => designer.settleConflict("mine")}>
-        <p>
-          This link differs from your unsaved work${designer.state.design.title ? html` “${designer.state.design.title}”` : nothing}. Opening it
-          can be undone as long as this page stays open.
-        </p>
-        <button slot="actions" class="button outlined" type="button" @click=${() => designer.settleConflict("mine")}>Keep mine</button>
-        <button slot="actions" class="button primary" type="button" @click=${() => designer.settleConflict("theirs")}>Open the link</button>
-      </pasu-dialog>`;
+      void import("./conflict-dialog");
+      return html`<pasu-conflict .designer=${designer}></pasu-conflict>`;
     }
     switch (this.dialog) {
       case "none":
@@ -145,16 +139,7 @@ export class PasuApp extends DesignerElement {
       case "export":
         return html`<pasu-export .designer=${designer} @export-closed=${close}></pasu-export>`;
       case "link":
-        return html`<pasu-dialog heading="The link of this pot" @dialog-closed=${close}>
-          <p>Your browser did not let the page copy it. Copy it from here:</p>
-          <input
-            class="field address"
-            aria-label="Link"
-            readonly
-            .value=${this.address}
-            @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
-          />
-        </pasu-dialog>`;
+        return html`<pasu-link .address=${this.address} @link-closed=${close}></pasu-link>`;
     }
   }
 
@@ -228,7 +213,7 @@ export class PasuApp extends DesignerElement {
       this.designer.say("Link copied. Whoever opens it sees this very pot.");
     } catch {
       this.address = address;
-      this.dialog = "link";
+      await this.show("link");
     }
     this.designer.markShared();
   }
@@ -309,7 +294,6 @@ export class PasuApp extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
-    fields,
     css`
       :host {
         display: grid;
@@ -414,10 +398,6 @@ export class PasuApp extends DesignerElement {
         background: var(--ink);
         color: var(--paper);
         box-shadow: 0 10px 34px var(--shadow);
-      }
-      .address {
-        width: 100%;
-        margin-top: 10px;
       }
       @media (max-width: 859px) {
         :host {

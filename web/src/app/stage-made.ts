@@ -1,7 +1,7 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with the workshop. */
 
 import { looksOf, unitOf } from "../document/look";
-import { mapOf, rangeOf } from "../document/maps";
+import { mapOf, scaleOf } from "../document/maps";
 import { lengthWords, volumeWords } from "../document/quantities";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
@@ -53,8 +53,7 @@ export class StageMade {
     this.#mesh = shown.solved.mesh;
     if (map === null) this.#made.paint(null);
     else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
-      const { ramp } = mapOf(map);
-      const [low, high] = rangeOf(mapOf(map), painted.value.low, painted.value.high);
+      const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
       const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
       const next: StageMap = { values: painted.value.values, low, high, ramp };
       this.#made.paint(fits ? next : undefined);

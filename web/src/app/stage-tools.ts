@@ -9,16 +9,7 @@ import { DesignerElement } from "./element";
 import { type IconName, icon } from "./icons";
 import "./menu";
 import { base, buttons } from "./styles";
-
-type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
-
-export const VIEWS: readonly { readonly name: ViewName; readonly label: string }[] = [
-  { name: "three-quarter", label: "Three-quarter" },
-  { name: "front", label: "Front" },
-  { name: "side", label: "Side" },
-  { name: "top", label: "Top" },
-  { name: "below", label: "Below" },
-];
+import { VIEWS, ZOOM } from "./views";
 
 const OVERLAYS: readonly { readonly name: keyof Overlays; readonly label: string }[] = [
   { name: "isoU", label: "Lines round the pot (u)" },
@@ -28,9 +19,6 @@ const OVERLAYS: readonly { readonly name: keyof Overlays; readonly label: string
   { name: "axes", label: "Axes and dimensions" },
   { name: "cut", label: "Cut open" },
 ];
-
-/** How much closer one step comes. */
-export const ZOOM = 1.2;
 
 const ZOOMS: readonly {
   readonly label: string;

@@ -7,10 +7,9 @@ import type { Stage } from "../render/stage";
 import { type Comparison, type Shown, UNFETCHED } from "./designer";
 import { DesignerElement } from "./element";
 import type { StageMade } from "./stage-made";
-import "./stage-tools";
-import { VIEWS, ZOOM } from "./stage-tools";
 import { base } from "./styles";
 import { trace } from "./trace";
+import { VIEWS, ZOOM } from "./views";
 
 const TURN = Math.PI / 18;
 const PAN = 40;
@@ -94,6 +93,8 @@ export class PasuStage extends DesignerElement {
         },
       });
       this.mode = "live";
+      // The pot is drawn without waiting for its tools.
+      void import("./stage-tools");
     } catch {
       this.mode = "still";
     }

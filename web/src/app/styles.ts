@@ -104,6 +104,10 @@ export const buttons = css`
     color: var(--on-accent);
     font-weight: 550;
   }
+  .button.primary:disabled {
+    background: var(--well);
+    color: var(--soft);
+  }
   .button.primary:hover:not(:disabled) {
     background: var(--accent-strong);
   }

@@ -29,7 +29,7 @@ let sent: Request[];
 let port: FakePort;
 let listeners: (() => void)[];
 let workshop: Workshop;
-let now: { design: Design; session: Session; settled: boolean };
+let now: { design: Design; session: Session; settled: boolean; inGesture: boolean };
 
 /** The designer as far as the workshop looks at it. */
 function designer(): Designer {
@@ -39,6 +39,9 @@ function designer(): Designer {
     },
     get shown() {
       return { design: now.design, settled: now.settled, solved: { facts: { height: 150, width: 70, depth: 70 } } };
+    },
+    get store() {
+      return { inGesture: now.inGesture };
     },
     grid: () => ({ rows: 3, columns: 4 }),
     subscribe: (listener: () => void) => listeners.push(listener),
@@ -70,7 +73,7 @@ async function answer(value: unknown): Promise<void> {
 beforeEach(() => {
   sent = [];
   listeners = [];
-  now = { design: design(), session: NEW_SESSION, settled: true };
+  now = { design: design(), session: NEW_SESSION, settled: true, inGesture: false };
   const maker = new MakerClient(
     () => {
       port = new FakePort(sent);
@@ -101,6 +104,15 @@ test("nothing is made while the shape changes, everything once it rests", async 
   expect(asks()).toEqual([]);
   change({ settled: true });
   expect(asks()).toEqual(["solid"]);
+});
+
+test("a drag has the machine for itself: what is under way is ended, and asked again at rest", async () => {
+  expect(workshop.busy).toBe(true);
+  const other = design({ ...WALLED, shape: { kind: "bloor-wilson" } as Part["shape"] });
+  change({ design: other, settled: false, inGesture: true });
+  expect(workshop.busy).toBe(false);
+  change({ settled: true, inGesture: false });
+  expect(last()).toMatchObject({ kind: "solid", design: other });
 });
 
 test("a wall that changes is followed under the hand", async () => {

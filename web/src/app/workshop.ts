@@ -112,7 +112,8 @@ export class Workshop {
     const { shown } = this.#designer;
     const rests = shown?.settled === true && shown.design === design;
     const { of } = this.solid;
-    const rewalled = of !== null && of !== design && sameSurface(of.parts, design.parts);
+    const same = of !== null && sameSurface(of.parts, design.parts);
+    const rewalled = same && of !== design;
     const walled = design.parts.some((part) => part.wall !== undefined);
     if (rests || rewalled) {
       this.#draw(walled ? design : null, rests && of === design);
@@ -127,7 +128,14 @@ export class Workshop {
       const { rows, columns } = this.#designer.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
     }
-    this.#pour();
+    if (this.#designer.store.inGesture && !rests && !same) this.#rest();
+    else this.#pour();
+  }
+
+  /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
+  #rest(): void {
+    this.maker.cancel(...this.#asked.keys());
+    this.#asked.clear();
   }
 
   /** Coarsely at once, and finely once that is there and the hand rests. */

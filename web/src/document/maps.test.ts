@@ -1,26 +1,25 @@
 import { expect, test } from "vitest";
-import { MAPS, mapOf, mapWords, rangeOf } from "./maps";
+import { MAPS, mapOf, mapWords, scaleOf } from "./maps";
 
-test("colours with a middle have 0 there", () => {
+test("colours with a middle have 0 there, where values are on both sides", () => {
   const map = mapOf("mean-curvature");
-  expect(rangeOf(map, -1, 3)).toEqual([-3, 3]);
-  expect(rangeOf(map, 1, 3)).toEqual([-3, 3]);
-  const [low, high] = rangeOf(map, 0, 0);
-  expect(high).toBeGreaterThan(low);
+  expect(scaleOf(map, -1, 3)).toMatchObject({ low: -3, high: 3, ramp: map.ramp, note: map.note });
+  expect(scaleOf(map, 1, 3)).toMatchObject({ low: 1, high: 3, ramp: mapOf("thickness").ramp });
+  expect(scaleOf(map, 1, 3).note).not.toBe(map.note);
 });
 
-test("a wall of one thickness has a range all the same", () => {
-  const map = mapOf("thickness");
-  expect(rangeOf(map, 0.2, 0.3)).toEqual([0.2, 0.3]);
-  for (const value of [0.3, 0]) {
-    const [low, high] = rangeOf(map, value, value);
-    expect(low).toBeLessThan(value);
-    expect(high).toBeGreaterThan(value);
+test("a range is never empty", () => {
+  for (const map of MAPS) {
+    for (const value of [0.3, 0, -2]) {
+      const { low, high } = scaleOf(map, value, value);
+      expect(high).toBeGreaterThan(low);
+    }
   }
+  expect(scaleOf(mapOf("thickness"), 0.2, 0.3)).toMatchObject({ low: 0.2, high: 0.3 });
 });
 
 test("overhangs are compared with all that there can be", () => {
-  expect(rangeOf(mapOf("overhang"), 3, 20)).toEqual([0, 90]);
+  expect(scaleOf(mapOf("overhang"), 3, 20)).toMatchObject({ low: 0, high: 90 });
 });
 
 test("values have units", () => {

@@ -93,12 +93,28 @@ export function mapWords(name: MapName, value: number, unit: Unit): string {
   return name === "overhang" ? `${text}°` : `${text}\u00a0${mapUnit(name, unit)}`;
 }
 
-/** The range that the colours stand for: about 0 where the colours have a middle, and never empty. */
-export function rangeOf(map: ColourMap, low: number, high: number): readonly [number, number] {
-  if (map.diverging) {
-    const most = Math.max(Math.abs(low), Math.abs(high), Number.MIN_VALUE);
-    return [-most, most];
+/** How a map is drawn on one pot. */
+export interface Scale {
+  readonly ramp: readonly Rgb[];
+  /** What the ends of the colours stand for. */
+  readonly low: number;
+  readonly high: number;
+  readonly note: string;
+}
+
+/**
+ * The colours and what they stand for, on a pot whose values are nearly all from `low` to `high`. Colours with a middle have 0 there; where all values
+ * are on one side of it, colours that rise tell more of them apart. The range is never empty.
+ */
+export function scaleOf(map: ColourMap, low: number, high: number): Scale {
+  if (map.name === "overhang") return { ramp: map.ramp, low: 0, high: 90, note: map.note };
+  if (map.diverging && low < 0 && high > 0) {
+    const most = Math.max(-low, high);
+    return { ramp: map.ramp, low: -most, high: most, note: map.note };
   }
-  if (map.name === "overhang") return [0, 90];
-  return high > low ? [low, high] : [low - 0.5 * Math.abs(low || 1), high + 0.5 * Math.abs(high || 1)];
+  const ramp = map.diverging ? RISING : map.ramp;
+  const note = map.diverging ? "Violet is least, yellow most." : map.note;
+  if (high > low) return { ramp, low, high, note };
+  const room = 0.5 * Math.abs(low || 1);
+  return { ramp, low: low - room, high: high + room, note };
 }

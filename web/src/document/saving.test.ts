@@ -14,7 +14,11 @@ const making = (choices: Partial<Choices>) => makingOf({ ...CHOICES, ...choices 
 test("as designed, nothing is applied", () => {
   expect(making({})).toEqual({ product: "pot" });
   expect(scaleOf({}, MEASURES, "cm")).toEqual({ size: 1, shrinkage: 1, millimetres: 10 });
-  expect(sizesOf({}, MEASURES, "cm")).toEqual({ file: "60\u00a0mm wide, 100\u00a0mm high", fired: null, applied: "" });
+  expect(sizesOf({}, MEASURES, "cm")).toEqual({
+    file: "60\u00a0mm\u00a0wide, 100\u00a0mm\u00a0high",
+    fired: null,
+    applied: "",
+  });
 });
 
 test.each([
@@ -37,9 +41,9 @@ test("clay that shrinks is made larger, and both sizes are told", () => {
   const made = making({ shrinkage: "12,5", size: "height", measure: "20" });
   if ("field" in made) throw new Error(made.text);
   expect(sizesOf(made, MEASURES, "cm")).toEqual({
-    file: "137.1\u00a0mm wide, 228.6\u00a0mm high",
-    fired: "120\u00a0mm wide, 200\u00a0mm high",
-    applied: "scaled by 2, made 14.3 % larger for the shrinkage",
+    file: "137.1\u00a0mm\u00a0wide, 228.6\u00a0mm\u00a0high",
+    fired: "120\u00a0mm\u00a0wide, 200\u00a0mm\u00a0high",
+    applied: "scaled by 2, made 14.3\u00a0% larger for the shrinkage",
   });
 });
 

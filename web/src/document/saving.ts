@@ -64,6 +64,9 @@ export interface Problem {
   readonly text: string;
 }
 
+/** Keeps a number, its unit and what it is of in one line. */
+const GAP = "\u00a0";
+
 /** Clay that shrinks by half is no clay. */
 const MOST_SHRINKAGE = 50;
 
@@ -138,9 +141,10 @@ export interface Sizes {
 export function sizesOf(making: Making, measures: Measures, unit: Unit): Sizes {
   const { size, shrinkage, millimetres } = scaleOf(making, measures, unit);
   const fired = millimetres / shrinkage;
+  const factor = formatNumber(size, 4);
   const applied = [
-    ...(Math.abs(size - 1) > 1e-9 ? [`scaled by ${formatNumber(size, 4)}`] : []),
-    ...(shrinkage > 1 ? [`made ${formatNumber(100 * (shrinkage - 1), 3)} % larger for the shrinkage`] : []),
+    ...(factor === "1" ? [] : [`scaled by ${factor}`]),
+    ...(shrinkage > 1 ? [`made ${formatNumber(100 * (shrinkage - 1), 3)}${GAP}% larger for the shrinkage`] : []),
   ];
   return {
     file: millimetresWords(measures, millimetres),
@@ -151,6 +155,6 @@ export function sizesOf(making: Making, measures: Measures, unit: Unit): Sizes {
 
 /** "84 mm wide, 120 mm high" */
 function millimetresWords({ height, width }: Measures, scale: number): string {
-  const words = (value: number) => `${formatNumber(value * scale, 4)}\u00a0mm`;
-  return `${words(width.greatest.value)} wide, ${words(height.value)} high`;
+  const words = (value: number) => `${formatNumber(value * scale, 4)}${GAP}mm`;
+  return `${words(width.greatest.value)}${GAP}wide, ${words(height.value)}${GAP}high`;
 }

@@ -61,9 +61,12 @@ pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Option<Vec<[u32; 3]>>
     let mut triangles = Vec::with_capacity(plan.num_inner_faces());
     for face in plan.inner_faces() {
         if depth[face.fix().index()].is_some_and(|depth| depth % 2 == 1) {
-            triangles.push(face.vertices().map(|vertex| vertex.data().vertex));
+            let [a, b, c] = face.vertices().map(|vertex| vertex.data().vertex);
+            // In an order that depends on nothing but the vertices.
+            triangles.push([[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or([a, b, c]));
         }
     }
+    triangles.sort_unstable();
     Some(triangles)
 }
 

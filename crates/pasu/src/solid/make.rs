@@ -18,8 +18,8 @@ use crate::mesh::places;
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
 
-/// How many times as finely a part is meshed, and its thickness looked into, in turn, before it is refused.
-const FINENESS: [usize; 2] = [1, 3];
+/// How many times as finely the thickness is looked into, and a part is meshed, in turn, before it is refused.
+const FINENESS: [(usize, f64); 3] = [(1, 1.0), (3, 1.0), (3, 3.0)];
 
 /// A wall that is somewhere thinner than this part of what was asked for cannot be made if it was not meshed at once.
 const THINNEST: f64 = 0.05;
@@ -65,15 +65,19 @@ pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) ->
         return Err(error);
     }
     let mut refusal = None;
-    for fineness in FINENESS {
-        let pot = Pot::with_fineness(design, part, making.product, fineness)?;
-        let mut woven = woven(design, &pot, making, fineness as f64, scale)?;
-        compact(&mut woven);
-        match verdict(&pot, &woven, scale) {
-            Ok(topology) => return Ok(Made { mesh: finished(&woven, part, scale), pot, topology }),
+    for (attempt, (of_thickness, of_mesh)) in FINENESS.into_iter().enumerate() {
+        let pot = Pot::with_fineness(design, part, making.product, of_thickness)?;
+        let made = woven(design, &pot, making, of_mesh, scale).and_then(|mut woven| {
+            compact(&mut woven);
+            Ok((verdict(&pot, &woven, scale)?, finished(&woven, part, scale)))
+        });
+        match made {
+            Ok((topology, mesh)) => return Ok(Made { mesh, pot, topology }),
+            // Looking more closely does not make a pot smaller.
+            Err(error) if ["overflow", "too-large", "tolerance-too-fine"].contains(&error.code()) => return Err(error),
             Err(error) => refusal = Some(error),
         }
-        if fineness == 1
+        if attempt == 0
             && let Some(error) = too_thin(&pot, making)
         {
             return Err(error);

@@ -492,6 +492,11 @@ impl Builder<'_> {
     fn hole_fits(&self, hole: &Curve, outline: &Outline, wall: &Wall) -> Result<()> {
         let frame = self.skin.frame();
         let middle = frame.plan(outline.middle.unwrap_or(outline.mean));
+        if !outline.goes_round_middle {
+            let at = outline.middle.unwrap_or(outline.mean);
+            let message = format!("the middle of the base at {} is outside of it, so no drain can be there", place(at));
+            return Err(self.error(Code::NoRoom, "wall.drain", message).near(at.to_array()));
+        }
         let reach = self.skin.round().map(|v| (frame.plan(hole.at(v).0) - middle).length()).fold(0.0, f64::max);
         if reach < outline.narrowest {
             return Ok(());
@@ -513,6 +518,8 @@ struct Outline {
     lowest: f64,
     highest: f64,
     is_level: bool,
+    /// Whether the middle is within it.
+    goes_round_middle: bool,
     /// Whether all of it is seen from the middle.
     is_star: bool,
     /// 1 where it goes round anti-clockwise, otherwise -1.
@@ -555,6 +562,9 @@ impl Outline {
             (least, most) = (least.min(turn), most.max(turn));
             narrowest = narrowest.min(arm.length());
         }
+        let arms: Vec<DVec2> = points.iter().map(|(p, _)| frame.plan(*p) - middle).collect();
+        let turns = arms.iter().zip(arms.iter().cycle().skip(1)).map(|(a, b)| libm::atan2(a.perp_dot(*b), a.dot(*b)));
+        let goes_round_middle = turns.sum::<f64>().abs() > 1.0;
         let widest = points.iter().fold(0.0f64, |widest, (p, _)| widest.max((*p - mean).length()));
         let first = points.first().map_or(DVec2::X, |(p, _)| frame.plan(*p) - middle);
         Outline {
@@ -563,6 +573,7 @@ impl Outline {
             lowest,
             highest,
             is_level,
+            goes_round_middle,
             is_star: least > 0.0 || most < 0.0,
             turn: if area < 0.0 { -1.0 } else { 1.0 },
             widest,

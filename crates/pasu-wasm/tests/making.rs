@@ -1,0 +1,237 @@
+//! Measures, checks, files and what is drawn of a pot: what JavaScript may pass, what it gets back and how it is refused, in Node.
+
+#![cfg(feature = "making")]
+
+use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
+use pasu_wasm::{check, link, measure, mesh, open, paint, parse, solid, water, write};
+use serde_json::{Map, Value};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::wasm_bindgen_test;
+use xxhash_rust::xxh64::xxh64;
+
+/// Written and checked by the native tests: for each design its link, what is made of it, and a hash of every file.
+const GOLDENS: &str = include_str!("../../../tests/goldens/files.json");
+
+const FORMATS: [&str; 7] = ["stl", "3mf", "glb", "obj", "ply", "step", "svg"];
+
+const MEASURES: &[&str] = &[
+    "unit",
+    "product",
+    "height",
+    "bottom",
+    "top",
+    "width",
+    "area",
+    "clay",
+    "capacity",
+    "centre",
+    "footprint",
+    "tipping",
+    "parts",
+];
+
+/// A cylinder of radius 3 and height 4 with a wall of 0.5, in inches.
+const CUP: &str = r#"{ "pasu": 1, "unit": "in", "parts": [{
+    "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    "wall": { "thickness": 0.5, "base": 1 } }] }"#;
+
+#[wasm_bindgen_test]
+fn files_are_those_of_the_native_build() {
+    let goldens: Map<String, Value> = serde_json::from_str(GOLDENS).expect("the goldens are JSON");
+    let text = |key: String| goldens[&key].as_str().expect("a text").to_owned();
+    let names: Vec<&str> = goldens.keys().filter_map(|key| key.strip_suffix(": link")).collect();
+    assert!(names.len() >= 5, "the goldens have lost designs");
+    for name in names {
+        let source = JsValue::from(text(format!("{name}: link")));
+        let making = js(&text(format!("{name}: making")));
+        for format in FORMATS {
+            let bytes = write(&source, &format.into(), &making).unwrap_or_else(|error| panic!("{name}: {error:?}"));
+            let hash = format!("{:016x}", xxh64(&bytes.to_vec(), 0));
+            assert_eq!(hash, text(format!("{name}.{format}")), "{name}.{format}");
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_file_opens_the_design_that_it_was_made_of() {
+    let cup = JsValue::from(CUP);
+    for format in FORMATS {
+        let bytes = write(&cup, &format.into(), &js(r#"{ "tolerance": 0.05 }"#)).expect("a file");
+        let found = open(&bytes).expect("bytes");
+        // The header of an STL file has room for a short link only.
+        let expected = (format != "stl").then(|| link(&cup).expect("a link"));
+        assert_eq!(found, expected, "{format}");
+        found.map(|link| parse(&link.into()).expect("a design"));
+    }
+    let vase = JsValue::from("#1/bloor-wilson?n1=5");
+    let bytes = write(&vase, &"stl".into(), &js(r#"{ "product": "solid", "tolerance": 0.1 }"#)).expect("a file");
+    assert_eq!(open(&bytes), Ok(Some("1/bloor-wilson?n1=5".to_owned())));
+    assert_eq!(open(&Uint8Array::new_with_length(200)), Ok(None));
+    expect(open(&"stl".into()), "wrong-type", "bytes");
+}
+
+#[wasm_bindgen_test]
+fn measures_are_plain_data() {
+    let cup = JsValue::from(CUP);
+    let measures = measure(&cup, &js(r#"{ "fill": 2, "density": 2 }"#)).expect("measures");
+    let keys: Vec<String> =
+        Object::keys(measures.unchecked_ref::<Object>()).iter().filter_map(|key| key.as_string()).collect();
+    assert_eq!(keys, MEASURES);
+    let number = |path: &str| at(&measures, path).as_f64().unwrap_or_else(|| panic!("{path} is a number"));
+    let pi = std::f64::consts::PI;
+    for (path, expected) in [
+        ("height.value", 4.0),
+        ("capacity.brim.value", pi * 2.5 * 2.5 * 3.0),
+        ("capacity.fill.volume.value", pi * 2.5 * 2.5),
+        ("clay.volume.value", pi * (9.0 * 4.0 - 2.5 * 2.5 * 3.0)),
+        ("parts.0.thickness.asked", 0.5),
+    ] {
+        let found = number(path);
+        assert!((found - expected).abs() <= 1e-9 * expected, "{path} is {found}, expected {expected}");
+    }
+    // 2 g/cm3, 16.387 cm3 to the cubic inch.
+    let mass = number("clay.mass.value") / number("clay.volume.value");
+    assert!((mass - 2.0 * 16.387_064).abs() < 1e-9, "{mass} g per cubic inch");
+    assert!(at(&measure(&cup, &js(r#"{ "product": "solid" }"#)).expect("measures"), "capacity").is_null());
+    measure(&cup, &JsValue::UNDEFINED).expect("options may be left out");
+}
+
+#[wasm_bindgen_test]
+fn checks_say_what_cannot_be_made() {
+    let good = check(&CUP.into(), &js(r#"{ "tolerance": 0.05 }"#)).expect("a report");
+    assert_eq!(at(&good, "ok"), JsValue::TRUE);
+    assert_eq!(at(&good, "product"), JsValue::from("pot"));
+    assert_eq!(at(&good, "meshes.0.closed"), JsValue::TRUE);
+    assert_eq!(at(&good, "meshes.0.crossings").as_f64(), Some(0.0));
+    let bare = CUP.replace(r#""wall": { "thickness": 0.5, "base": 1 }"#, r#""object": 0"#);
+    let bad = check(&bare.as_str().into(), &JsValue::UNDEFINED).expect("a report");
+    assert_eq!(at(&bad, "ok"), JsValue::FALSE);
+    assert_eq!(at(&bad, "findings.0.severity"), JsValue::from("error"));
+    assert_eq!(at(&bad, "findings.0.part").as_f64(), Some(0.0));
+    assert!(at(&bad, "findings.0.message").as_string().is_some_and(|text| text.len() > 10));
+    check(&bare.as_str().into(), &js(r#"{ "product": "solid" }"#)).expect("a solid needs no wall");
+}
+
+#[wasm_bindgen_test]
+fn a_solid_is_drawn_in_model_units() {
+    let making = js(r#"{ "size": { "height": 2 }, "shrinkage": 20, "tolerance": 0.05 }"#);
+    let drawn = solid(&CUP.into(), &making).expect("a solid");
+    let positions = at(&drawn, "positions").unchecked_into::<Float32Array>().to_vec();
+    let normals = at(&drawn, "normals").unchecked_into::<Float32Array>().to_vec();
+    let indices = at(&drawn, "indices").unchecked_into::<Uint32Array>().to_vec();
+    assert_eq!(positions.len(), normals.len());
+    let (low, high) = positions.iter().fold((f32::MAX, f32::MIN), |(low, high), &x| (low.min(x), high.max(x)));
+    assert!((low + 3.0).abs() < 1e-5 && (high - 4.0).abs() < 1e-5, "{low} to {high}");
+    for normal in normals.chunks(3) {
+        let length: f32 = normal.iter().map(|x| x * x).sum();
+        assert!((length - 1.0).abs() < 1e-5, "{normal:?}");
+    }
+    let mut next = 0;
+    let mut kinds = Vec::new();
+    for face in at(&drawn, "faces").unchecked_into::<Array>().iter() {
+        kinds.push(at(&face, "kind").as_string().expect("a word"));
+        assert_eq!(at(&face, "first").as_f64(), Some(f64::from(next)));
+        next += at(&face, "count").as_f64().expect("a number") as u32;
+    }
+    assert_eq!(next as usize, indices.len());
+    kinds.sort();
+    assert_eq!(kinds, ["floor", "lining", "outer", "rim", "underside"]);
+    let scale = |name: &str| at(&drawn, &format!("scale.{name}")).as_f64().expect("a number");
+    assert!((scale("size") - 0.5).abs() < 1e-12 && (scale("shrinkage") - 1.25).abs() < 1e-12);
+    assert!((scale("millimetres") - 25.4 * 0.625).abs() < 1e-9);
+}
+
+#[wasm_bindgen_test]
+fn colours_have_one_value_for_each_vertex() {
+    let cup = JsValue::from(CUP);
+    let grid = js(r#"{ "rows": 5, "columns": 9 }"#);
+    let meshed = mesh(&cup, &grid, &JsValue::UNDEFINED).expect("a mesh");
+    let n_vertices = at(&meshed, "positions").unchecked_into::<Float32Array>().length() / 3;
+    for (map, expected) in
+        [("mean-curvature", 1.0 / 6.0), ("gaussian-curvature", 0.0), ("thickness", 0.5), ("overhang", 0.0)]
+    {
+        let painted = paint(&cup, &map.into(), &grid).expect("values");
+        assert_eq!(at(&painted, "values").unchecked_into::<Float32Array>().length(), n_vertices, "{map}");
+        for bound in ["least", "greatest"] {
+            let found = at(&painted, bound).as_f64().expect("a number");
+            assert!((found - expected).abs() < 1e-5, "{map}: {bound} is {found}, expected {expected}");
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn water_stands_where_it_is_told() {
+    let filled = water(&CUP.into(), &2.5.into()).expect("water");
+    let volume = at(&filled, "volume").as_f64().expect("a number");
+    assert!((volume - std::f64::consts::PI * 2.5 * 2.5 * 1.5).abs() < 1e-5, "{volume}");
+    let positions = at(&filled, "positions").unchecked_into::<Float32Array>().to_vec();
+    assert!(positions.chunks(3).all(|point| point[2] == 2.5));
+    let indices = at(&filled, "indices").unchecked_into::<Uint32Array>().to_vec();
+    assert!(indices.len() >= 30 && indices.iter().all(|&index| (index as usize) < positions.len() / 3));
+}
+
+#[wasm_bindgen_test]
+fn wrong_arguments_are_refused_by_name() {
+    let cup = JsValue::from(CUP);
+    let cases = [
+        (r#"{ "size": 5 }"#, "wrong-type", "size"),
+        (r#"{ "size": {} }"#, "missing-field", "size"),
+        (r#"{ "size": { "height": 1, "width": 1 } }"#, "duplicate", "size"),
+        (r#"{ "size": { "height": "tall" } }"#, "wrong-type", "size.height"),
+        (r#"{ "size": { "height": 0 } }"#, "out-of-range", "size.height"),
+        (r#"{ "size": { "depth": 1 } }"#, "unknown-field", "size.depth"),
+        (r#"{ "shrinkage": 50 }"#, "out-of-range", "shrinkage"),
+        (r#"{ "tolerance": -1 }"#, "out-of-range", "tolerance"),
+        (r#"{ "product": "mug" }"#, "unknown-name", "product"),
+        (r#"{ "product": 5 }"#, "wrong-type", "product"),
+        (r#"{ "colour": 5 }"#, "unknown-field", "colour"),
+        (r#""large""#, "wrong-type", "making"),
+    ];
+    for (making, code, path) in cases {
+        let making = js(making);
+        expect(check(&cup, &making), code, path);
+        expect(write(&cup, &"stl".into(), &making), code, path);
+        expect(solid(&cup, &making), code, path);
+    }
+    let nan = Object::new();
+    Reflect::set(&nan, &"shrinkage".into(), &f64::NAN.into()).expect("set");
+    expect(check(&cup, &nan), "not-finite", "shrinkage");
+
+    expect(write(&cup, &"doc".into(), &JsValue::UNDEFINED), "unknown-name", "format");
+    expect(write(&cup, &JsValue::UNDEFINED, &JsValue::UNDEFINED), "wrong-type", "format");
+    expect(paint(&cup, &"heat".into(), &JsValue::UNDEFINED), "unknown-name", "map");
+    expect(paint(&cup, &"overhang".into(), &js(r#"{ "rows": 0.5 }"#)), "out-of-range", "options.rows");
+    expect(water(&cup, &"full".into()), "wrong-type", "level");
+    expect(water(&cup, &f64::NAN.into()), "not-finite", "level");
+    expect(water(&cup, &100.into()), "out-of-range", "level");
+    expect(measure(&cup, &js(r#"{ "fill": "full" }"#)), "wrong-type", "fill");
+    expect(measure(&cup, &js(r#"{ "density": 0 }"#)), "out-of-range", "density");
+    expect(measure(&cup, &js(r#"{ "size": 5 }"#)), "unknown-field", "size");
+    for source in [JsValue::UNDEFINED, 5.into()] {
+        expect(measure(&source, &JsValue::UNDEFINED), "wrong-type", "");
+        expect(check(&source, &JsValue::UNDEFINED), "wrong-type", "");
+        expect(write(&source, &"stl".into(), &JsValue::UNDEFINED), "wrong-type", "");
+        expect(solid(&source, &JsValue::UNDEFINED), "wrong-type", "");
+        expect(paint(&source, &"overhang".into(), &JsValue::UNDEFINED), "wrong-type", "");
+        expect(water(&source, &1.into()), "wrong-type", "");
+    }
+}
+
+fn expect<T: std::fmt::Debug>(outcome: Result<T, impl Into<JsValue>>, code: &str, path: &str) {
+    let error: JsValue = match outcome {
+        Ok(value) => panic!("expected {code} at `{path}`, got {value:?}"),
+        Err(error) => error.into(),
+    };
+    let text = |key: &str| at(&error, key).as_string().unwrap_or_default();
+    assert_eq!((text("name").as_str(), text("code").as_str(), text("path").as_str()), ("PasuError", code, path));
+    assert!(text("message").len() > 10, "a message for a person, found {:?}", text("message"));
+}
+
+/// A value at a path such as `parts.0.name`.
+fn at(value: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(value.clone(), |value, key| Reflect::get(&value, &key.into()).expect("a field"))
+}
+
+fn js(text: &str) -> JsValue {
+    JSON::parse(text).expect("JSON")
+}
