@@ -42,7 +42,7 @@ const MOST_PLACES: usize = 100_000;
 pub(crate) enum Thickness {
     /// As asked for, everywhere.
     Even(f64),
-    /// Bilinear between rows and even columns.
+    /// Less than asked for somewhere.
     Thinned(Thinned),
 }
 
@@ -92,22 +92,26 @@ impl Thickness {
         if values.iter().all(|t| *t >= asked) {
             return Ok(Thickness::Even(asked));
         }
-        let mut values = smoothed(&values, columns);
-        // A mean of equal numbers may be less than they are in its last place.
+        let mut values = least_nearby(&values, columns);
+        // What is thinner by rounding alone is not thinned.
         values.iter_mut().filter(|t| **t > asked * (1.0 - ROUNDING)).for_each(|t| *t = asked);
+        let mut thinned = Thinned { rows, values, n_columns: columns, thinnest: (asked, DVec3::ZERO), share: 0.0 };
         let mut thinnest = (f64::INFINITY, DVec3::ZERO);
-        let (mut thinned, mut area) = (0.0, 0.0);
-        for (sample, t) in samples.iter().zip(&values) {
-            if *t < thinnest.0 {
-                thinnest = (*t, sample.position);
+        let (mut thinned_area, mut area) = (0.0, 0.0);
+        for (number, sample) in samples.iter().enumerate() {
+            let (row, column) = (number / columns, number % columns);
+            let [t, ..] = thinned.at(thinned.rows[row], TAU * column as f64 / columns as f64);
+            if t < thinnest.0 {
+                thinnest = (t, sample.position);
             }
             area += sample.area;
-            if *t < asked {
-                thinned += sample.area;
+            if t < asked {
+                thinned_area += sample.area;
             }
         }
-        let share = if area > 0.0 { thinned / area } else { 0.0 };
-        Ok(Thickness::Thinned(Thinned { rows, values, n_columns: columns, thinnest, share }))
+        thinned.thinnest = thinnest;
+        thinned.share = if area > 0.0 { thinned_area / area } else { 0.0 };
+        Ok(Thickness::Thinned(thinned))
     }
 
     /// Whether it is as asked for everywhere.
@@ -130,40 +134,67 @@ impl Thinned {
         self.values.iter().fold(0.0, |most, t| most.max(*t))
     }
 
+    /// A quadratic spline whose knots lie half-way between the places, so that its slopes have no jumps: near a place it is a mean of what stands there and at its eight neighbours.
     fn at(&self, s: f64, v: f64) -> [f64; 3] {
-        let row = self.rows.partition_point(|row| *row <= s).clamp(1, self.rows.len() - 1) - 1;
-        let gap = self.rows[row + 1] - self.rows[row];
-        let p = ((s - self.rows[row]) / gap).clamp(0.0, 1.0);
+        let last = self.rows.len() as isize - 1;
+        // Beyond the ends the rows are mirrored.
+        let place = |k: isize| {
+            let row = |k: isize| self.rows[k.clamp(0, last) as usize];
+            if k < 0 {
+                2.0 * row(0) - row(-k)
+            } else if k > last {
+                2.0 * row(last) - row(2 * last - k)
+            } else {
+                row(k)
+            }
+        };
+        let knot = |k: isize| 0.5 * (place(k) + place(k + 1));
+        let after = self.rows.partition_point(|row| *row <= s) as isize;
+        let row = if after > 0 && s < knot(after - 1) { after - 1 } else { after.min(last) };
+        let [a, b, c, d] = [knot(row - 2), knot(row - 1), knot(row), knot(row + 1)];
+        let (before, behind) = (s - b, c - s);
+        let along = [behind * behind / ((c - b) * (c - a)), before * before / ((c - b) * (d - b))];
+        let along_s = [-2.0 * behind / ((c - b) * (c - a)), 2.0 * before / ((c - b) * (d - b))];
+
         let n = self.n_columns;
-        let column = v / TAU * n as f64;
-        let whole = libm::floor(column);
-        let q = column - whole;
-        let (left, right) = (whole as usize % n, (whole as usize + 1) % n);
-        let value = |row: usize, column: usize| self.values[row * n + column];
-        let [a, b, c, d] = [value(row, left), value(row, right), value(row + 1, left), value(row + 1, right)];
-        let (low, high) = (a + q * (b - a), c + q * (d - c));
-        let per_turn = n as f64 / TAU;
-        [low + p * (high - low), (high - low) / gap, ((1.0 - p) * (b - a) + p * (d - c)) * per_turn]
+        let turns = v / TAU * n as f64;
+        let nearest = libm::floor(turns + 0.5);
+        let off = turns - nearest;
+        let round = [0.5 * (0.5 - off) * (0.5 - off), 0.5 * (0.5 + off) * (0.5 + off)];
+        let round_v = [off - 0.5, off + 0.5].map(|slope| slope * n as f64 / TAU);
+        let column = nearest as isize;
+        // Differences, so that equal numbers have themselves as mean.
+        let mixed =
+            |[left, middle, right]: [f64; 3], [l, r]: [f64; 2]| (l * (left - middle), r * (right - middle), middle);
+        let at_row = |k: isize| {
+            let values = [-1, 0, 1].map(|step| {
+                let column = (column + step).rem_euclid(n as isize) as usize;
+                self.values[k.clamp(0, last) as usize * n + column]
+            });
+            let ((l, r, middle), (l_v, r_v, _)) = (mixed(values, round), mixed(values, round_v));
+            [middle + (l + r), l_v + r_v]
+        };
+        let [above, here, below] = [at_row(row - 1), at_row(row), at_row(row + 1)];
+        let ((l, r, t), (l_s, r_s, _)) =
+            (mixed([above[0], here[0], below[0]], along), mixed([above[0], here[0], below[0]], along_s));
+        let (l_v, r_v, t_v) = mixed([above[1], here[1], below[1]], along);
+        [t + (l + r), l_s + r_s, t_v + (l_v + r_v)]
     }
 }
 
-/// The mean of the neighbourhood's least values: nowhere more than what was there, and without its edges.
-fn smoothed(values: &[f64], columns: usize) -> Vec<f64> {
+/// The least of each value and its eight neighbours: a mean of these round a place is nowhere more than what was there.
+fn least_nearby(values: &[f64], columns: usize) -> Vec<f64> {
     let rows = values.len() / columns;
-    let over = |values: &[f64], merge: fn([f64; 3]) -> f64| -> Vec<f64> {
-        let at = |i: usize, j: usize| values[i * columns + j % columns];
-        let round: Vec<f64> = (0..values.len())
-            .map(|k| (k / columns, k % columns))
-            .map(|(i, j)| merge([at(i, j + columns - 1), at(i, j), at(i, j + 1)]))
-            .collect();
-        let at = |i: usize, j: usize| round[i * columns + j];
-        (0..values.len())
-            .map(|k| (k / columns, k % columns))
-            .map(|(i, j)| merge([at(i.saturating_sub(1), j), at(i, j), at((i + 1).min(rows - 1), j)]))
-            .collect()
-    };
-    let least = over(values, |[a, b, c]| a.min(b).min(c));
-    over(&least, |[a, b, c]| (a + b + c) / 3.0)
+    let at = |i: usize, j: usize| values[i * columns + j % columns];
+    let round: Vec<f64> = (0..values.len())
+        .map(|k| (k / columns, k % columns))
+        .map(|(i, j)| at(i, j + columns - 1).min(at(i, j)).min(at(i, j + 1)))
+        .collect();
+    let at = |i: usize, j: usize| round[i * columns + j];
+    (0..values.len())
+        .map(|k| (k / columns, k % columns))
+        .map(|(i, j)| at(i.saturating_sub(1), j).min(at(i, j)).min(at((i + 1).min(rows - 1), j)))
+        .collect()
 }
 
 /// The rows and columns of a mesh of the part, and as many more as it takes.
