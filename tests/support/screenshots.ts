@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 import { beforeAll, test } from "vitest";
 import { atRest } from "./sight.ts";
 import { stay } from "./stay.ts";
-import { PHONE, type VisitOptions } from "./visit.ts";
+import { PHONE, type Visit, type VisitOptions } from "./visit.ts";
 
 const DOCS = fileURLToPath(new URL("../../docs", import.meta.url));
 const here = stay();
@@ -25,19 +25,33 @@ interface Scene {
   readonly exhibit: string;
   readonly panel?: "Profile" | "Look";
   readonly gallery?: boolean;
+  /** A pot with its wall, cut open, and the water in it. */
+  readonly filled?: boolean;
 }
 
 const SCENES: readonly Scene[] = [
   { name: "designer", options: { ...WIDE, colorScheme: "light" }, exhibit: "own-dint" },
   { name: "designer-dark", options: { ...WIDE, colorScheme: "dark" }, exhibit: "own-dint", panel: "Profile" },
   { name: "gallery", options: { ...WIDE, colorScheme: "light" }, exhibit: "own-dint", gallery: true },
+  { name: "making", options: { ...WIDE, colorScheme: "light" }, exhibit: "own-moon-jar", filled: true },
   { name: "phone", options: { ...PHONE, colorScheme: "light" }, exhibit: "own-moon-jar" },
   { name: "phone-dark", options: { ...PHONE, colorScheme: "dark" }, exhibit: "own-trumpet", panel: "Look" },
 ];
 
+async function fill(pot: Visit): Promise<void> {
+  await pot.makePot();
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  await pot.page.getByText("The mesh is closed").waitFor();
+  await pot.page
+    .getByText(/^8\.\d+.l$/)
+    .first()
+    .waitFor();
+}
+
 beforeAll(() => mkdir(DOCS, { recursive: true }));
 
-test.each(SCENES)("$name", async ({ name, options, exhibit, panel, gallery }) => {
+test.each(SCENES)("$name", async ({ name, options, exhibit, panel, gallery, filled }) => {
   const pot = await here.enter(options);
   await pot.fingerprint();
   await pot.command("Gallery");
@@ -49,6 +63,7 @@ test.each(SCENES)("$name", async ({ name, options, exhibit, panel, gallery }) =>
     await pot.page.locator("pasu-gallery").waitFor({ state: "detached" });
     await pot.fingerprint();
     if (panel) await pot.tab(panel);
+    if (filled) await fill(pot);
     await pot.page.mouse.move(0, 0);
   }
   await atRest(pot);

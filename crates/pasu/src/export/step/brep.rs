@@ -14,6 +14,8 @@ use crate::solid::Face;
 const PLACES: [f64; 8] = [0.0, 0.11, 0.23, 0.37, 0.5, 0.61, 0.78, 0.93];
 /// Ends that are no farther apart, as a part of the size of the solid, are one curve; smaller ones are one point.
 const SAME: f64 = 1e-9;
+/// The same where a face without width was left out between them.
+const MEETS: f64 = 3.0 * SAME;
 /// What is off a plane by no more than this is in it, millimetres.
 const LEVEL: f64 = 2e-9;
 
@@ -43,6 +45,7 @@ pub(super) fn sew(
     path: &str,
 ) -> Result<Sewn> {
     let faces: Vec<Scaled> = faces.iter().map(|face| Scaled { face: *face, millimetres }).collect();
+    let faces = with_width(faces);
     let boundaries = boundaries(&faces, path)?;
     let fitted = fit(&faces, &boundaries, tolerance);
     let last = fitted.columns.len() - 1;
@@ -53,6 +56,18 @@ pub(super) fn sew(
     let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
     let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
     Ok(Sewn { solid, deviation: fitted.deviation, bound: fitted.bound, n_samples: fitted.n_samples })
+}
+
+/// Leaves out faces that are no wider than a curve, as the upright part of a lining that begins in the floor: neighbours on both sides then meet there.
+fn with_width(faces: Vec<Scaled>) -> Vec<Scaled> {
+    let at = |face: &Scaled, a: f64| PLACES.map(|part| face.position(a, part * std::f64::consts::TAU));
+    let points: Vec<DVec3> = faces.iter().flat_map(|face| at(face, 0.0)).collect();
+    let size = points.iter().map(|point| (*point - points[0]).length()).fold(0.0, f64::max);
+    let is_wide = |face: &Scaled| {
+        let start = at(face, 0.0);
+        [0.5, 1.0].into_iter().any(|a| at(face, a).iter().zip(start).any(|(b, a)| (*b - a).length() > SAME * size))
+    };
+    faces.into_iter().filter(is_wide).collect()
 }
 
 /// Finds for every end of every face whether it is a pole or which neighbour it is shared with.
@@ -77,7 +92,7 @@ fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
             continue;
         }
         let other = (index + 1..ends.len())
-            .find(|other| found[*other].is_none() && apart(&curves[index], &curves[*other]) <= SAME * size);
+            .find(|other| found[*other].is_none() && apart(&curves[index], &curves[*other]) <= MEETS * size);
         let Some(other) = other else {
             let message = format!(
                 "The {:?} face of this part ends where no other begins; this is a mistake of Pasu's own.",

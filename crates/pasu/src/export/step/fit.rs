@@ -24,7 +24,7 @@ const SHARE: f64 = 0.4;
 /// A face that is not exact has creases where it was interpolated, which are no part of the pot: it is followed so many times less closely, and with fewer nodes.
 const INEXACT: f64 = 10.0;
 const MOST_ROWS_INEXACT: usize = 129;
-const MOST_COLUMNS_INEXACT: usize = 257;
+const MOST_COLUMNS_INEXACT: usize = 513;
 
 /// The faces of one solid as splines, with common columns: neighbours that share a boundary curve have the same boundary row.
 pub(super) struct Fitted {
