@@ -143,7 +143,7 @@ impl Coefficients {
             }
         }
         self.layout = match self.has {
-            [[_, false], [false, _], [cos, sin]] if !(cos && sin) && !leans[1] && folds => {
+            [[_, false], [false, _], [cos, sin]] if folds && !(leans[1] || cos && sin) => {
                 Layout::Split { z_is_sine: sin }
             }
             _ => Layout::Both,
@@ -288,37 +288,12 @@ impl Coefficients {
     fn variances(&self, scale: f32) -> [Lanes; 3] {
         let scales = [Lanes::splat(scale), Lanes::ONE, Lanes::ONE];
         let (mut variances, mut lengths) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
-        let n_even = self.n_even;
-        let all = |strands: &[[Strand; 3]], axis: usize, squares: &mut [Lanes; 3], whole: &mut [Lanes; 3]| {
-            let mut n_parts = 0.0;
-            for part in [strands.get(..n_even), strands.get(n_even..)].into_iter().flatten() {
-                n_parts += f32::from(u8::from(!part.is_empty()));
-                let mut partial = [Lanes::ZERO; 3];
-                for (index, strand) in part.iter().enumerate() {
-                    for (((partial, square), strand), scale) in
-                        partial.iter_mut().zip(squares.iter_mut()).zip(strand[axis]).zip(scales)
-                    {
-                        let size = strand * scale;
-                        // Rounding of the table, of the coefficient and of the product; and, from the second on, of the sum.
-                        *square += size * size * 3.0;
-                        *partial += size.abs();
-                        if index > 0 {
-                            *square += *partial * *partial;
-                        }
-                    }
-                }
-                for (whole, partial) in whole.iter_mut().zip(partial) {
-                    *whole += partial;
-                }
-            }
-            n_parts
-        };
         for (axis, [value, slope]) in self.constant.iter().enumerate() {
             let constants = [value.abs() * scale, slope.abs(), Lanes::ZERO];
             let (mut squares, mut whole) = (constants.map(|constant| constant * constant), constants);
-            let mut n_parts = all(&self.strands, axis, &mut squares, &mut whole);
+            let mut n_parts = self.weigh(&self.strands, axis, scales, &mut squares, &mut whole);
             if self.layout == Layout::Both {
-                n_parts += all(&self.sine_strands, axis, &mut squares, &mut whole);
+                n_parts += self.weigh(&self.sine_strands, axis, scales, &mut squares, &mut whole);
             }
             for i in 0..3 {
                 let length = whole[i] * whole[i];
@@ -331,6 +306,38 @@ impl Coefficients {
             *variance = (*variance + length * 0.5) * ((ROUNDING * ROUNDING) as f32);
         }
         variances
+    }
+
+    /// Adds the squared errors of one component's sums in units of a rounding, and their sizes; returns in how many parts they are summed.
+    #[inline(never)]
+    fn weigh(
+        &self,
+        strands: &[[Strand; 3]],
+        axis: usize,
+        scales: [Lanes; 3],
+        squares: &mut [Lanes; 3],
+        whole: &mut [Lanes; 3],
+    ) -> f32 {
+        let mut n_parts = 0.0;
+        for part in [strands.get(..self.n_even), strands.get(self.n_even..)].into_iter().flatten() {
+            n_parts += f32::from(u8::from(!part.is_empty()));
+            let mut partial = [Lanes::ZERO; 3];
+            for (index, strand) in part.iter().enumerate() {
+                for i in 0..3 {
+                    let size = strand[axis][i] * scales[i];
+                    // Rounding of the table, of the coefficient and of the product; and, from the second on, of the sum.
+                    squares[i] += size * size * 3.0;
+                    partial[i] += size.abs();
+                    if index > 0 {
+                        squares[i] += partial[i] * partial[i];
+                    }
+                }
+            }
+            for (whole, partial) in whole.iter_mut().zip(partial) {
+                *whole += partial;
+            }
+        }
+        n_parts
     }
 }
 

@@ -121,20 +121,20 @@ impl Circles {
     ) -> Option<bool> {
         let strands = coefficients.strands.as_slice();
         match (coefficients.layout, self.fold) {
-            (Layout::Split { z_is_sine: false }, Fold::Quartered) if coefficients.is_turned => W::IS_EACH.then(|| {
-                let layout = Split::<false> { strands, row };
-                self.each_block(task, &layout, positions, normals, turned_block::<_, EachNormal>)
-            }),
-            (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
-                let layout = Split::<false> { strands, row };
-                Some(self.each_block(task, &layout, positions, normals, quartered_block::<_, W>))
-            }
             (Layout::Split { z_is_sine: true }, Fold::Quartered) => {
                 let layout = Split::<true> { strands, row };
                 Some(self.each_block(task, &layout, positions, normals, quartered_block::<_, W>))
             }
             // The others have no loop of this kind: each is several kilobytes of every page that draws a pot.
             _ if !W::IS_EACH => None,
+            (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
+                let layout = Split::<false> { strands, row };
+                Some(if coefficients.is_turned {
+                    self.each_block(task, &layout, positions, normals, turned_block::<_, EachNormal>)
+                } else {
+                    self.each_block(task, &layout, positions, normals, quartered_block::<_, EachNormal>)
+                })
+            }
             (_, fold) => {
                 let layout = Both { strands, sine_strands: coefficients.sine_strands.as_slice(), row };
                 Some(match fold {

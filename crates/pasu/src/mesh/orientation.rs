@@ -46,10 +46,10 @@ fn level_flux(surface: &Surface, curves: &Curves) -> f64 {
             let u = (i as f64 + 0.5) / ROWS as f64;
             let mut rise = 0.0;
             values.clear();
-            curves.rows(surface, [u; BLOCK], |index, [value, slope]| {
-                values.push(value.to_array()[0]);
+            curves.row(surface, u, &mut |index, [value, slope]| {
+                values.push(value);
                 if list[index].axis == 2 && list[index].n == 0.0 {
-                    rise += slope.to_array()[0];
+                    rise += slope;
                 }
             });
             let mut area = 0.0;

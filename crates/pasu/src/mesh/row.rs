@@ -3,7 +3,7 @@
 //! This is where a mesh's time goes. A vertex costs three multiplications and additions per datum that is not 0, a square root and a division; tables and
 //! coefficients are made once per column and row.
 
-use crate::surface::{BLOCK, Block, Curves, RowTable, RowTerm, Surface};
+use crate::surface::{Block, Curves, RowTable, RowTerm, Surface};
 
 /// One datum of one mode at one row: adds `value cos(k v)` to the position, `slope cos(k v)` to `X_u` and `turned sin(k v)` to `X_v`; a datum of
 /// `sin(k v)` has the two exchanged.
@@ -56,10 +56,8 @@ impl Row {
             strands.clear();
         }
         let list = curves.list();
-        curves.rows(surface, [u; BLOCK], |index, values| {
-            let (Some(curve), [value, slope]) = (list.get(index), values.map(|block| block.to_array()[0])) else {
-                return;
-            };
+        curves.row(surface, u, &mut |index, [value, slope]| {
+            let Some(curve) = list.get(index) else { return };
             let column = distinct.iter().position(|n| *n == curve.n).unwrap_or(0);
             let k = if curve.is_sine { curve.k } else { -curve.k };
             self.strands[curve.axis][usize::from(curve.is_sine)].push(Strand {

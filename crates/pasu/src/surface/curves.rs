@@ -89,6 +89,12 @@ impl Curves {
         &self.curves
     }
 
+    /// Value and slope of every curve at one row, as [`Curves::rows`]: for what asks for few, which then has no loop of its own.
+    #[inline(never)]
+    pub(crate) fn row(&self, surface: &Surface, u: f64, visit: &mut dyn FnMut(usize, [f64; 2])) {
+        self.rows(surface, [u; BLOCK], |index, values| visit(index, values.map(|block| block.to_array()[0])));
+    }
+
     /// Value and slope of every curve at four rows, one in each lane, in ascending order.
     pub(crate) fn rows(&self, surface: &Surface, u: [f64; BLOCK], mut visit: impl FnMut(usize, [Block; 2])) {
         // The boundary data are met to the bit: a pole is where they are 0.
