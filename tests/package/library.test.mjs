@@ -141,6 +141,17 @@ test("an engine without SIMD gets the module without, from both entries", async 
   });
 });
 
+test("a file opens the design again, and can be saved as it is", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  const wall = { thickness: 0.2, base: 0.2 };
+  const design = pasu.parse({ pasu: 1, parts: [{ shape: pasu.parse(VASE).parts[0].shape, wall }] });
+  const bytes = pasu.write(design, "3mf", { size: { height: 12 }, tolerance: 0.05 });
+  assert.ok(bytes instanceof Uint8Array && bytes.byteOffset === 0 && bytes.buffer.byteLength === bytes.length);
+  assert.deepEqual(pasu.parse(pasu.open(bytes)), design);
+  assert.equal(pasu.open(new Uint8Array(4)), undefined);
+});
+
 test("arrays are the caller's own and survive later calls", async () => {
   await inFreshProject(async (project) => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
@@ -218,6 +229,13 @@ test("the module without SIMD gives the same bits", () => {
           hash.update(positions).update(normals);
         }
         hash.update(pasu.fingerprint(design));
+      }
+      for (const { shape } of gallery.slice(0, 6)) {
+        const design = { pasu: 1, parts: [{ shape, wall: { thickness: 0.3, base: 0.4, rim: "rounded" } }] };
+        for (const format of ["stl", "3mf", "svg"]) hash.update(pasu.write(design, format, { tolerance: 0.1 }));
+        hash.update(JSON.stringify(pasu.measure(design))).update(JSON.stringify(pasu.check(design, { tolerance: 0.1 })));
+        hash.update(pasu.solid(design, { tolerance: 0.1 }).normals).update(pasu.paint(design, "mean-curvature", { rows: 9, columns: 17 }).values);
+        hash.update(pasu.water(design, 3).positions);
       }
       console.log(hash.digest("hex"));`;
     return execFileSync(process.execPath, ["--input-type=module", "--eval", script], { encoding: "utf8" });

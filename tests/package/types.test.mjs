@@ -11,7 +11,8 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 
 const CONSUMER = `
 import init, {
-  bound, type Derivatives, type Design, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse, PasuError, type PasuErrorCode,
+  bound, check, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, link, type Making, type Measures, measure,
+  type Mesh, mesh, open, paint, parse, PasuError, type PasuErrorCode, type Report, type Solid, solid, type Water, water, write,
 } from "pasu";
 import start, { mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
@@ -40,6 +41,18 @@ try { parse("#1"); } catch (error) {
   if (error instanceof PasuError) { const code: PasuErrorCode = error.code; const path: string = error.path; void code; void path; }
 }
 function text_of(design: Design): string { return JSON.stringify(design); }
+const making: Making = { product: "pot", size: { height: 12 }, shrinkage: 8, tolerance: 0.02 };
+const measures: Measures = measure(design, { fill: 3, density: 2.1 });
+const brim: number | undefined = measures.parts[0]?.capacity?.brim.value;
+const report: Report = check(design, making);
+const findings: Finding[] = report.findings.filter(({ severity }) => severity === "error");
+const file: Blob = new Blob([write(design, "3mf", making)]);
+const drawn_solid: Solid = solid(design);
+const linings = drawn_solid.faces.filter(({ kind }) => kind === "lining");
+const colours: Float32Array = paint(design, "thickness", { rows: 3, columns: 5 }).values;
+const wet: Water = water(design, 2);
+const kept: string | undefined = open(new Uint8Array(8));
+void brim; void findings; void file; void linings; void colours; void wet; void kept;
 await start();
 const same: Mesh = drawn(design) satisfies Drawn;
 const refused: PasuError = new Refused("not-json", "", "");
@@ -51,6 +64,12 @@ evaluate(design, "0", at);
 mesh(design, { row: 3 });
 // @ts-expect-error a design has a unit of length
 const wrong: Design = { pasu: 1, unit: "furlong", parts: [] };
+// @ts-expect-error one size is enough
+check(design, { size: { height: 1, width: 2 } });
+// @ts-expect-error there is no such format
+write(design, "doc");
+// @ts-expect-error there is no such map
+paint(design, "heat");
 // @ts-expect-error there is no such kind
 const teapot: Design["parts"][number]["shape"] = { kind: "teapot" };
 void wrong; void teapot;

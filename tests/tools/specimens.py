@@ -31,6 +31,8 @@ class Specimen:
     mesh_area: float
     """Of the clay, by quadrature on the closed form."""
     clay_volume: float
+    """What the measures say that this may be off: more than rounding where a wall had to be thinned."""
+    clay_error: float
     """How far the triangles are from the true faces at most."""
     bound: float
     """Whether a slicer is to make G-code of it, which takes a second or two."""

@@ -19,7 +19,9 @@ def judge(specimen: Specimen) -> Iterator[str]:
     yield from near("area", solid.surface_area(), specimen.mesh_area, 1e-5 * specimen.mesh_area)
     # A layer as thick as the triangles may be off, on both sides of the wall.
     layer = specimen.mesh_area * specimen.bound
-    yield from near("volume", solid.volume(), specimen.clay_volume, layer + 1e-6 * specimen.clay_volume)
+    yield from near(
+        "volume", solid.volume(), specimen.clay_volume, layer + specimen.clay_error + 1e-6 * specimen.clay_volume
+    )
     yield from equal("number of bodies", len(solid.decompose()), specimen.parts)
 
 

@@ -13,12 +13,16 @@ use serde_json::{Value, json};
 const FEWEST_POTS: usize = 30;
 
 fn main() -> Result<()> {
-    let folder = std::env::args_os().nth(1).map(PathBuf::from).context("expected the folder to write to")?;
+    let mut arguments = std::env::args().skip(1);
+    let folder = arguments.next().map(PathBuf::from).context("expected the folder to write to")?;
+    // All of them, unless some are named.
+    let named: Vec<String> = arguments.collect();
+    let wanted = |specimen: &designs::Specimen| named.is_empty() || named.contains(&specimen.name);
     fs::create_dir_all(&folder)?;
     let mut specimens = Vec::new();
     let mut refused = Vec::new();
     let mut pots = 0;
-    for specimen in designs::gallery()? {
+    for specimen in designs::gallery()?.into_iter().filter(wanted) {
         match write(&folder, &specimen)? {
             Ok(sheet) => {
                 pots += usize::from(specimen.is_pot());
@@ -30,10 +34,10 @@ fn main() -> Result<()> {
             }
         }
     }
-    if pots < FEWEST_POTS {
+    if named.is_empty() && pots < FEWEST_POTS {
         bail!("{pots} designs of the gallery can be made into pots, expected {FEWEST_POTS} at least");
     }
-    for specimen in designs::hard()? {
+    for specimen in designs::hard()?.into_iter().filter(wanted) {
         match write(&folder, &specimen)? {
             Ok(sheet) => specimens.push(sheet),
             Err(error) => bail!("{}: {error}", specimen.name),

@@ -19,7 +19,10 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
     let meshes = pasu::solid(design, making)?;
     let (volume, area) = meshes.iter().map(content).fold((0.0, 0.0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
     let measured = measured(specimen)?;
-    let clay = measured["clay"]["volume"]["value"].as_f64().unwrap_or(f64::NAN);
+    let clay = |field: &str| {
+        let volume = measured["clay"]["volume"][field].as_f64().unwrap_or(f64::NAN);
+        volume * millimetres * millimetres * millimetres
+    };
     Ok(json!({
         "link": design.link(),
         "making": {
@@ -38,7 +41,8 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
         "size": size(specimen, &measured, millimetres)?.to_array(),
         "mesh_volume": volume,
         "mesh_area": area,
-        "clay_volume": clay * millimetres * millimetres * millimetres,
+        "clay_volume": clay("value"),
+        "clay_error": clay("error"),
         "bound": meshes.iter().map(|mesh| mesh.bound).fold(0.0, f64::max) * millimetres,
     }))
 }
