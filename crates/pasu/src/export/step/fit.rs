@@ -11,7 +11,7 @@ use crate::solid::Face;
 /// The rows that a face begins with, and the columns of all faces.
 const FIRST_ROWS: usize = 2;
 const FIRST_COLUMNS: usize = 16;
-/// At most so many nodes in a direction: one that needs more has creases, which no spline follows.
+/// At most so many nodes in a direction: one that needs more has creases, which no spline of its kind follows.
 const MOST_ROWS: usize = 257;
 const MOST_COLUMNS: usize = 769;
 /// Within an interval each direction is measured here while it is being refined,
@@ -21,7 +21,7 @@ const SAMPLES: [usize; 2] = [5, 3];
 const MANY: usize = 10_000;
 /// The part of the tolerance that each direction may use.
 const SHARE: f64 = 0.4;
-/// A face that is not exact has creases where it was interpolated, which are no part of the pot: it is followed so many times less closely, and with fewer nodes.
+/// The bends of a face that is not exact jump where its thickness has knots, which are no part of the pot: it is followed so many times less closely, and with fewer nodes.
 const INEXACT: f64 = 10.0;
 const MOST_ROWS_INEXACT: usize = 129;
 const MOST_COLUMNS_INEXACT: usize = 513;
