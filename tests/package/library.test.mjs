@@ -48,7 +48,11 @@ test("the package holds what it promises and nothing else", async () => {
 test("the examples of both README files run", async () => {
   await inFreshProject((project) => {
     const long = run(project, "long.mjs", javascriptOf("README.md"));
-    assert.match(long, /^\d+ vertices, \d+ triangles, #1\/bloor-wilson\?n1=5\nunit: .+\n$/);
+    const [drawn, held, written, refused] = long.split("\n");
+    assert.match(drawn, /^\d+ vertices, \d+ triangles, #1\/bloor-wilson\?n1=5$/);
+    assert.match(held, /^holds 0\.9\d{2} cm3, can be made: true$/);
+    assert.match(written, /^\d{5,} bytes for a printer$/);
+    assert.match(refused, /^unit: .+$/);
     const short = run(project, "short.mjs", javascriptOf("crates/pasu-wasm/js/README.md"));
     assert.match(short, /^\d+ triangles: 1\/bloor-wilson\?n1=5\n$/);
   });
