@@ -37,7 +37,7 @@ def judge(specimen: Specimen) -> Iterator[str]:
             yield from equal("shell closed", BRep_Tool.IsClosed_s(shell), True)
     properties = GProp_GProps()
     # Without the third argument the number of points is fixed, and too small for fluted walls.
-    BRepGProp.VolumeProperties_s(shape, properties, 1e-5, False, False)
+    BRepGProp.VolumeProperties_s(shape, properties, 1e-4, False, False)
     within = 1e-3 * specimen.clay_volume + specimen.clay_error
     yield from near("volume", properties.Mass(), specimen.clay_volume, within)
     box = Bnd_Box()
