@@ -97,3 +97,10 @@ test("how much it holds, and between which heights water stands", () => {
   expect(range?.high).toBeCloseTo(11, 8);
   expect(range?.high).toBeLessThan(11);
 });
+
+test("a round pot has one width", () => {
+  const { width } = MEASURES;
+  const round = lines({ ...MEASURES, width: { ...width, least: width.greatest } });
+  expect(round.Width).toBe("8.25 cm (the same all round)");
+  expect(round["Least width"]).toBeUndefined();
+});

@@ -47,11 +47,20 @@ function sizes({ height, width, area }: Measures, unit: Unit): Group {
     title: "Size",
     lines: [
       quantity("Height", height, length),
-      quantity("Greatest width", width.greatest, length, `across, at ${angleWords(width.greatestDirection)}`),
-      quantity("Least width", width.least, length, `across, at ${angleWords(width.leastDirection)}`),
+      ...(isRound(width)
+        ? [quantity("Width", width.greatest, length, "the same all round")]
+        : [
+            quantity("Greatest width", width.greatest, length, `across, at ${angleWords(width.greatestDirection)}`),
+            quantity("Least width", width.least, length, `across, at ${angleWords(width.leastDirection)}`),
+          ]),
       quantity("Area of the surface", area, areaShown(unit)),
     ],
   };
+}
+
+/** Widths that differ by less than anyone can measure have no direction worth telling. */
+function isRound({ greatest, least }: Measures["width"]): boolean {
+  return greatest.value - least.value <= 1e-6 * greatest.value;
 }
 
 function held(measures: Measures, unit: Unit): readonly Group[] {
