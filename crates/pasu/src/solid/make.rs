@@ -94,7 +94,8 @@ fn pot_path(part: usize) -> String {
 fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
     let mut promised = making.tolerance.map(|tolerance| tolerance / fineness);
     let mut asked = promised;
-    for round in 1.. {
+    let mut round = 1;
+    loop {
         let grid = grid(design, pot.skin(), asked, promised)?;
         let tolerance = *promised.get_or_insert(grid.bound / fineness);
         let woven = weave(pot, &grid, scale)?;
@@ -102,8 +103,8 @@ fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64)
             return Ok(woven);
         }
         asked = Some(tolerance.min(grid.bound) * (tolerance / woven.bound).clamp(LEAST_STEP, 0.9));
+        round += 1;
     }
-    unreachable!("the loop returns")
 }
 
 /// That the wall is nearly nothing somewhere, if it is.
