@@ -156,8 +156,9 @@ enum Content {
 /// Compiles one crate of bindings and returns the module.
 fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
     let mut command = Command::new(cargo());
+    // The module alone: for the tests the crate is a library as well, and what is one is not optimised across crates.
     command
-        .args(["build", "--package", package, "--lib", "--target", wasm_target::TRIPLE])
+        .args(["rustc", "--package", package, "--lib", "--crate-type", "cdylib", "--target", wasm_target::TRIPLE])
         .args(["--profile", care.profile()])
         .current_dir(workspace.root());
     if content == Content::Drawing {
