@@ -1,30 +1,16 @@
 //! Pairs of triangles that cross, touch or overlap where they should not, decided exactly.
 //!
-//! Candidates come from an R-tree of bounding boxes. Two triangles without a common vertex must be apart; with a common vertex they may share that point, with a common edge that edge, and nothing
+//! Candidates come from a tree of bounding boxes. Two triangles without a common vertex must be apart; with a common vertex they may share that point, with a common edge that edge, and nothing
 //! else. All of this is decided by the signs of volumes and areas without rounding error (J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast
 //! robust geometric predicates*, 1997), on the single precision coordinates as they are.
 
+use core::ops::ControlFlow;
+
 use robust::{Coord, Coord3D, orient2d, orient3d};
-use rstar::{AABB, RTree, RTreeObject};
+
+use super::boxes::{Bounds, Boxes};
 
 type Point = [f32; 3];
-
-/// A triangle among the others.
-#[derive(Debug, Clone, Copy)]
-struct Bounded {
-    number: u32,
-    group: Option<u32>,
-    low: Point,
-    high: Point,
-}
-
-impl RTreeObject for Bounded {
-    type Envelope = AABB<Point>;
-
-    fn envelope(&self) -> AABB<Point> {
-        AABB::from_corners(self.low, self.high)
-    }
-}
 
 /// The numbers of the triangles of each pair that crosses, at most so many pairs. Triangles of one group that has a number are known not to cross each other.
 pub(crate) fn crossings(
@@ -34,39 +20,39 @@ pub(crate) fn crossings(
     most: usize,
 ) -> Vec<[u32; 2]> {
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
-    let bounded = triangles.iter().zip(0..).map(|(triangle, number)| {
-        let [a, b, c] = corners(triangle);
-        let low = core::array::from_fn(|i| a[i].min(b[i]).min(c[i]));
-        let high = core::array::from_fn(|i| a[i].max(b[i]).max(c[i]));
-        Bounded { number, group: group(number), low, high }
-    });
-    let tree = RTree::bulk_load(bounded.collect());
+    let boxes = Boxes::new(triangles.iter().map(|triangle| Bounds::of(&corners(triangle))).collect());
     let mut found = Vec::new();
-    for (one, other) in tree.intersection_candidates_with_other_tree(&tree) {
-        if one.number < other.number && (one.group.is_none() || one.group != other.group) {
-            let (p, q) = (&triangles[one.number as usize], &triangles[other.number as usize]);
+    boxes.overlapping(|one, other| {
+        let one_group = group(one);
+        if one_group.is_none() || one_group != group(other) {
+            let (p, q) = (&triangles[one as usize], &triangles[other as usize]);
             if cross(p, q, &corners(p), &corners(q)) {
-                found.push([one.number, other.number]);
-                if found.len() == most {
-                    break;
-                }
+                found.push([one.min(other), one.max(other)]);
             }
         }
-    }
+        if found.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
     found.sort_unstable();
     found
 }
 
 /// Whether two triangles have more in common than vertices and edges that they share.
 fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bool {
-    let shared: Vec<(usize, usize)> =
-        (0..3).filter_map(|i| q.iter().position(|vertex| *vertex == p[i]).map(|j| (i, j))).collect();
-    match shared[..] {
+    let mut shared = [(0, 0); 3];
+    let mut n_shared = 0;
+    for (i, vertex) in p.iter().enumerate() {
+        if let Some(j) = q.iter().position(|other| other == vertex) {
+            shared[n_shared] = (i, j);
+            n_shared += 1;
+        }
+    }
+    match shared[..n_shared] {
         [] => are_touching(at_p, at_q),
         [(i, j)] => {
-            // What they have in common begins at the vertex, is convex, and so reaches the far edge of one of them if it is more.
             let far = |at: &[Point; 3], k: usize| [at[(k + 1) % 3], at[(k + 2) % 3]];
-            !is_beside(at_p, at_q) && !is_beside(at_q, at_p) && (meets(far(at_p, i), at_q) || meets(far(at_q, j), at_p))
+            let (far_p, far_q) = (far(at_p, i), far(at_q, j));
+            // What they have in common begins at the vertex, is convex, and so reaches the far edge of one of them if it is more.
+            !is_beside(far_p, at_q) && !is_beside(far_q, at_p) && (meets(far_p, at_q) || meets(far_q, at_p))
         }
         [(i, j), (k, l)] => {
             // Folded onto each other: in one plane, with both far corners on the same side of the edge.
@@ -82,10 +68,10 @@ fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bo
     }
 }
 
-/// Whether a triangle is on one side of the plane of another but for the one vertex that they share.
-fn is_beside(p: &[Point; 3], q: &[Point; 3]) -> bool {
-    let signs = p.map(|corner| volume(q[0], q[1], q[2], corner));
-    signs.iter().filter(|sign| **sign > 0.0).count() == 2 || signs.iter().filter(|sign| **sign < 0.0).count() == 2
+/// Whether a segment is on one side of the plane of a triangle.
+fn is_beside(segment: [Point; 2], t: &[Point; 3]) -> bool {
+    let [from, to] = segment.map(|corner| volume(t[0], t[1], t[2], corner));
+    (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
 }
 
 /// Whether two triangles without a common vertex have a point in common.

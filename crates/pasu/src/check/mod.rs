@@ -1,5 +1,6 @@
 //! Whether a pot can be made: checks of the mesh that a file holds, after rounding.
 
+mod boxes;
 mod closed;
 mod crossing;
 mod degenerate;

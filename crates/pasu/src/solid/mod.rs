@@ -1,5 +1,6 @@
 //! Pots and closed solids: a surface with a wall, as smooth faces and as a closed mesh.
 
+mod cells;
 mod curve;
 mod disc;
 mod face;

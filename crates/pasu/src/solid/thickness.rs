@@ -9,8 +9,8 @@ use core::f64::consts::TAU;
 use core::ops::ControlFlow;
 
 use glam::DVec3;
-use rstar::{AABB, RTree};
 
+use super::cells::Cells;
 use super::skin::{Skin, SkinJet};
 use crate::design::{Part, Wall};
 use crate::error::Result;
@@ -85,10 +85,11 @@ impl Thickness {
     ) -> Result<Thickness> {
         let (rows, columns) = rows_and_columns(part, index, skin, fineness)?;
         let samples = samples(skin, &rows, columns, direction);
-        let tree = RTree::bulk_load(samples.iter().map(|sample| sample.position.to_array()).collect());
         let asked = wall.thickness;
-        let values: Vec<f64> =
-            samples.iter().map(|sample| asked.min(SHARE * radius(sample, &tree, asked / SHARE))).collect();
+        let most = asked / SHARE;
+        let positions: Vec<DVec3> = samples.iter().map(|sample| sample.position).collect();
+        let cells = Cells::new(&positions, most / 2.0);
+        let values: Vec<f64> = samples.iter().map(|sample| asked.min(SHARE * radius(sample, &cells, most))).collect();
         if values.iter().all(|t| *t >= asked) {
             return Ok(Thickness::Even(asked));
         }
@@ -255,18 +256,16 @@ fn bend(jet: &SkinJet, direction: f64) -> f64 {
 }
 
 /// The radius of the largest ball, up to `most`: the least of `|Q - P|^2 / (2 N . (Q - P))` over all points `Q` on its side.
-fn radius(sample: &Sample, tree: &RTree<[f64; 3]>, most: f64) -> f64 {
+fn radius(sample: &Sample, cells: &Cells, most: f64) -> f64 {
     let mut radius = most.min(sample.bend);
     loop {
-        let centre = sample.position + sample.inward * radius;
-        let corners = [centre - DVec3::splat(radius), centre + DVec3::splat(radius)].map(|corner| corner.to_array());
         let mut least = radius;
-        let _ = tree.locate_in_envelope_intersecting_int(AABB::from_corners(corners[0], corners[1]), |point| {
-            let across = DVec3::from_array(*point) - sample.position;
+        cells.near(sample.position + sample.inward * radius, radius, |point| {
+            let across = point - sample.position;
             let depth = sample.inward.dot(across);
-            let through = across.length_squared() / (2.0 * depth);
-            if depth > 0.0 && through < least {
-                least = through;
+            // Most points are outside of the ball, which is seen without dividing.
+            if across.length_squared() < 2.0 * depth * least {
+                least = across.length_squared() / (2.0 * depth);
             }
             // Where there are many points, most of them are outside of the ball through the first.
             if least < SHRUNK * radius { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
