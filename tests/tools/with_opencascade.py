@@ -38,8 +38,7 @@ def judge(specimen: Specimen) -> Iterator[str]:
     properties = GProp_GProps()
     # Without the third argument the number of points is fixed, and too small for fluted walls.
     BRepGProp.VolumeProperties_s(shape, properties, 1e-4, False, False)
-    within = 1e-3 * specimen.clay_volume + specimen.clay_error
-    yield from near("volume", properties.Mass(), specimen.clay_volume, within)
+    yield from near("volume", properties.Mass(), specimen.clay_volume, 1e-3 * specimen.clay_volume)
     box = Bnd_Box()
     BRepBndLib.AddOptimal_s(shape, box, False, False)
     least, most = box.CornerMin(), box.CornerMax()

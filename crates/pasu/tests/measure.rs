@@ -238,6 +238,54 @@ fn dinted_and_petalled_rims_against_a_dense_sum() {
     }
 }
 
+/// Twice the volume between faces and origin over three, and the area, by the midpoint rule; extrapolated from two finenesses by Richardson's formula.
+fn dense_clay(pot: &Pot, rows: usize, columns: usize) -> [f64; 2] {
+    let sum = |rows: usize, columns: usize| {
+        let mut sum = [0.0; 2];
+        for face in pot.faces() {
+            for i in 0..rows {
+                for j in 0..columns {
+                    let v = TAU * (j as f64 + 0.5) / columns as f64;
+                    let jet = face.jet((i as f64 + 0.5) / rows as f64, v);
+                    let element = jet.da.cross(jet.dv);
+                    sum[0] += jet.position.dot(element) * face.outward() / 3.0;
+                    sum[1] += element.length();
+                }
+            }
+        }
+        sum.map(|sum| sum * TAU / (rows * columns) as f64)
+    };
+    let (coarse, fine) = (sum(rows, columns), sum(2 * rows, 2 * columns));
+    [0, 1].map(|i| fine[i] + (fine[i] - coarse[i]) / 3.0)
+}
+
+/// A wall that had to be thinned is a spline whose second derivatives jump from place to place.
+#[test]
+fn thinned_walls_against_a_dense_sum() {
+    let exhibit = support::gallery().into_iter().find(|exhibit| exhibit.name == "own-fluted").expect("in the gallery");
+    let shape = serde_json::to_string(&exhibit.shape).unwrap();
+    let wall = r#""wall": { "thickness": 0.6, "base": 0.6 }"#;
+    let design = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, {wall} }}] }}"#));
+    let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+    assert!(pot.thinned().is_some());
+    let body = measure(&design, &MeasureOptions::default()).unwrap().whole;
+    let (clay, capacity) = (body.clay.unwrap(), body.capacity.unwrap());
+    // So many columns that the jumps, at odd multiples of a 296th of the turn, are between them.
+    let columns = 592;
+    let [volume, area] = dense_clay(&pot, 500, columns);
+    let level = capacity.spill_level.value;
+    let [coarse, fine] = [1, 2].map(|times| dense(&pot, level, times * columns, times * 500));
+    for (what, found, dense, within) in [
+        ("clay", clay.volume, volume, 1e-6),
+        ("area", clay.area, area, 1e-6),
+        ("brim", capacity.brim, fine + (fine - coarse) / 3.0, 3e-6),
+    ] {
+        let off = (found.value - dense).abs() / dense;
+        assert!(off < within, "{what} {found:?} {dense} {off:e}");
+        assert!(found.error < 3e-7 * dense, "{what} {found:?}");
+    }
+}
+
 /// The gallery's pots, and one that leans.
 #[test]
 fn water_rises_as_its_surface_says() {

@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3};
 use crate::design::Part;
 use crate::error::Result;
 use crate::mesh::points_outward;
-use crate::solid::{Face, FaceJet, FaceKind};
+use crate::solid::{Face, FaceJet, FaceKind, Seams};
 use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns};
 
 /// The placed surface `X(u, v)` of a part, from foot (`a = 0`) to rim (`a = 1`).
@@ -159,5 +159,10 @@ impl Face for Cap<'_> {
 
     fn outward(&self) -> f64 {
         self.outward
+    }
+
+    fn seams(&self) -> Option<Seams<'_>> {
+        let seams = self.face.seams()?;
+        Some(Seams::across(self, 1, [seams.round(), seams.crossings()].concat()))
     }
 }

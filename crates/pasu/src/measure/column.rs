@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use glam::DVec3;
 
 use super::search;
-use crate::solid::{Face, FaceJet, FaceKind};
+use crate::solid::{Face, FaceJet, FaceKind, Seams};
 
 /// One face of the inside, run through from the middle of the floor to the rim.
 #[derive(Clone, Copy)]
@@ -18,6 +18,12 @@ pub(crate) struct Link<'a> {
 impl Link<'_> {
     pub(crate) fn face(&self) -> &dyn Face {
         self.face
+    }
+
+    /// The stretch of a column between two places, in the coordinates in which the face's seams are straight, ascending.
+    pub(crate) fn straight(&self, seams: &Seams, (from, to): (f64, f64), v: f64) -> (f64, f64) {
+        let [from, to] = [from, to].map(|s| seams.straight(if self.is_reversed { 1.0 - s } else { s }, v));
+        (from.min(to), from.max(to))
     }
 
     /// The face at `s` in [0, 1] from the floor to the rim.
@@ -50,6 +56,8 @@ impl Link<'_> {
 /// The faces that water touches: floor, lining and rim, in this order.
 pub(crate) struct Inside<'a> {
     links: Vec<Link<'a>>,
+    /// The seams of each face.
+    seams: Vec<Option<Seams<'a>>>,
     /// The middle of the rim and the direction of the axis.
     rim: (DVec3, DVec3),
     /// The largest coordinate.
@@ -127,11 +135,17 @@ impl<'a> Inside<'a> {
                 }
             }
         }
-        Inside { links, rim: (middle, axis), size, columns }
+        let seams = links.iter().map(|link| link.face.seams()).collect();
+        Inside { links, seams, rim: (middle, axis), size, columns }
     }
 
     pub(crate) fn links(&self) -> &[Link<'a>] {
         &self.links
+    }
+
+    /// For each link the lines along which its derivatives jump.
+    pub(crate) fn seams(&self) -> &[Option<Seams<'a>>] {
+        &self.seams
     }
 
     pub(crate) fn size(&self) -> f64 {

@@ -19,9 +19,6 @@ use crate::solid::{Face, FaceKind, Pot, Product};
 /// What integrals over exact faces are asked to keep, as a part of their size.
 const ACCURACY: f64 = 1e-9;
 
-/// The same where a wall had to be thinned: its thickness is interpolated, which no rule integrates faster than by brute force.
-const ACCURACY_OF_THINNED: f64 = 1e-6;
-
 /// The mass of a cubic centimetre of water in grams.
 const WATER: f64 = 1.0;
 
@@ -70,16 +67,7 @@ impl Taken {
     }
 
     fn accuracy(&self) -> Accuracy {
-        let is_exact = self.faces().iter().all(|face| face.is_exact());
-        if is_exact {
-            Accuracy::new(ACCURACY, self.bare.highest())
-        } else {
-            Accuracy {
-                most_intervals: 16,
-                most_columns: 512,
-                ..Accuracy::new(ACCURACY_OF_THINNED, self.bare.highest())
-            }
-        }
+        Accuracy::new(ACCURACY, self.bare.highest())
     }
 
     /// What holds water: the pot, or the bare surface where no wall is asked for.

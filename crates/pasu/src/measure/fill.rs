@@ -4,11 +4,13 @@ use core::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::column::{Column, Inside, LEVEL, Wet};
+use super::column::{Column, Inside, LEVEL, Link, Wet};
 use super::integral::{Accuracy, Integral, along, between, finer};
 use super::moments::{Moments, element};
 use super::outside::round;
+use super::panels;
 use super::quantity::Quantity;
+use crate::solid::{FaceJet, Seams, ascending};
 
 /// Water up to a level.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -97,6 +99,9 @@ impl<'a> Level<'a> {
     /// For each link the stretch that is wet in every column that was looked at, if each has one there: it is integrated row by row, and only what is beyond it column by column.
     fn common(&self) -> Vec<Option<(f64, f64)>> {
         let stretch = |link: usize| {
+            if self.seams(link).is_some() {
+                return None;
+            }
             let (mut from, mut to) = (0.0f64, 1.0f64);
             for (_, wet) in &self.columns {
                 let mut here = wet.iter().filter(|wet| wet.link == link);
@@ -110,11 +115,18 @@ impl<'a> Level<'a> {
         (0..self.inside.links().len()).map(stretch).collect()
     }
 
+    fn seams(&self, link: usize) -> Option<&Seams<'a>> {
+        self.inside.seams().get(link)?.as_ref()
+    }
+
     /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place.
     fn integrand(&self, link: usize, s: f64, v: f64, middle: DVec3) -> [f64; 5] {
         let link = &self.inside.links()[link];
-        let jet = link.jet(s, v);
-        let up = element(link.face(), &jet).z;
+        self.of_jet(link, &link.jet(s, v), middle)
+    }
+
+    fn of_jet(&self, link: &Link, jet: &FaceJet, middle: DVec3) -> [f64; 5] {
+        let up = element(link.face(), jet).z;
         let arm = jet.position - middle;
         let volume = (self.z - jet.position.z) * up;
         [volume, arm.x * volume, arm.y * volume, 0.5 * (self.z - middle.z + arm.z) * volume, up]
@@ -126,7 +138,7 @@ impl<'a> Level<'a> {
         let mut total = Integral::default();
         let wet = self.inside.wet(column, self.z);
         let mut stretches: Vec<(usize, f64, f64)> = Vec::with_capacity(2 * wet.len());
-        for (link, common) in rest.common.iter().enumerate() {
+        for (link, common) in rest.common.iter().enumerate().filter(|(link, _)| self.seams(*link).is_none()) {
             let here = || wet.iter().filter(|wet| wet.link == link);
             match (common, here().count()) {
                 (Some((first, last)), 1) => {
@@ -148,17 +160,90 @@ impl<'a> Level<'a> {
             }
             total.add(&part);
         }
-        // A stretch ends a rounding below the level, which only the surface of the water can notice.
-        for Wet { link, from, to, is_cut } in wet {
-            for (s, is_cut) in [from, to].into_iter().zip(is_cut) {
-                let link = &self.inside.links()[link];
-                let jet = link.jet(s, v);
-                let missing = LEVEL * self.inside.size() / jet.da.z.abs();
-                if is_cut && missing < 1e-6 {
-                    total.value[4] += missing * element(link.face(), &jet).z;
+        let missing = wet.iter().filter(|wet| self.seams(wet.link).is_none()).map(|wet| self.missing(wet, v));
+        total.value[4] += missing.sum::<f64>();
+        total
+    }
+
+    /// A stretch ends a rounding below the level, which only the surface of the water can notice: what it lacks.
+    fn missing(&self, wet: &Wet, v: f64) -> f64 {
+        let Some(link) = self.inside.links().get(wet.link) else { return 0.0 };
+        let ends = [wet.from, wet.to].into_iter().zip(wet.is_cut).filter(|(_, is_cut)| *is_cut);
+        ends.map(|(s, _)| {
+            let jet = link.jet(s, v);
+            let missing = LEVEL * self.inside.size() / jet.da.z.abs();
+            if missing < 1e-6 { missing * element(link.face(), &jet).z } else { 0.0 }
+        })
+        .sum()
+    }
+
+    /// The integral over what is wet of faces with seams.
+    fn seamed(&self, middle: DVec3, accuracy: &Accuracy) -> Integral<5> {
+        let links: Vec<(usize, &Link, &Seams)> = self
+            .inside
+            .links()
+            .iter()
+            .enumerate()
+            .filter_map(|(number, link)| Some((number, link, self.seams(number)?)))
+            .collect();
+        let mut total = Integral::<5>::default();
+        let mut breaks = self.breaks.clone();
+        let mut common: Vec<Option<(f64, f64)>> = Vec::with_capacity(links.len());
+        for (number, link, seams) in &links {
+            breaks.extend(seams.round().iter().chain(seams.crossings()));
+            // What is wet in every column.
+            let mut stretches = Vec::with_capacity(self.columns.len());
+            for (column, wet) in &self.columns {
+                let mut here = wet.iter().filter(|wet| wet.link == *number);
+                if let (Some(wet), None) = (here.next(), here.next()) {
+                    stretches.push(link.straight(seams, (wet.from, wet.to), column.v()));
                 }
             }
+            let rows = panels::common_rows(seams, &stretches).filter(|_| stretches.len() == self.columns.len());
+            if let Some(rows) = rows {
+                total.add(&panels::between_rows(seams, rows, accuracy, |jet| self.of_jet(link, jet, middle)));
+            }
+            common.push(rows);
         }
+        if links.is_empty() {
+            return total;
+        }
+        // The rest of each column.
+        let mut at_least = total.size;
+        // The water's edge has corners on the seams. Its area is only to be looked at, the volume does not notice.
+        at_least[4] *= 10.0;
+        let breaks = panels::once_round(&ascending(breaks));
+        total.add(&panels::over_columns(&breaks, accuracy, at_least, |places, cut| {
+            let columns = self.inside.columns(places);
+            let of_column = |column: &Column| {
+                let (v, wet) = (column.v(), self.inside.wet(column, self.z));
+                let mut sum = Integral::<5>::default();
+                for ((number, link, seams), common) in links.iter().zip(&common) {
+                    let mut add = |from: f64, to: f64| {
+                        let at = |s: f64| self.of_jet(link, &seams.jet(s, v), middle);
+                        sum.add(&panels::column(seams, (from, to), cut, at));
+                    };
+                    let here = wet.iter().filter(|wet| wet.link == *number);
+                    let stretches: Vec<(f64, f64)> =
+                        here.clone().map(|wet| link.straight(seams, (wet.from, wet.to), v)).collect();
+                    match (common, stretches.as_slice()) {
+                        (Some((first, last)), [(from, to)]) => {
+                            add(*from, *first);
+                            add(*last, *to);
+                        }
+                        (common, stretches) => {
+                            stretches.iter().for_each(|(from, to)| add(*from, *to));
+                            if let Some((first, last)) = common {
+                                add(*last, *first);
+                            }
+                        }
+                    }
+                    sum.value[4] += here.map(|wet| self.missing(wet, v)).sum::<f64>();
+                }
+                sum
+            };
+            columns.iter().map(of_column).collect()
+        }));
         total
     }
 
@@ -169,7 +254,9 @@ impl<'a> Level<'a> {
         };
         let middle = self.inside.position((first[0].link, first[0].from), 0.0).with_z(self.z);
         let common = self.common();
-        let mut total = Integral::<5>::default();
+        let mut total = self.seamed(middle, accuracy);
+        let is_seamed = |link: usize| self.seams(link).is_some();
+        let has_others = self.columns.iter().any(|(_, wet)| wet.iter().any(|wet| !is_seamed(wet.link)));
         for (link, stretch) in common.iter().enumerate() {
             if let Some(stretch) = stretch {
                 total.add(&between(*stretch, accuracy, |s, v| self.integrand(link, s, v, middle)));
@@ -178,7 +265,9 @@ impl<'a> Level<'a> {
         // What columns leave is held against the whole.
         let rest =
             Rest { common, middle, relative: 0.1 * accuracy.relative, at_least: total.size.map(|size| size / TAU) };
-        total.add(&if self.breaks.is_empty() { self.smooth(&rest, accuracy) } else { self.broken(rest, accuracy) });
+        if has_others {
+            total.add(&if self.breaks.is_empty() { self.smooth(&rest, accuracy) } else { self.broken(rest, accuracy) });
+        }
         let [.., area] = total.value;
         // The level itself is off by rounding.
         let edge = 2.0 * LEVEL * self.inside.size() * area.abs();

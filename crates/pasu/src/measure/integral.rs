@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use super::rule;
+use super::{panels, rule};
 use crate::solid::{Face, FaceJet};
 
 /// What is asked of an integral.
@@ -19,6 +19,10 @@ pub(crate) struct Accuracy {
     pub(crate) most_columns: usize,
     /// The most intervals along the face.
     pub(crate) most_intervals: usize,
+    /// The largest error of what goes by an interpolated thickness.
+    pub(crate) seamed: f64,
+    /// The highest harmonic.
+    pub(crate) highest: f64,
 }
 
 impl Accuracy {
@@ -30,9 +34,14 @@ impl Accuracy {
             columns: prime(2 * highest + 13),
             most_columns: (64 * highest).clamp(1024, 8192),
             most_intervals: 32,
+            seamed: relative.max(SEAMED),
+            highest: highest as f64,
         }
     }
 }
+
+/// What is asked at most of an integral over a face with seams.
+const SEAMED: f64 = 1e-7;
 
 /// Several integrals over the same face.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +61,7 @@ impl<const N: usize> Default for Integral<N> {
 }
 
 /// Rounding of a sum, as a part of the integral of the absolute value.
-const ROUNDING: f64 = 4e-15;
+pub(super) const ROUNDING: f64 = 4e-15;
 
 impl<const N: usize> Integral<N> {
     pub(crate) fn add(&mut self, other: &Integral<N>) {
@@ -63,7 +72,15 @@ impl<const N: usize> Integral<N> {
         }
     }
 
-    fn scaled(&self, factor: f64) -> Self {
+    /// With the rounding of a sum.
+    pub(crate) fn rounded(mut self) -> Self {
+        for (error, size) in self.error.iter_mut().zip(self.size) {
+            *error += ROUNDING * size;
+        }
+        self
+    }
+
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
         let all = |numbers: [f64; N]| numbers.map(|x| factor * x);
         Integral { value: all(self.value), error: all(self.error), size: all(self.size) }
     }
@@ -75,7 +92,10 @@ pub(crate) fn over_face<const N: usize>(
     accuracy: &Accuracy,
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
-    between((0.0, 1.0), accuracy, |a, v| integrand(&face.jet(a, v)))
+    match face.seams() {
+        Some(seams) => panels::over_seamed(&seams, accuracy, integrand),
+        None => between((0.0, 1.0), accuracy, |a, v| integrand(&face.jet(a, v))),
+    }
 }
 
 /// The same between two rows.

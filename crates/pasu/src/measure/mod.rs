@@ -12,6 +12,7 @@ mod measures;
 mod moments;
 mod outside;
 mod paint;
+mod panels;
 mod pool;
 mod quantity;
 mod rule;

@@ -9,7 +9,7 @@ use super::pool::Pool;
 use super::quantity::Quantity;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
-use crate::solid::{Face, Pot, Product};
+use crate::solid::{Pot, Product};
 
 /// Water up to a level.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -72,9 +72,7 @@ pub fn water(design: &Design, level: f64) -> Result<Water> {
         if !(level > inside.floor()) {
             continue;
         }
-        let is_exact = !matches!(&pot, Some(Ok(pot)) if !pot.faces().iter().all(Face::is_exact));
-        let most_columns = if is_exact { 4096 } else { 256 };
-        let accuracy = Accuracy { most_columns, most_intervals: 16, ..Accuracy::new(ACCURACY, bare.highest()) };
+        let accuracy = Accuracy { most_columns: 4096, most_intervals: 16, ..Accuracy::new(ACCURACY, bare.highest()) };
         let edge = Level::new(&inside, level, COLUMNS.max(inside.n_columns()));
         let filling = edge.filling(&accuracy);
         water.volume += filling.moments.volume.value;

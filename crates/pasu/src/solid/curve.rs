@@ -80,6 +80,20 @@ impl Curve {
         }
     }
 
+    /// The sheet with an interpolated thickness that the curve goes by, and whether it goes by where the sheet begins.
+    pub(crate) fn seamed(&self) -> Option<(&Sheet, bool)> {
+        match self {
+            Curve::Start(sheet) | Curve::Beside { sheet } => Some((sheet, true)),
+            Curve::End(sheet) => Some((sheet, false)),
+            Curve::Level { curve, .. } | Curve::Cylinder { curve, .. } | Curve::Inset { curve, .. } => {
+                return curve.seamed();
+            }
+            Curve::Point(_) | Curve::Circle { .. } => None,
+        }
+        .filter(|(sheet, _)| !sheet.is_exact())
+        .map(|(sheet, begins)| (&**sheet, begins))
+    }
+
     /// `C_vv`.
     pub(crate) fn second(&self, v: f64) -> DVec3 {
         if let Curve::Start(sheet) = self

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::seams::Seams;
+
 /// What a piece of the boundary is to a potter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
@@ -68,6 +70,11 @@ pub trait Face {
     /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
     fn is_exact(&self) -> bool {
         true
+    }
+
+    /// Where the derivatives of a face that is not exact jump; `None` where they do not.
+    fn seams(&self) -> Option<Seams<'_>> {
+        None
     }
 
     /// 1 or -1, so that `outward() * (F_a x F_v)` points out of the clay.

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::curve::Curve;
 use super::face::{Face, FaceJet, FaceKind};
+use super::seams::Seams;
 use super::sheet::{Sheet, Start, WallSide};
 use super::skin::Skin;
 use super::thickness::Thickness;
@@ -32,6 +33,9 @@ pub(crate) enum Form {
     /// Half circles over the strip from one end of two sheets to the other.
     Bead(Bead),
 }
+
+/// Into how many pieces a half circle is cut for rules of a few points.
+const BEAD_PIECES: usize = 8;
 
 /// A rounded rim: half circles from the end of one sheet to that of the other, in the planes of the wall's normal and the conormal of its edge.
 #[derive(Debug)]
@@ -125,6 +129,24 @@ impl Face for Piece {
 
     fn outward(&self) -> f64 {
         self.outward
+    }
+
+    fn seams(&self) -> Option<Seams<'_>> {
+        match &self.form {
+            Form::Sheet { sheet, is_back } => Seams::of_sheet(sheet, *is_back),
+            Form::Ruled { from, to } => {
+                let ends = [from.seamed(), to.seamed()];
+                let (_, mut round) = ends.iter().flatten().find_map(|(sheet, _)| sheet.knots())?;
+                for (sheet, _) in ends.iter().flatten().filter(|(_, begins)| *begins) {
+                    round.extend(sheet.crossings());
+                }
+                Some(Seams::across(self, 1, round))
+            }
+            Form::Bead(Bead { from, to, .. }) => {
+                let (_, round) = from.knots().or_else(|| to.knots())?;
+                Some(Seams::across(self, BEAD_PIECES, round))
+            }
+        }
     }
 
     fn is_exact(&self) -> bool {

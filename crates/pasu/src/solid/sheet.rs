@@ -1,13 +1,13 @@
 //! The two sides of a wall: the design surface, and the surface at a distance from it.
 
-use core::cell::RefCell;
+use core::cell::{OnceCell, RefCell};
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use glam::DVec3;
 
-use super::skin::{Columns, Skin};
+use super::skin::{Columns, Skin, SkinJet};
 use super::thickness::Thickness;
 
 /// The most columns whose beginning is remembered.
@@ -18,6 +18,12 @@ const ROWS: usize = 96;
 
 /// Columns whose beginnings differ by no more than this begin together.
 const COMMON: f64 = 1e-12;
+
+/// Halvings of the gap between two knots until the place where a column passes one is known: what is left is far below rounding, because only second derivatives jump there.
+const HALVINGS: usize = 20;
+
+/// The most such places.
+const MOST_CROSSINGS: usize = 1 << 14;
 
 /// Position and first derivatives of a sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -68,6 +74,7 @@ pub(crate) struct Sheet {
     common: Option<f64>,
     /// Columns that were asked for.
     starts: RefCell<BTreeMap<u64, Start>>,
+    crossings: OnceCell<Vec<f64>>,
 }
 
 impl Sheet {
@@ -81,6 +88,7 @@ impl Sheet {
             brackets: Vec::new(),
             common: Some(0.0),
             starts: RefCell::default(),
+            crossings: OnceCell::new(),
         }
     }
 
@@ -140,13 +148,62 @@ impl Sheet {
             let jet = self.skin.second(s, v);
             return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
         };
-        let jet = self.skin.jet(s, v);
-        let [t, t_s, t_v] = self.thickness.at(s, v).map(|t| t * direction);
+        self.offset(&self.skin.jet(s, v), self.thickness.at(s, v).map(|t| t * direction))
+    }
+
+    /// The same at a column.
+    pub(crate) fn jet_at(&self, s: f64, columns: &Columns, column: usize) -> SheetJet {
+        let WallSide::Offset { direction } = self.face else {
+            let jet = self.skin.second_at(s, columns, column);
+            return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
+        };
+        let thickness = self.thickness.at(s, columns.v(column)).map(|t| t * direction);
+        self.offset(&self.skin.jet_at(s, columns, column), thickness)
+    }
+
+    fn offset(&self, jet: &SkinJet, [t, t_s, t_v]: [f64; 3]) -> SheetJet {
         SheetJet {
             position: jet.position + jet.normal * t,
             ds: jet.ds + jet.normal_s * t + jet.normal * t_s,
             dv: jet.dv + jet.normal_v * t + jet.normal * t_v,
         }
+    }
+
+    /// The knots of a thickness that is interpolated: along, from 0 to 1, and round.
+    pub(crate) fn knots(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        if self.is_exact() { None } else { self.thickness.knots() }
+    }
+
+    /// The values of `v` at which the beginning of a column passes a knot, in ascending order; none where all begin together or there are no knots.
+    pub(crate) fn crossings(&self) -> &[f64] {
+        self.crossings.get_or_init(|| {
+            let Some((along, round)) = self.knots().filter(|_| self.common.is_none()) else { return Vec::new() };
+            let before = |v: f64| {
+                let start = self.start(v).s;
+                along.partition_point(|knot| *knot < start)
+            };
+            let mut found = Vec::new();
+            for (j, &from) in round.iter().enumerate() {
+                let to = round.get(j + 1).copied().unwrap_or(TAU + round.first().copied().unwrap_or(0.0));
+                let (mut v, mut here, end) = (from, before(from), before(to));
+                // Several between two knots are found one after the other.
+                while here != end && found.len() < MOST_CROSSINGS {
+                    let (mut low, mut high, mut beyond) = (v, to, end);
+                    for _ in 0..HALVINGS {
+                        let middle = 0.5 * (low + high);
+                        let there = before(middle);
+                        if there == here {
+                            low = middle;
+                        } else {
+                            (high, beyond) = (middle, there);
+                        }
+                    }
+                    found.push(0.5 * (low + high));
+                    (v, here) = (high, beyond);
+                }
+            }
+            found
+        })
     }
 
     /// The position at a column.

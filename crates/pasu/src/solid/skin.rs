@@ -53,10 +53,10 @@ pub(crate) struct Skin {
     index: usize,
 }
 
-/// Cosines and sines of every harmonic of a surface at even columns.
+/// Cosines and sines of every harmonic of a surface at several columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Columns {
-    n: usize,
+    places: Vec<f64>,
     /// Column by column.
     circles: Vec<(f64, f64)>,
 }
@@ -64,12 +64,12 @@ pub(crate) struct Columns {
 impl Columns {
     /// The number of columns.
     pub(crate) fn len(&self) -> usize {
-        self.n
+        self.places.len()
     }
 
     /// `v` of a column.
     pub(crate) fn v(&self, column: usize) -> f64 {
-        TAU * column as f64 / self.n as f64
+        self.places.get(column).copied().unwrap_or(0.0)
     }
 }
 
@@ -182,7 +182,7 @@ impl Skin {
 
     /// Twice the largest distance of a row from its mean.
     fn width(&self, s: f64, columns: &Columns) -> f64 {
-        let points: Vec<DVec3> = (0..columns.n).map(|j| self.second_at(s, columns, j).position).collect();
+        let points: Vec<DVec3> = (0..columns.len()).map(|j| self.second_at(s, columns, j).position).collect();
         let mean = points.iter().sum::<DVec3>() / points.len() as f64;
         2.0 * points.iter().fold(0.0f64, |most, p| most.max((*p - mean).length()))
     }
@@ -251,7 +251,13 @@ impl Skin {
     pub(crate) fn columns(&self, n: usize) -> Columns {
         let circles = (0..n)
             .flat_map(|j| self.distinct.iter().map(move |k| of_turns(libm::fmod(k * j as f64, n as f64) / n as f64)));
-        Columns { n, circles: circles.collect() }
+        Columns { places: (0..n).map(|j| TAU * j as f64 / n as f64).collect(), circles: circles.collect() }
+    }
+
+    /// Columns at places of their own.
+    pub(crate) fn columns_at(&self, places: Vec<f64>) -> Columns {
+        let circles = places.iter().flat_map(|v| self.distinct.iter().map(move |k| of_turns(k * (v / TAU)))).collect();
+        Columns { places, circles }
     }
 
     /// Position and derivatives up to the second, placed.

@@ -120,6 +120,14 @@ impl Thickness {
         matches!(self, Thickness::Even(_))
     }
 
+    /// Where derivatives of it jump, along and round; `None` where they do not.
+    pub(crate) fn knots(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        match self {
+            Thickness::Even(_) => None,
+            Thickness::Thinned(thinned) => Some(thinned.knots()),
+        }
+    }
+
     /// `t`, `t_s`, `t_v`.
     pub(crate) fn at(&self, s: f64, v: f64) -> [f64; 3] {
         match self {
@@ -133,6 +141,15 @@ impl Thinned {
     /// The greatest thickness.
     pub(crate) fn thickest(&self) -> f64 {
         self.values.iter().fold(0.0, |most, t| most.max(*t))
+    }
+
+    /// Where the spline's second derivatives jump: along the surface, with both ends, and round it.
+    fn knots(&self) -> (Vec<f64>, Vec<f64>) {
+        let mut along = vec![0.0];
+        along.extend(self.rows.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])));
+        along.push(1.0);
+        let n = self.n_columns;
+        (along, (0..n).map(|j| TAU * (j as f64 + 0.5) / n as f64).collect())
     }
 
     /// A quadratic spline whose knots lie half-way between the places, so that its slopes have no jumps: near a place it is a mean of what stands there and at its eight neighbours.
