@@ -1,5 +1,5 @@
-// Browser tests: tests/e2e against the built site on a static server, one file after the other, because software WebGL
-// takes every core there is. `cargo xtask test` builds the site and finds a browser first.
+// Browser tests: tests/e2e against the built site on a static server. Two files run side by side: while one waits for the
+// next frame the other draws. What counts frames runs by itself afterwards. `cargo xtask test` builds the site and finds a browser first.
 
 import { fileURLToPath } from "node:url";
 import type { Plugin } from "vite";
@@ -22,16 +22,29 @@ function packagesOfWeb(): Plugin {
   };
 }
 
+const ALONE = ["tests/e2e/drag.test.ts"];
+
 export default defineConfig({
   root,
   plugins: [packagesOfWeb()],
   resolve: { alias: { pasu: fileURLToPath(new URL("../crates/pasu-wasm/pkg/pasu.js", import.meta.url)) } },
   test: {
     environment: "node",
-    include: ["tests/e2e/**/*.test.ts"],
     passWithNoTests: true,
-    fileParallelism: false,
     testTimeout: 60_000,
     hookTimeout: 60_000,
+    maxWorkers: 2,
+    // As patient as a gesture: what is waited for comes late on a busy machine.
+    expect: { poll: { timeout: 30_000 } },
+    projects: [
+      {
+        extends: true,
+        test: { name: "together", include: ["tests/e2e/**/*.test.ts"], exclude: ALONE, sequence: { groupOrder: 0 } },
+      },
+      {
+        extends: true,
+        test: { name: "alone", include: ALONE, fileParallelism: false, sequence: { groupOrder: 1 } },
+      },
+    ],
   },
 });

@@ -4,6 +4,7 @@ import { expect, test } from "vitest";
 import { movements, slowDown, watchDrags } from "../support/drag.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
+import { SHARP } from "../support/visit.ts";
 
 const here = stay();
 const VASE = "#1/second-order";
@@ -17,7 +18,7 @@ function percentile(values: readonly number[], share: number): number {
 test("on a machine six times slower the pot stays within two frames of the pointer, on a grid that suits it", async ({
   annotate,
 }) => {
-  const pot = await here.enter({ link: VASE, before: watchDrags });
+  const pot = await here.enter({ ...SHARP, link: VASE, before: watchDrags });
   const before = await pot.fingerprint();
   const vertices = async () => Number(await pot.app.getAttribute("data-vertices"));
   const atRest = await vertices();
@@ -57,7 +58,7 @@ test("nothing jumps when the hand lets go", async ({ annotate }) => {
     ["#1/bloor-wilson?n1=5", "Rim radius"],
     [VASE, "Waist pull"],
   ] as const) {
-    const pot = await here.enter({ link });
+    const pot = await here.enter({ ...SHARP, link });
     const before = await pot.fingerprint();
     let held: Buffer = Buffer.alloc(0);
     let inDrag = "";

@@ -11,7 +11,7 @@ const goldens = JSON.parse(readFileSync(new URL("../goldens/fingerprints.json", 
 >;
 
 test("every exhibit is rendered, and opens as the pot that it shows", { timeout: 150_000 }, async () => {
-  const pot = await here.enter({ link: "#1/second-order?height=9" });
+  const pot = await here.enter({ link: "#1/second-order?height=9", grid: null });
   let shown = await pot.fingerprint();
   await pot.command("Gallery");
   const exhibits = pot.page.locator("pasu-gallery button[data-exhibit]");

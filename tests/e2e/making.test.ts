@@ -3,7 +3,7 @@
 import { expect, test } from "vitest";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import type { Visit } from "../support/visit.ts";
+import { SHARP, type Visit } from "../support/visit.ts";
 
 const here = stay();
 const JAR = "#1/fourth-order";
@@ -24,7 +24,7 @@ async function fromAbove(pot: Visit): Promise<Buffer> {
 }
 
 test("a wall makes a surface a pot, is seen, and is taken back step by step", async () => {
-  const pot = await here.enter({ link: JAR });
+  const pot = await here.enter({ ...SHARP, link: JAR });
   await pot.fingerprint();
   const bare = await fromAbove(pot);
   await pot.makePot();
@@ -52,7 +52,7 @@ test("a wall makes a surface a pot, is seen, and is taken back step by step", as
 });
 
 test("dragging the thickness moves the wall under the hand and is one step", async () => {
-  const pot = await here.enter({ link: JAR });
+  const pot = await here.enter({ ...SHARP, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   const before = await pot.field("Thickness").inputValue();
@@ -68,7 +68,7 @@ test("dragging the thickness moves the wall under the hand and is one step", asy
 });
 
 test("what cannot be a pot says why, and the surface stays", async () => {
-  const pot = await here.enter({ link: JAR });
+  const pot = await here.enter({ ...SHARP, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.type("Base", "9");
@@ -104,7 +104,7 @@ test("measures have units, follow the design, and tell their errors", async () =
 });
 
 test("water is poured in, follows the slider, the keys and the hand on the stage, and its volume with it", async () => {
-  const pot = await here.enter({ link: JAR });
+  const pot = await here.enter({ ...SHARP, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.tab("Measures");
@@ -142,7 +142,7 @@ test("water is poured in, follows the slider, the keys and the hand on the stage
 });
 
 test("colours show a map with its legend, and the glaze comes back", async () => {
-  const pot = await here.enter({ link: JAR });
+  const pot = await here.enter({ ...SHARP, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.tab("Measures");

@@ -10,13 +10,14 @@ import { fileURLToPath } from "node:url";
 import { beforeAll, test } from "vitest";
 import { atRest } from "./sight.ts";
 import { stay } from "./stay.ts";
-import { PHONE, type Visit, type VisitOptions } from "./visit.ts";
+import { PHONE, SHARP, type Visit, type VisitOptions } from "./visit.ts";
 
 const DOCS = fileURLToPath(new URL("../../docs", import.meta.url));
 const here = stay();
 /** Exhibits of the gallery that are on the picture. */
 const IN_SIGHT = 12;
-const WIDE: VisitOptions = { viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" };
+const WIDE: VisitOptions = { ...SHARP, viewport: { width: 1440, height: 900 } };
+const FINE_PHONE: VisitOptions = { ...PHONE, deviceScaleFactor: 2 };
 
 /** What is on the picture: a pot of the gallery and the panel beside it, or the gallery itself. */
 interface Scene {
@@ -34,8 +35,8 @@ const SCENES: readonly Scene[] = [
   { name: "designer-dark", options: { ...WIDE, colorScheme: "dark" }, exhibit: "own-dint", panel: "Profile" },
   { name: "gallery", options: { ...WIDE, colorScheme: "light" }, exhibit: "own-dint", gallery: true },
   { name: "making", options: { ...WIDE, colorScheme: "light" }, exhibit: "own-moon-jar", filled: true },
-  { name: "phone", options: { ...PHONE, colorScheme: "light" }, exhibit: "own-moon-jar" },
-  { name: "phone-dark", options: { ...PHONE, colorScheme: "dark" }, exhibit: "own-trumpet", panel: "Look" },
+  { name: "phone", options: { ...FINE_PHONE, colorScheme: "light" }, exhibit: "own-moon-jar" },
+  { name: "phone-dark", options: { ...FINE_PHONE, colorScheme: "dark" }, exhibit: "own-trumpet", panel: "Look" },
 ];
 
 async function fill(pot: Visit): Promise<void> {

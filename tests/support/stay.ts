@@ -4,12 +4,12 @@ import type { Browser } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
 import { launch } from "./browser.ts";
 import { type Site, serve } from "./server.ts";
-import { type Visit, type VisitOptions, visit } from "./visit.ts";
+import { COARSE, type Visit, type VisitOptions, visit } from "./visit.ts";
 
 export interface Stay {
   readonly site: Site;
   readonly browser: Browser;
-  /** Opens the designer in a profile of its own. After the test it is closed and must have had no trouble. */
+  /** Opens the designer in a profile of its own, on a coarse screen unless another is asked for. After the test it is closed and must have had no trouble. */
   enter(options?: VisitOptions): Promise<Visit>;
 }
 
@@ -44,7 +44,7 @@ export function stay(options: Parameters<typeof launch>[0] = {}): Stay {
       return present(browser);
     },
     async enter(visitOptions) {
-      const there = await visit(present(browser), present(site).url, visitOptions);
+      const there = await visit(present(browser), present(site).url, { ...COARSE, ...visitOptions });
       visits.push(there);
       return there;
     },

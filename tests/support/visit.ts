@@ -4,9 +4,16 @@
 
 import type { Browser, BrowserContext, BrowserContextOptions, Download, Locator, Page } from "playwright-core";
 
+interface GridSize {
+  readonly rows: number;
+  readonly columns: number;
+}
+
 export interface VisitOptions extends BrowserContextOptions {
   /** What follows the address, with its `#`. */
   readonly link?: string;
+  /** Rows and columns of every mesh on the stage, in the place of those that the designer chooses; null leaves it the choice. */
+  readonly grid?: GridSize | null;
   /** Runs before the page opens: the place to count or to measure what it does from its first moment. */
   readonly before?: (there: Visit) => Promise<void>;
 }
@@ -14,13 +21,19 @@ export interface VisitOptions extends BrowserContextOptions {
 /** A small desktop window, just wide enough for the whole bar: software WebGL pays by the pixel. Without damped motion the camera is where it goes at once. */
 const DESKTOP: BrowserContextOptions = { viewport: { width: 1100, height: 600 }, reducedMotion: "reduce" };
 
+/** The picture as people have it, for tests that look at it: a pixel of the screen for each of the page's, and the designer's own grid. */
+export const SHARP: VisitOptions = { deviceScaleFactor: 1, grid: null };
+
+/** A picture that is quickly drawn in software, for all others: a quarter of the pixels, and a fourteenth of the vertices. */
+export const COARSE: VisitOptions = { deviceScaleFactor: 0.5, grid: { rows: 49, columns: 97 } };
+
 /** Longer than anything takes on a busy machine; then the gesture that failed is named, not the test as a whole. */
 const PATIENCE = 30_000;
 
-/** A phone held upright. */
+/** A phone held upright; its screen is coarser than that of any phone, for the same reason. */
 export const PHONE: BrowserContextOptions = {
   viewport: { width: 390, height: 844 },
-  deviceScaleFactor: 2,
+  deviceScaleFactor: 1,
   isMobile: true,
   hasTouch: true,
   reducedMotion: "reduce",
@@ -30,13 +43,14 @@ export const PHONE: BrowserContextOptions = {
 export async function visit(
   browser: Browser,
   url: string,
-  { link = "", before, ...options }: VisitOptions = {},
+  { link = "", grid = null, before, ...options }: VisitOptions = {},
 ): Promise<Visit> {
   const context = await browser.newContext({ ...DESKTOP, ...options });
   context.setDefaultTimeout(PATIENCE);
   await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   const there = new Visit(context, await context.newPage(), url);
   await there.listen();
+  if (grid) await there.draw(grid);
   await before?.(there);
   await there.page.goto(url + link);
   return there;
@@ -76,6 +90,15 @@ export class Visit {
         report(`${event.violatedDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber}`),
       );
     });
+  }
+
+  /** Has every mesh on the stage made of so many rows and columns; to be called before the page opens. */
+  async draw(grid: GridSize): Promise<void> {
+    await this.context.addInitScript(async (size) => {
+      await customElements.whenDefined("pasu-app");
+      const { designer } = document.querySelector("pasu-app") as unknown as { designer: { grid: () => GridSize } };
+      designer.grid = () => size;
+    }, grid);
   }
 
   private offline = false;
