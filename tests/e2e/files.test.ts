@@ -50,11 +50,13 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
   await pot.button("Cancel").click();
   await pot.page.getByRole("textbox", { name: "Title" }).fill("Jar");
   const saved = new Map<string, Buffer>();
-  for (const [label, extension, begins] of FILES) {
+  for (const [label, extension, begins, opens] of FILES) {
     await pot.command("Export");
     await pot.page.getByRole("radio", { name: label, exact: true }).check();
     if (await pot.page.getByLabel("Tolerance").isVisible()) await coarse(pot);
     else await verdict(pot);
+    const told = pot.page.getByText(opens ? "the file opens the design again" : "does not open the design again");
+    expect(await told.isVisible(), label).toBe(true);
     const file = await pot.download(`Save ${label}`);
     expect(file.name).toBe(`Jar.${extension}`);
     expect(begins(file.bytes), label).toBe(true);
@@ -62,7 +64,15 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
     await pot.page.getByRole("dialog").waitFor({ state: "detached" });
   }
   for (const [label, extension, , opens] of FILES) {
-    if (!opens) continue;
+    if (!opens) {
+      await pot.dropFile(`Jar.${extension}`, saved.get(extension) ?? Buffer.alloc(0));
+      const alert = pot.page.getByRole("alert");
+      await alert.waitFor();
+      expect(await alert.innerText()).toMatch(/“Jar\.stl” cannot be opened: an STL holds triangles/);
+      await pot.button("Dismiss").click();
+      await alert.waitFor({ state: "detached" });
+      continue;
+    }
     await pot.openLink("#1/second-order");
     const other = pot.button("Open the link");
     await Promise.race([other.waitFor(), pot.fingerprintOtherThan(fingerprint)]);
@@ -130,15 +140,16 @@ test("a file that takes long is stopped, and the page goes on", async () => {
 });
 
 test.each([
-  ["holiday.stl", Buffer.alloc(84)],
-  ["drawing.svg", Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')],
-  ["archive.3mf", Buffer.from("PK\u0003\u0004 nothing")],
-])("%s holds no design: that is said and the pot stays", async (name, bytes) => {
+  ["holiday.stl", Buffer.alloc(84), "an STL holds triangles"],
+  ["drawing.svg", Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>'), "Pasu did not save it"],
+  ["archive.3mf", Buffer.from("PK\u0003\u0004 nothing"), "Pasu did not save it"],
+])("%s holds no design: that is said and the pot stays", async (name, bytes, why) => {
   const pot = await here.enter({ link: "#1/second-order" });
   const before = await pot.fingerprint();
   await pot.dropFile(name, bytes);
   const alert = pot.page.getByRole("alert");
   await alert.waitFor();
-  expect(await alert.innerText()).toContain(name);
+  expect(await alert.innerText()).toContain(`“${name}” cannot be opened`);
+  expect(await alert.innerText()).toContain(why);
   expect(await pot.fingerprint()).toBe(before);
 });

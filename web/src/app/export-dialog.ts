@@ -11,6 +11,7 @@ import {
   FORMATS,
   formatNote,
   makingOf,
+  opensAgain,
   type Problem,
   type SizeKind,
   scaleOf,
@@ -95,7 +96,7 @@ export class PasuExport extends DesignerElement {
           this.format,
           (format) => this.choose({}, { format }),
         )}
-        <p class="hint">${formatNote(this.format).note}</p>
+        <p class="hint">${formatNote(this.format).note} ${opensAgain(this.format)}</p>
       </div>
       ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
       <div class="row">

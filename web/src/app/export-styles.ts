@@ -18,6 +18,7 @@ export const exportStyles = css`
     padding-top: 5px;
     color: var(--soft);
     font-size: 0.9rem;
+    text-wrap: pretty;
   }
   .row {
     display: grid;

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { isDocument } from "./open-file";
+import { isDocument, readFile } from "./open-file";
+import type { Workshop } from "./workshop";
 
 test.each([
   ["vase.json", "milk, eggs", true],
@@ -15,4 +16,19 @@ test.each([
   ["vase.svg", "<svg", false],
 ])("%s beginning with %j", (name, beginning, document) => {
   expect(isDocument(name, beginning)).toBe(document);
+});
+
+/** A workshop that finds this in every file. */
+const finding = (link: string | null) => async () =>
+  ({ maker: { ask: async () => ({ state: "done", value: link }) } }) as unknown as Workshop;
+
+test.each([
+  ["vase.STL", /^“vase\.STL” cannot be opened: an STL holds triangles/],
+  ["vase.3mf", /^“vase\.3mf” cannot be opened: it holds no design, because Pasu did not save it/],
+])("%s without a design says why there is nothing to open", async (name, why) => {
+  const file = new File([new Uint8Array(84)], name);
+  expect(await readFile(file, finding(null))).toMatchObject({
+    refusal: { code: "no-design", message: expect.stringMatching(why) },
+  });
+  expect(await readFile(file, finding("1/second-order"))).toEqual({ text: "1/second-order" });
 });

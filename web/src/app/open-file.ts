@@ -31,10 +31,15 @@ export async function readFile(file: File, workshop: () => Promise<Workshop | nu
     case "refused":
       return { refusal: outcome.refusal };
     case "done":
-      return outcome.value === null
-        ? refused("no-design", `“${file.name}” holds no design of Pasu. Files that Pasu saved do, and links.`)
-        : { text: outcome.value };
+      return outcome.value === null ? refused("no-design", whyNot(file.name)) : { text: outcome.value };
   }
+}
+
+/** Why there is nothing to open in a file that was read. */
+function whyNot(name: string): string {
+  return /\.stl$/i.test(name)
+    ? `“${name}” cannot be opened: an STL holds triangles, and a design only if its link is very short. Open the link, or another file that Pasu saved.`
+    : `“${name}” cannot be opened: it holds no design, because Pasu did not save it or another program has changed it.`;
 }
 
 /** Whether a file is a document or a link, which the solver reads and whose faults it names. */

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Choices, makingOf, scaleOf, sizesOf } from "./saving";
+import { type Choices, FORMATS, makingOf, opensAgain, scaleOf, sizesOf } from "./saving";
 import type { Measures } from "./types";
 
 const MEASURES = {
@@ -67,4 +67,12 @@ test.each([
   [{ tolerance: "0" }, "tolerance"],
 ] as const)("%j is refused at its field", (choices, field) => {
   expect(making(choices)).toMatchObject({ field });
+});
+
+test("of every format it is told whether the file opens the design again", () => {
+  for (const { format } of FORMATS) {
+    expect(opensAgain(format), format).toMatch(
+      format === "stl" ? /an STL does not open/ : /the file opens the design again/,
+    );
+  }
 });

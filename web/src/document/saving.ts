@@ -41,6 +41,13 @@ export const FORMATS: readonly FormatNote[] = [
   { format: "ply", label: "PLY", note: "For science and scans.", triangles: true, type: "application/octet-stream" },
 ];
 
+/** Whether a file that is dropped on the page opens the design again. */
+export function opensAgain(format: Format): string {
+  return format === "stl"
+    ? "Dropped on this page, an STL does not open the design again, unless its link is very short; every other format does."
+    : "Dropped on this page, the file opens the design again.";
+}
+
 export function formatNote(format: Format): FormatNote {
   return FORMATS.find((each) => each.format === format) ?? (FORMATS[0] as FormatNote);
 }
