@@ -68,6 +68,19 @@ test("every measure is told with its unit", () => {
   });
 });
 
+test("a pot on a round foot tips in every direction alike, and all of a full foot touches the table", () => {
+  const radius = 5 * Math.tan((24.31 * Math.PI) / 180);
+  const disc = q(Math.PI * radius * radius);
+  const on = (hullArea: { value: number; error: number }) =>
+    lines({ ...MEASURES, footprint: { level: -1, area: hullArea, hullArea, hull: [] } } as unknown as Measures);
+  expect(on(disc)).toMatchObject({ "Tips when tilted by": "24.3° (in every direction)" });
+  expect(on(disc).Footprint).toMatch(/\(all of it touches the table\)$/);
+  // A foot that is a little longer one way tips first the other way.
+  expect(on(q(1.001 * disc.value))).toMatchObject({ "Tips when tilted by": "24.3° (towards 0°)" });
+  // The water stands beside the axis: full, it tips to that side.
+  expect(on(disc)).toMatchObject({ "Tips when full, by": "19° (towards 10°)" });
+});
+
 test("errors are there to be told", () => {
   const [size, capacity] = measureGroups(MEASURES, 0, "cm");
   expect(size?.lines[0]?.error.replaceAll("\u00a0", " ")).toBe("± 10⁻¹²");

@@ -16,6 +16,9 @@ import {
 import { asSentence } from "./report-words";
 import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "./types";
 
+/** Areas whose difference nobody can measure are the same. */
+const SAME = 1e-4;
+
 /** One line of the panel. */
 export interface Line {
   readonly name: string;
@@ -123,14 +126,23 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
   heavy("Centre of mass, full", centre.full);
   if (footprint) {
     const { area, hullArea } = footprint;
-    const touching = `of which ${areaWords(area.value, unit)} touch the table`;
+    const touching =
+      hullArea.value - area.value <= SAME * hullArea.value
+        ? "all of it touches the table"
+        : `of which ${areaWords(area.value, unit)} touch the table`;
     lines.push(quantity("Footprint", hullArea, areaShown(unit), touching));
   }
-  const tips = (name: string, tip: { readonly degrees: number; readonly toward: number } | null) => {
-    if (tip) lines.push({ name, value: angleWords(tip.degrees), error: "", note: `towards ${angleWords(tip.toward)}` });
+  const tips = (name: string, tip: Measures["tipping"]["empty"], heavyAt: { readonly at: Triple } | null) => {
+    if (!tip) return;
+    // What it stands on contains the disc that reaches to the nearest edge, and is that disc if it is no larger.
+    const nearest = heavyAt ? (heavyAt.at[2] - bottom) * Math.tan((tip.degrees * Math.PI) / 180) : 0;
+    const disc = Math.PI * nearest * nearest;
+    const round = footprint !== null && Math.abs(footprint.hullArea.value - disc) <= SAME * disc;
+    const note = round ? "in every direction" : `towards ${angleWords(tip.toward)}`;
+    lines.push({ name, value: angleWords(tip.degrees), error: "", note });
   };
-  tips("Tips when tilted by", tipping.empty);
-  tips("Tips when full, by", tipping.full);
+  tips("Tips when tilted by", tipping.empty, centre.empty);
+  tips("Tips when full, by", tipping.full, centre.full);
   return lines.length > 0 ? [{ title: "Standing", lines }] : [];
 }
 
