@@ -15,6 +15,18 @@ from pathlib import Path
 
 
 @dataclass(frozen=True)
+class Template:
+    """One part on paper, by its true faces. Lengths are millimetres."""
+
+    """Width and height of the section."""
+    section: tuple[float, float]
+    """Of the whole part along its axis."""
+    height: float
+    """Length of the rim as seen from above, or nothing where it is a point."""
+    rim: float | None
+
+
+@dataclass(frozen=True)
 class Specimen:
     """One product of one design. Lengths are millimetres."""
 
@@ -37,6 +49,8 @@ class Specimen:
     bound: float
     """Whether a slicer is to make G-code of it, which takes a second or two."""
     slice: bool
+    """What the template of each part shows."""
+    templates: tuple[Template, ...]
 
     def with_file(self, kind: str, path: Path, damage: str) -> Specimen:
         """The same expectations of another, damaged file, which is not sliced."""
@@ -106,6 +120,12 @@ def load(folder: Path) -> list[Specimen]:
 
 def read(folder: Path, entry: dict) -> Specimen:
     """One entry of `specimens.json`."""
-    fields = {key: value for key, value in entry.items() if key not in ("files", "size", "link", "making")}
+    others = ("files", "size", "link", "making", "templates")
+    fields = {key: value for key, value in entry.items() if key not in others}
     files = {kind: folder / name for kind, name in entry["files"].items()}
-    return Specimen(files=files, size=tuple(entry["size"]), product=entry["making"]["product"], **fields)
+    templates = tuple(
+        Template(section=tuple(part["section"]), height=part["height"], rim=part["rim"]) for part in entry["templates"]
+    )
+    return Specimen(
+        files=files, size=tuple(entry["size"]), product=entry["making"]["product"], templates=templates, **fields
+    )

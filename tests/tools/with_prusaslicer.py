@@ -57,8 +57,11 @@ def judge(specimen: Specimen) -> Iterator[str]:
             for fault in judge_file(specimen, specimen.files[kind]):
                 yield f"{kind}: {fault}"
     if specimen.slice:
-        for fault in judge_sliced(specimen):
-            yield f"G-code: {fault}"
+        # What is made for vase mode is sliced from every file that a slicer reads.
+        for kind in ("stl", "3mf") if specimen.product == "solid" else ("stl",):
+            if kind in specimen.files:
+                for fault in judge_sliced(specimen, specimen.files[kind]):
+                    yield f"G-code: {fault} (from {kind})"
 
 
 def judge_file(specimen: Specimen, path: Path) -> Iterator[str]:
@@ -79,12 +82,12 @@ def judge_file(specimen: Specimen, path: Path) -> Iterator[str]:
         yield from near(f"size along {axis}", found, expected, 2 * specimen.bound + 1e-5 * expected + 1e-6)
 
 
-def judge_sliced(specimen: Specimen) -> Iterator[str]:
+def judge_sliced(specimen: Specimen, model: Path) -> Iterator[str]:
     """The middle of the outermost strand runs half its width within the surface; the last layer ends near the top."""
     product = VASE if specimen.product == "solid" else HOLLOW
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "sliced.gcode"
-        run(*OPTIONS, *product, "--export-gcode", f"--output={path}", str(specimen.files["stl"]))
+        run(*OPTIONS, *product, "--export-gcode", f"--output={path}", str(model))
         least, most = extents(path.read_text(encoding="utf-8", errors="replace"))
     for index, axis in enumerate("xy"):
         found = most[index] - least[index] + EXTRUSION

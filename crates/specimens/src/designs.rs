@@ -30,10 +30,8 @@ const TOLERANCE: f64 = 2e-3;
 /// How tall a figure of a paper is made, which has no unit of its own, in centimetres.
 const FIGURE: f64 = 12.0;
 
-/// Every format that another program is asked about: a template has no judge.
-const JUDGED: [Format; 6] = [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply, Format::Step];
-
-/// Every exhibit as a pot with a plain wall and as a solid for vase mode. A few of each are sliced; the figures of papers leave out formats that hold the same triangles.
+/// Every exhibit as a pot with a plain wall and as a solid for vase mode, the solid in every format. A few of each are sliced; pots of the figures of papers leave out formats that
+/// hold the same triangles.
 pub(crate) fn gallery() -> Result<Vec<Specimen>> {
     let mut specimens = Vec::new();
     for exhibit in exhibits()? {
@@ -46,14 +44,18 @@ pub(crate) fn gallery() -> Result<Vec<Specimen>> {
             name: name.to_owned(),
             design: document(json!([{ "shape": exhibit["shape"], "wall": wall }]), "cm")?,
             making,
-            formats: if size.is_none() { JUDGED.to_vec() } else { vec![Format::Stl, Format::ThreeMf, Format::Step] },
+            formats: if size.is_none() {
+                Format::ALL.to_vec()
+            } else {
+                vec![Format::Stl, Format::ThreeMf, Format::Step]
+            },
             slice: ["own-dint", "own-saddle", "own-square", "zhang-you-1a"].contains(&name),
         });
         specimens.push(Specimen {
             name: format!("{name}-solid"),
             design: document(json!([{ "shape": exhibit["shape"] }]), "cm")?,
             making: Making { product: Product::Solid, ..making },
-            formats: vec![Format::Stl, Format::Step],
+            formats: Format::ALL.to_vec(),
             slice: ["own-twist", "own-fluted", "ishak-ali-4-n5"].contains(&name),
         });
     }
@@ -73,7 +75,7 @@ pub(crate) fn hard() -> Result<Vec<Specimen>> {
             name: format!("hard-{name}"),
             design: document(parts, unit)?,
             making,
-            formats: JUDGED.to_vec(),
+            formats: Format::ALL.to_vec(),
             slice: name == "foot-ring-and-drain",
         });
         Ok(())

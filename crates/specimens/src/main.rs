@@ -4,7 +4,10 @@ mod designs;
 mod sheet;
 
 use std::fs;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use anyhow::{Context, Result, bail};
 use serde_json::{Value, json};
@@ -17,13 +20,16 @@ fn main() -> Result<()> {
     let folder = arguments.next().map(PathBuf::from).context("expected the folder to write to")?;
     // All of them, unless some are named.
     let named: Vec<String> = arguments.collect();
-    let wanted = |specimen: &designs::Specimen| named.is_empty() || named.contains(&specimen.name);
+    let wanted = |all: Vec<designs::Specimen>| -> Vec<designs::Specimen> {
+        all.into_iter().filter(|specimen| named.is_empty() || named.contains(&specimen.name)).collect()
+    };
     fs::create_dir_all(&folder)?;
     let mut specimens = Vec::new();
     let mut refused = Vec::new();
     let mut pots = 0;
-    for specimen in designs::gallery()?.into_iter().filter(wanted) {
-        match write(&folder, &specimen)? {
+    let gallery = wanted(designs::gallery()?);
+    for (specimen, written) in gallery.iter().zip(write_all(&folder, &gallery)) {
+        match written? {
             Ok(sheet) => {
                 pots += usize::from(specimen.is_pot());
                 specimens.push(sheet);
@@ -37,8 +43,9 @@ fn main() -> Result<()> {
     if named.is_empty() && pots < FEWEST_POTS {
         bail!("{pots} designs of the gallery can be made into pots, expected {FEWEST_POTS} at least");
     }
-    for specimen in designs::hard()?.into_iter().filter(wanted) {
-        match write(&folder, &specimen)? {
+    let hard = wanted(designs::hard()?);
+    for (specimen, written) in hard.iter().zip(write_all(&folder, &hard)) {
+        match written? {
             Ok(sheet) => specimens.push(sheet),
             Err(error) => bail!("{}: {error}", specimen.name),
         }
@@ -47,6 +54,27 @@ fn main() -> Result<()> {
     let all = json!({ "specimens": specimens, "refused": refused });
     fs::write(folder.join("specimens.json"), serde_json::to_string_pretty(&all)?)?;
     Ok(())
+}
+
+/// Writes the files of all, on every core; the answers are in their order.
+fn write_all(folder: &Path, specimens: &[designs::Specimen]) -> Vec<Result<pasu::Result<Value>>> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let mut written = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(specimen) = specimens.get(index) else { return written };
+            written.push((index, write(folder, specimen)));
+        }
+    };
+    let mut all = thread::scope(|scope| {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(worker)).collect();
+        let answers = workers.into_iter().flat_map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        answers.collect::<Vec<_>>()
+    });
+    all.sort_by_key(|(index, _)| *index);
+    all.into_iter().map(|(_, written)| written).collect()
 }
 
 /// Writes the files of one specimen and returns what is to be found in them.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use pasu::{Face, MeasureOptions, Pot, Result, Size, SolidMesh};
+use pasu::{Face, FaceKind, MeasureOptions, Pot, Result, Size, SolidMesh};
 use serde_json::{Value, json};
 
 use crate::designs::Specimen;
@@ -44,6 +44,7 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
         "clay_volume": clay("value"),
         "clay_error": clay("error"),
         "bound": meshes.iter().map(|mesh| mesh.bound).fold(0.0, f64::max) * millimetres,
+        "templates": templates(specimen, millimetres)?,
     }))
 }
 
@@ -91,4 +92,59 @@ fn size(specimen: &Specimen, measured: &Value, millimetres: f64) -> Result<DVec3
         _ => measured["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
     };
     Ok(size)
+}
+
+/// Chords by which the length of a rim is found.
+const CHORDS: usize = 20_000;
+
+/// What the template of each part shows, by the true faces: width and height of the section through the axis along world x, height of the whole part along its axis, length of the rim
+/// seen from above (`null` where it is a point).
+fn templates(specimen: &Specimen, millimetres: f64) -> Result<Vec<Value>> {
+    let parts = 0..specimen.design.parts().len();
+    parts.map(|part| Ok(template(&Pot::new(&specimen.design, part, specimen.making.product)?, millimetres))).collect()
+}
+
+fn template(pot: &Pot, millimetres: f64) -> Value {
+    let axis = pot.axis();
+    let along = if axis.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
+    let across = (along - along.dot(axis) * axis).normalize();
+    let normal = axis.cross(across);
+    // Across the section's plane, across the axis, along it.
+    let place = |point: DVec3| {
+        let from = (point - pot.origin()) * millimetres;
+        DVec3::new(from.dot(normal), from.dot(across), from.dot(axis))
+    };
+    let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (mut rim, mut top) = (0.0, f64::NEG_INFINITY);
+    for face in pot.faces() {
+        let at = |a: f64, step: usize, steps: usize| place(face.jet(a, step as f64 / steps as f64 * TAU).position);
+        for row in 0..=ALONG {
+            let a = row as f64 / ALONG as f64;
+            let points: Vec<DVec3> = (0..=AROUND).map(|step| at(a, step, AROUND)).collect();
+            for pair in points.windows(2) {
+                let (before, after) = (pair[0], pair[1]);
+                low = low.min(before.z);
+                high = high.max(before.z);
+                if (before.x < 0.0) != (after.x < 0.0) {
+                    let cut = before.lerp(after, before.x / (before.x - after.x));
+                    least = least.min(cut);
+                    most = most.max(cut);
+                }
+            }
+        }
+        if face.kind() == FaceKind::Outer {
+            for a in [0.0, 1.0] {
+                let points: Vec<DVec3> = (0..=CHORDS).map(|step| at(a, step, CHORDS)).collect();
+                let height = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;
+                if height > top {
+                    top = height;
+                    rim = points.windows(2).map(|pair| (pair[1] - pair[0]).truncate().length()).sum();
+                }
+            }
+        }
+    }
+    let section = most - least;
+    let is_point = rim <= 1e-5 * (high - low);
+    json!({ "section": [section.y, section.z], "height": high - low, "rim": if is_point { Value::Null } else { rim.into() } })
 }

@@ -18,7 +18,7 @@ end and of the library as it is published, and the browser tests.
 
   --fast   leave out what needs a browser
   --tools  instead of all that, have other programs judge files of many designs: Manifold, trimesh, lib3mf,
-           OpenCASCADE, PrusaSlicer and the glTF validator. They are installed when first needed";
+           OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     let fast = match arguments {

@@ -1,0 +1,160 @@
+"""resvg: a template is a page in millimetres, and what it shows has the size of the pot when it is drawn at true scale.
+
+Nothing is read off the file but which element is which: lengths are counted in pixels of the picture that resvg draws
+at four pixels a millimetre.
+"""
+
+import io
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from xml.etree import ElementTree
+
+import resvg_py
+from PIL import Image
+
+import specimens
+from specimens import Specimen, Template, equal, near
+
+SVG = "{http://www.w3.org/2000/svg}"
+MILLIMETRES_PER_INCH = 25.4
+PIXELS = 4
+"""How far a length may be off that is told by pixels: one at each end is partly covered."""
+PIXEL = 2 / PIXELS
+"""Half of a line is drawn on each side of what it bounds."""
+OUTLINE = 0.25
+BAR = 100.0
+
+
+def judge(specimen: Specimen) -> Iterator[str]:
+    """Page, bar, sections, heights and rims."""
+    root = ElementTree.parse(specimen.files["svg"]).getroot()
+    # As large as it says, one unit a millimetre.
+    sides = [re.fullmatch(r"([\d.]+)mm", root.get(side, "")) for side in ("width", "height")]
+    yield from equal("sides in millimetres", [bool(side) for side in sides], [True, True])
+    if not all(sides):
+        return
+    yield from equal("viewBox", root.get("viewBox"), " ".join(["0", "0", *(side[1] for side in sides if side)]))
+    width, height = (float(side[1]) for side in sides if side)
+    page = drawn(specimen.files["svg"].read_text(encoding="utf-8"))
+    yield from near("page is wide", page.width / PIXELS, width, PIXEL)
+    yield from near("page is high", page.height / PIXELS, height, PIXEL)
+
+    left, upper, right, lower = extent(root, lambda element: element.tag in (f"{SVG}path", f"{SVG}line"))
+    yield from equal("all of it is on the page", left > 1 and upper > 1 and right < width - 1 and lower < height - 1, True)
+    first = next(element for element in root if element.tag == f"{SVG}line")
+    yield from near("bar", wide(extent(root, lambda element: element is first)), BAR, PIXEL)
+
+    strips = [path for text, path in captioned(root) if text.startswith("Rim unrolled")]
+    tops = [text for text in texts(root) if text.endswith(" top")]
+    yield from equal("number of rims", len(strips), sum(part.rim is not None for part in specimen.templates))
+    yield from equal("number of heights", len(tops), specimen.parts)
+    for number, (part, top) in enumerate(zip(specimen.templates, tops, strict=True), start=1):
+        # A label has one decimal place.
+        yield from near("height told", float(top.split()[0]), part.height, 0.06 + 2 * specimen.bound)
+        yield from judge_section(specimen, root, f"section-{number}", part)
+    for strip, part in zip(strips, (part for part in specimen.templates if part.rim is not None), strict=True):
+        found = wide(extent(root, lambda element, strip=strip: element is strip)) - OUTLINE
+        # It is drawn with chords.
+        yield from near("rim unrolled", found, part.rim, PIXEL + 1e-3 * part.rim)
+
+
+def judge_section(specimen: Specimen, root: ElementTree.Element, name: str, part: Template) -> Iterator[str]:
+    """The drawn profile."""
+    box = extent(root, lambda element: element.get("id") == name)
+    for what, found, expected in (
+        ("width", wide(box) - OUTLINE, part.section[0]),
+        ("height", box[3] - box[1] - OUTLINE, part.section[1]),
+    ):
+        yield from near(f"{what} of the section", found, expected, PIXEL + 2 * specimen.bound + 1e-3 * expected)
+
+
+def wide(box: tuple[float, float, float, float]) -> float:
+    """From left to right."""
+    return box[2] - box[0]
+
+
+def texts(root: ElementTree.Element) -> list[str]:
+    """All that is written, in order."""
+    return [element.text or "" for element in root.iter(f"{SVG}text")]
+
+
+def captioned(root: ElementTree.Element) -> Iterator[tuple[str, ElementTree.Element]]:
+    """Every text with the path that is the next in the file."""
+    caption = None
+    for element in root:
+        if element.tag == f"{SVG}text":
+            caption = element.text or ""
+        elif element.tag == f"{SVG}path" and caption is not None:
+            yield caption, element
+            caption = None
+
+
+def extent(
+    root: ElementTree.Element, kept: Callable[[ElementTree.Element], bool]
+) -> tuple[float, float, float, float]:
+    """Where on the page some of its elements are seen: left, upper, right, lower."""
+    page = ElementTree.Element(root.tag, root.attrib)
+    page.extend(element for element in root if kept(element))
+    box = drawn(ElementTree.tostring(page, encoding="unicode")).getchannel("A").getbbox()
+    if box is None:
+        raise ValueError("nothing is seen")
+    return tuple(side / PIXELS for side in box)
+
+
+def drawn(text: str) -> Image.Image:
+    """The page at four pixels a millimetre."""
+    data = resvg_py.svg_to_bytes(svg_string=text, dpi=PIXELS * MILLIMETRES_PER_INCH, skip_system_fonts=True)
+    Image.MAX_IMAGE_PIXELS = None
+    return Image.open(io.BytesIO(data))
+
+
+def in_pixels(specimen: Specimen, folder: Path) -> Specimen:
+    """The right numbers without their unit."""
+    return edited(specimen, folder, r'(width|height)="([\d.]+)mm"', r'\1="\2"', "in pixels")
+
+
+def a_hundredth_too_large(specimen: Specimen, folder: Path) -> Specimen:
+    """A page that is not true to scale."""
+    return edited(specimen, folder, r'(width|height)="([\d.]+)mm"', larger, "a hundredth too large")
+
+
+def larger(side: re.Match[str]) -> str:
+    """One side of the page."""
+    return f'{side[1]}="{1.01 * float(side[2]):.3f}mm"'
+
+
+def with_a_short_rim(specimen: Specimen, folder: Path) -> Specimen:
+    """A strip that does not reach round the pot."""
+    return edited(specimen, folder, r'(Rim unrolled.*?<path )', r'\1transform="scale(0.99 1)" ', "with a short rim")
+
+
+def with_a_low_section(specimen: Specimen, folder: Path) -> Specimen:
+    """A section that is not as high as the pot."""
+    return edited(specimen, folder, r'(<path id="section-1" )', r'\1transform="scale(1 0.99)" ', "with a low section")
+
+
+def edited(
+    specimen: Specimen, folder: Path, pattern: str, by: str | Callable[[re.Match[str]], str], damage: str
+) -> Specimen:
+    """A specimen whose SVG has another text wherever it matches."""
+    text, changes = re.subn(pattern, by, specimen.files["svg"].read_text(encoding="utf-8"), flags=re.DOTALL)
+    if changes == 0:
+        raise ValueError(f"the file has no {pattern}")
+    path = folder / f"{damage.replace(' ', '-')}.svg"
+    path.write_text(text, encoding="utf-8")
+    return specimen.with_file("svg", path, damage)
+
+
+if __name__ == "__main__":
+    specimens.main(
+        "resvg",
+        judge,
+        {
+            in_pixels: "sides in millimetres is",
+            a_hundredth_too_large: "viewBox is",
+            with_a_short_rim: "rim unrolled is",
+            with_a_low_section: "height of the section is",
+        },
+        wanted=lambda specimen: "svg" in specimen.files,
+    )
