@@ -97,9 +97,10 @@ export interface Quantity {
 /** A point of the world, after placement, in the unit of the design; z is up. */
 export type Point = [x: number, y: number, z: number];
 
-/** A number and where it is reached. */
+/** A number, how far it may be off, and where it is reached. */
 export interface Located {
   value: number;
+  error: number;
   at: Point;
 }
 
@@ -173,9 +174,10 @@ export interface Capacity {
   stopped: boolean;
 }
 
-/** Degrees. */
+/** Degrees; `error` is how far `degrees` may be off. */
 export interface Tipping {
   degrees: number;
+  error: number;
   toward: number;
 }
 
@@ -190,7 +192,14 @@ export interface PartMeasures extends BodyMeasures {
   /** Why it holds nothing, in words. */
   capacityReason: string | null;
   /** Along the normal; `thinned` is the share of the surface, 0 to 1, where the wall is thinner than asked for. */
-  thickness: { asked: number; least: { value: number; at: Point | null }; greatest: number; thinned: number } | null;
+  thickness: {
+    asked: number;
+    least: { value: number; error: number; at: Point | null };
+    greatest: number;
+    greatestError: number;
+    thinned: number;
+    thinnedError: number;
+  } | null;
   /** Of the outside against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up. */
   overhang: Overhang | null;
   /** Of the lining. */
@@ -205,6 +214,8 @@ export interface PartMeasures extends BodyMeasures {
 /** How far a wall leans over what is below. */
 export interface Overhang {
   degrees: number;
+  /** How far `degrees` may be off. */
+  error: number;
   at: Point;
   face: "outer" | "rim" | "lining";
 }

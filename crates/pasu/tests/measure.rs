@@ -6,8 +6,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use pasu::{
-    Code, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product, Quantity, Size,
-    measure, mesh, paint, water,
+    Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product,
+    Quantity, Size, measure, mesh, paint, water,
 };
 use support::design;
 
@@ -155,6 +155,111 @@ fn a_bare_paraboloid_by_formula() {
     let m = measured(&cone(0.0, 3.0, 4.0, ""));
     assert_eq!(m.parts[0].curvature.mean.greatest, None);
     near(m.whole.capacity.unwrap().brim, PI * 9.0 * 4.0 / 3.0, 50.0);
+}
+
+/// As [`near`], of a value with an error beside it.
+#[track_caller]
+fn within(value: f64, error: f64, exact: f64, most: f64) {
+    assert!((value - exact).abs() <= error, "dishonest: {value} off by {:e}, stated {error:e}", value - exact);
+    assert!(error <= most, "{value} {error:e}");
+}
+
+#[track_caller]
+fn bounds(range: CurvatureRange, [least, greatest]: [f64; 2], most: f64) {
+    for (found, exact) in [(range.least.unwrap(), least), (range.greatest.unwrap(), greatest)] {
+        within(found.value, found.error, exact, most);
+    }
+}
+
+#[test]
+fn angles_and_curvatures_by_formula_with_their_errors() {
+    // A cylinder.
+    let (r, h, t, b) = (3.0f64, 8.0f64, 0.25f64, 0.5f64);
+    let m = measured(&cone(r, r, h, WALL));
+    let part = &m.parts[0];
+    bounds(part.curvature.mean, [0.5 / r; 2], 1e-11);
+    bounds(part.curvature.gaussian, [0.0; 2], 1e-11);
+    for overhang in [part.overhang, part.overhang_inside] {
+        within(overhang.unwrap().degrees, overhang.unwrap().error, 0.0, 1e-9);
+    }
+    let inner = r - t;
+    let moment = PI * (r * r * h * h / 2.0 - inner * inner * (h - b) * (h + b) / 2.0);
+    let volume = PI * (r * r * h - inner * inner * (h - b));
+    let tipping = m.whole.tipping_empty.unwrap();
+    within(tipping.degrees, tipping.error, (r * volume / moment).atan().to_degrees(), 1e-7);
+    assert_eq!(part.thickness.unwrap().errors, [0.0; 3]);
+
+    // A cone: the circle across is seen by the slope of its side (Meusnier).
+    let m = measured(&cone(2.0, 5.0, 7.0, WALL));
+    let (slope, side) = (3.0f64 / 7.0, (1.0 + 9.0 / 49.0f64).sqrt());
+    let overhang = m.parts[0].overhang.unwrap();
+    within(overhang.degrees, overhang.error, slope.atan().to_degrees(), 1e-9);
+    bounds(m.parts[0].curvature.mean, [0.5 / (5.0 * side), 0.5 / (2.0 * side)], 1e-10);
+    bounds(m.parts[0].curvature.gaussian, [0.0; 2], 1e-11);
+
+    // A paraboloid: a pole, and the rim.
+    let (r, h) = (3.0f64, 4.0f64);
+    let m = measured(&paraboloid(r, h, ""));
+    let p = 2.0 * h / (r * r);
+    let stretch = (1.0 + p * p * r * r).sqrt();
+    let (along, across) = (p / stretch.powi(3), p / stretch);
+    bounds(m.parts[0].curvature.mean, [0.5 * (along + across), p], 3e-8);
+    bounds(m.parts[0].curvature.gaussian, [along * across, p * p], 3e-8);
+    let overhang = m.parts[0].overhang.unwrap();
+    within(overhang.degrees, overhang.error, 90.0, 1e-6);
+
+    // A catenoid: r = a cosh(z / a), whose mean curvature vanishes.
+    let (a, rate) = (2.0f64, 3.0f64);
+    let end = a * (0.5 * rate).cosh();
+    let round = |name: &str, wave: &str| {
+        let datum = format!(r#"{{ "n": 1, "{wave}": {{ "start": {end}, "end": {end} }} }}"#);
+        format!(r#""{name}": {{ "order": 2, "s": 1, "t": {}, "modes": [ {datum} ] }}"#, rate * rate)
+    };
+    let z = format!(
+        r#""z": {{ "order": 2, "s": 1, "t": 0, "modes": [ {{ "n": 0, "cos": {{ "end": {} }} }} ] }}"#,
+        a * rate
+    );
+    let m = measured(&format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {{ "kind": "boundary-value", "span": "2pi", {}, {}, {z} }} }}] }}"#,
+        round("x", "cos"),
+        round("y", "sin")
+    ));
+    let curvature = m.parts[0].curvature;
+    bounds(curvature.mean, [0.0; 2], 1e-10);
+    bounds(curvature.gaussian, [-1.0 / (a * a), -1.0 / (a * a * (0.5 * rate).cosh().powi(4))], 1e-10);
+    let overhang = m.parts[0].overhang.unwrap();
+    within(overhang.degrees, overhang.error, (0.5 * rate).sinh().atan().to_degrees(), 1e-9);
+}
+
+/// What a fine grid finds is within the error that is stated, also of walls that had to be thinned.
+#[test]
+fn overhangs_against_a_fine_grid() {
+    for (name, rim) in
+        [("own-dint", "rounded"), ("own-twist", "flat"), ("own-fluted", "flat"), ("ishak-ali-4-n5", "flat")]
+    {
+        let design = design(&exhibit(name, rim, ""));
+        let pot = Pot::new(&design, 0, Product::Pot).unwrap();
+        let part = &measure(&design, &MeasureOptions::default()).unwrap().parts[0];
+        for (is_inside, found) in [(false, part.overhang.unwrap()), (true, part.overhang_inside.unwrap())] {
+            let is_meant = |kind: FaceKind| match is_inside {
+                true => kind == FaceKind::Lining,
+                false => matches!(kind, FaceKind::Outer | FaceKind::Rim),
+            };
+            let mut most = f64::MIN;
+            for face in pot.faces().iter().filter(|face| is_meant(face.kind())) {
+                for i in 0..=200 {
+                    for j in 0..400 {
+                        let jet = face.jet(f64::from(i) / 200.0, TAU * f64::from(j) / 400.0);
+                        let normal = jet.da.cross(jet.dv) * face.outward();
+                        most = most.max((-normal.z).atan2(normal.x.hypot(normal.y)).to_degrees());
+                    }
+                }
+            }
+            println!("{name} {is_inside} {found:?} {most}");
+            assert!(most <= found.degrees + found.error, "{name} {is_inside}: {found:?} {most}");
+            assert!(found.degrees - most < 3.0, "{name} {is_inside}: {found:?} {most}");
+        }
+    }
 }
 
 #[test]
@@ -509,17 +614,23 @@ fn the_json_is_complete() {
         "/footprint/hullArea/value",
         "/footprint/hull/0/1",
         "/tipping/empty/degrees",
+        "/tipping/empty/error",
         "/tipping/full/toward",
         "/parts/0/part",
         "/parts/0/isPot",
         "/parts/0/thickness/asked",
         "/parts/0/thickness/least/value",
+        "/parts/0/thickness/least/error",
         "/parts/0/thickness/greatest",
+        "/parts/0/thickness/greatestError",
         "/parts/0/thickness/thinned",
+        "/parts/0/thickness/thinnedError",
         "/parts/0/overhang/degrees",
+        "/parts/0/overhang/error",
         "/parts/0/overhang/face",
         "/parts/0/overhangInside/at/0",
         "/parts/0/curvature/mean/least/value",
+        "/parts/0/curvature/mean/least/error",
         "/parts/0/curvature/gaussian/greatest/at/2",
     ] {
         assert!(value.pointer(path).is_some_and(|found| !found.is_null()), "{path} in {json}");

@@ -20,7 +20,7 @@ const MEASURES = {
   },
   centre: { empty: { at: [0, 0, 4], error: 1e-12 }, full: { at: [0.3, 0.4, 5], error: 1e-12 } },
   footprint: { level: -1, area: q(10), hullArea: q(12), hull: [] },
-  tipping: { empty: { degrees: 24.31, toward: 0 }, full: { degrees: 19, toward: 10 } },
+  tipping: { empty: { degrees: 24.31, error: 1e-9, toward: 0 }, full: { degrees: 19, error: 1e-9, toward: 10 } },
   parts: [
     {
       part: 0,
@@ -28,11 +28,18 @@ const MEASURES = {
       isPot: true,
       reason: null,
       capacityReason: null,
-      thickness: { asked: 0.5, least: { value: 0.4, at: null }, greatest: 0.5, thinned: 0.1 },
-      overhang: { degrees: 31.2, at: [0, 0, 0], face: "outer" },
+      thickness: {
+        asked: 0.5,
+        least: { value: 0.4, error: 0, at: null },
+        greatest: 0.5,
+        greatestError: 0,
+        thinned: 0.1,
+        thinnedError: 0,
+      },
+      overhang: { degrees: 31.2, error: 0, at: [0, 0, 0], face: "outer" },
       curvature: {
-        mean: { least: { value: -0.5, at: [0, 0, 0] }, greatest: null },
-        gaussian: { least: { value: -1, at: [0, 0, 0] }, greatest: { value: 2, at: [0, 0, 0] } },
+        mean: { least: { value: -0.5, error: 0, at: [0, 0, 0] }, greatest: null },
+        gaussian: { least: { value: -1, error: 0, at: [0, 0, 0] }, greatest: { value: 2, error: 0, at: [0, 0, 0] } },
       },
     },
   ],

@@ -139,7 +139,7 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
     const disc = Math.PI * nearest * nearest;
     const round = footprint !== null && Math.abs(footprint.hullArea.value - disc) <= SAME * disc;
     const note = round ? "in every direction" : `towards ${angleWords(tip.toward)}`;
-    lines.push({ name, value: angleWords(tip.degrees), error: "", note });
+    lines.push({ name, value: angleWords(tip.degrees), error: errorWords(tip.error), note });
   };
   tips("Tips when tilted by", tipping.empty, centre.empty);
   tips("Tips when full, by", tipping.full, centre.full);
@@ -156,16 +156,17 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
     lines.push({
       name: "Thickness",
       value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest)}`,
-      error: "",
+      error: errorWords(Math.max(least.error, thickness.greatestError)),
       ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
     });
   }
   if (overhang) {
     const { degrees } = overhang;
+    const error = errorWords(overhang.error);
     lines.push(
       degrees > 0
-        ? { name: "Largest overhang", value: angleWords(degrees), error: "", note: "from upright, where it faces down" }
-        : { name: "Largest overhang", value: "none", error: "", note: "nothing faces down" },
+        ? { name: "Largest overhang", value: angleWords(degrees), error, note: "from upright, where it faces down" }
+        : { name: "Largest overhang", value: "none", error, note: "nothing faces down" },
     );
   }
   lines.push(...curved("Mean curvature", curvature.mean, `/${unit}`));
@@ -176,7 +177,8 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
 function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
   const end = (extreme: { readonly value: number } | null, otherwise: string) =>
     extreme ? formatNumber(extreme.value, 4) : otherwise;
-  return [{ name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error: "" }];
+  const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));
+  return [{ name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error }];
 }
 
 function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {

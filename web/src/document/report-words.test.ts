@@ -22,7 +22,7 @@ const texts = (made: Measures, report: Report | null = null) =>
   verdict(made, report, OUTLINE, "cm").map(({ severity, text }) => `${severity}: ${text.replaceAll("\u00a0", " ")}`);
 
 test("an overhang is told by its angle and place", () => {
-  const overhang = (degrees: number) => measures({}, { overhang: { degrees, at: SHOULDER, face: "outer" } });
+  const overhang = (degrees: number) => measures({}, { overhang: { degrees, error: 0, at: SHOULDER, face: "outer" } });
   expect(texts(overhang(61.6))).toEqual([
     "warning: Overhang of 62 degrees at the shoulder: a printer needs support there.",
   ]);
@@ -33,7 +33,14 @@ test("an overhang is told by its angle and place", () => {
 });
 
 test("a wall is told where it was thinned and where it is too thin to print", () => {
-  const thickness = { asked: 0.3, least: { value: 0.07, at: RIM }, greatest: 0.3, thinned: 0.1 };
+  const thickness = {
+    asked: 0.3,
+    least: { value: 0.07, error: 0, at: RIM },
+    greatest: 0.3,
+    greatestError: 0,
+    thinned: 0.1,
+    thinnedError: 0,
+  };
   expect(texts(measures({}, { thickness }))).toEqual([
     "warning: The wall is thinned to 0.07 cm at the rim, where the pot bends too tightly for 0.3 cm.",
     "warning: The wall is only 0.7 mm thick at the rim: too thin for most clay and most printers at this size.",
@@ -44,7 +51,10 @@ test("how it stands, empty and full", () => {
   const tip = (empty: number, full: number | null) =>
     texts(
       measures({
-        tipping: { empty: { degrees: empty, toward: 0 }, full: full === null ? null : { degrees: full, toward: 0 } },
+        tipping: {
+          empty: { degrees: empty, error: 0, toward: 0 },
+          full: full === null ? null : { degrees: full, error: 0, toward: 0 },
+        },
       }),
     );
   expect(tip(24, 19.6)).toEqual([
@@ -58,8 +68,8 @@ test("how it stands, empty and full", () => {
 
 test("the worst comes first, and parts are named where there are several", () => {
   const made = measures(
-    { tipping: { empty: { degrees: 30, toward: 0 }, full: null } },
-    { overhang: { degrees: 80, at: SHOULDER, face: "outer" } },
+    { tipping: { empty: { degrees: 30, error: 0, toward: 0 }, full: null } },
+    { overhang: { degrees: 80, error: 0, at: SHOULDER, face: "outer" } },
     { part: 1, name: "lid", isPot: false, reason: "The surface does not close." },
   );
   expect(texts(made).map((text) => text.split(":")[0])).toEqual(["error", "warning", "good"]);
@@ -67,7 +77,14 @@ test("the worst comes first, and parts are named where there are several", () =>
 });
 
 test("what the checks say of a thinned wall is told once, with its unit and place", () => {
-  const thickness = { asked: 0.3, least: { value: 0.12, at: RIM }, greatest: 0.3, thinned: 0.034 };
+  const thickness = {
+    asked: 0.3,
+    least: { value: 0.12, error: 0, at: RIM },
+    greatest: 0.3,
+    greatestError: 0,
+    thinned: 0.034,
+    thinnedError: 0,
+  };
   const finding = { code: "thinned", severity: "warning", part: 0, message: "thin", at: SHOULDER } as const;
   const report = { ok: true, findings: [finding], meshes: [{ part: 0, thinnest: 0.12, thinned: 0.034 }] };
   expect(texts(measures({}, { thickness }), report as unknown as Report)).toEqual([

@@ -15,6 +15,8 @@ use crate::surface::SurfaceJet;
 pub struct Located {
     /// The value.
     pub value: f64,
+    /// How far it may be off; never negative.
+    pub error: f64,
     /// Where, in model units after placement.
     pub at: [f64; 3],
 }
@@ -84,19 +86,40 @@ impl Kind {
         }
         let inward = if a < 0.5 { STEP } else { -STEP };
         let near = |steps: f64| self.of(&bare.second(a + steps * inward, v), bare.outward());
-        // A parabola through three points further in.
-        let limit = 3.0 * near(1.0) - 3.0 * near(2.0) + near(3.0);
-        if limit.is_finite() { limit } else { 0.0 }
+        // A cubic through four points further in.
+        let limit = limit(near);
+        if limit.0.is_finite() { limit.0 } else { 0.0 }
+    }
+
+    /// The limit at a pole or cusp with how far it may be off.
+    fn limit(self, bare: &Bare, a: f64, v: f64) -> (f64, f64) {
+        let inward = if a < 0.5 { STEP } else { -STEP };
+        limit(|steps| self.of(&bare.second(a + steps * inward, v), bare.outward()))
     }
 }
 
-/// The ranges over the whole surface.
-pub(crate) fn curvature(bare: &Bare) -> Curvature {
-    let grid = Grid::new(65, columns(bare.highest()), |a, v| bare.second(a, v));
-    Curvature { mean: range(bare, &grid, Kind::Mean), gaussian: range(bare, &grid, Kind::Gaussian) }
+/// What a function tends to at 0, by the cubic through its values at 1, 2, 3 and 4; the error is what a parabola finds otherwise, and what is left of rounding.
+fn limit(near: impl Fn(f64) -> f64) -> (f64, f64) {
+    let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(near);
+    let (cubic, parabola) = (4.0 * one - 6.0 * two + 4.0 * three - four, 3.0 * one - 3.0 * two + three);
+    (cubic, 2.0 * (cubic - parabola).abs() + POLE_ROUNDING * one.abs())
 }
 
-fn range(bare: &Bare, grid: &Grid<SurfaceJet>, kind: Kind) -> CurvatureRange {
+/// The rounding of a curvature so near to a pole that second derivatives are divided by the square of a step.
+const POLE_ROUNDING: f64 = 1e-9;
+
+/// The rounding of a curvature elsewhere, as a part of its size.
+const ROUNDING: f64 = 1e-11;
+
+/// The ranges over the whole surface.
+pub(crate) fn curvature(bare: &Bare) -> Curvature {
+    let columns = columns(bare.highest());
+    let grids = [(65, columns), (51, columns + columns / 3)];
+    let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| bare.second(a, v)));
+    Curvature { mean: range(bare, &grids, Kind::Mean), gaussian: range(bare, &grids, Kind::Gaussian) }
+}
+
+fn range(bare: &Bare, [grid, other]: &[Grid<SurfaceJet>; 2], kind: Kind) -> CurvatureRange {
     let outward = bare.outward();
     // Ends that are poles or cusps, and the limits there.
     let mut ends = Vec::new();
@@ -114,21 +137,66 @@ fn range(bare: &Bare, grid: &Grid<SurfaceJet>, kind: Kind) -> CurvatureRange {
     let (from, to) = (if bounds[0] { STEP } else { 0.0 }, if bounds[1] { 1.0 - STEP } else { 1.0 });
     let extreme = |sign: f64| {
         let of = |jet: &SurfaceJet| sign * kind.of(jet, outward);
-        let mut best = grid.greatest(of, |a, v| bare.second(a.clamp(from, to), v))?;
+        let (mut best, mut error) = grid.greatest_and_error(other, of, |a, v| bare.second(a.clamp(from, to), v))?;
         best.a = best.a.clamp(from, to);
+        let is_beside = (bounds[0] && best.a == from) || (bounds[1] && best.a == to);
+        let beside = best;
         for &(a, v) in &ends {
             let inward = if a < 0.5 { STEP } else { -STEP };
             let near = [1.0, 0.1, 0.01].map(|step| sign * kind.of(&bare.second(a + step * inward, v), outward));
             if near[2] > GROWTH * near[1] && near[1] > GROWTH * near[0] && near[0] > 0.0 {
                 return None;
             }
-            let value = sign * kind.at(bare, a, v);
-            if value > best.value {
-                best = Place { a, v, value };
+            let (value, off) = kind.limit(bare, a, v);
+            if sign * value > best.value {
+                (best, error) = (Place { a, v, value: sign * value }, off);
             }
         }
+        if is_beside && best == beside {
+            // Between here and the pole it may be a little more.
+            error +=
+                (best.value - of(&bare.second(if best.a < 0.5 { 2.0 * STEP } else { 1.0 - 2.0 * STEP }, best.v))).abs();
+        }
+        // Either is a sum of principal curvatures or of their products, of which little may be left.
+        let [mean, gaussian] =
+            [Kind::Mean, Kind::Gaussian].map(|kind| kind.of(&bare.second(best.a.clamp(from, to), best.v), outward));
+        let largest = mean.abs() + libm::sqrt((mean * mean - gaussian).max(0.0));
+        let error = error + ROUNDING * if kind == Kind::Mean { largest } else { largest * largest };
         let at: DVec3 = bare.jet(best.a, best.v).position;
-        Some(Located { value: sign * best.value, at: at.to_array() })
+        Some(Located { value: sign * best.value, error, at: at.to_array() })
     };
     CurvatureRange { least: extreme(-1.0), greatest: extreme(1.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+
+    /// What a far finer search finds is within the error that is stated.
+    #[test]
+    fn ranges_against_a_finer_search() {
+        let own = |x: f64, n: usize| {
+            format!(
+                r#"{{ "kind": "bloor-wilson", "a": {x}, "r": [1, 0.1, 0.1, 0.8], "R": [-3, -0.5, -0.5, 2], "h": [3, 0.3], "H": [-0.5, -0.7], "n1": {n} }}"#
+            )
+        };
+        let petals = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "n": [1, 8] }"#.to_owned();
+        for shape in [own(0.01, 5), own(6.0, 3), own(1.0, 10), petals] {
+            let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape} }}] }}"#)).unwrap();
+            let bare = Bare::new(&design.parts()[0], 0).unwrap();
+            let grids = [(301, 5 * columns(bare.highest())), (257, 4 * columns(bare.highest()))];
+            let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| bare.second(a, v)));
+            let found = curvature(&bare);
+            for (kind, found) in [(Kind::Mean, found.mean), (Kind::Gaussian, found.gaussian)] {
+                let fine = range(&bare, &grids, kind);
+                for (one, other) in [(found.least, fine.least), (found.greatest, fine.greatest)] {
+                    let (one, other) = (one.unwrap(), other.unwrap());
+                    let off = (one.value - other.value).abs();
+                    assert!(off <= one.error, "{shape} {kind:?}: {one:?} {other:?}");
+                    assert!(one.error <= 1e-6 * one.value.abs().max(1.0), "{shape} {kind:?}: {one:?}");
+                }
+            }
+        }
+    }
 }

@@ -232,6 +232,7 @@ fn part_measures(
                 least: (least, thinned.map(|(_, at)| at.to_array())),
                 greatest,
                 thinned: thinned.map_or(0.0, |(share, _)| share),
+                errors: pot.thickness_errors(),
             });
         }
     }
@@ -274,11 +275,11 @@ fn stand<'a>(body: &mut Body, share: &Share, standing: impl FnOnce() -> Standing
     let full = share.water.as_ref().map(|water| clay.plus(water));
     if let Some((centre, error)) = clay.centre() {
         body.centre_empty = Some(Centre { at: centre.to_array(), error });
-        body.tipping_empty = Some(standing.tipping(centre));
+        body.tipping_empty = Some(standing.tipping(centre, error));
     }
     if let Some((centre, error)) = full.and_then(|full| full.centre()) {
         body.centre_full = Some(Centre { at: centre.to_array(), error });
-        body.tipping_full = Some(standing.tipping(centre));
+        body.tipping_full = Some(standing.tipping(centre, error));
     }
 }
 
@@ -293,7 +294,12 @@ fn width(outside: &Outside) -> Width {
 }
 
 fn overhang(spot: Spot) -> Overhang {
-    Overhang { degrees: spot.value.to_degrees(), at: spot.at.to_array(), face: spot.face }
+    Overhang {
+        degrees: spot.value.to_degrees(),
+        error: spot.error.to_degrees(),
+        at: spot.at.to_array(),
+        face: spot.face,
+    }
 }
 
 /// The measures of several parts together.

@@ -107,7 +107,11 @@ fn footprint(footprint: &Footprint) -> Value {
 }
 
 fn tipping(tipping: &Tipping) -> Value {
-    record(vec![("degrees", number(tipping.degrees)), ("toward", number(tipping.toward))])
+    record(vec![
+        ("degrees", number(tipping.degrees)),
+        ("error", number(tipping.error)),
+        ("toward", number(tipping.toward)),
+    ])
 }
 
 fn part(part: &PartMeasures) -> Value {
@@ -133,11 +137,14 @@ fn part(part: &PartMeasures) -> Value {
 fn thickness(thickness: &ThicknessRange) -> Value {
     let (least, at) = thickness.least;
     let at = at.map_or(Value::Null, |at| numbers(&at));
+    let [of_least, of_greatest, of_share] = thickness.errors;
     record(vec![
         ("asked", number(thickness.asked)),
-        ("least", record(vec![("value", number(least)), ("at", at)])),
+        ("least", record(vec![("value", number(least)), ("error", number(of_least)), ("at", at)])),
         ("greatest", number(thickness.greatest)),
+        ("greatestError", number(of_greatest)),
         ("thinned", number(thickness.thinned)),
+        ("thinnedError", number(of_share)),
     ])
 }
 
@@ -147,7 +154,12 @@ fn overhang(overhang: &Overhang) -> Value {
         FaceKind::Lining => "lining",
         _ => "outer",
     };
-    record(vec![("degrees", number(overhang.degrees)), ("at", numbers(&overhang.at)), ("face", text(face))])
+    record(vec![
+        ("degrees", number(overhang.degrees)),
+        ("error", number(overhang.error)),
+        ("at", numbers(&overhang.at)),
+        ("face", text(face)),
+    ])
 }
 
 fn range(range: &CurvatureRange) -> Value {
@@ -158,5 +170,5 @@ fn range(range: &CurvatureRange) -> Value {
 }
 
 fn located(located: &Located) -> Value {
-    record(vec![("value", number(located.value)), ("at", numbers(&located.at))])
+    record(vec![("value", number(located.value)), ("error", number(located.error)), ("at", numbers(&located.at))])
 }

@@ -129,6 +129,8 @@ pub struct ThicknessRange {
     pub greatest: f64,
     /// The share of the surface, 0 to 1, where the wall is thinner than asked for.
     pub thinned: f64,
+    /// How far the least, the greatest and the share may be off.
+    pub errors: [f64; 3],
 }
 
 /// How far a wall leans over what is below.
@@ -136,6 +138,8 @@ pub struct ThicknessRange {
 pub struct Overhang {
     /// The angle against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up.
     pub degrees: f64,
+    /// How far that may be off.
+    pub error: f64,
     /// Where.
     pub at: [f64; 3],
     /// What overhangs.

@@ -28,6 +28,8 @@ const BETWEEN: f64 = 0.01;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Spot {
     pub(crate) value: f64,
+    /// How far the value may be off; 0 where nobody asked.
+    pub(crate) error: f64,
     pub(crate) at: DVec3,
     pub(crate) face: FaceKind,
 }
@@ -40,6 +42,15 @@ pub(crate) struct Widths {
     pub(crate) least_direction: f64,
     pub(crate) greatest_direction: f64,
 }
+
+/// How far from an end the places are from which a limit is taken.
+const BESIDE: f64 = 1e-4;
+
+/// The rounding of a normal's angle, in radians.
+const LEAN_ROUNDING: f64 = 1e-12;
+
+/// The most columns of a grid over a wall that had to be thinned.
+const MOST_COLUMNS: usize = 601;
 
 /// Columns of a grid that meets every petal.
 pub(crate) fn columns(highest: f64) -> usize {
@@ -90,7 +101,7 @@ impl<'a> Outside<'a> {
             let (face, grid) = &self.faces[index];
             let Some(Place { a, v, value }) = grid.greatest(&of, |a, v| face.jet(a, v)) else { continue };
             if best.is_none_or(|best| value > best.value) {
-                best = Some(Spot { value, at: face.jet(a, v).position, face: face.kind() });
+                best = Some(Spot { value, error: 0.0, at: face.jet(a, v).position, face: face.kind() });
             }
         }
         best
@@ -208,9 +219,35 @@ impl<'a> Outside<'a> {
         let mut best: Option<Spot> = None;
         for (face, grid) in self.faces.iter().filter(|(face, _)| is_meant(face.kind())) {
             let lean = |jet: &FaceJet| lean(element(*face, jet));
-            let Some(place) = grid.greatest(lean, |a, v| face.jet(off_the_end(a), v)) else { continue };
+            // An end without a normal somewhere, as at a pole, is kept away from.
+            let is_singular = [0.0, 1.0].map(|a| round(grid.columns()).any(|v| !lean(&face.jet(a, v)).is_finite()));
+            let is_kept_from = |a: f64| is_singular[usize::from(a > 0.5)];
+            let at = |a: f64, v: f64| face.jet(if is_kept_from(a) { off_the_end(a) } else { a }, v);
+            // A wall that had to be thinned has bumps between its knots.
+            let (rows, columns) = match face.seams() {
+                Some(seams) => (2 * seams.along().len() + 1, (2 * seams.round().len() + 1).min(MOST_COLUMNS)),
+                None => (grid.rows() - grid.rows() / 4, grid.columns() + grid.columns() / 3),
+            };
+            let other = Grid::new(rows, columns, at);
+            let Some((mut place, mut error)) = grid.greatest_and_error(&other, lean, at) else { continue };
+            let end = if place.a > 0.5 { 1.0 } else { 0.0 };
+            if is_kept_from(place.a) && (place.a - end).abs() < 1e-2 * BESIDE {
+                // The limit at the end itself: by the cubic through four places beside it; a parabola tells how good that is.
+                let inward = if end > 0.5 { -BESIDE } else { BESIDE };
+                let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(|k| lean(&face.jet(end + k * inward, place.v)));
+                let (cubic, parabola) = (4.0 * one - 6.0 * two + 4.0 * three - four, 3.0 * one - 3.0 * two + three);
+                let limit = cubic.min(0.5 * PI);
+                if limit >= place.value {
+                    error = 2.0 * (cubic - parabola).abs() + (cubic - limit);
+                    place = Place { a: end, value: limit, ..place };
+                } else {
+                    error += 2.0 * (place.value - one).abs();
+                }
+            }
             if best.is_none_or(|best| place.value > best.value) {
-                best = Some(Spot { value: place.value, at: face.jet(place.a, place.v).position, face: face.kind() });
+                let error = error + LEAN_ROUNDING;
+                let at = face.jet(place.a, place.v).position;
+                best = Some(Spot { value: place.value, error, at, face: face.kind() });
             }
         }
         best

@@ -50,6 +50,14 @@ impl<T> Grid<T> {
         [along, Some(round)]
     }
 
+    pub(crate) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    pub(crate) fn columns(&self) -> usize {
+        self.columns
+    }
+
     /// The distance between neighbours.
     pub(crate) fn steps(&self) -> (f64, f64) {
         (1.0 / (self.rows - 1) as f64, TAU / self.columns as f64)
@@ -71,6 +79,31 @@ impl<T> Grid<T> {
             }
         }
         best
+    }
+
+    /// As [`Self::greatest`], with how far the value may be off: what the same search from another grid finds otherwise, and how much the function changes over the last step. Where the
+    /// function is smooth that is little more than its rounding.
+    pub(crate) fn greatest_and_error(
+        &self,
+        other: &Grid<T>,
+        of: impl Fn(&T) -> f64,
+        at: impl Fn(f64, f64) -> T,
+    ) -> Option<(Place, f64)> {
+        let found = [self.greatest(&of, &at), other.greatest(&of, &at)];
+        let best = found.into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value))?;
+        let between = found.into_iter().flatten().fold(0.0f64, |most, place| most.max(best.value - place.value));
+        let (step_a, step_v) = self.steps();
+        // At an end the function may rise towards it.
+        let p = if best.a > 0.0 && best.a < 1.0 { LAST * step_a } else { 0.0 };
+        let q = LAST * step_v;
+        let mut change = 0.0f64;
+        for (a, v) in [(p, 0.0), (-p, 0.0), (0.0, q), (0.0, -q), (p, q), (-p, -q)] {
+            let near = of(&at((best.a + a).clamp(0.0, 1.0), best.v + v));
+            if near.is_finite() {
+                change = change.max((best.value - near).abs());
+            }
+        }
+        Some((best, 2.0 * (between + change)))
     }
 
     /// Every local top that begins above a value, climbed.
@@ -107,6 +140,9 @@ const MOST_STEPS: usize = 60;
 
 /// Steps end when they are this part of the first: then a quadratic top is reached to rounding.
 const SHORTEST: f64 = 1e-8;
+
+/// How far from a top the function is looked at again, as a part of the first step: so near that a smooth one has changed by rounding alone.
+const LAST: f64 = 1e-8;
 
 /// Climbs from a place to a local maximum, within `a` in [0, 1].
 ///

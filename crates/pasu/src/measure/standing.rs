@@ -38,6 +38,8 @@ pub struct Footprint {
 pub struct Tipping {
     /// The smallest tilt, in degrees, at which the centre of mass is above an edge of the footprint's hull; 0 where it never was above the hull.
     pub degrees: f64,
+    /// How far that may be off.
+    pub error: f64,
     /// The direction in which it then falls, in degrees anticlockwise from `x`.
     pub toward: f64,
 }
@@ -49,14 +51,26 @@ pub(crate) struct Standing<'a> {
     edges: Vec<(&'a dyn Face, f64)>,
     touching: Vec<&'a dyn Face>,
     columns: usize,
+    /// The largest coordinate of the bodies.
+    size: f64,
 }
+
+/// How closely a single point of contact is found, as a part of the size: the place of a lowest point is known to half of the digits of its height.
+const PLACE: f64 = 1e-7;
+
+/// How closely the nearest edge of the hull is found, in radians, and what its distance is off by, as a part of the size.
+const NEAREST: f64 = 1e-10;
+
+/// Edges of the hull that are looked at again: its corners on a round edge are a little off.
+const LOOKED_AT: usize = 6;
 
 impl<'a> Standing<'a> {
     /// Of several bodies on one table.
     pub(crate) fn new(bodies: &[&Outside<'a>], columns: usize) -> Standing<'a> {
         let level = bodies.iter().map(|body| body.heights()[0]).fold(f64::INFINITY, f64::min);
         let size = bodies.iter().fold(0.0f64, |size, body| size.max(body.size()));
-        let mut standing = Standing { level, points: Vec::new(), edges: Vec::new(), touching: Vec::new(), columns };
+        let mut standing =
+            Standing { level, points: Vec::new(), edges: Vec::new(), touching: Vec::new(), columns, size };
         for body in bodies {
             let (points, whole) = body.lowest(level, STANDING * size);
             standing.points.extend(points.iter().map(|p| p.truncate()));
@@ -89,8 +103,17 @@ impl<'a> Standing<'a> {
 
     /// How far the hull reaches beyond a point in a direction.
     fn reach(&self, from: DVec2, angle: f64) -> f64 {
+        self.reach_of_points(from, angle).max(self.reach_of_edges(from, angle))
+    }
+
+    fn reach_of_points(&self, from: DVec2, angle: f64) -> f64 {
         let direction = DVec2::new(libm::cos(angle), libm::sin(angle));
-        let mut most = self.points.iter().map(|p| (*p - from).dot(direction)).fold(f64::MIN, f64::max);
+        self.points.iter().map(|p| (*p - from).dot(direction)).fold(f64::MIN, f64::max)
+    }
+
+    fn reach_of_edges(&self, from: DVec2, angle: f64) -> f64 {
+        let direction = DVec2::new(libm::cos(angle), libm::sin(angle));
+        let mut most = f64::MIN;
         for &(face, a) in &self.edges {
             let n = self.columns;
             let at = |v: f64| (face.jet(a, v).position.truncate() - from).dot(direction);
@@ -104,12 +127,11 @@ impl<'a> Standing<'a> {
         most
     }
 
-    /// The tilt about the nearest edge of the hull.
-    pub(crate) fn tipping(&self, centre: DVec3) -> Tipping {
+    /// The tilt about the nearest edge of the hull; `error` is that of the coordinates of the centre.
+    pub(crate) fn tipping(&self, centre: DVec3, error: f64) -> Tipping {
         let from = centre.truncate();
         let corners = hull(&self.edge(4 * self.columns));
         let rise = (centre.z - self.level).max(0.0);
-        let (mut reach, mut toward) = (f64::INFINITY, 0.0);
         let n = corners.len();
         if n < 3 {
             // A point or an edge holds nothing up.
@@ -117,24 +139,50 @@ impl<'a> Standing<'a> {
             let away = corners.first().map_or(DVec2::X, |p| from - *p);
             let side = if across.dot(away) < 0.0 { -across } else { across };
             let side = if n == 2 { side } else { away };
-            return Tipping { degrees: 0.0, toward: degrees(libm::atan2(side.y, side.x)) };
+            return Tipping { degrees: 0.0, error: 0.0, toward: degrees(libm::atan2(side.y, side.x)) };
         }
-        for i in 0..n {
-            let (p, q) = (corners[i], corners[(i + 1) % n]);
-            let edge = q - p;
-            let normal = DVec2::new(edge.y, -edge.x) / edge.length();
-            let distance = normal.dot(p - from);
-            if distance < reach {
-                (reach, toward) = (distance, libm::atan2(normal.y, normal.x));
+        let edge = |i: usize| {
+            let (p, q) = (corners[i % n], corners[(i + 1) % n]);
+            let normal = DVec2::new((q - p).y, -(q - p).x) / (q - p).length();
+            (normal.dot(p - from), libm::atan2(normal.y, normal.x))
+        };
+        let edges: Vec<(f64, f64)> = (0..n).map(edge).collect();
+        let mut near: Vec<(f64, f64)> = (0..n)
+            .filter(|&i| edges[i].0 < edges[(i + n - 1) % n].0 && edges[i].0 <= edges[(i + 1) % n].0)
+            .map(|i| edges[i])
+            .collect();
+        if near.is_empty() {
+            near.extend(edges.iter().min_by(|x, y| x.0.total_cmp(&y.0)));
+        }
+        near.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.total_cmp(&y.1)));
+        let (mut reach, mut toward) = near.first().copied().unwrap_or_default();
+        if !self.edges.is_empty() {
+            reach = f64::INFINITY;
+            let step = TAU / self.columns as f64;
+            for &(_, start) in near.iter().take(LOOKED_AT) {
+                let (angle, refined) = least(start - step, start + step, NEAREST, |angle| self.reach(from, angle));
+                for (here, angle) in [(self.reach(from, start), start), (refined, angle)] {
+                    if here < reach {
+                        (reach, toward) = (here, angle);
+                    }
+                }
             }
         }
-        if !self.edges.is_empty() {
-            let step = TAU / self.columns as f64;
-            let (angle, refined) = least(toward - step, toward + step, 1e-10, |angle| self.reach(from, angle));
-            let here = self.reach(from, toward);
-            (reach, toward) = if here <= refined { (here, toward) } else { (refined, angle) };
-        }
-        let degrees_of = if reach > 0.0 { libm::atan2(reach, rise).to_degrees() } else { 0.0 };
-        Tipping { degrees: degrees_of, toward: degrees(toward) }
+        let tilt = |reach: f64, rise: f64| {
+            if reach > 0.0 { libm::atan2(reach, rise.max(0.0)).to_degrees() } else { 0.0 }
+        };
+        // The centre is off by as much in x and y, and edges by what is left of their search.
+        let is_edge = self.reach_of_edges(from, toward) >= self.reach_of_points(from, toward) - NEAREST * self.size;
+        let of_place = if is_edge { 0.0 } else { PLACE * self.size };
+        let off = core::f64::consts::SQRT_2 * error + of_place + NEAREST * self.size;
+        let of_height = error + STANDING_ROUNDING * self.size;
+        let here = tilt(reach, rise);
+        let ends = [tilt(reach + off, rise - of_height), tilt(reach - off, rise + of_height)];
+        let error = ends.iter().fold(0.0f64, |most, end| most.max((end - here).abs())) + ANGLE_ROUNDING;
+        Tipping { degrees: here, error, toward: degrees(toward) }
     }
 }
+
+/// The rounding of a height as a part of the size, and of an angle in degrees.
+const STANDING_ROUNDING: f64 = 1e-13;
+const ANGLE_ROUNDING: f64 = 1e-12;

@@ -132,6 +132,14 @@ impl Pot {
         }
     }
 
+    /// How far the least and the greatest thickness and the share that is thinned may be off.
+    pub(crate) fn thickness_errors(&self) -> [f64; 3] {
+        match &*self.thickness {
+            Thickness::Even(_) => [0.0; 3],
+            Thickness::Thinned(thinned) => thinned.errors,
+        }
+    }
+
     /// What the surface of the design is.
     pub(crate) fn surface_kind(&self) -> FaceKind {
         match self.wall {

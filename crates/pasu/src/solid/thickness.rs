@@ -58,6 +58,8 @@ pub(crate) struct Thinned {
     pub(crate) thinnest: (f64, DVec3),
     /// The share of the area that is thinner than asked for.
     pub(crate) share: f64,
+    /// How far the least, the greatest and the share may be off.
+    pub(crate) errors: [f64; 3],
 }
 
 /// One place at which the ball is sought.
@@ -96,8 +98,11 @@ impl Thickness {
         let mut values = least_nearby(&values, columns);
         // What is thinner by rounding alone is not thinned.
         values.iter_mut().filter(|t| **t > asked * (1.0 - ROUNDING)).for_each(|t| *t = asked);
-        let mut thinned = Thinned { rows, values, n_columns: columns, thinnest: (asked, DVec3::ZERO), share: 0.0 };
+        let mut thinned =
+            Thinned { rows, values, n_columns: columns, thinnest: (asked, DVec3::ZERO), share: 0.0, errors: [0.0; 3] };
         let mut thinnest = (f64::INFINITY, DVec3::ZERO);
+        let mut thickest = 0.0f64;
+        let mut is_thinned = Vec::with_capacity(samples.len());
         let (mut thinned_area, mut area) = (0.0, 0.0);
         for (number, sample) in samples.iter().enumerate() {
             let (row, column) = (number / columns, number % columns);
@@ -105,6 +110,8 @@ impl Thickness {
             if t < thinnest.0 {
                 thinnest = (t, sample.position);
             }
+            thickest = thickest.max(t);
+            is_thinned.push(t < asked);
             area += sample.area;
             if t < asked {
                 thinned_area += sample.area;
@@ -112,6 +119,19 @@ impl Thickness {
         }
         thinned.thinnest = thinnest;
         thinned.share = if area > 0.0 { thinned_area / area } else { 0.0 };
+        // The spline is between its least and its greatest coefficient; the edge of what is thinned lies within the gaps beside places of both kinds.
+        let least = thinned.values.iter().fold(thinnest.0, |least, t| least.min(*t));
+        let edge: f64 = (0..samples.len())
+            .filter(|&k| has_other_neighbour(&is_thinned, columns, k))
+            .filter_map(|k| samples.get(k))
+            .map(|sample| sample.area)
+            .sum();
+        let rounding = 4.0 * f64::EPSILON;
+        thinned.errors = [
+            thinnest.0 - least + rounding * asked,
+            thinned.thickest() - thickest + rounding * asked,
+            if area > 0.0 { edge / area + 1e3 * rounding } else { 0.0 },
+        ];
         Ok(Thickness::Thinned(thinned))
     }
 
@@ -198,6 +218,14 @@ impl Thinned {
         let (l_v, r_v, t_v) = mixed([above[1], here[1], below[1]], along);
         [t + (l + r), l_s + r_s, t_v + (l_v + r_v)]
     }
+}
+
+/// Whether one of the eight neighbours of a place is of the other kind.
+fn has_other_neighbour(kinds: &[bool], columns: usize, number: usize) -> bool {
+    let (row, column) = (number / columns, number % columns);
+    let rows = row.saturating_sub(1)..=row + 1;
+    rows.flat_map(|row| [columns - 1, 0, 1].map(|step| row * columns + (column + step) % columns))
+        .any(|other| kinds.get(other).is_some_and(|kind| Some(kind) != kinds.get(number)))
 }
 
 /// The least of each value and its eight neighbours: a mean of these round a place is nowhere more than what was there.
