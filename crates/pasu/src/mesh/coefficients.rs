@@ -3,7 +3,8 @@
 use glam::{DMat3, DVec3};
 
 use super::lanes::Lanes;
-use crate::surface::{BLOCK, Block, Curves, Surface};
+use super::outline::Scaled;
+use crate::surface::{BLOCK, Block, Curves, Surface, Turns};
 
 /// Rows whose coefficients are made together.
 pub(super) const ROWS: usize = BLOCK;
@@ -26,6 +27,9 @@ pub(super) const POSITION_ERROR: f64 = 5e-7;
 
 /// The promised largest error of a normal, less what its own arithmetic takes, in radians.
 const NORMAL_ERROR: f64 = 9.2e-7;
+
+/// How far the waves of a row may be from those of a scaled outline, in parts of the largest: more than solving rounds, and less than any normal shows by [`Outline`](super::outline::Outline).
+const ALIKE: f64 = 1e-11;
 
 /// A wave round the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,6 +69,8 @@ pub(super) struct Coefficients {
     waves: [Vec<[[Block; 2]; 3]>; 2],
     /// Which of [`Coefficients::waves`] each component has.
     has: [[bool; 2]; 3],
+    /// The waves of a row that all others may be scaled copies of: cosine and sine of each harmonic, in `x` and in `y`.
+    outline: Vec<[[f64; 2]; 2]>,
 
     /// Value and slope of what does not depend on `v`, the slope scaled as the strands are.
     pub(super) constant: [[Lanes; 2]; 3],
@@ -94,6 +100,7 @@ impl Default for Coefficients {
             constants: [[Block::ZERO; 2]; 3],
             waves: [Vec::new(), Vec::new()],
             has: [[false; 2]; 3],
+            outline: Vec::new(),
             constant: [[Lanes::ZERO; 2]; 3],
             strands: Vec::new(),
             sine_strands: Vec::new(),
@@ -208,16 +215,89 @@ impl Coefficients {
     pub(super) fn reached(&mut self, surface: &Surface, curves: &Curves) -> f64 {
         const STEPS: usize = 8;
         let mut largest = 0.0f64;
+        let mut widest = 0.0;
+        self.outline.clear();
         for i in 0..=STEPS {
             self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+            let mut width = 0.0;
             for axis in 0..3 {
                 let waves = self.waves.iter().flatten().map(|wave| wave[axis][0] * wave[axis][0]);
+                let waves = waves.fold(Block::ZERO, |sum, square| sum + square);
                 let constant = self.constants[axis][0];
-                let square = constant * constant + waves.fold(Block::ZERO, |sum, square| sum + square) * 0.5;
-                largest = largest.max(square.to_array()[0]);
+                largest = largest.max((constant * constant + waves * 0.5).to_array()[0]);
+                width += waves.to_array()[0];
+            }
+            if width > widest && width < f64::MAX && self.has[2] == [false; 2] {
+                widest = width;
+                let mut outline = core::mem::take(&mut self.outline);
+                outline.clear();
+                outline.extend(self.waves_of(0).map(|[value, _]| value));
+                self.outline = outline;
+            }
+        }
+        // One row that is no copy, and rows are hardly ever asked again.
+        for i in 0..=STEPS {
+            if !self.outline.is_empty() {
+                self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+                if self.scaled(0).is_none() {
+                    self.outline.clear();
+                }
             }
         }
         largest.sqrt()
+    }
+
+    /// Value and slope of each harmonic of a row, of the cosine and the sine of `x` and of `y`.
+    fn waves_of(&self, row: usize) -> impl Iterator<Item = [[[f64; 2]; 2]; 2]> {
+        let [cosines, sines] = &self.waves;
+        cosines.iter().zip(sines).map(move |(cosine, sine)| {
+            [0, 1].map(|quantity| [0, 1].map(|axis| [cosine, sine].map(|wave| wave[axis][quantity].to_array()[row])))
+        })
+    }
+
+    /// Adds up points and tangents, column by column, of the outline that rows may be copies of, and says whether there is one.
+    pub(super) fn trace_outline(&self, turns: &Turns, columns: &mut [[[f64; 2]; 2]]) -> bool {
+        columns.fill([[0.0; 2]; 2]);
+        for (harmonic, wave) in self.harmonics.iter().zip(&self.outline) {
+            for ([point, tangent], (cos, sin)) in columns.iter_mut().zip(turns.walk(harmonic.n)) {
+                for ((point, tangent), [a, b]) in point.iter_mut().zip(tangent).zip(wave) {
+                    *point += a * cos + b * sin;
+                    *tangent += harmonic.k * (b * cos - a * sin);
+                }
+            }
+        }
+        !self.outline.is_empty()
+    }
+
+    /// A row as a copy of the outline, where it is one.
+    pub(super) fn scaled(&self, row: usize) -> Option<Scaled> {
+        let [x, y, z] = self.constants.map(|constant| constant.map(|block| block.to_array()[row]));
+        if self.outline.is_empty() || x[1] != 0.0 || y[1] != 0.0 {
+            return None;
+        }
+        // The sizes of the outline and of the row, and what they have in common, with the weight that each harmonic has in tangents.
+        let (mut size, mut common) = (0.0, [0.0; 2]);
+        let weighted = || self.harmonics.iter().zip(&self.outline).zip(self.waves_of(row));
+        let parts = |wave: [[f64; 2]; 2]| wave.into_iter().flatten();
+        for ((_, outline), quantities) in weighted() {
+            size += parts(*outline).map(|part| part * part).sum::<f64>();
+            for (common, quantity) in common.iter_mut().zip(quantities) {
+                *common += parts(*outline).zip(parts(quantity)).map(|(a, b)| a * b).sum::<f64>();
+            }
+        }
+        let [scale, slope] = common.map(|common| common / size);
+        let (mut off, mut lengths) = ([0.0f64; 2], 0.0f64);
+        for ((harmonic, outline), quantities) in weighted() {
+            let weight = harmonic.k.abs().max(1.0);
+            lengths = lengths.max(parts(*outline).fold(0.0, |most, part| part.abs().max(most)) * weight);
+            for ((off, quantity), factor) in off.iter_mut().zip(quantities).zip([scale, slope]) {
+                let apart = parts(*outline).zip(parts(quantity)).map(|(a, b)| (b - factor * a).abs());
+                *off = apart.fold(*off, |most, apart| most.max(apart * weight));
+            }
+        }
+        let is_copy =
+            off[0] <= ALIKE * lengths * scale.abs() && off[1] <= ALIKE * (lengths * slope.abs()).max(z[1].abs());
+        is_copy.then_some(Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale, slope })
     }
 
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.

@@ -8,6 +8,7 @@ mod kernel;
 mod lanes;
 mod normal;
 mod orientation;
+mod outline;
 mod part;
 mod profile;
 mod ring;

@@ -10,6 +10,7 @@ use super::exact::ExactRows;
 use super::grid::append_triangles;
 use super::kernel::{self, Circles};
 use super::orientation::is_outward;
+use super::outline::Outline;
 use super::profile::Profile;
 use super::ring::Pattern;
 use super::tolerance::Tessellation;
@@ -38,6 +39,7 @@ pub(super) struct Workspace {
     turns: Turns,
     circles: Circles,
     pattern: Pattern,
+    outline: Outline,
     /// Whether the normal at a column of a row is to be formed in double precision.
     unsure: Vec<bool>,
 }
@@ -105,11 +107,12 @@ impl PartGrid {
     /// # Errors
     /// `overflow` for a point beyond single precision.
     pub(super) fn sample(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
-        let Workspace { coefficients, turns, circles, pattern, unsure } = workspace;
+        let Workspace { coefficients, turns, circles, pattern, outline, unsure } = workspace;
         let curves = &self.curves;
         let mut reached = 0.0;
         let (rows, columns) = self.tessellation.counts();
         let sign = if self.is_wound_forwards() { 1.0 } else { -1.0 };
+        let mut has_outline = None;
         let mut exact = ExactRows::new(self, columns);
         if !self.is_precise {
             turns.divide(columns - 1);
@@ -135,6 +138,11 @@ impl PartGrid {
                     if !pattern.write(&circle, sign, positions, normals) {
                         exact.all_normals(u[row], normals);
                     }
+                } else if let Some(copy) = coefficients.scaled(row)
+                    && *has_outline.get_or_insert_with(|| outline.prepare(coefficients, turns, columns))
+                    && outline.write(&copy, sign, positions, normals)
+                {
+                    // Every vertex of such a row is known to be as good as any.
                 } else {
                     unsure.clear();
                     unsure.resize(columns, false);
