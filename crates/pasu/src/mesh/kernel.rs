@@ -95,14 +95,14 @@ impl Circles {
         };
         // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
         if self.n_wary == 0 {
-            if self.columns::<WholeRow>(coefficients, row, &task, positions, normals) == Some(true) {
+            if self.columns::<WholeRow>(coefficients, row, &task, positions, normals) {
                 self.close(positions, normals);
                 return false;
             }
             self.n_wary = WARY_ROWS;
         }
         self.n_wary = self.n_wary.saturating_sub(1);
-        let is_sure = self.columns::<EachNormal>(coefficients, row, &task, positions, normals) == Some(true);
+        let is_sure = self.columns::<EachNormal>(coefficients, row, &task, positions, normals);
         if !is_sure {
             self.mark(unsure);
         }
@@ -110,7 +110,7 @@ impl Circles {
         !is_sure
     }
 
-    /// Writes all columns of a row but the last of one that is folded, and says whether all normals are sure; or nothing, where the row cannot be watched so.
+    /// Writes all columns of a row but the last of one that is folded, and says whether all normals are sure.
     fn columns<W: Watch>(
         &mut self,
         coefficients: &Coefficients,
@@ -118,31 +118,27 @@ impl Circles {
         task: &Task,
         positions: &mut [f32],
         normals: &mut [f32],
-    ) -> Option<bool> {
+    ) -> bool {
         let strands = coefficients.strands.as_slice();
         match (coefficients.layout, self.fold) {
             (Layout::Split { z_is_sine: true }, Fold::Quartered) => {
                 let layout = Split::<true> { strands, row };
-                Some(self.each_block(task, &layout, positions, normals, quartered_block::<_, W>))
+                self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
             }
-            // The others have no loop of this kind: each is several kilobytes of every page that draws a pot.
-            _ if !W::IS_EACH => None,
             (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
                 let layout = Split::<false> { strands, row };
-                Some(if coefficients.is_turned {
-                    self.each_block(task, &layout, positions, normals, turned_block::<_, EachNormal>)
+                if coefficients.is_turned {
+                    self.each_block(task, &layout, positions, normals, turned_block::<_, W>)
                 } else {
-                    self.each_block(task, &layout, positions, normals, quartered_block::<_, EachNormal>)
-                })
+                    self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
+                }
             }
             (_, fold) => {
                 let layout = Both { strands, sine_strands: coefficients.sine_strands.as_slice(), row };
-                Some(match fold {
-                    Fold::Quartered => {
-                        self.each_block(task, &layout, positions, normals, quartered_block::<_, EachNormal>)
-                    }
-                    Fold::Open => self.each_block(task, &layout, positions, normals, open_block::<_, EachNormal>),
-                })
+                match fold {
+                    Fold::Quartered => self.each_block(task, &layout, positions, normals, quartered_block::<_, W>),
+                    Fold::Open => self.each_block(task, &layout, positions, normals, open_block::<_, W>),
+                }
             }
         }
     }
@@ -234,8 +230,6 @@ trait Form {
 
 /// How it is known which normals single precision does not hold.
 trait Watch: Copy {
-    /// Whether each normal is told from the others.
-    const IS_EACH: bool;
     /// All normals are sure.
     const SURE: Self;
     /// What is seen of four normals, given `X_u`, `X_v` and the squared length of their product.
@@ -251,7 +245,6 @@ trait Watch: Copy {
 struct EachNormal(u8);
 
 impl Watch for EachNormal {
-    const IS_EACH: bool = true;
     const SURE: Self = EachNormal(0);
 
     #[inline(always)]
@@ -282,7 +275,6 @@ impl Watch for EachNormal {
 struct WholeRow(Lanes);
 
 impl Watch for WholeRow {
-    const IS_EACH: bool = false;
     const SURE: Self = WholeRow(ALL_BITS);
 
     #[inline(always)]
