@@ -1,7 +1,7 @@
 // Under the hand: the pot keeps up with the pointer, on a slow machine too, and does not jump when it is let go.
 
 import { expect, test } from "vitest";
-import { movements, slowDown, watchDrags } from "../support/drag.ts";
+import { fineWall, movements, slowDown, walls, watchDrags } from "../support/drag.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
 import { SHARP } from "../support/visit.ts";
@@ -79,4 +79,65 @@ test("nothing jumps when the hand lets go", async ({ annotate }) => {
     expect(mean).toBeLessThan(0.5);
     expect(share).toBeLessThan(0.01);
   }
+});
+
+test("a pot keeps its wall under the hand and settles without a jump", async ({ annotate }) => {
+  for (const [link, name, share] of [
+    ["#1/fourth-order", "Rim radius", 0.8],
+    ["#1/bloor-wilson?n1=5", "Rim radius", 0.7],
+  ] as const) {
+    const pot = await here.enter({ link, before: watchDrags });
+    await pot.fingerprint();
+    await pot.makePot();
+    await pot.tab("Shape");
+    await fineWall(pot);
+    const before = await pot.fingerprint();
+    await walls(pot);
+    await movements(pot);
+    let held: Buffer = Buffer.alloc(0);
+    await pot.drag(name, share, {
+      steps: 30,
+      held: async () => {
+        held = await stagePicture(pot);
+      },
+    });
+    await pot.fingerprintOtherThan(before);
+    await fineWall(pot);
+    const settled = await stagePicture(pot);
+    const seen = await walls(pot);
+    const first = seen.indexOf("quick");
+    const behind = (await movements(pot)).map((each) => each.behind);
+    const { mean, share: visible } = difference(held, settled);
+    await annotate(
+      `${link}: ${seen.length} frames, the wall of the hand from number ${first}; frames behind: ${behind.join(" ")}; mean difference ${mean.toFixed(3)}, visible in ${(100 * visible).toFixed(2)} %`,
+    );
+    expect(first).toBeGreaterThanOrEqual(0);
+    expect(seen.slice(first).filter((wall) => wall === "")).toEqual([]);
+    expect(seen.at(-1)).toBe("fine");
+    expect(percentile(behind, 0.5)).toBeLessThanOrEqual(3);
+    // Less than a level in the mean, of a lining too, which shines: what differs visibly are fine lines.
+    expect(mean).toBeLessThan(1);
+    expect(visible).toBeLessThan(0.01);
+  }
+});
+
+test("where there is no pot, a drag shows the surface and says why, and the wall comes back with the pot", async () => {
+  const pot = await here.enter({ link: "#1/fourth-order", before: watchDrags });
+  await pot.fingerprint();
+  await pot.makePot();
+  await pot.type("Base", "0.5");
+  await pot.tab("Shape");
+  await fineWall(pot);
+  const why = pot.page.locator("pasu-stage:not([data-wall])");
+  const before = await pot.fingerprint();
+  await pot.drag("Height", 0, { steps: 12, held: () => why.waitFor({ state: "attached" }) });
+  await pot.fingerprintOtherThan(before);
+  await pot.tab("Wall");
+  await pot.page.locator("pasu-wall .problem").first().waitFor();
+  await pot.tab("Shape");
+  await pot.drag("Height", 0.6, {
+    steps: 12,
+    held: () => pot.page.locator('pasu-stage[data-wall="quick"]').waitFor({ state: "attached" }),
+  });
+  await fineWall(pot);
 });

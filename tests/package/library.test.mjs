@@ -240,6 +240,8 @@ test("the module without SIMD gives the same bits", () => {
         hash.update(JSON.stringify(pasu.measure(design))).update(JSON.stringify(pasu.check(design, { tolerance: 0.1 })));
         hash.update(pasu.solid(design, { tolerance: 0.1 }).normals).update(pasu.paint(design, "mean-curvature", { rows: 9, columns: 17 }).values);
         hash.update(pasu.water(design, 3).positions);
+        const { normals, water } = pasu.sketch(design, { tolerance: 0.1, fill: 0.5 });
+        hash.update(normals).update(water.positions);
       }
       console.log(hash.digest("hex"));`;
     return execFileSync(process.execPath, ["--input-type=module", "--eval", script], { encoding: "utf8" });

@@ -12,7 +12,7 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 const CONSUMER = `
 import init, {
   bound, check, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, link, type Making, type Measures, measure,
-  type Mesh, mesh, open, paint, parse, PasuError, type PasuErrorCode, type Report, type Solid, solid, type Water, water, write,
+  type Mesh, mesh, open, paint, parse, PasuError, type PasuErrorCode, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
 } from "pasu";
 import start, { mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
@@ -48,11 +48,14 @@ const report: Report = check(design, making);
 const findings: Finding[] = report.findings.filter(({ severity }) => severity === "error");
 const file: Blob = new Blob([write(design, "3mf", making)]);
 const drawn_solid: Solid = solid(design);
+const under_hand: Sketch = sketch(design, { tolerance: 0.02, fill: 0.5 });
+const again: Sketch = sketch(design, { into: under_hand });
+const level: number | undefined = again.water?.level;
 const linings = drawn_solid.faces.filter(({ kind }) => kind === "lining");
 const colours: Float32Array = paint(design, "thickness", { rows: 3, columns: 5 }).values;
 const wet: Water = water(design, 2);
 const kept: string | undefined = open(new Uint8Array(8));
-void brim; void findings; void file; void linings; void colours; void wet; void kept;
+void brim; void findings; void file; void linings; void level; void colours; void wet; void kept;
 await start();
 const same: Mesh = drawn(design) satisfies Drawn;
 const refused: PasuError = new Refused("not-json", "", "");

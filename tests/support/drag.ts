@@ -14,6 +14,8 @@ export interface Movement {
 
 interface Watched {
   pasuTrace(moment: string, change: number): void;
+  /** The wall on the stage, frame by frame: how it was made, and nothing where there is none. */
+  pasuWalls: string[];
   pasuMovements: { change: number; frame: number; drawn: number; behind: number | null; older: number }[];
 }
 
@@ -22,6 +24,9 @@ export async function watchDrags(pot: Visit): Promise<void> {
   await pot.context.addInitScript(() => {
     const watched = globalThis as unknown as Watched;
     watched.pasuMovements = [];
+    watched.pasuWalls = [];
+    const wall = () =>
+      document.querySelector("pasu-app")?.shadowRoot?.querySelector<HTMLElement>("pasu-stage")?.dataset.wall ?? "";
     let frame = 0;
     let drawn = 0;
     const count = () => {
@@ -43,6 +48,7 @@ export async function watchDrags(pot: Visit): Promise<void> {
         moved = null;
       }
       if (moment !== "drawn") return;
+      watched.pasuWalls.push(wall());
       for (const each of watched.pasuMovements) {
         if (each.behind !== null || each.change > change) continue;
         // The frame right after the event is the first that could show it: it is not between.
@@ -61,6 +67,16 @@ export async function movements(pot: Visit): Promise<readonly Movement[]> {
       .splice(0)
       .flatMap(({ change, behind, older }) => (behind === null ? [] : [{ change, behind, older }])),
   );
+}
+
+/** The wall in every frame since it was last asked: "quick" under the hand, "coarse" and then "fine" at rest, nothing where there is none. */
+export async function walls(pot: Visit): Promise<readonly string[]> {
+  return await pot.page.evaluate(() => (globalThis as unknown as Watched).pasuWalls.splice(0));
+}
+
+/** Waits until the wall of a pot stands finished on the stage. */
+export async function fineWall(pot: Visit): Promise<void> {
+  await pot.page.locator('pasu-stage[data-wall="fine"]').waitFor({ state: "attached" });
 }
 
 /** Runs the page's thread so many times slower than it is. */

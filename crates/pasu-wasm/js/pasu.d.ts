@@ -290,6 +290,29 @@ export interface Solid {
   scale: { size: number; shrinkage: number; millimetres: number };
 }
 
+/** What {@link sketch} is asked for. */
+export interface SketchOptions {
+  /** How far triangles may be from the true faces, in the unit of the design; one two-thousandth of each part's size when left out. It is aimed at, not proved. */
+  tolerance?: number;
+  /** How full the pot is, as a share of the depth from its lowest point to where water runs out, from 0 to 1; no water when left out. */
+  fill?: number;
+}
+
+/** The faces of pots that the mesh of the design does not show. The arrays are views of the beginnings of longer ones, which are yours. */
+export interface Sketch extends Omit<Solid, "scale"> {
+  /** The water that was asked for; left out also where nothing holds any. */
+  water?: {
+    /** Its height, the `z` of the world. */
+    level: number;
+    /** The level of the lowest point inside, and that at which water runs out. */
+    range: [number, number];
+    /** xyz triples of its surface. */
+    positions: Float32Array;
+    /** Three indices for each triangle, counter-clockwise from above. */
+    indices: Uint32Array;
+  };
+}
+
 /** What can be painted on a surface. Curvatures are in 1 / length and 1 / area, the thickness in the unit of the design, the overhang in degrees: 0 on a vertical wall, 90 on a level ceiling. */
 export type MapName = "mean-curvature" | "gaussian-curvature" | "thickness" | "overhang";
 
@@ -371,6 +394,17 @@ export function write(source: DesignSource, format: Format, making?: Making): Ui
 
 /** What is made of a design, to be drawn: the triangles of the files of {@link write}, in the unit of the design, with normals. */
 export function solid(source: DesignSource, making?: Making): Solid;
+
+/**
+ * The pots of a design as {@link solid} shows them, in a fraction of the time: for a screen, while a hand changes the design. Parts without a wall are passed over, and the face that is the surface
+ * of the design is left out, because {@link mesh} shows it. That no faces cross is checked on a coarse mesh, so `solid` may refuse what this shows.
+ *
+ * The arrays of `into` that are long enough are written over; views of them are handed back.
+ */
+export function sketch(
+  source: DesignSource,
+  options?: SketchOptions & { into?: { positions?: Float32Array; normals?: Float32Array; indices?: Uint32Array } },
+): Sketch;
 
 /** One number for each vertex of {@link mesh} with the same options, in the same order. */
 export function paint(source: DesignSource, map: MapName, options?: MeshOptions): Painted;

@@ -12,6 +12,10 @@ const measure = (source, options) => call("measure", source, options);
 const check = (source, making) => call("check", source, making);
 const write = (source, format, making) => call("write", source, format, making);
 const solid = (source, making) => call("solid", source, making);
+const sketch = (source, options) => {
+  const { into, ...others } = options ?? {};
+  return call("sketch", source, others, into);
+};
 const paint = (source, map, options) => call("paint", source, map, options);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes);
@@ -30,6 +34,7 @@ export {
   PasuError,
   paint,
   parse,
+  sketch,
   solid,
   water,
   write,

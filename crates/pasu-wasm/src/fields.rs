@@ -1,6 +1,6 @@
 //! Options of functions, field by field: whatever is wrong is refused by its path, and what is left over has no meaning.
 
-use pasu::{Code, Error, Making, MeasureOptions, Product, Result, Size, Value};
+use pasu::{Code, Error, Making, MeasureOptions, Product, Result, Size, SketchOptions, Value};
 use wasm_bindgen::JsValue;
 
 use crate::value;
@@ -32,6 +32,14 @@ pub(crate) fn measuring(options: &JsValue) -> Result<MeasureOptions> {
         MeasureOptions { fill: fields.number("fill")?, product: fields.product()?, density: fields.number("density")? };
     fields.close("fill, product or density")?;
     Ok(measuring)
+}
+
+/// Reads `{ tolerance, fill }`; all of it may be left out.
+pub(crate) fn sketching(options: &JsValue) -> Result<SketchOptions> {
+    let mut fields = Fields::open(options, "options")?;
+    let sketching = SketchOptions { tolerance: fields.number("tolerance")?, fill: fields.number("fill")? };
+    fields.close("tolerance, fill or into")?;
+    Ok(sketching)
 }
 
 /// Reads one of some names, by what each is called.

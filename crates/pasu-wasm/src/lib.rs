@@ -16,6 +16,8 @@ mod making;
 mod mesh;
 mod options;
 mod points;
+#[cfg(feature = "making")]
+mod sketch;
 mod source;
 mod value;
 
@@ -25,6 +27,8 @@ use wasm_bindgen::prelude::*;
 use crate::error::thrown;
 #[cfg(feature = "making")]
 pub use crate::making::{check, measure, open, paint, solid, water, write};
+#[cfg(feature = "making")]
+pub use crate::sketch::sketch;
 
 #[cfg(all(doctest, not(target_arch = "wasm32")))]
 #[doc = include_str!("../../../README.md")]

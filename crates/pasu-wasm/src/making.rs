@@ -1,7 +1,7 @@
 //! What it takes to make a design, besides drawing it: measures, checks, files.
 
 use js_sys::{Array, Float32Array, JSON, Object, Uint8Array, Uint32Array};
-use pasu::{Format, Map};
+use pasu::{DrawnFace, Format, Map};
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
@@ -49,15 +49,6 @@ pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uin
 pub fn solid(source: &JsValue, making: &JsValue) -> Result<Object, JsValue> {
     let drawn = || pasu::drawn(&source::design(source)?, &fields::making(making)?);
     let drawn = drawn().map_err(|error| thrown(&error))?;
-    let faces = Array::new();
-    for face in &drawn.faces {
-        let object = Object::new();
-        set(&object, "kind", face.kind.name().into())?;
-        set(&object, "part", (face.part as f64).into())?;
-        set(&object, "first", (face.first as f64).into())?;
-        set(&object, "count", (face.count as f64).into())?;
-        faces.push(&object);
-    }
     let scale = Object::new();
     set(&scale, "size", drawn.scale.size.into())?;
     set(&scale, "shrinkage", drawn.scale.shrinkage.into())?;
@@ -66,9 +57,23 @@ pub fn solid(source: &JsValue, making: &JsValue) -> Result<Object, JsValue> {
     set(&object, "positions", Float32Array::from(drawn.positions.as_slice()).into())?;
     set(&object, "normals", Float32Array::from(drawn.normals.as_slice()).into())?;
     set(&object, "indices", Uint32Array::from(drawn.indices.as_slice()).into())?;
-    set(&object, "faces", faces.into())?;
+    set(&object, "faces", faces(&drawn.faces)?.into())?;
     set(&object, "scale", scale.into())?;
     Ok(object)
+}
+
+/// `{ kind, part, first, count }` of each face.
+pub(crate) fn faces(faces: &[DrawnFace]) -> Result<Array, JsValue> {
+    let array = Array::new();
+    for face in faces {
+        let object = Object::new();
+        set(&object, "kind", face.kind.name().into())?;
+        set(&object, "part", (face.part as f64).into())?;
+        set(&object, "first", (face.first as f64).into())?;
+        set(&object, "count", (face.count as f64).into())?;
+        array.push(&object);
+    }
+    Ok(array)
 }
 
 /// One value for every vertex of the mesh of the same options: `{ values, least, greatest }`.

@@ -87,7 +87,7 @@ fn integers(object: &Object, key: &str, values: &[u32], into: &JsValue) -> core:
 }
 
 /// A field of whatever this is; `undefined` where it has none.
-fn field(of: &JsValue, key: &str) -> JsValue {
+pub(crate) fn field(of: &JsValue, key: &str) -> JsValue {
     Reflect::get(of, &key.into()).unwrap_or(JsValue::UNDEFINED)
 }
 

@@ -3,7 +3,7 @@
 #![cfg(feature = "making")]
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
-use pasu_wasm::{check, link, measure, mesh, open, paint, parse, solid, water, write};
+use pasu_wasm::{check, link, measure, mesh, open, paint, parse, sketch, solid, water, write};
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -110,6 +110,42 @@ fn checks_say_what_cannot_be_made() {
     assert_eq!(at(&bad, "findings.0.part").as_f64(), Some(0.0));
     assert!(at(&bad, "findings.0.message").as_string().is_some_and(|text| text.len() > 10));
     check(&bare.as_str().into(), &js(r#"{ "product": "solid" }"#)).expect("a solid needs no wall");
+}
+
+#[wasm_bindgen_test]
+fn a_sketch_is_written_over_an_earlier_one() {
+    let whole = solid(&CUP.into(), &js(r#"{ "tolerance": 0.05 }"#)).expect("a solid");
+    let kinds = |of: &Object| {
+        let faces = at(of, "faces").unchecked_into::<Array>();
+        faces.iter().map(|face| at(&face.unchecked_into(), "kind").as_string().expect("a name")).collect::<Vec<_>>()
+    };
+    let first =
+        sketch(&CUP.into(), &js(r#"{ "tolerance": 0.01, "fill": 0.5 }"#), &JsValue::UNDEFINED).expect("a sketch");
+    let mut expected = kinds(&whole);
+    expected.retain(|kind| kind != "outer");
+    assert_eq!(kinds(&first), expected);
+    // A cup on a floor of 1, 4 high.
+    let water = at(&first, "water").unchecked_into::<Object>();
+    assert!((at(&water, "level").as_f64().expect("a number") - 2.5).abs() < 1e-9);
+    let buffer = |of: &Object| at(of, "positions").unchecked_into::<Float32Array>().buffer();
+    let into = Object::new();
+    for key in ["positions", "normals"] {
+        let all = Float32Array::new(&at(&first, key).unchecked_into::<Float32Array>().buffer());
+        Reflect::set(&into, &key.into(), &all).expect("an object");
+    }
+    // What is coarser has room in the arrays of what is finer, which are handed back.
+    let second = sketch(&CUP.into(), &js(r#"{ "tolerance": 0.05 }"#), &into).expect("a sketch");
+    assert!(Object::is(&buffer(&first), &buffer(&second)));
+    let lengths = [&first, &second].map(|of| at(of, "positions").unchecked_into::<Float32Array>().length());
+    assert!(lengths[1] < lengths[0], "{lengths:?}");
+    assert!(at(&second, "water").is_undefined());
+    let fresh = sketch(&CUP.into(), &js(r#"{ "tolerance": 0.05 }"#), &JsValue::UNDEFINED).expect("a sketch");
+    for key in ["positions", "normals"] {
+        let numbers = [&second, &fresh].map(|of| at(of, key).unchecked_into::<Float32Array>().to_vec());
+        assert_eq!(numbers[0], numbers[1], "{key}");
+    }
+    let error = sketch(&CUP.into(), &js(r#"{ "fill": 2 }"#), &JsValue::UNDEFINED).expect_err("no share");
+    assert_eq!(at(&error.unchecked_into(), "path").as_string().as_deref(), Some("fill"));
 }
 
 #[wasm_bindgen_test]

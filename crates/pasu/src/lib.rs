@@ -41,11 +41,11 @@ pub use design::{
 };
 pub use error::{Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
-pub use export::{Drawn, DrawnFace, Format, drawn, open, write};
+pub use export::{Drawn, DrawnFace, Format, Sketch, SketchOptions, drawn, open, sketch, write};
 pub use fingerprint::fingerprint;
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
-    Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, Width, measure, paint, water,
+    Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};

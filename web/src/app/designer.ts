@@ -343,6 +343,7 @@ export class Designer {
   }
 
   #solve(): void {
+    if (this.workshop?.inStep.waits(() => this.#solve())) return;
     const { design, session } = this.state;
     const inGesture = this.store.inGesture;
     const wants = this.#wants();
@@ -358,7 +359,8 @@ export class Designer {
     trace("asked", change);
     const framing = this.#framing;
     const travelled = this.#travelled;
-    void this.solver.solve(design, options).then((outcome) => {
+    const solving = this.solver.solve(design, options);
+    void (this.workshop?.inStep.join(design, solving) ?? solving).then((outcome) => {
       if (outcome.state === "superseded") return;
       const current = design === this.state.design;
       if (outcome.state === "refused") {

@@ -20,10 +20,18 @@ const FIRST = 2;
  * the cheaper thing to save, so the grid gets coarser only when the picture cannot.
  */
 export class Pace {
-  #step = FIRST;
+  #step: number;
   #streak = 0;
   #patience = PATIENCE_UP;
   #risen = false;
+
+  readonly #coarsest: number;
+
+  /** Steps go from 0, the finest, to `coarsest`. */
+  constructor(coarsest = COARSEST, first = FIRST) {
+    this.#coarsest = coarsest;
+    this.#step = first;
+  }
 
   /** The step for {@link gridFor}. */
   get step(): number {
@@ -42,7 +50,7 @@ export class Pace {
   #coarser(): void {
     if (this.#risen) this.#patience = Math.min(2 * this.#patience, MOST_PATIENCE);
     this.#risen = false;
-    this.#step = Math.min(this.#step + 1, COARSEST);
+    this.#step = Math.min(this.#step + 1, this.#coarsest);
     this.#streak = 0;
   }
 

@@ -5,6 +5,7 @@ import { mapOf, scaleOf } from "../document/maps";
 import { lengthWords, volumeWords } from "../document/quantities";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
+import type { Solid } from "../maker/messages";
 import { type Hold, Made } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
@@ -16,18 +17,20 @@ import type { Piece, Workshop } from "./workshop";
 
 export class StageMade {
   readonly #designer: Designer;
+  readonly #host: HTMLElement;
   readonly #made: Made;
   readonly #handle: PasuWaterHandle;
   #mesh: Shown["solved"]["mesh"] | null = null;
   #last: readonly unknown[] = [];
 
-  /** The handle of the water is put into `root`. */
-  constructor(designer: Designer, stage: Stage, root: ParentNode) {
+  /** The handle of the water is put into the shadow of `host`. */
+  constructor(designer: Designer, stage: Stage, host: HTMLElement) {
     this.#designer = designer;
+    this.#host = host;
     this.#made = stage.invite((place) => new Made(place));
     this.#handle = document.createElement("pasu-water-handle");
     this.#handle.designer = designer;
-    root.append(this.#handle);
+    (host.shadowRoot ?? host).append(this.#handle);
     this.#made.onHold = (hold: Hold | null) => this.#handle.hold(hold);
   }
 
@@ -41,11 +44,20 @@ export class StageMade {
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
-    this.#made.show(fits(solid) ? solid.value : null, looksOf(shown.design));
+    this.#show(workshop, fits(solid) ? solid : null, shown);
     this.#made.cut(overlays.cut);
     this.#made.pour(fits(water) ? water.value : null, fill === null ? null : workshop.level);
     this.#paint(workshop, shown, map);
     this.#made.say(measures.of === shown.design ? wordsOf(workshop, shown) : []);
+  }
+
+  /** What was shown before is written over by what is made under the hand. */
+  #show({ inStep, solid }: Workshop, wall: Piece<Solid> | null, { design }: Shown): void {
+    const before = this.#made.show(wall?.value ?? null, looksOf(design));
+    if (before && before !== solid.value) inStep.recycle(before);
+    // For whoever watches from outside.
+    if (wall?.value) this.#host.dataset.wall = wall.key;
+    else delete this.#host.dataset.wall;
   }
 
   #paint({ painted }: Workshop, shown: Shown, map: MapName | null): void {

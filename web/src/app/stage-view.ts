@@ -179,7 +179,7 @@ export class PasuStage extends DesignerElement {
     try {
       const { StageMade } = await import("./stage-made");
       if (stage !== this.stage) return;
-      this.made = new StageMade(this.designer, stage, this.renderRoot);
+      this.made = new StageMade(this.designer, stage, this);
       this.requestUpdate();
     } catch {
       this.designer.say(UNFETCHED);

@@ -72,7 +72,8 @@ export class PasuWater extends DesignerElement {
     const { workshop } = this.designer;
     const water = workshop?.water;
     if (water?.problem) return water.problem.message;
-    return water?.value && water.of ? volumeWords(water.value.volume, unitOf(water.of), 4) : "…";
+    const volume = water?.value?.volume ?? null;
+    return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 4) : "…";
   }
 
   /** The browser's own steps of a slider without steps differ from one to the next. */

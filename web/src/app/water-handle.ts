@@ -46,7 +46,8 @@ export class PasuWaterHandle extends DesignerElement {
 
   private words(): string {
     const water = this.designer.workshop?.water;
-    return water?.value && water.of ? volumeWords(water.value.volume, unitOf(water.of), 3) : "";
+    const volume = water?.value?.volume ?? null;
+    return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 3) : "";
   }
 
   private readonly key = (event: KeyboardEvent): void => {

@@ -9,8 +9,9 @@ import { holdsText, waterRange } from "../document/measure-words";
 import type { Design, MapName, Measures, Refusal, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
-import type { Answers, Ask, Filled, Kind, Painted, Solid } from "../maker/messages";
+import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
 import type { Designer } from "./designer";
+import { InStep } from "./in-step";
 
 /** What the maker made last, and of what. */
 export interface Piece<T> {
@@ -39,6 +40,9 @@ type Shown = keyof Pieces;
 const COARSE = 1 / 150;
 const FINE = 1 / 700;
 
+/** What is made under the hand. */
+export const QUICK = "quick";
+
 /** Of these, what is made of an earlier change is better to look at than what was there before. */
 const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
 
@@ -46,6 +50,8 @@ type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Workshop {
   readonly maker: MakerClient;
+  /** What keeps the wall on the screen while the shape is dragged. */
+  readonly inStep: InStep;
   readonly #designer: Designer;
   #pieces: Pieces = { solid: NOTHING, measure: NOTHING, check: NOTHING, paint: NOTHING, water: NOTHING };
   /** What is asked for, so that it is asked once. */
@@ -54,6 +60,7 @@ export class Workshop {
   constructor(designer: Designer, maker: MakerClient) {
     this.#designer = designer;
     this.maker = maker;
+    this.inStep = new InStep(designer, maker, (piece) => this.#putQuick(piece));
     designer.subscribe(() => this.#follow());
     this.#follow();
   }
@@ -97,6 +104,12 @@ export class Workshop {
 
   /** How high the water is to stand, which its surface may still have to follow; null without water. */
   get level(): number | null {
+    const { value, of, key } = this.water;
+    const follows = key === QUICK && of === this.#designer.shown?.design;
+    return this.#measured ?? (follows ? (value?.level ?? null) : null);
+  }
+
+  get #measured(): number | null {
     const { design, session } = this.#designer.state;
     const range = this.measures.of === design ? this.waterRange : null;
     return range && session.fill !== null ? range.low + session.fill * (range.high - range.low) : null;
@@ -143,9 +156,18 @@ export class Workshop {
     const facts = this.#designer.shown?.solved.facts;
     const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
     const tolerance = size * (fine ? FINE : COARSE);
-    // What was refused is not tried again.
-    if (design && fine && this.solid.value === null) return;
+    // What was refused is not tried again, unless that was said in haste.
+    if (design && fine && this.solid.value === null && this.solid.key !== QUICK) return;
     this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");
+  }
+
+  /** A wall that was dragged along, and its water. */
+  #putQuick({ value, of, problem }: Piece<Quick>): void {
+    if (value?.water) {
+      const water = { value: { ...value.water, volume: null, error: null }, of, problem: null, key: QUICK };
+      this.#pieces = { ...this.#pieces, water };
+    }
+    this.#put("solid", { value: value?.solid ?? null, of, problem, key: QUICK });
   }
 
   /** The water follows the hand as soon as its range is known. */
@@ -155,7 +177,7 @@ export class Workshop {
       this.#want("water", null, "");
       return;
     }
-    const { level } = this;
+    const level = this.#measured;
     if (level !== null) this.#want("water", { kind: "water", design, level }, String(level));
     else if (this.measures.of === design) this.#want("water", null, "");
   }

@@ -14,7 +14,7 @@ export type Outcome<T> =
 
 /** The part of the Worker interface that is used, so that tests need no browser. */
 export interface Port {
-  postMessage(message: Request): void;
+  postMessage(message: Request, transfer: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
@@ -33,7 +33,7 @@ interface Job {
 const PATIENCE_MS = 1000;
 
 /** What a person looks at comes first. */
-const ORDER: readonly Kind[] = ["open", "write", "water", "solid", "paint", "measure", "check"];
+const ORDER: readonly Kind[] = ["open", "write", "quick", "water", "solid", "paint", "measure", "check"];
 
 const CRASHED: Refusal = {
   code: "maker-stopped",
@@ -102,7 +102,8 @@ export class MakerClient {
     const id = this.#nextId;
     this.#nextId += 1;
     this.#under = { id, job };
-    this.#connect().postMessage({ id, ask: job.ask });
+    const spare = job.ask.kind === "quick" ? job.ask.spare : null;
+    this.#connect().postMessage({ id, ask: job.ask }, spare ? Object.values(spare).map(({ buffer }) => buffer) : []);
   }
 
   #connect(): Port {

@@ -4,7 +4,7 @@ import type { Design, Format, Making, MapName, Measures, Product, Refusal, Repor
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 
-/** The faces of a pot that its own surface does not show, ready to be drawn. */
+/** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
   /** xyz triples in model units. */
   readonly positions: Float32Array;
@@ -21,6 +21,18 @@ export interface Solid {
   readonly sides: readonly ("inside" | "outside" | null)[];
 }
 
+/** Arrays of an earlier solid, to be written over. */
+export type Spare = Pick<Solid, "positions" | "normals" | "wares" | "indices">;
+
+/** A pot that is made while a hand changes it. */
+export interface Quick {
+  readonly solid: Solid;
+  /** The surface of the water, without its volume; null where there is none. */
+  readonly water: Pick<Filled, "level" | "positions" | "indices"> | null;
+  /** Milliseconds. */
+  readonly took: number;
+}
+
 /** One value for each vertex of the mesh on the stage. */
 export interface Painted {
   readonly values: Float32Array;
@@ -33,8 +45,9 @@ export interface Painted {
 
 /** The water in a pot: how much there is, and its surface. */
 export interface Filled {
-  readonly volume: number;
-  readonly error: number;
+  /** Null while a hand changes the pot. */
+  readonly volume: number | null;
+  readonly error: number | null;
   /** Height of the surface in model units. */
   readonly level: number;
   readonly positions: Float32Array;
@@ -55,6 +68,14 @@ export type Ask =
       /** Whether there is a coarser picture to look at until then. */
       readonly fine: boolean;
     }
+  | {
+      readonly kind: "quick";
+      readonly design: Design;
+      readonly tolerance: number;
+      /** How full the pot is, as a share of its depth; null without water. */
+      readonly fill: number | null;
+      readonly spare: Spare | null;
+    }
   | { readonly kind: "measure"; readonly design: Design; readonly product: Product; readonly fill: number | null }
   | { readonly kind: "check"; readonly design: Design; readonly making: Making }
   | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)
@@ -64,6 +85,7 @@ export type Ask =
 
 export interface Answers {
   readonly solid: Solid;
+  readonly quick: Quick;
   readonly measure: Measures;
   readonly check: Report;
   readonly paint: Painted;

@@ -2,7 +2,7 @@
 
 import type { Design, Part } from "../document/types";
 import { boundsOf } from "../solver/bounds";
-import type { Solid } from "./messages";
+import type { Solid, Spare } from "./messages";
 
 /** What the package hands over. */
 export interface SolidArrays {
@@ -32,30 +32,44 @@ const RIM_SHARE = 0.15;
 /** Numbers per vertex: lining, distance to rim, distance to foot, depth in radii of the mouth. */
 const SIZE = 4;
 
-export function solidOf({ parts }: Design, { positions, normals, indices, faces }: SolidArrays): Solid {
+/** The arrays of `spare` that are long enough are written over. */
+export function solidOf(
+  { parts }: Design,
+  { positions, normals, indices, faces }: SolidArrays,
+  spare: Pick<Spare, "wares"> | null = null,
+): Solid {
   const kept = faces.filter((face) => face.kind !== shownFace(parts[face.part]));
-  const wares = new Float32Array((SIZE * positions.length) / 3);
+  const length = (SIZE * positions.length) / 3;
+  // As long as there is room for positions, which may be views of longer arrays.
+  const room = (SIZE * (positions.buffer.byteLength / positions.BYTES_PER_ELEMENT)) / 3;
+  const wares = spare && spare.wares.length >= length ? spare.wares : new Float32Array(room);
   const groups: number[] = [];
-  const drawn = new Uint32Array(kept.reduce((sum, face) => sum + face.count, 0));
+  const whole = kept.length === faces.length;
+  const drawn = whole ? indices : new Uint32Array(kept.reduce((sum, face) => sum + face.count, 0));
   const rims = new Map<number, Rim>();
   let at = 0;
   for (const face of kept) {
     const rim = rims.get(face.part) ?? rimOf(face.part, faces, positions, indices);
     rims.set(face.part, rim);
-    drawn.set(indices.subarray(face.first, face.first + face.count), at);
+    if (!whole) drawn.set(indices.subarray(face.first, face.first + face.count), at);
     groups.push(at, face.count, face.part);
     at += face.count;
     glaze(face, rim, positions, indices, wares);
   }
   return {
-    positions,
-    normals,
+    positions: all(positions),
+    normals: all(normals),
     wares,
-    indices: drawn,
+    indices: whole ? new Uint32Array(indices.buffer) : drawn,
     groups: Uint32Array.from(groups),
     bounds: boundsOf(positions),
     sides: parts.map(({ wall }) => (wall ? (wall.side ?? "inside") : null)),
   };
+}
+
+/** All of the array that this is the beginning of: what is on the graphics card is written over only where it is as long as before. */
+function all(view: Float32Array): Float32Array {
+  return new Float32Array(view.buffer);
 }
 
 /** The face that is the design's own surface. */

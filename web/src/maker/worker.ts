@@ -1,8 +1,8 @@
 /** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
 
-import init, { check, measure, open, PasuError, paint, solid, water, write } from "pasu";
+import init, { check, measure, open, PasuError, paint, sketch, solid, water, write } from "pasu";
 import type { Design, Refusal } from "../document/types";
-import type { Answers, Ask, Begin, Kind, Reply, Request, Solid } from "./messages";
+import type { Answers, Ask, Begin, Kind, Quick, Reply, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { solidOf } from "./solid";
 
@@ -34,6 +34,8 @@ function perform(ask: Ask): Answers[Kind] {
   switch (ask.kind) {
     case "solid":
       return drawn(ask.design, ask.tolerance);
+    case "quick":
+      return quick(ask);
     case "measure":
       return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
     case "check":
@@ -59,6 +61,14 @@ function drawn(design: Design, tolerance: number): Solid {
   return solidOf(design, { ...made, faces });
 }
 
+/** A pot under the hand, in the arrays of an earlier one. */
+function quick({ design, tolerance, fill, spare }: Extract<Ask, { kind: "quick" }>): Quick {
+  const begun = performance.now();
+  const made = sketch(design, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
+  const solid = solidOf(design, made, spare);
+  return { solid, water: made.water ?? null, took: performance.now() - begun };
+}
+
 function refusalOf(error: unknown): Refusal {
   if (error instanceof PasuError) return { code: error.code, path: error.path, message: error.message };
   const message = error instanceof Error ? error.message : String(error);
@@ -68,5 +78,8 @@ function refusalOf(error: unknown): Refusal {
 /** Arrays travel; they are not copied. */
 function buffersOf(answer: Answers[Kind]): Transferable[] {
   if (typeof answer !== "object" || answer === null) return [];
-  return Object.values(answer).flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+  const parts = "solid" in answer ? [answer.solid, answer.water ?? {}] : [answer];
+  return parts
+    .flatMap((part) => Object.values(part))
+    .flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
 }

@@ -11,6 +11,18 @@ export interface Bounds {
   readonly radius: number;
 }
 
+/** What two sets of points fill together. The radius is one that is large enough. */
+export function around(a: Bounds | null, b: Bounds | null): Bounds | null {
+  if (!a || !b) return a ?? b;
+  const each = (of: (axis: 0 | 1 | 2) => number): Triple => [of(0), of(1), of(2)];
+  const min = each((axis) => Math.min(a.min[axis], b.min[axis]));
+  const max = each((axis) => Math.max(a.max[axis], b.max[axis]));
+  const centre = each((axis) => (min[axis] + max[axis]) / 2);
+  const reach = ({ centre: [x, y, z], radius }: Bounds) =>
+    Math.hypot(x - centre[0], y - centre[1], z - centre[2]) + radius;
+  return { min, max, centre, radius: Math.max(reach(a), reach(b)) };
+}
+
 /**
  * The bounds of xyz triples, or null when there are none. The box is exact; the radius is that of `sample`, fewer points of
  * the same surface, because the camera and the light need no better one.

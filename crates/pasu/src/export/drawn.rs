@@ -1,5 +1,6 @@
 //! What is made of a design, to be drawn: no file, but the triangles that files hold.
 
+use super::contents::Body;
 use super::shading::{Shaded, shaded};
 use super::write::body;
 use crate::design::Design;
@@ -46,15 +47,32 @@ pub fn drawn(design: &Design, making: &Making) -> Result<Drawn> {
     let mut drawn = Drawn { positions, normals, indices, faces, scale };
     for mesh in solid(design, making)? {
         let body = body(design, "", &mesh);
-        let (vertices, start) = (drawn.positions.len() / 3, drawn.indices.len());
-        let Shaded { positions, normals, indices } = shaded(&body);
-        drawn.positions.extend(positions.iter().map(|x| (f64::from(*x) / scale.millimetres) as f32));
-        drawn.normals.extend(normals);
-        drawn.indices.extend(indices.iter().map(|vertex| vertex + vertices as u32));
-        let part = mesh.part;
-        let face =
-            |&(kind, first, count): &(FaceKind, usize, usize)| DrawnFace { kind, part, first: start + first, count };
-        drawn.faces.extend(body.faces.iter().map(face));
+        add(
+            &body,
+            mesh.part,
+            scale.millimetres,
+            (&mut drawn.positions, &mut drawn.normals, &mut drawn.indices),
+            &mut drawn.faces,
+        );
     }
     Ok(drawn)
+}
+
+/// Adds the shaded faces of a body, whose numbers are `scale` times those of the model, to positions, normals and indices.
+pub(super) fn add(
+    body: &Body,
+    part: usize,
+    scale: f64,
+    (positions, normals, indices): (&mut Vec<f32>, &mut Vec<f32>, &mut Vec<u32>),
+    faces: &mut Vec<DrawnFace>,
+) {
+    let (vertices, mut first) = (positions.len() / 3, indices.len());
+    let shaded: Shaded = shaded(body);
+    positions.extend(shaded.positions.iter().map(|x| (f64::from(*x) / scale) as f32));
+    normals.extend(shaded.normals);
+    indices.extend(shaded.indices.iter().map(|vertex| vertex + vertices as u32));
+    for &(kind, _, count) in &body.faces {
+        faces.push(DrawnFace { kind, part, first, count });
+        first += count;
+    }
 }

@@ -11,6 +11,7 @@ mod open;
 mod ply;
 mod png;
 mod shading;
+mod sketch;
 mod step;
 mod stl;
 mod template;
@@ -22,6 +23,7 @@ mod zip;
 
 pub use drawn::{Drawn, DrawnFace, drawn};
 pub use open::open;
+pub use sketch::{Sketch, SketchOptions, sketch};
 pub use write::write;
 
 /// A kind of file.

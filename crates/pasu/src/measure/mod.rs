@@ -6,6 +6,7 @@ mod column;
 mod curvature;
 mod design;
 mod fill;
+mod filled;
 mod integral;
 mod json;
 mod measures;
@@ -24,6 +25,8 @@ pub use capacity::Capacity;
 pub use curvature::{Curvature, CurvatureRange, Located};
 pub use design::measure;
 pub(crate) use design::{Gauge, gauge};
+pub use filled::WaterSurface;
+pub(crate) use filled::filled;
 pub use measures::{
     Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };

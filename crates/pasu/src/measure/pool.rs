@@ -46,6 +46,13 @@ impl Pool {
         }
         pool
     }
+
+    /// Adds its points, at their level, and its triangles to those of others.
+    pub(crate) fn add(&self, level: f64, positions: &mut Vec<f32>, indices: &mut Vec<u32>) {
+        let base = (positions.len() / 3) as u32;
+        positions.extend(self.points.iter().flat_map(|p| [p.x as f32, p.y as f32, level as f32]));
+        indices.extend(self.triangles.iter().flatten().map(|index| base + index));
+    }
 }
 
 /// The closed curves in which the level meets the inside.

@@ -79,9 +79,7 @@ pub fn water(design: &Design, level: f64) -> Result<Water> {
         water.error += filling.moments.volume.error;
         water.area += filling.area.value;
         let pool = Pool::new(&edge);
-        let base = (water.positions.len() / 3) as u32;
-        water.positions.extend(pool.points.iter().flat_map(|p| [p.x as f32, p.y as f32, level as f32]));
-        water.indices.extend(pool.triangles.iter().flatten().map(|index| base + index));
+        pool.add(level, &mut water.positions, &mut water.indices);
     }
     match (highest, refusal) {
         (Some((spill, slack)), _) if level > spill + slack => Err(above_spill("level", level, spill)),

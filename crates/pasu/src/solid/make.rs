@@ -142,7 +142,7 @@ fn surface_crossing(design: &Design, skin: &Rc<Skin>, making: &Making, scale: f6
 }
 
 /// The rows and columns that keep a tolerance of the surface of the design; `promised` is what is aimed at for the other faces.
-fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
+pub(super) fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
     let part = skin.index();
     let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
     let bound = bound.unwrap_or_else(|| asked.unwrap_or(skin.size()));
@@ -156,7 +156,7 @@ fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: Option<f64>)
 }
 
 /// Removes vertices that no triangle uses.
-fn compact(woven: &mut Woven) {
+pub(super) fn compact(woven: &mut Woven) {
     let mut number = vec![u32::MAX; woven.positions.len()];
     let mut kept = Vec::with_capacity(woven.positions.len());
     for vertex in woven.triangles.iter_mut().flatten() {
@@ -174,7 +174,7 @@ fn compact(woven: &mut Woven) {
 ///
 /// # Errors
 /// Why it is not.
-fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
+pub(super) fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
     let at = |vertex: u32| woven.position(vertex) / scale;
     let kind_of = |triangle: u32| woven.face(triangle).map_or(FaceKind::Outer, |face| woven.faces[face].kind);
     // The triangles of a level face are seen side by side along the axis.
@@ -236,7 +236,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
     Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array())
 }
 
-fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
+pub(super) fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {
     let mut first = 0;
     let faces = woven.faces.iter().map(|face| {
         let count = 3 * face.n_triangles as u32;

@@ -80,17 +80,21 @@ export class Made implements Guest {
     this.objects = [this.solid, this.water.object];
   }
 
-  /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. */
-  show(made: StageSolid | null, looks: readonly StageLook[]): void {
+  /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. */
+  show(made: StageSolid | null, looks: readonly StageLook[]): StageSolid | null {
+    const before = this.made;
     this.looks = looks;
-    if (made !== this.made) {
+    if (made !== before) {
       this.made = made;
-      this.solid.geometry.dispose();
-      if (made) this.solid.geometry = geometryOf(made);
+      if (!made || !refilled(this.solid.geometry, made)) {
+        this.solid.geometry.dispose();
+        if (made) this.solid.geometry = geometryOf(made);
+      }
     }
     this.place.pot.extent = made?.bounds ?? null;
     this.solid.visible = made !== null;
     this.dress();
+    return made === before ? null : before;
   }
 
   /** Pours water in up to a level, or out at null. Its surface may be that of another level, until it is known. */
@@ -250,6 +254,26 @@ export class Made implements Guest {
     const { x, y, z, w } = this.place.studio.frame.value;
     return this.spot.set((point[0] - x) * w, (point[1] - y) * w, (point[2] - z) * w);
   }
+}
+
+/** Writes over what is on the graphics card, if all of it is as long as before. */
+function refilled(geometry: BufferGeometry, made: StageSolid): boolean {
+  const { position, normal, wares } = geometry.attributes;
+  const pairs = [
+    [position, made.positions],
+    [normal, made.normals],
+    [wares, made.wares],
+    [geometry.index, made.indices],
+  ] as const;
+  const fits = pairs.every(
+    ([attribute, values]) => attribute && attribute.count * attribute.itemSize === values.length,
+  );
+  if (!fits) return false;
+  for (const [attribute, values] of pairs) {
+    (attribute as BufferAttribute).array = values;
+    (attribute as BufferAttribute).needsUpdate = true;
+  }
+  return true;
 }
 
 function geometryOf(made: StageSolid): BufferGeometry {

@@ -1,0 +1,68 @@
+//! Water up to a share of the depth, to be drawn while the pot round it changes.
+
+use super::bare::Bare;
+use super::capacity::Vessel;
+use super::column::Inside;
+use super::fill::Level;
+use super::pool::Pool;
+use crate::design::Design;
+use crate::error::Result;
+use crate::solid::Pot;
+
+/// A level surface of water.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct WaterSurface {
+    /// Its height in model units, the `z` of the world.
+    pub level: f64,
+    /// The level of the lowest point inside, and that at which water runs out.
+    pub range: [f64; 2],
+    /// `x, y, z` of each vertex, in model units after placement.
+    pub positions: Vec<f32>,
+    /// Three vertex numbers per triangle, counter-clockwise from above.
+    pub indices: Vec<u32>,
+}
+
+/// The fewest columns that draw the water's edge.
+const COLUMNS: usize = 96;
+
+/// The water in a design whose pots are made already, part by part, and which is filled to a share of the depth. Parts without a pot are taken as in [`water`](crate::water());
+/// `None` where nothing holds any.
+///
+/// # Errors
+/// What [`Surface::solve`](crate::Surface::solve) refuses.
+pub(crate) fn filled(design: &Design, pots: &[Option<Pot>], share: f64) -> Result<Option<WaterSurface>> {
+    let parts = design.parts().iter().enumerate();
+    let bares = parts.map(|(index, part)| Ok(Bare::new(part, index)?.inside())).collect::<Result<Vec<Bare>>>()?;
+    let vessels: Vec<Vessel> = bares
+        .iter()
+        .zip(pots)
+        .filter_map(|(bare, pot)| match pot {
+            Some(pot) => Vessel::of_pot(pot, bare.highest()).ok(),
+            None => Vessel::of_bare(bare).ok(),
+        })
+        .collect();
+    let insides: Vec<(Inside, f64, f64)> = vessels
+        .iter()
+        .map(Vessel::inside)
+        .map(|inside| {
+            let (floor, (spill, _)) = (inside.floor(), inside.spill());
+            (inside, floor, spill)
+        })
+        .collect();
+    let floor = insides.iter().fold(f64::INFINITY, |least, (_, floor, _)| least.min(*floor));
+    let spill = insides.iter().fold(f64::NEG_INFINITY, |most, (.., spill)| most.max(*spill));
+    if !(spill > floor) {
+        return Ok(None);
+    }
+    let level = (floor + share * (spill - floor)).min(spill);
+    let mut surface = WaterSurface { level, range: [floor, spill], ..WaterSurface::default() };
+    for (inside, floor, spill) in &insides {
+        let level = level.min(*spill);
+        if level > *floor {
+            let edge = Level::new(inside, level, COLUMNS.max(inside.n_columns()));
+            let pool = Pool::new(&edge);
+            pool.add(level, &mut surface.positions, &mut surface.indices);
+        }
+    }
+    Ok(Some(surface))
+}

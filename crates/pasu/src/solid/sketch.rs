@@ -1,0 +1,101 @@
+//! From a design to a mesh for the screen while a hand changes the design: checked coarsely, drawn finely.
+
+use super::make::{compact, finished, grid, verdict};
+use super::making::Product;
+use super::mesh::SolidMesh;
+use super::pot::Pot;
+use super::weave::{Woven, weave};
+use crate::design::Design;
+use crate::error::Result;
+
+/// Crossings are looked for on a mesh that keeps this part of the size, or the tolerance where that is coarser.
+const COARSE: f64 = 1.0 / 150.0;
+
+/// A mesh that is refused is looked at once more so many times as finely: a coarse one may cross itself where the faces do not.
+const FINER: f64 = 3.0;
+
+/// A pot and its mesh in model units, at a tolerance that is aimed at and not proved.
+///
+/// # Errors
+/// What [`Pot::new`] and [`solid`](super::make::solid) refuse, as far as it is seen on the coarse mesh.
+pub(crate) fn sketched(design: &Design, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
+    let pot = Pot::new(design, part, Product::Pot)?;
+    let coarse = COARSE * pot.skin().size();
+    let checked = tolerance.map_or(coarse, |tolerance| tolerance.max(coarse));
+    let at = |tolerance: Option<f64>| -> Result<Woven> {
+        let mut woven = weave(&pot, &grid(design, pot.skin(), tolerance, tolerance)?, 1.0)?;
+        compact(&mut woven);
+        Ok(woven)
+    };
+    let passed = |tolerance: f64| at(Some(tolerance)).and_then(|woven| verdict(&pot, &woven, 1.0).map(|_| woven));
+    let coarse = passed(checked).or_else(|_| passed(checked / FINER))?;
+    let woven = if tolerance == Some(checked) { coarse } else { at(tolerance)? };
+    let mesh = finished(&woven, part, 1.0);
+    Ok((pot, mesh))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+
+    const GALLERY: &str = include_str!("../../../../tests/reference/gallery.json");
+
+    /// Every exhibit with a wall of every kind, in turn; with its size.
+    fn pots() -> Vec<(String, Design, f64)> {
+        let exhibits: Vec<serde_json::Value> = serde_json::from_str(GALLERY).expect("the gallery is JSON");
+        let pot = |(number, exhibit): (usize, &serde_json::Value)| {
+            let document = |wall: serde_json::Value| {
+                let part = serde_json::json!({ "shape": exhibit["shape"], "wall": wall });
+                Design::parse(&serde_json::json!({ "pasu": 1, "parts": [part] }).to_string()).expect("a design")
+            };
+            let bare = document(serde_json::json!({ "thickness": 1, "base": 1 }));
+            let size = super::super::skin::Skin::new(&bare.parts()[0], 0).expect("a surface").size();
+            let wall = size / [25.0, 40.0, 80.0][number % 3];
+            let side = if number % 4 == 3 { "outside" } else { "inside" };
+            let rim = if number % 2 == 1 { "rounded" } else { "flat" };
+            let design = document(serde_json::json!({ "thickness": wall, "base": wall, "side": side, "rim": rim }));
+            (format!("{} {side}", exhibit["name"]), design, size)
+        };
+        exhibits.iter().enumerate().map(pot).collect()
+    }
+
+    #[test]
+    fn what_is_drawn_of_the_gallery_is_closed_and_crosses_nothing() {
+        let (mut n_made, mut n_overlooked) = (0, 0);
+        for (name, design, size) in pots() {
+            let full = super::super::make::solid(&design, &super::super::Making::default());
+            for fineness in [700.0, 350.0, 150.0] {
+                let tolerance = size / fineness;
+                let found = sketched(&design, 0, Some(tolerance));
+                let (pot, mesh) = match (found, &full) {
+                    (Ok(found), Ok(_)) => found,
+                    (Err(error), Ok(_)) => panic!("{name} {fineness}: {error}"),
+                    (Err(_), Err(_)) => continue,
+                    // A crossing that is too fine for the coarse mesh.
+                    (Ok(_), Err(error)) => {
+                        assert!(["crosses-itself", "no-room"].contains(&error.code()), "{name}: {error}");
+                        n_overlooked += 1;
+                        continue;
+                    }
+                };
+                n_made += 1;
+                let (corners, []) = mesh.positions.as_chunks::<3>() else { panic!("{name}: no triples") };
+                let (triangles, []) = mesh.indices.as_chunks::<3>() else { panic!("{name}: no triples") };
+                let topology = check::closed(triangles, corners.len());
+                assert!(topology.is_ok(), "{name} {fineness}: does not close at {:?}", topology.err());
+                // Level faces are cut from an outline without overlaps and so are seen side by side.
+                let is_level =
+                    |kind| pot.faces().iter().any(|face| crate::solid::Face::kind(face) == kind && face.is_level());
+                let group = |triangle: u32| {
+                    let of = |&(_, first, count): &(_, u32, u32)| (first..first + count).contains(&(3 * triangle));
+                    mesh.faces.iter().position(of).filter(|face| is_level(mesh.faces[*face].0)).map(|face| face as u32)
+                };
+                assert_eq!(check::crossings(corners, triangles, group, 1), Vec::<[u32; 2]>::new(), "{name} {fineness}");
+                // A lining of many waves is not looked into again and again until it keeps the tolerance, and says so.
+                assert!(mesh.bound <= 8.0 * tolerance, "{name}: {} for {tolerance}", mesh.bound);
+            }
+        }
+        assert!(n_made > 100 && n_overlooked <= 4, "{n_made} were made, {n_overlooked} of them in haste");
+    }
+}
