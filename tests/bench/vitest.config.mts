@@ -2,7 +2,10 @@
 
 import e2e from "../../web/vitest.e2e.config.ts";
 
+// The projects there are of the tests, and would be run in place of these.
+const { projects: _, ...test } = e2e.test ?? {};
+
 export default {
   ...e2e,
-  test: { ...e2e.test, include: ["tests/bench/*.bench.ts"], testTimeout: 600_000 },
+  test: { ...test, include: ["tests/bench/*.bench.ts"], fileParallelism: false, testTimeout: 600_000 },
 };
