@@ -1,6 +1,5 @@
 //! Whether a pot can be made: checks of the mesh that a file holds, after rounding.
 
-mod boxes;
 mod closed;
 mod crossing;
 mod degenerate;
