@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use glam::DVec3;
 
 use super::bare::Bare;
+use super::limit::limit;
 use super::outside::columns;
 use super::search::{Grid, Place};
 use crate::solid::Face;
@@ -87,22 +88,17 @@ impl Kind {
         let inward = if a < 0.5 { STEP } else { -STEP };
         let near = |steps: f64| self.of(&bare.second(a + steps * inward, v), bare.outward());
         // A cubic through four points further in.
-        let limit = limit(near);
-        if limit.0.is_finite() { limit.0 } else { 0.0 }
+        let (limit, _) = limit(near);
+        if limit.is_finite() { limit } else { 0.0 }
     }
 
     /// The limit at a pole or cusp with how far it may be off.
     fn limit(self, bare: &Bare, a: f64, v: f64) -> (f64, f64) {
         let inward = if a < 0.5 { STEP } else { -STEP };
-        limit(|steps| self.of(&bare.second(a + steps * inward, v), bare.outward()))
+        let near = |steps: f64| self.of(&bare.second(a + steps * inward, v), bare.outward());
+        let (value, off) = limit(near);
+        (value, off + POLE_ROUNDING * near(1.0).abs())
     }
-}
-
-/// What a function tends to at 0, by the cubic through its values at 1, 2, 3 and 4; the error is what a parabola finds otherwise, and what is left of rounding.
-fn limit(near: impl Fn(f64) -> f64) -> (f64, f64) {
-    let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(near);
-    let (cubic, parabola) = (4.0 * one - 6.0 * two + 4.0 * three - four, 3.0 * one - 3.0 * two + three);
-    (cubic, 2.0 * (cubic - parabola).abs() + POLE_ROUNDING * one.abs())
 }
 
 /// The rounding of a curvature so near to a pole that second derivatives are divided by the square of a step.

@@ -9,6 +9,7 @@ mod fill;
 mod filled;
 mod integral;
 mod json;
+mod limit;
 mod measures;
 mod moments;
 mod outside;

@@ -4,6 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
+use super::limit::limit;
 use super::moments::element;
 use super::quantity::{Quantity, ROUNDING};
 use super::search::{Grid, Place, least};
@@ -234,14 +235,14 @@ impl<'a> Outside<'a> {
             if is_kept_from(place.a) && (place.a - end).abs() < 1e-2 * BESIDE {
                 // The limit at the end itself: by the cubic through four places beside it; a parabola tells how good that is.
                 let inward = if end > 0.5 { -BESIDE } else { BESIDE };
-                let [one, two, three, four] = [1.0, 2.0, 3.0, 4.0].map(|k| lean(&face.jet(end + k * inward, place.v)));
-                let (cubic, parabola) = (4.0 * one - 6.0 * two + 4.0 * three - four, 3.0 * one - 3.0 * two + three);
+                let beside = |steps: f64| lean(&face.jet(end + steps * inward, place.v));
+                let (cubic, off) = limit(beside);
                 let limit = cubic.min(0.5 * PI);
                 if limit >= place.value {
-                    error = 2.0 * (cubic - parabola).abs() + (cubic - limit);
+                    error = off + (cubic - limit);
                     place = Place { a: end, value: limit, ..place };
                 } else {
-                    error += 2.0 * (place.value - one).abs();
+                    error += 2.0 * (place.value - beside(1.0)).abs();
                 }
             }
             if best.is_none_or(|best| place.value > best.value) {

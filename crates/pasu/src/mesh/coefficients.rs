@@ -310,7 +310,8 @@ impl Coefficients {
         let [[radius, slope], [other, other_slope]] = [cosine[0].map(at), sine[1].map(at)];
         let [x, y, z] = self.constants.map(|constant| constant.map(at));
         let is_round = radius == other && slope == other_slope && x[1] == 0.0 && y[1] == 0.0;
-        is_round.then_some(Circle { centre: [x[0], y[0], z[0]], rise: z[1], radius, slope, k: self.harmonics[0].k })
+        let copy = Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale: radius, slope };
+        is_round.then_some(Circle { copy, k: self.harmonics[0].k })
     }
 
     /// The coefficients in double precision, placed.
@@ -432,13 +433,10 @@ struct Place {
     factors: [f64; 3],
 }
 
-/// A row that is a circle.
+/// A row that is a circle: a copy of that of radius 1, which harmonic `k` goes round.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Circle {
-    pub(super) centre: [f64; 3],
-    pub(super) rise: f64,
-    pub(super) radius: f64,
-    pub(super) slope: f64,
+    pub(super) copy: Scaled,
     pub(super) k: f64,
 }
 

@@ -2,6 +2,7 @@
 
 use super::coefficients::Circle;
 use super::lanes::Lanes;
+use super::outline::Scaled;
 use crate::surface::Turns;
 
 /// `cos, sin, 0` of every column, as vertices follow each other: position and normal of a circular row are this times one number plus another, three numbers at a time.
@@ -25,7 +26,7 @@ impl Pattern {
     ///
     /// With `X = (x + r cos, y + r sin, z)` the product `X_u x X_v` is `k r (-z' cos, -z' sin, r')`.
     pub(super) fn write(&self, circle: &Circle, sign: f64, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        let &Circle { centre: [x, y, z], rise, radius, slope, k } = circle;
+        let &Circle { copy: Scaled { centre: [x, y, z], rise, scale: radius, slope }, k } = circle;
         self.fill(positions, radius as f32, [x as f32, y as f32, z as f32]);
         let along = libm::hypot(slope, rise);
         if along == 0.0 || radius == 0.0 {
