@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3};
 
 use super::lanes::Lanes;
 use super::outline::Scaled;
+use super::tolerance::Tessellation;
 use crate::surface::{BLOCK, Block, Curves, Surface, Turns};
 
 /// Rows whose coefficients are made together.
@@ -69,6 +70,8 @@ pub(super) struct Coefficients {
     waves: [Vec<[[Block; 2]; 3]>; 2],
     /// Which of [`Coefficients::waves`] each component has.
     has: [[bool; 2]; 3],
+    /// How far `X_u` and `X_v` may be off before any of this is rounded to single precision, over the four rows.
+    noise: [f64; 2],
     /// The waves of a row that all others may be scaled copies of: cosine and sine of each harmonic, in `x` and in `y`.
     outline: Vec<[[f64; 2]; 2]>,
 
@@ -100,6 +103,7 @@ impl Default for Coefficients {
             constants: [[Block::ZERO; 2]; 3],
             waves: [Vec::new(), Vec::new()],
             has: [[false; 2]; 3],
+            noise: [0.0; 2],
             outline: Vec::new(),
             constant: [[Lanes::ZERO; 2]; 3],
             strands: Vec::new(),
@@ -138,7 +142,10 @@ impl Coefficients {
         for curve in curves.list() {
             let harmonic = self.harmonics.iter().position(|harmonic| harmonic.n == curve.n);
             let factors = matrix.col(curve.axis).to_array();
-            self.places.push(Place { harmonic, wave: usize::from(curve.is_sine), axis: curve.axis, factors });
+            let slope_noise = factors.into_iter().fold(0.0f64, |most, factor| most.max(factor.abs()));
+            let noise_factors = [slope_noise, slope_noise * curve.k.abs()];
+            let (wave, axis) = (usize::from(curve.is_sine), curve.axis);
+            self.places.push(Place { harmonic, wave, axis, factors, noise_factors });
             for ((factor, leans), has) in factors.into_iter().zip(&mut leans).zip(&mut self.has) {
                 if factor != 0.0 {
                     if curve.n == 0.0 {
@@ -197,7 +204,11 @@ impl Coefficients {
                 *strands = sine.map(|data| strand(data, harmonic.k));
             }
         }
-        let [variance, variance_u, variance_v] = self.variances((1.0 / largest) as f32);
+        let [variance, mut variance_u, mut variance_v] = self.variances((1.0 / largest) as f32);
+        for ((variance, noise), scale) in [&mut variance_u, &mut variance_v].into_iter().zip(self.noise).zip(scales) {
+            let noise = single(scale * noise);
+            *variance += noise * noise;
+        }
         let errors = (variance.sqrt() * (DEVIATIONS / POSITION_ERROR) as f32).to_array();
         for ((is_exact, error), length) in self.is_exact.iter_mut().zip(errors).zip(length.to_array()) {
             *is_exact = !(length < f64::from(f32::MAX) && error <= 1.0);
@@ -211,20 +222,26 @@ impl Coefficients {
         self.steepest = (self.tilt[0] * squared_v + self.tilt[1] * squared_u) * 1.001;
     }
 
-    /// A coordinate that the placed surface reaches: the largest root mean square of a component over a row, among some rows.
-    pub(super) fn reached(&mut self, surface: &Surface, curves: &Curves) -> f64 {
+    /// A coordinate that some vertex of the mesh has at least: the largest root mean square of a component over one of a few rows, or the largest component at `v = 0` of these.
+    pub(super) fn reached(&mut self, surface: &Surface, curves: &Curves, grid: &Tessellation) -> f64 {
         const STEPS: usize = 8;
+        let n_rows = grid.counts().0;
+        let u = core::array::from_fn::<f64, { STEPS + 1 }, _>(|i| grid.row(i * (n_rows - 1) / STEPS));
+        // The mean over the vertices of a row is that over a whole turn where the columns tell the harmonics apart.
+        let are_apart = self.are_apart(grid.round) && surface.is_closed();
         let mut largest = 0.0f64;
         let mut widest = 0.0;
         self.outline.clear();
-        for i in 0..=STEPS {
-            self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+        for u in u {
+            self.gather(surface, curves, [u; ROWS]);
             let mut width = 0.0;
             for axis in 0..3 {
                 let waves = self.waves.iter().flatten().map(|wave| wave[axis][0] * wave[axis][0]);
                 let waves = waves.fold(Block::ZERO, |sum, square| sum + square);
                 let constant = self.constants[axis][0];
-                largest = largest.max((constant * constant + waves * 0.5).to_array()[0]);
+                let start = self.waves[0].iter().fold(constant, |sum, wave| sum + wave[axis][0]);
+                let square = if are_apart { constant * constant + waves * 0.5 } else { start * start };
+                largest = largest.max(square.to_array()[0]);
                 width += waves.to_array()[0];
             }
             if width > widest && width < f64::MAX && self.has[2] == [false; 2] {
@@ -236,15 +253,27 @@ impl Coefficients {
             }
         }
         // One row that is no copy, and rows are hardly ever asked again.
-        for i in 0..=STEPS {
+        for u in u {
             if !self.outline.is_empty() {
-                self.gather(surface, curves, [i as f64 / STEPS as f64; ROWS]);
+                self.gather(surface, curves, [u; ROWS]);
                 if self.scaled(0).is_none() {
                     self.outline.clear();
                 }
             }
         }
         largest.sqrt()
+    }
+
+    /// Whether no two of the harmonics, nor one and what does not depend on `v`, can cancel in all of so many equal steps round.
+    fn are_apart(&self, n_steps: f64) -> bool {
+        let mut others = self.harmonics.as_slice();
+        while let [harmonic, rest @ ..] = others {
+            others = rest;
+            if 2.0 * harmonic.n.abs() >= n_steps || rest.iter().any(|other| other.n.abs() == harmonic.n.abs()) {
+                return false;
+            }
+        }
+        true
     }
 
     /// Value and slope of each harmonic of a row, of the cosine and the sine of `x` and of `y`.
@@ -297,7 +326,7 @@ impl Coefficients {
         }
         let is_copy =
             off[0] <= ALIKE * lengths * scale.abs() && off[1] <= ALIKE * (lengths * slope.abs()).max(z[1].abs());
-        is_copy.then_some(Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale, slope })
+        is_copy.then_some(Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale, slope, noise: self.noise })
     }
 
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.
@@ -310,7 +339,7 @@ impl Coefficients {
         let [[radius, slope], [other, other_slope]] = [cosine[0].map(at), sine[1].map(at)];
         let [x, y, z] = self.constants.map(|constant| constant.map(at));
         let is_round = radius == other && slope == other_slope && x[1] == 0.0 && y[1] == 0.0;
-        let copy = Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale: radius, slope };
+        let copy = Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale: radius, slope, noise: self.noise };
         is_round.then_some(Circle { copy, k: self.harmonics[0].k })
     }
 
@@ -324,8 +353,11 @@ impl Coefficients {
             }
         }
         let is_axial = self.is_axial;
-        curves.rows(surface, u, |index, [value, slope]| {
-            let Some(&Place { harmonic, wave, axis, factors }) = self.places.get(index) else { return };
+        self.noise = [0.0; 2];
+        curves.rows(surface, u, |index, [value, slope], [value_noise, slope_noise]| {
+            let Some(&Place { harmonic, wave, axis, factors, noise_factors }) = self.places.get(index) else { return };
+            self.noise[0] += slope_noise * noise_factors[0];
+            self.noise[1] += value_noise * noise_factors[1];
             let target = match harmonic {
                 None => &mut self.constants,
                 Some(harmonic) => match self.waves[wave & 1].get_mut(harmonic) {
@@ -431,6 +463,8 @@ struct Place {
     axis: usize,
     /// How much of it each placed component has.
     factors: [f64; 3],
+    /// How much of what its slope and its value may be off is in a component of `X_u` and of `X_v` at most.
+    noise_factors: [f64; 2],
 }
 
 /// A row that is a circle: a copy of that of radius 1, which harmonic `k` goes round.

@@ -14,7 +14,19 @@ pub(super) struct Scaled {
     pub(super) scale: f64,
     /// `a'`.
     pub(super) slope: f64,
+    /// How far `X_u` and `X_v` may be off.
+    pub(super) noise: [f64; 2],
 }
+
+impl Scaled {
+    /// Whether directions that are made of `X_u` and of `X_v`, of these lengths, are known to all digits that a normal has.
+    pub(super) fn tells(&self, lengths: [f64; 2]) -> bool {
+        self.noise.iter().zip(lengths).all(|(noise, length)| *noise <= SURE * length)
+    }
+}
+
+/// What a direction may be off, in radians, by more than the arithmetic of single precision: too little to be seen among that.
+const SURE: f64 = 1e-7;
 
 /// An outline and what the normals of its copies are made of.
 #[derive(Debug, Default)]
@@ -25,6 +37,8 @@ pub(super) struct Outline {
     columns: Vec<[[f64; 2]; 2]>,
     /// The least and the largest of those distances, without their sign.
     reach: [f64; 2],
+    /// The shortest tangent.
+    slowest: f64,
 }
 
 /// The shortest of the vectors that normals are made of, in parts of the longest, with which all directions are known to more digits than a normal has.
@@ -53,7 +67,7 @@ impl Outline {
             }
             self.blocks.push(block.map(Lanes::from));
         }
-        self.reach = reach;
+        (self.reach, self.slowest) = (reach, speeds[0]);
         speeds[0] > SHORTEST * speeds[1]
     }
 
@@ -61,7 +75,7 @@ impl Outline {
     ///
     /// With the unit tangent `t` of the outline, `X_u x X_v` goes along `(-z' t_y, z' t_x, a' (P_x t_y - P_y t_x))`, the other way for `a < 0`.
     pub(super) fn write(&self, row: &Scaled, sign: f64, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        let &Scaled { centre, rise, scale, slope } = row;
+        let &Scaled { centre, rise, scale, slope, .. } = row;
         let [nearest, farthest] = self.reach;
         let longest = rise.abs().max(slope.abs() * farthest);
         if scale == 0.0 || !(longest > 0.0 && longest < f64::MAX) {
@@ -69,7 +83,8 @@ impl Outline {
         }
         // At a larger size than 1 neither square leaves single precision, as long as one of the two is not small.
         let (level, upright) = (rise / longest, slope / longest);
-        if level.abs().max(upright.abs() * nearest) < SHORTEST {
+        let shortest = level.abs().max(upright.abs() * nearest);
+        if shortest < SHORTEST || !row.tells([shortest * longest, scale.abs() * self.slowest]) {
             return false;
         }
         let sign = if scale < 0.0 { -sign } else { sign };

@@ -118,7 +118,7 @@ impl PartGrid {
             turns.divide(columns - 1);
             let folds = kernel::folds(self.surface.is_closed(), columns);
             coefficients.prepare(curves, self.matrix, self.shift, folds);
-            reached = coefficients.reached(&self.surface, curves);
+            reached = coefficients.reached(&self.surface, curves, &self.tessellation);
             circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
             if let [harmonic] = coefficients.harmonics.as_slice() {
                 pattern.prepare(harmonic.n, columns, turns);

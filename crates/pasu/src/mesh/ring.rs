@@ -22,14 +22,15 @@ impl Pattern {
         }
     }
 
-    /// Writes a row, normals times `sign`; false where there is no normal and none is written.
+    /// Writes a row, normals times `sign`; false where there is no normal or it is not known well enough, and none is written.
     ///
     /// With `X = (x + r cos, y + r sin, z)` the product `X_u x X_v` is `k r (-z' cos, -z' sin, r')`.
     pub(super) fn write(&self, circle: &Circle, sign: f64, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        let &Circle { copy: Scaled { centre: [x, y, z], rise, scale: radius, slope }, k } = circle;
+        let &Circle { copy, k } = circle;
+        let Scaled { centre: [x, y, z], rise, scale: radius, slope, .. } = copy;
         self.fill(positions, radius as f32, [x as f32, y as f32, z as f32]);
         let along = libm::hypot(slope, rise);
-        if along == 0.0 || radius == 0.0 {
+        if along == 0.0 || radius == 0.0 || !copy.tells([along, f64::INFINITY]) {
             return false;
         }
         let sign = if k * radius < 0.0 { -sign } else { sign };

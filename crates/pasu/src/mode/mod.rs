@@ -24,5 +24,5 @@ mod solution;
 mod supremum;
 
 pub use equation::{Equation, Unsolvable};
-pub(crate) use expansion::{Expansion, TERMS};
+pub(crate) use expansion::{Expansion, ROUNDING, TERMS};
 pub use solution::{ModeData, ModeSolution};

@@ -2,7 +2,7 @@
 
 use super::solve::{Surface, Term};
 use super::table::{BLOCK, Block};
-use crate::mode::{Expansion, TERMS};
+use crate::mode::{Expansion, ModeSolution, ROUNDING, TERMS};
 
 /// One datum of one mode, a function of `u` alone.
 #[derive(Debug, Clone, Copy)]
@@ -18,11 +18,13 @@ pub(crate) struct Curve {
     /// Number of its first expansion, and how many of equal width cover [0, 1]; 0 where the solution itself is asked.
     first: usize,
     n_expansions: usize,
+    /// How far value and slope may be off where no expansion serves.
+    noise: [f64; 2],
 }
 
 /// Every datum of a surface that is not 0, as Taylor expansions on as many intervals as its rate asks for.
 ///
-/// A row then costs a polynomial a datum instead of its exponentials. The relative error is some 1e-11 of the datum: for single precision only.
+/// A row then costs a polynomial a datum instead of its exponentials. The error is some 1e-11 of the datum, and told with each row: for single precision only.
 #[derive(Debug, Default)]
 pub(crate) struct Curves {
     curves: Vec<Curve>,
@@ -53,26 +55,29 @@ impl Curves {
                 let has_room = first as f64 + 2.0 * n_expansions <= MOST_EXPANSIONS;
                 let n_expansions = if pays && has_room { n_expansions as usize } else { 0 };
                 let data = [(false, &term.cos), (true, &term.sin)];
-                let mut count = 0;
-                for (is_sine, solution) in data {
-                    if !(solution.is_zero() || is_sine && term.n == 0.0) {
-                        let first = first + count * n_expansions;
-                        let (n, k) = (term.n, term.k);
-                        self.insert(Curve { axis, is_sine, n, k, term: index, first, n_expansions });
-                        count += 1;
-                    }
-                }
-                self.expansions.resize(first + count * n_expansions, [0.0; TERMS]);
+                let is_used =
+                    |(is_sine, solution): (bool, &ModeSolution)| !(solution.is_zero() || is_sine && term.n == 0.0);
+                let n_used = data.into_iter().filter(|datum| is_used(*datum)).count();
+                self.expansions.resize(first + n_used * n_expansions, Expansion::default());
+                let mut noise = [0.0f64; 2];
                 for i in 0..n_expansions {
                     let half = 0.5 / n_expansions as f64;
                     let both = term.equation.expansions([&term.cos, &term.sin], (2 * i + 1) as f64 * half, half);
-                    let used = data
-                        .iter()
-                        .zip(both)
-                        .filter(|((is_sine, solution), _)| !(solution.is_zero() || *is_sine && term.n == 0.0));
+                    let used = data.into_iter().zip(both).filter(|(datum, _)| is_used(*datum));
                     for (slot, (_, expansion)) in used.enumerate() {
+                        noise = [noise[0].max(expansion.noise), noise[1].max(expansion.slope_noise(n_expansions))];
                         self.expansions[first + slot * n_expansions + i] = expansion;
                     }
+                }
+                if n_expansions == 0 {
+                    for size in term.equation.suprema::<2, 2>([&term.cos, &term.sin], 0.0, 1.0) {
+                        noise = [noise[0].max(ROUNDING * size[0]), noise[1].max(ROUNDING * size[1])];
+                    }
+                }
+                for (slot, (is_sine, _)) in data.into_iter().filter(|datum| is_used(*datum)).enumerate() {
+                    let first = first + slot * n_expansions;
+                    let (n, k) = (term.n, term.k);
+                    self.insert(Curve { axis, is_sine, n, k, term: index, first, n_expansions, noise });
                 }
             }
         }
@@ -92,11 +97,11 @@ impl Curves {
     /// Value and slope of every curve at one row, as [`Curves::rows`]: for what asks for few, which then has no loop of its own.
     #[inline(never)]
     pub(crate) fn row(&self, surface: &Surface, u: f64, visit: &mut dyn FnMut(usize, [f64; 2])) {
-        self.rows(surface, [u; BLOCK], |index, values| visit(index, values.map(|block| block.to_array()[0])));
+        self.rows(surface, [u; BLOCK], |index, values, _| visit(index, values.map(|block| block.to_array()[0])));
     }
 
-    /// Value and slope of every curve at four rows, one in each lane, in ascending order.
-    pub(crate) fn rows(&self, surface: &Surface, u: [f64; BLOCK], mut visit: impl FnMut(usize, [Block; 2])) {
+    /// Value and slope of every curve at four rows, one in each lane, in ascending order; and how far either may be off.
+    pub(crate) fn rows(&self, surface: &Surface, u: [f64; BLOCK], mut visit: impl FnMut(usize, [Block; 2], [f64; 2])) {
         // The boundary data are met to the bit: a pole is where they are 0.
         let is_end = u.map(|u| u == 0.0 || u == 1.0);
         let has_end = is_end.contains(&true);
@@ -116,7 +121,11 @@ impl Curves {
                     }
                 }
             };
-            visit(index, values);
+            let noise = match expansion {
+                Some(expansion) => [expansion.noise, expansion.slope_noise(curve.n_expansions)],
+                None => curve.noise,
+            };
+            visit(index, values, noise);
         }
     }
 }
@@ -142,16 +151,16 @@ impl Place {
 
     /// Value and slope, by Horner's rule in `x^2` for the even and for the odd powers: two chains that do not wait for each other.
     #[inline(always)]
-    fn evaluated(&self, expansion: &Expansion) -> [Block; 2] {
+    fn evaluated(&self, Expansion { terms, .. }: &Expansion) -> [Block; 2] {
         const LAST: usize = TERMS / 2 - 1;
         let square = self.x * self.x;
-        let (mut even, mut even_slope) = (Block::splat(expansion[2 * LAST]), Block::ZERO);
-        let (mut odd, mut odd_slope) = (Block::splat(expansion[2 * LAST + 1]), Block::ZERO);
+        let (mut even, mut even_slope) = (Block::splat(terms[2 * LAST]), Block::ZERO);
+        let (mut odd, mut odd_slope) = (Block::splat(terms[2 * LAST + 1]), Block::ZERO);
         for m in (0..LAST).rev() {
             even_slope = even_slope * square + even;
             odd_slope = odd_slope * square + odd;
-            even = even * square + Block::splat(expansion[2 * m]);
-            odd = odd * square + Block::splat(expansion[2 * m + 1]);
+            even = even * square + Block::splat(terms[2 * m]);
+            odd = odd * square + Block::splat(terms[2 * m + 1]);
         }
         let value = even + odd * self.x;
         let slope = odd + (even_slope * self.x + odd_slope * square) * 2.0;
