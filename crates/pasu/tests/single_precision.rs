@@ -238,6 +238,13 @@ fn where_a_flat_sheet_turns_back_its_normals_keep_the_promise() {
     for (rows, columns) in [(22, 4), (22, 40), (301, 4)] {
         check("sheet", &support::design_of(shape), rows, columns);
     }
+    // With two components that are the same but for their size and the twelve digits of a design; row 5 is almost where it turns back.
+    let shape = r#"{ "kind": "boundary-value", "span": "2pi",
+        "x": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 1, "sin": { "start": 0.6602327780333497, "end": 2.8227652429654624 } }] },
+        "y": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 1, "sin": { "start": 0.34022809506866697, "end": 1.4546143017935278 } }] },
+        "z": { "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{ "n": 0, "cos": {
+            "start": 0.009820772838878104, "end": -0.6450480523214672, "start_u": 0.4438647824101613, "end_u": -1.5568153163122576 } }] } }"#;
+    check("two sheets", &support::design_of(shape), 29, 46);
 }
 
 #[test]

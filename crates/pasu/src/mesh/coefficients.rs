@@ -29,7 +29,8 @@ pub(super) const POSITION_ERROR: f64 = 5e-7;
 /// The promised largest error of a normal, less what its own arithmetic takes, in radians.
 const NORMAL_ERROR: f64 = 9.2e-7;
 
-/// How far the waves of a row may be from those of a scaled outline, in parts of the largest: more than solving rounds, and less than any normal shows by [`Outline`](super::outline::Outline).
+/// How far the waves of a row may be from those of a scaled outline, in parts of the largest: more than the twelve digits of a design and solving leave of a
+/// copy. What it makes of a normal is asked row by row.
 const ALIKE: f64 = 1e-11;
 
 /// A wave round the axis.
@@ -315,18 +316,20 @@ impl Coefficients {
             }
         }
         let [scale, slope] = common.map(|common| common / size);
+        // How far the row and its slope are from copies, as that shows in tangents.
         let (mut off, mut lengths) = ([0.0f64; 2], 0.0f64);
         for ((harmonic, outline), quantities) in weighted() {
             let weight = harmonic.k.abs().max(1.0);
             lengths = lengths.max(parts(*outline).fold(0.0, |most, part| part.abs().max(most)) * weight);
             for ((off, quantity), factor) in off.iter_mut().zip(quantities).zip([scale, slope]) {
                 let apart = parts(*outline).zip(parts(quantity)).map(|(a, b)| (b - factor * a).abs());
-                *off = apart.fold(*off, |most, apart| most.max(apart * weight));
+                *off += apart.sum::<f64>() * weight;
             }
         }
         let is_copy =
             off[0] <= ALIKE * lengths * scale.abs() && off[1] <= ALIKE * (lengths * slope.abs()).max(z[1].abs());
-        is_copy.then_some(Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale, slope, noise: self.noise })
+        let noise = [self.noise[0] + off[1], self.noise[1] + off[0]];
+        is_copy.then_some(Scaled { centre: [x[0], y[0], z[0]], rise: z[1], scale, slope, noise })
     }
 
     /// The radius of a row that is a circle about a parallel of the axis, and how fast it grows.
