@@ -14,7 +14,7 @@ pub(super) const ROWS: usize = BLOCK;
 pub(super) type Strand = [Lanes; 3];
 
 /// Half a unit in the last place of a single, relative to the number.
-const HALF_UNIT: f64 = 1.0 / 16_777_216.0;
+pub(super) const HALF_UNIT: f64 = 1.0 / 16_777_216.0;
 
 /// A rounding error is even between plus and minus half a unit in the last place, so that its mean square is that of `0.41 HALF_UNIT` times the number.
 const ROUNDING: f64 = 0.41 * HALF_UNIT;
@@ -76,6 +76,8 @@ pub(super) struct Coefficients {
     /// The waves of a row that all others may be scaled copies of: cosine and sine of each harmonic, in `x` and in `y`.
     outline: Vec<[[f64; 2]; 2]>,
 
+    /// Whether what follows has been made of what is above.
+    is_single: bool,
     /// Value and slope of what does not depend on `v`, the slope scaled as the strands are.
     pub(super) constant: [[Lanes; 2]; 3],
     /// The strands of each harmonic and component: those of [`Layout::Split`], or of the cosines.
@@ -106,6 +108,7 @@ impl Default for Coefficients {
             has: [[false; 2]; 3],
             noise: [0.0; 2],
             outline: Vec::new(),
+            is_single: false,
             constant: [[Lanes::ZERO; 2]; 3],
             strands: Vec::new(),
             sine_strands: Vec::new(),
@@ -176,9 +179,18 @@ impl Coefficients {
         }
     }
 
-    /// Takes four rows of the surface, whose mesh has a coordinate of at least `largest`.
-    pub(super) fn take(&mut self, surface: &Surface, curves: &Curves, u: [f64; ROWS], largest: f64) {
+    /// Takes four rows of the surface, in double precision.
+    pub(super) fn take(&mut self, surface: &Surface, curves: &Curves, u: [f64; ROWS]) {
         self.gather(surface, curves, u);
+        self.is_single = false;
+    }
+
+    /// Makes of the rows that were taken what is summed, where that has not been done, for a mesh with a coordinate of at least `largest`.
+    pub(super) fn round(&mut self, largest: f64) {
+        if self.is_single {
+            return;
+        }
+        self.is_single = true;
         let [length, length_u, length_v] = self.lengths();
         let scales = [power_of_two(length_u), power_of_two(length_v)];
         for (single_constant, [value, slope]) in self.constant.iter_mut().zip(self.constants) {
@@ -336,7 +348,7 @@ impl Coefficients {
     pub(super) fn circle(&self, row: usize) -> Option<Circle> {
         let at = |block: Block| block.to_array()[row];
         let ([cosine], [sine]) = (self.waves[0].as_slice(), self.waves[1].as_slice()) else { return None };
-        if self.has != [[true, false], [false, true], [false; 2]] || self.is_exact[row] {
+        if self.has != [[true, false], [false, true], [false; 2]] {
             return None;
         }
         let [[radius, slope], [other, other_slope]] = [cosine[0].map(at), sine[1].map(at)];
@@ -489,6 +501,18 @@ fn power_of_two(length: Block) -> Block {
         .into()
 }
 
+/// Rounds to single precision.
+#[inline(always)]
 fn single(block: Block) -> Lanes {
-    block.to_array().map(|x| x as f32).into()
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    {
+        // Of an array the compiler rounds one number after the other.
+        use core::arch::wasm32::{f32x4_demote_f64x2_zero, i64x2_shuffle, v128};
+        let [low, high] = bytemuck::cast::<Block, [v128; 2]>(block).map(|half| f32x4_demote_f64x2_zero(half));
+        bytemuck::cast(i64x2_shuffle::<0, 2>(low, high))
+    }
+    #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+    {
+        block.to_array().map(|x| x as f32).into()
+    }
 }

@@ -44,14 +44,6 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals of the row at `u`, and leaves the positions.
-    pub(super) fn all_normals(&mut self, u: f64, normals: &mut [f32]) {
-        self.take(u);
-        for (block, normals) in normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK).enumerate() {
-            self.block(block).1.write(normals);
-        }
-    }
-
     /// Fills the normals at the columns of the row at `u` that are wanted.
     pub(super) fn normals(&mut self, u: f64, wanted: &[bool], normals: &mut [f32]) {
         self.take(u);

@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod contract;
+mod copies;
 mod exact;
 mod grid;
 mod kernel;

@@ -1,6 +1,6 @@
 //! Rows that are scaled copies of one outline: their positions are multiples of it, and two numbers make their normals of its tangents.
 
-use super::coefficients::Coefficients;
+use super::coefficients::{Coefficients, HALF_UNIT, POSITION_ERROR};
 use super::lanes::{Lanes, write};
 use crate::surface::Turns;
 
@@ -19,6 +19,15 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
+    /// Whether single precision holds the positions of a mesh with a coordinate of at least `largest`, for an outline of this size.
+    ///
+    /// Outline, `a` and their product are rounded, then the centre, and the sum at last.
+    pub(super) fn is_held(&self, size: f64, largest: f64) -> bool {
+        let centre = self.centre.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+        let farthest = self.scale.abs() * size + centre;
+        4.0 * HALF_UNIT * farthest <= POSITION_ERROR * largest && farthest < f64::from(f32::MAX)
+    }
+
     /// Whether directions that are made of `X_u` and of `X_v`, of these lengths, are known to all digits that a normal has.
     pub(super) fn tells(&self, lengths: [f64; 2]) -> bool {
         self.noise.iter().zip(lengths).all(|(noise, length)| *noise <= SURE * length)
@@ -27,6 +36,15 @@ impl Scaled {
 
 /// What a direction may be off, in radians, by more than the arithmetic of single precision: too little to be seen among that.
 const SURE: f64 = 1e-7;
+
+/// What a copy's vertices are made of: its centre, `a`, and the two numbers of its normals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct OutlineRow {
+    centre: [f32; 3],
+    scale: f32,
+    level: f32,
+    upright: f32,
+}
 
 /// An outline and what the normals of its copies are made of.
 #[derive(Debug, Default)]
@@ -39,6 +57,8 @@ pub(super) struct Outline {
     reach: [f64; 2],
     /// The shortest tangent.
     slowest: f64,
+    /// The largest coordinate.
+    size: f64,
 }
 
 /// The shortest of the vectors that normals are made of, in parts of the longest, with which all directions are known to more digits than a normal has.
@@ -52,7 +72,7 @@ impl Outline {
         if !coefficients.trace_outline(turns, &mut self.columns) {
             return false;
         }
-        let (mut reach, mut speeds) = ([f64::INFINITY, 0.0f64], [f64::INFINITY, 0.0f64]);
+        let (mut reach, mut speeds, mut size) = ([f64::INFINITY, 0.0f64], [f64::INFINITY, 0.0f64], 0.0f64);
         for columns in self.columns.chunks(4) {
             let mut block = [[0.0f32; 4]; 5];
             for (lane, &[[x, y], [dx, dy]]) in columns.iter().enumerate() {
@@ -61,35 +81,42 @@ impl Outline {
                 let past = x * ty - y * tx;
                 reach = [reach[0].min(past.abs()), reach[1].max(past.abs())];
                 speeds = [speeds[0].min(speed), speeds[1].max(speed)];
+                size = size.max(x.abs()).max(y.abs());
                 for (lanes, value) in block.iter_mut().zip([x, y, tx, ty, past]) {
                     lanes[lane] = value as f32;
                 }
             }
             self.blocks.push(block.map(Lanes::from));
         }
-        (self.reach, self.slowest) = (reach, speeds[0]);
+        (self.reach, self.slowest, self.size) = (reach, speeds[0], size);
         speeds[0] > SHORTEST * speeds[1]
     }
 
-    /// Writes positions and unit normals of a copy, normals times `sign`; or nothing, and false, where single precision may not hold a normal.
+    /// A copy, normals times `sign`; none where single precision may not hold a position or a normal of it in a mesh with a coordinate of at least `largest`.
     ///
     /// With the unit tangent `t` of the outline, `X_u x X_v` goes along `(-z' t_y, z' t_x, a' (P_x t_y - P_y t_x))`, the other way for `a < 0`.
-    pub(super) fn write(&self, row: &Scaled, sign: f64, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        let &Scaled { centre, rise, scale, slope, .. } = row;
+    pub(super) fn row(&self, copy: &Scaled, largest: f64, sign: f64) -> Option<OutlineRow> {
+        let &Scaled { centre, rise, scale, slope, .. } = copy;
         let [nearest, farthest] = self.reach;
         let longest = rise.abs().max(slope.abs() * farthest);
-        if scale == 0.0 || !(longest > 0.0 && longest < f64::MAX) {
-            return false;
+        if scale == 0.0 || !(longest > 0.0 && longest < f64::MAX) || !copy.is_held(self.size, largest) {
+            return None;
         }
         // At a larger size than 1 neither square leaves single precision, as long as one of the two is not small.
         let (level, upright) = (rise / longest, slope / longest);
         let shortest = level.abs().max(upright.abs() * nearest);
-        if shortest < SHORTEST || !row.tells([shortest * longest, scale.abs() * self.slowest]) {
-            return false;
+        if shortest < SHORTEST || !copy.tells([shortest * longest, scale.abs() * self.slowest]) {
+            return None;
         }
         let sign = if scale < 0.0 { -sign } else { sign };
-        let [level, upright, scale] = [sign * level, sign * upright, scale].map(|x| Lanes::splat(x as f32));
-        let [x, y, z] = centre.map(|x| Lanes::splat(x as f32));
+        let [level, upright, scale] = [sign * level, sign * upright, scale].map(|x| x as f32);
+        Some(OutlineRow { centre: centre.map(|x| x as f32), scale, level, upright })
+    }
+
+    /// Writes positions and unit normals of a copy.
+    pub(super) fn write(&self, row: &OutlineRow, positions: &mut [f32], normals: &mut [f32]) {
+        let [x, y, z] = row.centre.map(Lanes::splat);
+        let [scale, level, upright] = [row.scale, row.level, row.upright].map(Lanes::splat);
         let level_squared = level * level;
         let place = |&[px, py, tx, ty, past]: &[Lanes; 5]| {
             let up = upright * past;
@@ -113,6 +140,5 @@ impl Outline {
                 }
             }
         }
-        true
     }
 }

@@ -6,13 +6,12 @@ use glam::{DMat3, DVec3};
 
 use super::coefficients::{Coefficients, ROWS};
 use super::contract::{Mesh, MeshOptions};
+use super::copies::Copies;
 use super::exact::ExactRows;
 use super::grid::append_triangles;
 use super::kernel::{self, Circles};
 use super::orientation::is_outward;
-use super::outline::Outline;
 use super::profile::Profile;
-use super::ring::Pattern;
 use super::tolerance::Tessellation;
 use crate::design::Part;
 use crate::error::{Code, Error, Result};
@@ -38,8 +37,7 @@ pub(super) struct Workspace {
     coefficients: Coefficients,
     turns: Turns,
     circles: Circles,
-    pattern: Pattern,
-    outline: Outline,
+    copies: Copies,
     /// Whether the normal at a column of a row is to be formed in double precision.
     unsure: Vec<bool>,
 }
@@ -107,12 +105,11 @@ impl PartGrid {
     /// # Errors
     /// `overflow` for a point beyond single precision.
     pub(super) fn sample(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
-        let Workspace { coefficients, turns, circles, pattern, outline, unsure } = workspace;
+        let Workspace { coefficients, turns, circles, copies, unsure } = workspace;
         let curves = &self.curves;
         let mut reached = 0.0;
         let (rows, columns) = self.tessellation.counts();
         let sign = if self.is_wound_forwards() { 1.0 } else { -1.0 };
-        let mut has_outline = None;
         let mut exact = ExactRows::new(self, columns);
         if !self.is_precise {
             turns.divide(columns - 1);
@@ -120,37 +117,37 @@ impl PartGrid {
             coefficients.prepare(curves, self.matrix, self.shift, folds);
             reached = coefficients.reached(&self.surface, curves, &self.tessellation);
             circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
-            if let [harmonic] = coefficients.harmonics.as_slice() {
-                pattern.prepare(harmonic.n, columns, turns);
-            }
+            copies.prepare(coefficients, turns, columns);
         }
-        let mut both = positions.chunks_exact_mut(3 * columns).zip(normals.chunks_exact_mut(3 * columns));
         for first in (0..rows).step_by(ROWS) {
             let u = core::array::from_fn(|row| self.tessellation.row((first + row).min(rows - 1)));
             if !self.is_precise {
-                coefficients.take(&self.surface, curves, u, reached);
+                coefficients.take(&self.surface, curves, u);
             }
-            for (row, (positions, normals)) in both.by_ref().take(ROWS).enumerate() {
+            for (row, index) in (first..rows).take(ROWS).enumerate() {
+                if !self.is_precise && copies.take(coefficients, turns, (index, row), columns, reached, sign) {
+                    continue;
+                }
+                let range = 3 * columns * index..3 * columns * (index + 1);
+                let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range))
+                else {
+                    continue;
+                };
+                if !self.is_precise {
+                    coefficients.round(reached);
+                }
                 if self.is_precise || coefficients.is_exact[row] {
                     exact.fill(u[row], positions, normals);
-                    self.check(first + row, positions)?;
-                } else if let Some(circle) = coefficients.circle(row) {
-                    if !pattern.write(&circle, sign, positions, normals) {
-                        exact.all_normals(u[row], normals);
-                    }
-                } else if let Some(copy) = coefficients.scaled(row)
-                    && *has_outline.get_or_insert_with(|| outline.prepare(coefficients, turns, columns))
-                    && outline.write(&copy, sign, positions, normals)
-                {
-                    // Every vertex of such a row is known to be as good as any.
-                } else {
-                    unsure.clear();
-                    unsure.resize(columns, false);
-                    if circles.row(coefficients, row, sign as f32, positions, normals, unsure) {
-                        exact.normals(u[row], unsure, normals);
-                    }
+                    self.check(index, positions)?;
+                    continue;
+                }
+                unsure.clear();
+                unsure.resize(columns, false);
+                if circles.row(coefficients, row, sign as f32, positions, normals, unsure) {
+                    exact.normals(u[row], unsure, normals);
                 }
             }
+            copies.write(first + ROWS >= rows, columns, positions, normals);
         }
         Ok(())
     }

@@ -5,6 +5,36 @@ use super::lanes::Lanes;
 use super::outline::Scaled;
 use crate::surface::Turns;
 
+/// What a row's vertices are made of: `radius` times the pattern plus `centre`, with a normal of `level` times the pattern and `upright`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RingRow {
+    radius: f32,
+    centre: [f32; 3],
+    level: f32,
+    upright: f32,
+}
+
+impl RingRow {
+    /// The row that is this circle, normals times `sign`; none where single precision may not hold it in a mesh with a coordinate of at least `largest`, nor where there is no normal.
+    ///
+    /// With `X = (x + r cos, y + r sin, z)` the product `X_u x X_v` is `k r (-z' cos, -z' sin, r')`.
+    pub(super) fn of(circle: &Circle, largest: f64, sign: f64) -> Option<RingRow> {
+        let &Circle { copy, k } = circle;
+        let Scaled { centre, rise, scale: radius, slope, .. } = copy;
+        let along = libm::hypot(slope, rise);
+        if along == 0.0 || radius == 0.0 || !copy.is_held(1.0, largest) || !copy.tells([along, f64::INFINITY]) {
+            return None;
+        }
+        let sign = if k * radius < 0.0 { -sign } else { sign };
+        Some(RingRow {
+            radius: radius as f32,
+            centre: centre.map(|x| x as f32),
+            level: (-sign * rise / along) as f32,
+            upright: (sign * slope / along) as f32,
+        })
+    }
+}
+
 /// `cos, sin, 0` of every column, as vertices follow each other: position and normal of a circular row are this times one number plus another, three numbers at a time.
 #[derive(Debug, Default)]
 pub(super) struct Pattern {
@@ -22,20 +52,10 @@ impl Pattern {
         }
     }
 
-    /// Writes a row, normals times `sign`; false where there is no normal or it is not known well enough, and none is written.
-    ///
-    /// With `X = (x + r cos, y + r sin, z)` the product `X_u x X_v` is `k r (-z' cos, -z' sin, r')`.
-    pub(super) fn write(&self, circle: &Circle, sign: f64, positions: &mut [f32], normals: &mut [f32]) -> bool {
-        let &Circle { copy, k } = circle;
-        let Scaled { centre: [x, y, z], rise, scale: radius, slope, .. } = copy;
-        self.fill(positions, radius as f32, [x as f32, y as f32, z as f32]);
-        let along = libm::hypot(slope, rise);
-        if along == 0.0 || radius == 0.0 || !copy.tells([along, f64::INFINITY]) {
-            return false;
-        }
-        let sign = if k * radius < 0.0 { -sign } else { sign };
-        self.fill(normals, (-sign * rise / along) as f32, [0.0, 0.0, (sign * slope / along) as f32]);
-        true
+    /// Writes a row.
+    pub(super) fn write(&self, row: &RingRow, positions: &mut [f32], normals: &mut [f32]) {
+        self.fill(positions, row.radius, row.centre);
+        self.fill(normals, row.level, [0.0, 0.0, row.upright]);
     }
 
     /// `factor` times the pattern plus one vector everywhere.
