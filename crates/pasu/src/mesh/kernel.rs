@@ -595,22 +595,31 @@ fn sums<const SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: 
 /// The sums of strands that go with cosines in `x`, with sines in `y`, and with either in `z`.
 #[inline(always)]
 fn split_sums<const Z_IS_SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize) -> Sums {
-    let (mut x, mut xu, mut xv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
-    let (mut y, mut yu, mut yv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
-    let (mut z, mut zu, mut zv) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
     let (first, second) = (usize::from(Z_IS_SINE), usize::from(!Z_IS_SINE));
-    for (strand, circle) in strands.iter().zip(circles) {
+    let products = |(strand, circle): (&[Strand; 3], &[Lanes; 2])| {
         let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
         let [cos, sin] = *circle;
-        x += cos * at(0, 0);
-        xu += cos * at(0, 1);
-        xv += sin * at(0, 2);
-        y += sin * at(1, 0);
-        yu += sin * at(1, 1);
-        yv += cos * at(1, 2);
-        z += circle[first] * at(2, 0);
-        zu += circle[first] * at(2, 1);
-        zv += circle[second] * at(2, 2);
+        (
+            (cos * at(0, 0), cos * at(0, 1), sin * at(0, 2)),
+            (sin * at(1, 0), sin * at(1, 1), cos * at(1, 2)),
+            (circle[first] * at(2, 0), circle[first] * at(2, 1), circle[second] * at(2, 2)),
+        )
+    };
+    // The first products are where the sums start: nothing is added to 0.
+    let mut pairs = strands.iter().zip(circles);
+    let Some(pair) = pairs.next() else { return [[Lanes::ZERO; 3]; 3] };
+    let ((mut x, mut xu, mut xv), (mut y, mut yu, mut yv), (mut z, mut zu, mut zv)) = products(pair);
+    for pair in pairs {
+        let ((dx, dxu, dxv), (dy, dyu, dyv), (dz, dzu, dzv)) = products(pair);
+        x += dx;
+        xu += dxu;
+        xv += dxv;
+        y += dy;
+        yu += dyu;
+        yv += dyv;
+        z += dz;
+        zu += dzu;
+        zv += dzv;
     }
     [[x, y, z], [xu, yu, zu], [xv, yv, zv]]
 }
