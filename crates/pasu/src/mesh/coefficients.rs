@@ -10,7 +10,7 @@ use crate::surface::{BLOCK, Block, Curves, Surface, Turns};
 /// Rows whose coefficients are made together.
 pub(super) const ROWS: usize = BLOCK;
 
-/// Factors of one harmonic in one component, a row in each lane: of the position, of `X_u` and of `X_v`, the tangents scaled by a power of two to be about 1.
+/// Factors of one harmonic in one component, a row in each lane: of the position, of `X_u` and of `X_v`, the tangents scaled by a power of two to be about 1 where they are longest.
 pub(super) type Strand = [Lanes; 3];
 
 /// Half a unit in the last place of a single, relative to the number.
@@ -32,6 +32,9 @@ const NORMAL_ERROR: f64 = 9.2e-7;
 /// How far the waves of a row may be from those of a scaled outline, in parts of the largest: more than the twelve digits of a design and solving leave of a
 /// copy. What it makes of a normal is asked row by row.
 const ALIKE: f64 = 1e-11;
+
+/// Where `|X_u x X_v|^2` is less, beside tangents of about 1, single precision has lost digits of it or soon will.
+pub(super) const LEAST_SQUARE: f32 = 1e-30;
 
 /// A wave round the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,6 +76,8 @@ pub(super) struct Coefficients {
     has: [[bool; 2]; 3],
     /// How far `X_u` and `X_v` may be off before any of this is rounded to single precision, over the four rows.
     noise: [f64; 2],
+    /// Powers of two that bring `X_u` and `X_v` of the whole surface to about 1.
+    scales: [f64; 2],
     /// The waves of a row that all others may be scaled copies of: cosine and sine of each harmonic, in `x` and in `y`.
     outline: Vec<[[f64; 2]; 2]>,
 
@@ -107,6 +112,7 @@ impl Default for Coefficients {
             waves: [Vec::new(), Vec::new()],
             has: [[false; 2]; 3],
             noise: [0.0; 2],
+            scales: [1.0; 2],
             outline: Vec::new(),
             is_single: false,
             constant: [[Lanes::ZERO; 2]; 3],
@@ -191,8 +197,7 @@ impl Coefficients {
             return;
         }
         self.is_single = true;
-        let [length, length_u, length_v] = self.lengths();
-        let scales = [power_of_two(length_u), power_of_two(length_v)];
+        let scales = self.scales;
         for (single_constant, [value, slope]) in self.constant.iter_mut().zip(self.constants) {
             *single_constant = [single(value), single(slope * scales[0])];
         }
@@ -217,22 +222,23 @@ impl Coefficients {
                 *strands = sine.map(|data| strand(data, harmonic.k));
             }
         }
-        let [variance, mut variance_u, mut variance_v] = self.variances((1.0 / largest) as f32);
+        let ([variance, mut variance_u, mut variance_v], squared_lengths) = self.variances((1.0 / largest) as f32);
         for ((variance, noise), scale) in [&mut variance_u, &mut variance_v].into_iter().zip(self.noise).zip(scales) {
-            let noise = single(scale * noise);
+            let noise = (scale * noise) as f32;
             *variance += noise * noise;
         }
         let errors = (variance.sqrt() * (DEVIATIONS / POSITION_ERROR) as f32).to_array();
-        for ((is_exact, error), length) in self.is_exact.iter_mut().zip(errors).zip(length.to_array()) {
-            *is_exact = !(length < f64::from(f32::MAX) && error <= 1.0);
+        let lengths = squared_lengths[0].sqrt().to_array();
+        for ((is_exact, error), length) in self.is_exact.iter_mut().zip(errors).zip(lengths) {
+            *is_exact = !(f64::from(length) * largest < f64::from(f32::MAX) && error <= 1.0);
         }
         let allowed = (DEVIATIONS / NORMAL_ERROR) as f32;
         // A variance too small for a single would let everything pass.
         self.tilt = [variance_u, variance_v]
             .map(|variance| (variance * (allowed * allowed)).max(Lanes::splat(f32::MIN_POSITIVE)));
         // With both tangents as long as they can be, and a little more for its own rounding.
-        let [squared_u, squared_v] = [length_u * scales[0], length_v * scales[1]].map(|length| single(length * length));
-        self.steepest = (self.tilt[0] * squared_v + self.tilt[1] * squared_u) * 1.001;
+        let steepest = (self.tilt[0] * squared_lengths[2] + self.tilt[1] * squared_lengths[1]) * 1.001;
+        self.steepest = steepest + LEAST_SQUARE;
     }
 
     /// A coordinate that some vertex of the mesh has at least: the largest root mean square of a component over one of a few rows, or the largest component at `v = 0` of these.
@@ -244,9 +250,13 @@ impl Coefficients {
         let are_apart = self.are_apart(grid.round) && surface.is_closed();
         let mut largest = 0.0f64;
         let mut widest = 0.0;
+        let mut longest = [0.0f64; 2];
         self.outline.clear();
         for u in u {
             self.gather(surface, curves, [u; ROWS]);
+            for (longest, length) in longest.iter_mut().zip(self.tangent_lengths()) {
+                *longest = longest.max(length);
+            }
             let mut width = 0.0;
             for axis in 0..3 {
                 let waves = self.waves.iter().flatten().map(|wave| wave[axis][0] * wave[axis][0]);
@@ -265,6 +275,7 @@ impl Coefficients {
                 self.outline = outline;
             }
         }
+        self.scales = longest.map(power_of_two);
         // One row that is no copy, and rows are hardly ever asked again.
         for u in u {
             if !self.outline.is_empty() {
@@ -391,37 +402,33 @@ impl Coefficients {
         });
     }
 
-    /// How long position, `X_u` and `X_v` are at most: as if all terms were at their amplitude at once.
-    fn lengths(&self) -> [Block; 3] {
-        let mut squares = [Block::ZERO; 3];
-        for (axis, [value, slope]) in self.constants.iter().enumerate() {
-            let mut sums = [value.abs(), slope.abs(), Block::ZERO];
-            for (waves, _) in self.waves.iter().zip(self.has[axis]).filter(|(_, has)| *has) {
-                for (wave, harmonic) in waves.iter().zip(&self.harmonics) {
-                    let [value, slope] = wave[axis].map(Block::abs);
-                    sums[0] += value;
-                    sums[1] += slope;
-                    sums[2] += value * harmonic.k.abs();
-                }
+    /// How long `X_u` and `X_v` are at most in the first of the rows: as if all terms were at their amplitude at once.
+    fn tangent_lengths(&self) -> [f64; 2] {
+        let mut squares = [0.0; 2];
+        for (axis, [_, slope]) in self.constants.iter().enumerate() {
+            let mut sums = [slope.to_array()[0].abs(), 0.0];
+            for (harmonic, wave) in self.waves.iter().flat_map(|waves| self.harmonics.iter().zip(waves)) {
+                let [value, slope] = wave[axis].map(|block| block.to_array()[0].abs());
+                sums[0] += slope;
+                sums[1] += value * harmonic.k.abs();
             }
             for (square, sum) in squares.iter_mut().zip(sums) {
                 *square += sum * sum;
             }
         }
-        squares.map(Block::sqrt)
+        squares.map(f64::sqrt)
     }
 
     /// How far the sums of positions, times `scale`, and of tangents may be off: the variance of each of their components, from the strands, the tangents scaled as
-    /// they are. What is too large for single precision has a variance that is infinite or not a number.
-    fn variances(&self, scale: f32) -> [Lanes; 3] {
-        let scales = [Lanes::splat(scale), Lanes::ONE, Lanes::ONE];
+    /// they are; and the squares of how long positions and tangents are at most. What is too large for single precision has a variance that is infinite or not a number.
+    fn variances(&self, scale: f32) -> ([Lanes; 3], [Lanes; 3]) {
         let (mut variances, mut lengths) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
         for (axis, [value, slope]) in self.constant.iter().enumerate() {
             let constants = [value.abs() * scale, slope.abs(), Lanes::ZERO];
             let (mut squares, mut whole) = (constants.map(|constant| constant * constant), constants);
-            let mut n_parts = self.weigh(&self.strands, axis, scales, &mut squares, &mut whole);
+            let mut n_parts = self.weigh(&self.strands, axis, scale, &mut squares, &mut whole);
             if self.layout == Layout::Both {
-                n_parts += self.weigh(&self.sine_strands, axis, scales, &mut squares, &mut whole);
+                n_parts += self.weigh(&self.sine_strands, axis, scale, &mut squares, &mut whole);
             }
             for i in 0..3 {
                 let length = whole[i] * whole[i];
@@ -433,7 +440,7 @@ impl Coefficients {
             // The products of the normal round by as much again, in parts of the tangents.
             *variance = (*variance + length * 0.5) * ((ROUNDING * ROUNDING) as f32);
         }
-        variances
+        (variances, lengths)
     }
 
     /// Adds the squared errors of one component's sums in units of a rounding, and their sizes; returns in how many parts they are summed.
@@ -442,7 +449,7 @@ impl Coefficients {
         &self,
         strands: &[[Strand; 3]],
         axis: usize,
-        scales: [Lanes; 3],
+        scale: f32,
         squares: &mut [Lanes; 3],
         whole: &mut [Lanes; 3],
     ) -> f32 {
@@ -450,16 +457,24 @@ impl Coefficients {
         for part in [strands.get(..self.n_even), strands.get(self.n_even..)].into_iter().flatten() {
             n_parts += f32::from(u8::from(!part.is_empty()));
             let mut partial = [Lanes::ZERO; 3];
+            let mut terms = [Lanes::ZERO; 3];
             for (index, strand) in part.iter().enumerate() {
-                for i in 0..3 {
-                    let size = strand[axis][i] * scales[i];
-                    // Rounding of the table, of the coefficient and of the product; and, from the second on, of the sum.
-                    squares[i] += size * size * 3.0;
-                    partial[i] += size.abs();
+                let [value, slope, turned] = strand[axis];
+                for ((size, partial), (terms, square)) in [value * scale, slope, turned]
+                    .into_iter()
+                    .zip(&mut partial)
+                    .zip(terms.iter_mut().zip(&mut *squares))
+                {
+                    *terms += size * size;
+                    *partial += size.abs();
                     if index > 0 {
-                        squares[i] += partial[i] * partial[i];
+                        *square += *partial * *partial;
                     }
                 }
+            }
+            // Rounding of the table, of the coefficient and of the product of each; and, from the second on, of the sum.
+            for (square, terms) in squares.iter_mut().zip(terms) {
+                *square += terms * 3.0;
             }
             for (whole, partial) in whole.iter_mut().zip(partial) {
                 *whole += partial;
@@ -490,15 +505,10 @@ pub(super) struct Circle {
 }
 
 /// A power of two that brings a length to between a half and 2; for lengths beyond 1e300 or below 1e-300 as near as that.
-fn power_of_two(length: Block) -> Block {
+fn power_of_two(length: f64) -> f64 {
     const BIAS: u64 = 1023;
-    length
-        .to_array()
-        .map(|length| {
-            let exponent = (length.to_bits() >> 52).clamp(BIAS - 1000, BIAS + 1000);
-            f64::from_bits((2 * BIAS - exponent) << 52)
-        })
-        .into()
+    let exponent = (length.to_bits() >> 52).clamp(BIAS - 1000, BIAS + 1000);
+    f64::from_bits((2 * BIAS - exponent) << 52)
 }
 
 /// Rounds to single precision.

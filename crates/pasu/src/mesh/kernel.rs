@@ -5,7 +5,7 @@
 
 use core::ops::Range;
 
-use super::coefficients::{Coefficients, Layout, Strand};
+use super::coefficients::{Coefficients, LEAST_SQUARE, Layout, Strand};
 use super::lanes::{Lanes, write, write_reversed};
 use crate::surface::Turns;
 
@@ -251,7 +251,7 @@ impl Watch for EachNormal {
     fn look(task: &Task, [ux, uy, uz]: [Lanes; 3], [vx, vy, vz]: [Lanes; 3], squared: Lanes) -> Self {
         let tilted = task.tilt[0] * (vx * vx + vy * vy + vz * vz) + task.tilt[1] * (ux * ux + uy * uy + uz * uz);
         // Not the other way round: what is not a number is unsure too.
-        EachNormal(!(tilted.simd_lt(squared).to_bitmask() as u8) & 15)
+        EachNormal(!((tilted + LEAST_SQUARE).simd_lt(squared).to_bitmask() as u8) & 15)
     }
 
     #[inline(always)]

@@ -32,7 +32,7 @@ pub(crate) struct Curves {
 }
 
 /// An expansion costs as much as some four rows asked of the solution itself: with fewer rows than this to an interval it does not pay.
-const ROWS_PER_EXPANSION: f64 = 6.0;
+const ROWS_PER_EXPANSION: f64 = 4.0;
 
 /// More are not made: 7 MB. What has no expansion is asked of the solution itself.
 const MOST_EXPANSIONS: f64 = 65_536.0;
@@ -154,13 +154,16 @@ impl Place {
     fn evaluated(&self, Expansion { terms, .. }: &Expansion) -> [Block; 2] {
         const LAST: usize = TERMS / 2 - 1;
         let square = self.x * self.x;
-        let (mut even, mut even_slope) = (Block::splat(terms[2 * LAST]), Block::ZERO);
-        let (mut odd, mut odd_slope) = (Block::splat(terms[2 * LAST + 1]), Block::ZERO);
-        for m in (0..LAST).rev() {
+        let term = |m: usize| Block::splat(terms[m]);
+        // The first step has no slopes yet to go on with.
+        let (mut even_slope, mut odd_slope) = (term(2 * LAST), term(2 * LAST + 1));
+        let mut even = even_slope * square + term(2 * LAST - 2);
+        let mut odd = odd_slope * square + term(2 * LAST - 1);
+        for m in (0..LAST - 1).rev() {
             even_slope = even_slope * square + even;
             odd_slope = odd_slope * square + odd;
-            even = even * square + Block::splat(terms[2 * m]);
-            odd = odd * square + Block::splat(terms[2 * m + 1]);
+            even = even * square + term(2 * m);
+            odd = odd * square + term(2 * m + 1);
         }
         let value = even + odd * self.x;
         let slope = odd + (even_slope * self.x + odd_slope * square) * 2.0;
