@@ -127,7 +127,7 @@ impl Circles {
             }
             (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
                 let layout = Split::<false> { strands, row };
-                if coefficients.is_turned {
+                if coefficients.is_turned && W::IS_WHOLE {
                     self.each_block(task, &layout, positions, normals, turned_block::<_, W>)
                 } else {
                     self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
@@ -232,6 +232,8 @@ trait Form {
 trait Watch: Copy {
     /// All normals are sure.
     const SURE: Self;
+    /// Whether rows are asked as a whole, as most are: only these have loops for every kind of row.
+    const IS_WHOLE: bool;
     /// What is seen of four normals, given `X_u`, `X_v` and the squared length of their product.
     fn look(task: &Task, du: [Lanes; 3], dv: [Lanes; 3], squared: Lanes) -> Self;
     fn and(self, other: Self) -> Self;
@@ -246,6 +248,7 @@ struct EachNormal(u8);
 
 impl Watch for EachNormal {
     const SURE: Self = EachNormal(0);
+    const IS_WHOLE: bool = false;
 
     #[inline(always)]
     fn look(task: &Task, [ux, uy, uz]: [Lanes; 3], [vx, vy, vz]: [Lanes; 3], squared: Lanes) -> Self {
@@ -276,6 +279,7 @@ struct WholeRow(Lanes);
 
 impl Watch for WholeRow {
     const SURE: Self = WholeRow(ALL_BITS);
+    const IS_WHOLE: bool = true;
 
     #[inline(always)]
     fn look(task: &Task, _du: [Lanes; 3], _dv: [Lanes; 3], squared: Lanes) -> Self {

@@ -70,8 +70,9 @@ impl Curves {
                     }
                 }
                 if n_expansions == 0 {
-                    for size in term.equation.suprema::<2, 2>([&term.cos, &term.sin], 0.0, 1.0) {
-                        noise = [noise[0].max(ROUNDING * size[0]), noise[1].max(ROUNDING * size[1])];
+                    // Of as many derivatives as others ask for: one function less to load.
+                    for [value, slope, ..] in term.equation.suprema::<5, 2>([&term.cos, &term.sin], 0.0, 1.0) {
+                        noise = [noise[0].max(ROUNDING * value), noise[1].max(ROUNDING * slope)];
                     }
                 }
                 for (slot, (is_sine, _)) in data.into_iter().filter(|datum| is_used(*datum)).enumerate() {
