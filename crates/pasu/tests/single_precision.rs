@@ -272,3 +272,28 @@ fn a_sampler_gives_what_a_fresh_one_gives() {
         assert_eq!(sampler.sample(&exhibit.design(), &default).unwrap(), &mesh(&exhibit.design(), &default).unwrap());
     }
 }
+
+#[test]
+fn after_an_error_a_sampler_is_as_good_as_a_new_one() {
+    // Circles to the last row, which single precision cannot hold; the rows before it must not turn up in the next mesh.
+    let ring = |end: f64| {
+        let axis = |part: &str| {
+            format!(
+                r#"{{ "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{{ "n": 1, "{part}": {{ "start": 1, "end": {end} }} }}] }}"#
+            )
+        };
+        format!(
+            r#"{{ "kind": "boundary-value", "span": "2pi", "x": {}, "y": {},
+            "z": {{ "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{{ "n": 0, "cos": {{ "end": 1 }} }}] }} }}"#,
+            axis("cos"),
+            axis("sin")
+        )
+    };
+    let (beyond, vase) = (support::design_of(&ring(1e39)), support::design_of(&ring(0.5)));
+    let grid = MeshOptions { rows: Some(40), columns: Some(33), tolerance: None };
+    for options in [grid, MeshOptions { tolerance: Some(1.0), ..grid }] {
+        let mut sampler = Sampler::new();
+        assert_eq!(sampler.sample(&beyond, &grid).unwrap_err().code(), "overflow");
+        assert_eq!(sampler.sample(&vase, &options).unwrap(), &mesh(&vase, &options).unwrap());
+    }
+}

@@ -147,7 +147,9 @@ impl PartGrid {
                     exact.normals(u[row], unsure, normals);
                 }
             }
-            copies.write(first + ROWS >= rows, columns, positions, normals);
+            if !self.is_precise {
+                copies.write(first + ROWS >= rows, columns, positions, normals);
+            }
         }
         Ok(())
     }
