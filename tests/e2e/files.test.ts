@@ -86,12 +86,15 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
 
 test("the size that is told is the size in the file", async () => {
   const { pot } = await exporting("#1/fourth-order");
+  const outcome = pot.page.locator("pasu-export .outcome");
+  expect(await outcome.innerText()).toContain("too thin for most clay");
   await pot.page.getByRole("radio", { name: "STL", exact: true }).check();
   await pot.page.getByRole("combobox", { name: "Size" }).selectOption("height");
   await pot.page.getByLabel("Finished height").fill("18");
   await pot.page.getByLabel("Shrinkage of the clay").fill("10");
   await coarse(pot);
-  const told = await pot.page.locator("pasu-export .outcome").innerText();
+  const told = await outcome.innerText();
+  expect(told).not.toContain("too thin");
   expect(told).toMatch(/200\smm\shigh/);
   expect(told).toMatch(/180\smm\shigh/);
   expect(told).toMatch(/11\.1\s% larger/);

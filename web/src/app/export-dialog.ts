@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { formatNumber } from "../document/number";
 import { lengthWords, millilitres } from "../document/quantities";
-import { asSentence, checked, type Sentence } from "../document/report-words";
+import { asSentence, checked, madeOf, type Sentence } from "../document/report-words";
 import {
   type Choices,
   FORMATS,
@@ -192,7 +192,7 @@ export class PasuExport extends DesignerElement {
         ${report ? this.fineness(report, making, measures) : nothing}
       </dl>
       <div role="status">
-        ${report ? sentences(this.verdict(report)) : html`<p class="wait">Checking…</p>`}
+        ${report ? sentences(this.verdict(report, making, measures)) : html`<p class="wait">Checking…</p>`}
       </div>
     </section>`;
   }
@@ -207,9 +207,14 @@ export class PasuExport extends DesignerElement {
     `;
   }
 
-  private verdict(report: Report): readonly Sentence[] {
+  private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {
     const { shown, state: now } = this.designer;
-    const all = checked(report, shown?.solved.facts?.outline ?? [], unitOf(now.design));
+    const [outline, unit] = [shown?.solved.facts?.outline ?? [], unitOf(now.design)];
+    // A closed solid has no wall: how thick it is printed is the slicer's.
+    const all =
+      this.chosen.product === "pot"
+        ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
+        : checked(report, outline, unit);
     const rest = all.length - MOST_SENTENCES;
     if (rest <= 0) return all;
     return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];

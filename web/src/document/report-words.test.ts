@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Outline } from "./places";
-import { findingWords, verdict } from "./report-words";
+import { findingWords, madeOf, verdict } from "./report-words";
 import type { Measures, PartMeasures, Report, Triple } from "./types";
 
 const OUTLINE: Outline = [
@@ -44,6 +44,29 @@ test("a wall is told where it was thinned and where it is too thin to print", ()
   expect(texts(measures({}, { thickness }))).toEqual([
     "warning: The wall is thinned to 0.07 cm at the rim, where the pot bends too tightly for 0.3 cm.",
     "warning: The wall is only 0.7 mm thick at the rim: too thin for most clay and most printers at this size.",
+  ]);
+});
+
+test("before saving, a wall is too thin or not by the size of the file", () => {
+  const thickness = {
+    asked: 0.3,
+    least: { value: 0.07, error: 0, at: RIM },
+    greatest: 0.3,
+    greatestError: 0,
+    thinned: 0,
+    thinnedError: 0,
+  };
+  const report = { ok: true, findings: [], meshes: [], triangles: 4 } as unknown as Report;
+  const at = (millimetres: number) =>
+    madeOf(report, measures({}, { thickness }), OUTLINE, "cm", millimetres).map(({ severity, text }) => [
+      severity,
+      text,
+    ]);
+  const closed = ["good", "The mesh is closed, every edge is shared by two triangles, and it does not cross itself."];
+  expect(at(20)).toEqual([closed]);
+  expect(at(5).map((sentence) => sentence.join(": ").replaceAll("\u00a0", " "))).toEqual([
+    "warning: The wall is only 0.35 mm thick at the rim: too thin for most clay and most printers at this size.",
+    closed.join(": "),
   ]);
 });
 

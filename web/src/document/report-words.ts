@@ -37,7 +37,25 @@ export function verdict(
   return [
     ...(report ? checked(report, outline, unit) : []),
     ...(measures ? measured(measures, outline, unit, thinned) : []),
-  ].sort((a, b) => ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity));
+  ].sort(worstFirst);
+}
+
+/** What stands in the way of making a file of this size: what the checks say of it, and where its wall is thin; `millimetres` is how many a model unit has in it. */
+export function madeOf(
+  report: Report,
+  measures: Measures,
+  outline: Outline,
+  unit: Unit,
+  millimetres: number,
+): readonly Sentence[] {
+  return [
+    ...checked(report, outline, unit),
+    ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
+  ].sort(worstFirst);
+}
+
+function worstFirst(a: Sentence, b: Sentence): number {
+  return ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity);
 }
 
 /** What the checks say of the very triangles that a file holds. */
@@ -76,24 +94,42 @@ function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outlin
 }
 
 function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
-  const several = measures.parts.length > 1;
   return [
-    ...measures.parts.flatMap((part) => ofPart(part, outline, unit, several, thinned.includes(part.part))),
+    ...inParts(measures, (part) => ofPart(part, outline, unit, thinned.includes(part.part))),
     ...stands(measures),
   ];
 }
 
-function ofPart(
-  part: PartMeasures,
-  outline: Outline,
-  unit: Unit,
-  several: boolean,
-  told: boolean,
-): readonly Sentence[] {
+/** What is said of each part, with its name where there are several. */
+function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
+  const several = measures.parts.length > 1;
+  return measures.parts.flatMap((part) => {
+    const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
+    return words(part).map(({ severity, text }) => ({ severity, text: `${name}${text}` }));
+  });
+}
+
+function whereWords(at: Triple | null, outline: Outline): string {
+  return at ? placeWords(at, outline) : "in places";
+}
+
+/** A wall that is too thin to be made where a model unit is so many millimetres. */
+function thinWords({ thickness }: PartMeasures, outline: Outline, millimetres: number): readonly Sentence[] {
+  if (!thickness || thickness.least.value * millimetres >= LEAST_PRINTED_MM) return [];
+  const { value, at } = thickness.least;
+  const thin = lengthWords(value * millimetres, "mm", 2);
+  return [
+    {
+      severity: "warning",
+      text: `The wall is only ${thin} thick ${whereWords(at, outline)}: too thin for most clay and most printers at this size.`,
+    },
+  ];
+}
+
+function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean): readonly Sentence[] {
   const sentences: Sentence[] = [];
-  const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
-  const say = (severity: Severity, text: string) => sentences.push({ severity, text: `${name}${text}` });
-  const where = (at: Triple | null) => (at ? placeWords(at, outline) : "in places");
+  const say = (severity: Severity, text: string) => sentences.push({ severity, text });
+  const where = (at: Triple | null) => whereWords(at, outline);
   if (!part.isPot && part.reason) say("error", asSentence(part.reason));
   const { thickness, overhang } = part;
   if (thickness) {
@@ -105,13 +141,8 @@ function ofPart(
         `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,
       );
     }
-    if (least.value * MILLIMETRES[unit] < LEAST_PRINTED_MM) {
-      say(
-        "warning",
-        `The wall is only ${lengthWords(least.value * MILLIMETRES[unit], "mm", 2)} thick ${where(least.at)}: too thin for most clay and most printers at this size.`,
-      );
-    }
   }
+  sentences.push(...thinWords(part, outline, MILLIMETRES[unit]));
   if (overhang) {
     const { degrees, at } = overhang;
     if (degrees > SUPPORT_DEGREES) {
