@@ -125,7 +125,7 @@ export class PasuExport extends DesignerElement {
       ${this.outcome(making)}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
-        ${this.saving ? html`<span>Writing the file…</span><span class="track"></span>` : nothing}
+        ${this.saving ? html`<span>Writing the file…</span><span class="track"></span>` : this.brief(making)}
       </div>
       <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
         ${this.saving ? "Stop" : "Cancel"}
@@ -218,6 +218,16 @@ export class PasuExport extends DesignerElement {
     const rest = all.length - MOST_SENTENCES;
     if (rest <= 0) return all;
     return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
+  }
+
+  /** How much there is to mind, where the verdict itself may be out of sight; it is read to nobody twice. */
+  private brief(making: Making | null) {
+    const { report, measures } = this;
+    if (!report || !measures || !making) return nothing;
+    const count = this.verdict(report, making, measures).filter(({ severity }) => severity === "warning").length;
+    if (count === 0) return nothing;
+    const text = count === 1 ? "1 warning" : `${count} warnings`;
+    return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text }])}</div>`;
   }
 
   private choose(change: Partial<Choices>, exported: { readonly format?: Format } = {}): void {

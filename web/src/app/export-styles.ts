@@ -92,7 +92,10 @@ export const exportStyles = css`
     flex: 1;
     font-size: 0.9rem;
   }
-  .progress span {
+  .brief .sentences {
+    padding: 0;
+  }
+  .progress > span {
     display: block;
     animation: appear 0s 0.5s both;
   }
