@@ -15,6 +15,7 @@ pub(super) struct ExactRows<'a> {
     grid: &'a PartGrid,
     n_columns: usize,
     table: Option<ColumnTable>,
+    coefficients: RowTable<2>,
     row: Row,
     u: f64,
     /// Made only for rows with a pole or cusp, where the normal's limit needs second derivatives.
@@ -29,7 +30,8 @@ impl<'a> ExactRows<'a> {
     pub(super) fn new(grid: &'a PartGrid, n_columns: usize) -> Self {
         // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
         let outward = cofactors(grid.matrix) * if grid.is_wound_forwards() { 1.0 } else { -1.0 };
-        ExactRows { grid, n_columns, table: None, row: Row::default(), u: 0.0, second: None, n_without: 0, outward }
+        let (coefficients, row) = (RowTable::default(), Row::default());
+        ExactRows { grid, n_columns, table: None, coefficients, row, u: 0.0, second: None, n_without: 0, outward }
     }
 
     /// Fills the row at `u`.
@@ -62,7 +64,8 @@ impl<'a> ExactRows<'a> {
 
     fn take(&mut self, u: f64) {
         let table = self.table.get_or_insert_with(|| ColumnTable::new(&self.grid.surface, self.n_columns));
-        self.row.fill(&RowTable::at(&self.grid.surface, &table.distinct, u));
+        self.coefficients.take(&self.grid.surface, &table.distinct, u);
+        self.row.fill(&self.coefficients);
         self.u = u;
         self.second = None;
     }

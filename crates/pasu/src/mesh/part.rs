@@ -43,7 +43,14 @@ pub(super) struct Workspace {
 }
 
 impl PartGrid {
-    pub(super) fn choose(part: &Part, index: usize, options: &MeshOptions, is_bounded: bool) -> Result<PartGrid> {
+    /// Solves a part and chooses its grid; `curves` are those of any other mesh, whose memory is used again.
+    pub(super) fn choose(
+        part: &Part,
+        index: usize,
+        options: &MeshOptions,
+        is_bounded: bool,
+        mut curves: Curves,
+    ) -> Result<PartGrid> {
         let surface = Surface::of_part(part, index)?;
         let matrix = DMat3::from_cols_array_2d(&part.place.matrix()).transpose();
         let shift = DVec3::from_array(part.place.shift);
@@ -51,10 +58,14 @@ impl PartGrid {
         let is_precise = options.tolerance.is_some();
         let tessellation =
             Tessellation::choose(|| Profile::of(&surface, matrix), shift.length(), options, is_precise, is_bounded)?;
-        let mut curves = Curves::default();
         curves.prepare(&surface, tessellation.along);
         let is_outward = is_outward(&surface, &curves);
         Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index })
+    }
+
+    /// Its expansions, when it has been sampled.
+    pub(super) fn into_curves(self) -> Curves {
+        self.curves
     }
 
     /// The `u` of every row, the number of columns with the one that repeats the first, and the bound that such a grid keeps.

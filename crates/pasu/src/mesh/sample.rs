@@ -4,6 +4,7 @@ use super::contract::{Mesh, MeshOptions};
 use super::part::{PartGrid, Workspace};
 use crate::design::{Design, Part, plain};
 use crate::error::{Code, Error, Result};
+use crate::surface::Curves;
 
 /// The most vertices that a mesh may have.
 pub const VERTEX_LIMIT: usize = 16_000_000;
@@ -25,6 +26,8 @@ pub struct Sampler {
     mesh: Mesh,
     workspace: Workspace,
     topology: String,
+    /// Expansions of earlier meshes, whose memory the next one takes.
+    spare: Vec<Curves>,
 }
 
 impl Sampler {
@@ -38,7 +41,10 @@ impl Sampler {
     /// # Errors
     /// As [`mesh`].
     pub fn sample(&mut self, design: &Design, options: &MeshOptions) -> Result<&Mesh> {
-        self.fill(&choose(design, options, false)?)?;
+        let grids = choose(design, options, false, &mut self.spare)?;
+        let filled = self.fill(&grids);
+        self.spare.extend(grids.into_iter().map(PartGrid::into_curves));
+        filled?;
         Ok(&self.mesh)
     }
 
@@ -85,7 +91,7 @@ pub(crate) struct Places {
 /// # Errors
 /// As [`mesh`].
 pub(crate) fn grid_places(design: &Design, options: &MeshOptions) -> Result<Vec<Places>> {
-    let grids = choose(design, options, false)?;
+    let grids = choose(design, options, false, &mut Vec::new())?;
     let places = grids.iter().map(|grid| {
         let (rows, columns) = grid.tessellation.counts();
         Places { rows: (0..rows).map(|i| grid.tessellation.row(i)).collect(), columns }
@@ -99,7 +105,7 @@ pub(crate) fn grid_places(design: &Design, options: &MeshOptions) -> Result<Vec<
 /// As [`mesh`].
 pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result<Mesh> {
     let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
-    let mut grids = choose(design, &options, false)?;
+    let mut grids = choose(design, &options, false, &mut Vec::new())?;
     for grid in &mut grids {
         grid.is_precise = true;
     }
@@ -116,7 +122,8 @@ pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result
 /// As [`mesh`]; `overflow` where second derivatives leave the range of numbers, not where points do, which only sampling finds.
 pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
     let message = "the surface bends more sharply than numbers can tell";
-    largest_bound(&choose(design, options, true)?).ok_or_else(|| Error::new(Code::Overflow, "parts", message))
+    largest_bound(&choose(design, options, true, &mut Vec::new())?)
+        .ok_or_else(|| Error::new(Code::Overflow, "parts", message))
 }
 
 /// The rows and columns that [`mesh`] chooses for one part, as [`PartGrid::places`] gives them.
@@ -126,7 +133,7 @@ pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
 pub(crate) fn places(part: &Part, index: usize, tolerance: Option<f64>) -> Result<(Vec<f64>, usize, Option<f64>)> {
     let options = MeshOptions { tolerance, ..MeshOptions::default() };
     check(&options)?;
-    let grid = PartGrid::choose(part, index, &options, false)?;
+    let grid = PartGrid::choose(part, index, &options, false, Curves::default())?;
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
         let message = format!("needs {} rows of {} vertices; ask for a coarser tolerance", plain(rows), plain(columns));
@@ -140,12 +147,12 @@ fn largest_bound(grids: &[PartGrid]) -> Option<f64> {
     grids.iter().try_fold(0.0f64, |largest, grid| grid.tessellation.bound.map(|bound| largest.max(bound)))
 }
 
-fn choose(design: &Design, options: &MeshOptions, is_bounded: bool) -> Result<Vec<PartGrid>> {
+fn choose(design: &Design, options: &MeshOptions, is_bounded: bool, spare: &mut Vec<Curves>) -> Result<Vec<PartGrid>> {
     check(options)?;
     let mut grids = Vec::with_capacity(design.parts().len());
     let mut n_vertices = 0.0;
     for (index, part) in design.parts().iter().enumerate() {
-        let grid = PartGrid::choose(part, index, options, is_bounded)?;
+        let grid = PartGrid::choose(part, index, options, is_bounded, spare.pop().unwrap_or_default())?;
         let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
         n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {

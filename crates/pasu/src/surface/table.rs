@@ -25,7 +25,7 @@ pub(crate) struct RowTerm<const N: usize> {
 }
 
 /// What one row of constant `u` needs of the solution.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct RowTable<const N: usize> {
     pub(crate) components: [Vec<RowTerm<N>>; 3],
 }
@@ -33,15 +33,21 @@ pub(crate) struct RowTable<const N: usize> {
 impl<const N: usize> RowTable<N> {
     /// The coefficients at `u`, for the columns of a table of the same surface.
     pub(crate) fn at(surface: &Surface, distinct: &[f64], u: f64) -> Self {
-        let components = surface.components().each_ref().map(|terms| {
-            let row = |term: &super::solve::Term| {
+        let mut table = RowTable::default();
+        table.take(surface, distinct, u);
+        table
+    }
+
+    /// Takes the coefficients at another `u`.
+    pub(crate) fn take(&mut self, surface: &Surface, distinct: &[f64], u: f64) {
+        for (row, terms) in self.components.iter_mut().zip(surface.components()) {
+            row.clear();
+            row.extend(terms.iter().map(|term| {
                 let [cos, sin] = term.equation.jets::<N, 2>([&term.cos, &term.sin], u);
                 let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
                 RowTerm { column, k: term.k, cos, sin }
-            };
-            terms.iter().map(row).collect()
-        });
-        RowTable { components }
+            }));
+        }
     }
 }
 
