@@ -207,14 +207,18 @@ export class PasuExport extends DesignerElement {
     `;
   }
 
-  private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {
+  /** All that the checks say, and how thin the wall is at this size. */
+  private found(report: Report, making: Making, measures: Measures): readonly Sentence[] {
     const { shown, state: now } = this.designer;
     const [outline, unit] = [shown?.solved.facts?.outline ?? [], unitOf(now.design)];
     // A closed solid has no wall: how thick it is printed is the slicer's.
-    const all =
-      this.chosen.product === "pot"
-        ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
-        : checked(report, outline, unit);
+    return this.chosen.product === "pot"
+      ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
+      : checked(report, outline, unit);
+  }
+
+  private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {
+    const all = this.found(report, making, measures);
     const rest = all.length - MOST_SENTENCES;
     if (rest <= 0) return all;
     return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
@@ -224,7 +228,7 @@ export class PasuExport extends DesignerElement {
   private brief(making: Making | null) {
     const { report, measures } = this;
     if (!report || !measures || !making) return nothing;
-    const count = this.verdict(report, making, measures).filter(({ severity }) => severity === "warning").length;
+    const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
     if (count === 0) return nothing;
     const text = count === 1 ? "1 warning" : `${count} warnings`;
     return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text }])}</div>`;

@@ -32,15 +32,18 @@ test("an overhang is told by its angle and place", () => {
   expect(texts(overhang(-3))).toEqual(["good: Nothing hangs over: it prints without support."]);
 });
 
+/** A wall that is thin at the rim, and thinner than asked for in such a share of it. */
+const thin = (thinned: number) => ({
+  asked: 0.3,
+  least: { value: 0.07, error: 0, at: RIM },
+  greatest: 0.3,
+  greatestError: 0,
+  thinned,
+  thinnedError: 0,
+});
+
 test("a wall is told where it was thinned and where it is too thin to print", () => {
-  const thickness = {
-    asked: 0.3,
-    least: { value: 0.07, error: 0, at: RIM },
-    greatest: 0.3,
-    greatestError: 0,
-    thinned: 0.1,
-    thinnedError: 0,
-  };
+  const thickness = thin(0.1);
   expect(texts(measures({}, { thickness }))).toEqual([
     "warning: The wall is thinned to 0.07 cm at the rim, where the pot bends too tightly for 0.3 cm.",
     "warning: The wall is only 0.7 mm thick at the rim: too thin for most clay and most printers at this size.",
@@ -48,14 +51,7 @@ test("a wall is told where it was thinned and where it is too thin to print", ()
 });
 
 test("before saving, a wall is too thin or not by the size of the file", () => {
-  const thickness = {
-    asked: 0.3,
-    least: { value: 0.07, error: 0, at: RIM },
-    greatest: 0.3,
-    greatestError: 0,
-    thinned: 0,
-    thinnedError: 0,
-  };
+  const thickness = thin(0);
   const report = { ok: true, findings: [], meshes: [], triangles: 4 } as unknown as Report;
   const at = (millimetres: number) =>
     madeOf(report, measures({}, { thickness }), OUTLINE, "cm", millimetres).map(({ severity, text }) => [

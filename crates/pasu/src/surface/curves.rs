@@ -24,7 +24,7 @@ pub(crate) struct Curve {
 
 /// Every datum of a surface that is not 0, as Taylor expansions on as many intervals as its rate asks for.
 ///
-/// A row then costs a polynomial a datum instead of its exponentials. The error is some 1e-11 of the datum, and told with each row: for single precision only.
+/// A row then costs a polynomial a datum instead of its exponentials. The error is some 3e-11 of the datum, and told with each row: for single precision only.
 #[derive(Debug, Default)]
 pub(crate) struct Curves {
     curves: Vec<Curve>,
