@@ -1,4 +1,5 @@
-//! The mode problem against values computed with hundreds of digits (`tests/reference/modes.json`, made by `mode_reference.py`).
+//! The mode problem against values computed with hundreds of digits (`tests/reference/modes.json`, made by `mode_reference.py`):
+//! values within 1e-13 of their scale, derivatives within 1e-12 of theirs.
 
 use pasu::{Equation, ModeData, Order};
 use serde::Deserialize;
@@ -40,18 +41,18 @@ fn agrees_with_the_reference() {
         let &Case { start, end, start_u, end_u, ref force, .. } = case;
         let solution = equation.solve(&ModeData { start, end, start_u, end_u, force }).unwrap();
         // The solution may be larger than its boundary data where a force or a near resonance drives it.
-        let scale = case
-            .q
-            .iter()
-            .map(|q| q[0].abs())
-            .fold(start.abs().max(end.abs()).max(start_u.abs()).max(end_u.abs()), f64::max);
+        let data = start.abs().max(end.abs()).max(start_u.abs()).max(end_u.abs());
+        let scale = case.q.iter().map(|q| q[0].abs()).fold(data, f64::max);
         let rate = equation.largest_rate().max(1.0);
+        // What one rounding of the rate does near a resonance, where the solution is larger than all that drives it.
+        let forced = force.iter().fold(data, |largest, f| largest.max(f.abs()));
+        let rounding = f64::EPSILON * rate * scale / forced;
         for (&u, q) in case.u.iter().zip(&case.q) {
             let [jet] = equation.jets::<3, 1>([&solution], u);
             for d in 0..3 {
                 let size = scale * libm::pow(rate, d as f64);
                 let error = (jet[d] - q[d]).abs() / size;
-                let bound = [1e-10, 1e-9, 1e-8][d];
+                let bound = [1e-13f64, 1e-12, 1e-12][d].max(rounding);
                 if !(error <= bound) {
                     failures.push(format!("{name}: u {u}, derivative {d}: {} is not {} ({error:.1e})", jet[d], q[d]));
                 }

@@ -5,33 +5,36 @@ mod support;
 use glam::DVec3;
 use pasu::{BoundaryValue, Component, Datum, Equation, Mode, ModeData, Order, Span, Surface, Unsolvable};
 use proptest::prelude::*;
-use support::{corpus, rate, shape, surface, surface_of};
+use support::{Point, corpus, digits, rate, shape, surface, surface_of};
 
+/// Positions within 1e-13 of the scale of the case, derivatives within 1e-12 of the largest of the same kind in the case: stricter than
+/// 1e-12 of what they may grow to, `scale * max(1, k sqrt(t/s))`. Found are 7e-15 and 1.2e-13.
 #[test]
-fn every_case_of_the_corpus() {
-    let cases = corpus();
-    assert!(cases.len() >= 60);
-    let mut failures = Vec::new();
-    for case in &cases {
+fn every_case_of_the_corpora() {
+    let (cases, digits) = (corpus(), digits());
+    assert!(cases.len() >= 60 && digits.len() >= 80);
+    let (mut worst, mut failures) = ([0.0f64; 3], Vec::new());
+    for case in cases.iter().chain(&digits) {
+        let largest = |of: fn(&Point) -> [f64; 3]| case.points.iter().flat_map(of).map(f64::abs).fold(0.0, f64::max);
+        let sizes = [case.scale, largest(|point| point.du), largest(|point| point.dv)];
         for given in case.family.iter().chain([&case.shape]) {
-            let (surface, rate) = (surface(given), rate(&shape(given)));
+            let surface = surface(given);
             for point in &case.points {
                 let jet = surface.at(point.u, point.v);
-                let (k, frequency) = (1e-9 * case.scale * rate, 1e-9 * case.scale * rate.max(150.0));
-                for (what, found, expected, bound) in [
-                    ("position", jet.position, point.position, 1e-10 * case.scale),
-                    ("du", jet.du, point.du, k),
-                    ("dv", jet.dv, point.dv, frequency),
-                ] {
-                    let error = (found - DVec3::from(expected)).abs().max_element();
-                    if !(error <= bound) {
+                let pairs = [(jet.position, point.position), (jet.du, point.du), (jet.dv, point.dv)];
+                for (i, (found, expected)) in pairs.into_iter().enumerate() {
+                    let error = (found - DVec3::from(expected)).abs().max_element() / sizes[i];
+                    if !(error <= [1e-13, 1e-12, 1e-12][i]) {
+                        let what = ["position", "du", "dv"][i];
                         failures
                             .push(format!("{} at ({}, {}): {what} is off by {error:e}", case.name, point.u, point.v));
                     }
+                    worst[i] = worst[i].max(error);
                 }
             }
         }
     }
+    println!("{} cases, worst errors {worst:?}", cases.len() + digits.len());
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 

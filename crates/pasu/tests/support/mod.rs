@@ -4,7 +4,7 @@
 use pasu::{Design, Shape, Surface, Value};
 use serde::Deserialize;
 
-/// One case of `tests/reference/surfaces.json`.
+/// One case of `tests/reference/surfaces.json` or `digits.json`.
 #[derive(Deserialize)]
 pub struct Case {
     pub name: String,
@@ -25,6 +25,11 @@ pub struct Point {
 
 pub fn corpus() -> Vec<Case> {
     serde_json::from_str(include_str!("../../../../tests/reference/surfaces.json")).expect("the corpus is JSON")
+}
+
+/// `tests/reference/digits.json`: data of twelve digits in every regime, values of full precision.
+pub fn digits() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../../../tests/reference/digits.json")).expect("the corpus is JSON")
 }
 
 pub fn shape(value: &Value) -> Shape {
