@@ -24,6 +24,7 @@ fn every_case_keeps_its_bounds() {
         let corpus: Vec<Value> = serde_json::from_str(text).expect("the corpus is JSON");
         assert!(corpus.len() >= at_least, "the corpus has lost cases");
         for case in &corpus {
+            assert!(text == CORPUS || is_kept(&case["shape"]) || is_kept(&case["family"]), "{}", case["name"]);
             check(case, &case["shape"]);
             if case["family"].is_object() {
                 check(case, &case["family"]);
@@ -64,8 +65,8 @@ fn rows_are_placed_where_the_native_ones_are() {
     }
 }
 
-/// One case, as its boundary-value problem or as its family: positions within 1e-13 of its scale, derivatives within 1e-12 of the largest
-/// of the same kind in it, as the native tests have it.
+/// One case, as its boundary-value problem or as its family: positions within 1e-13 of its scale, derivatives within 1e-12 of the largest of the same
+/// kind in it, as the native tests have it. Where the data have more digits than a document keeps, another surface is computed, and only nearly this one.
 fn check(case: &Value, shape: &Value) {
     let name = format!("{} as {}", case["name"], shape["kind"]);
     let design = js(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }));
@@ -75,14 +76,26 @@ fn check(case: &Value, shape: &Value) {
     let part = JsValue::from(0);
 
     let scale = number(&case["scale"]);
+    let is_kept = is_kept(shape);
     let positions = evaluate(&design, &part, &at).unwrap_or_else(|error| panic!("{name}: {error:?}"));
-    compare(&name, "position", points, &positions, 1e-13 * scale);
+    compare(&name, "position", points, &positions, if is_kept { 1e-13 } else { 1e-10 } * scale);
 
     let slopes = derivatives(&design, &part, &at).unwrap_or_else(|error| panic!("{name}: {error:?}"));
     for field in ["du", "dv"] {
         let coordinates = points.iter().flat_map(|point| point[field].as_array().expect("triple"));
         let largest = coordinates.map(|coordinate| number(coordinate).abs()).fold(0.0, f64::max);
-        compare(&name, field, points, &array(&slopes, field), 1e-12 * largest);
+        let bound = if is_kept { 1e-12 * largest } else { 1e-9 * scale * rate(&case["shape"]) };
+        compare(&name, field, points, &array(&slopes, field), bound);
+    }
+}
+
+/// Whether a document keeps every number of a shape: it rounds them to twelve significant digits.
+fn is_kept(value: &Value) -> bool {
+    match value {
+        Value::Number(number) => number.as_f64().is_some_and(|x| format!("{x:.11e}").parse() == Ok(x)),
+        Value::Array(items) => items.iter().all(is_kept),
+        Value::Object(fields) => fields.values().all(is_kept),
+        Value::Null | Value::Bool(_) | Value::String(_) => true,
     }
 }
 
@@ -94,6 +107,17 @@ fn compare(name: &str, field: &str, points: &[Value], found: &Float64Array, boun
             assert!(error <= bound, "{name}: {field}[{axis}] at {point}: found {found}, off by {error:e} > {bound:e}");
         }
     }
+}
+
+/// The largest `max(1, k, k sqrt(|t / s|))` of a boundary-value problem: how steep its solutions may be.
+fn rate(shape: &Value) -> f64 {
+    let span = shape["span"].as_f64().unwrap_or(std::f64::consts::TAU);
+    let of = |component: &Value| {
+        let ratio = (number(&component["t"]) / number(&component["s"])).abs().sqrt().max(1.0);
+        let modes = component["modes"].as_array().into_iter().flatten();
+        modes.map(move |mode| std::f64::consts::TAU * number(&mode["n"]).abs() / span * ratio).fold(1.0, f64::max)
+    };
+    ["x", "y", "z"].iter().map(|axis| of(&shape[axis])).fold(1.0, f64::max)
 }
 
 fn number(value: &Value) -> f64 {
