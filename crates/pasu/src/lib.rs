@@ -29,6 +29,7 @@ mod fingerprint;
 mod measure;
 mod mesh;
 mod mode;
+mod numeric;
 mod solid;
 mod surface;
 

@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::search;
+use crate::numeric::grid::Grid;
+use crate::numeric::{brent, illinois, minima};
 use crate::solid::{Face, FaceJet, FaceKind, Seams};
 
 /// One face of the inside, run through from the middle of the floor to the rim.
@@ -98,6 +99,9 @@ pub(crate) struct Wet {
 
 /// Heights that differ by less than this part of the largest coordinate are one.
 pub(crate) const LEVEL: f64 = 1e-13;
+
+/// Low places of the brim that are looked at more closely: petals repeat the same one.
+const LOWS: usize = 6;
 
 impl<'a> Inside<'a> {
     /// Chains faces, of which the first comes from the middle of the floor or is the whole inside; `highest` is their highest harmonic.
@@ -208,7 +212,7 @@ impl<'a> Inside<'a> {
         let refined =
             neighbour.filter(|other| (other.slope > 0.0) != (top.slope > 0.0) && top.slope != 0.0).map(|other| {
                 let link = &self.links[top.link];
-                let s = search::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
+                let s = illinois::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
                 let (z, slope) = link.height(s, v);
                 Sample { link: top.link, s, z, slope }
             });
@@ -237,7 +241,7 @@ impl<'a> Inside<'a> {
     pub(crate) fn floor(&self) -> f64 {
         let columns = self.columns;
         let lowest = self.links.iter().map(|link| {
-            let grid = search::Grid::new(link.cells() + 1, columns, |s, v| -link.height(s, v).0);
+            let grid = Grid::new(link.cells() + 1, columns, |s, v| -link.height(s, v).0);
             grid.greatest(|z| *z, |s, v| -link.height(s, v).0).map_or(f64::INFINITY, |place| -place.value)
         });
         lowest.fold(f64::INFINITY, f64::min)
@@ -249,17 +253,9 @@ impl<'a> Inside<'a> {
         let places: Vec<f64> = (0..self.columns).map(|j| step * j as f64).collect();
         let brims: Vec<f64> = self.columns(&places).iter().map(|column| column.brim).collect();
         let mut best = (f64::INFINITY, 0.0);
-        let n = brims.len();
-        let mut lows: Vec<usize> =
-            (0..n).filter(|&j| brims[j] < brims[(j + n - 1) % n] && brims[j] <= brims[(j + 1) % n]).collect();
-        lows.sort_by(|&i, &j| brims[i].total_cmp(&brims[j]).then(i.cmp(&j)));
-        lows.truncate(6);
-        if lows.is_empty() {
-            lows.push(0);
-        }
-        for j in lows {
+        for j in minima::round(&brims).into_iter().take(LOWS) {
             let v = step * j as f64;
-            let (refined, value) = search::least(v - step, v + step, 1e-9 * step, |v| self.column(v).brim);
+            let (refined, value) = brent::least(v - step, v + step, 1e-9 * step, |v| self.column(v).brim);
             for (brim, v) in [(brims[j], v), (value, refined)] {
                 if brim < best.0 {
                     best = (brim, v);
@@ -290,7 +286,7 @@ impl<'a> Inside<'a> {
                 let before = column.samples[index - 1];
                 let link = &self.links[sample.link];
                 let height = |s: f64| link.height(s, v).0 - level;
-                let cut = |from: (f64, f64), to: (f64, f64)| search::root(from, to, height);
+                let cut = |from: (f64, f64), to: (f64, f64)| illinois::root(from, to, height);
                 let (s0, z0, s1, z1) = (before.s, before.z - level, sample.s, sample.z - level);
                 if (z0 < 0.0) != (z1 < 0.0) {
                     let s = cut((s0, z0), (s1, z1));
@@ -301,7 +297,7 @@ impl<'a> Inside<'a> {
                 } else if (z0 < 0.0) == (before.slope > 0.0) && (before.slope > 0.0) != (sample.slope > 0.0) {
                     // An extreme between two samples on one side may lie on the other.
                     let slope = |s: f64| link.height(s, v).1;
-                    let s = search::root((s0, before.slope), (s1, sample.slope), slope);
+                    let s = illinois::root((s0, before.slope), (s1, sample.slope), slope);
                     let z = height(s);
                     if (z < 0.0) != (z0 < 0.0) {
                         let (first, second) = (cut((s0, z0), (s, z)), cut((s, z), (s1, z1)));

@@ -5,9 +5,10 @@ use core::f64::consts::TAU;
 use glam::DVec3;
 
 use super::bare::Bare;
-use super::limit::limit;
 use super::outside::columns;
-use super::search::{Grid, Place};
+use crate::numeric::climb::Place;
+use crate::numeric::grid::Grid;
+use crate::numeric::limit::limit;
 use crate::solid::Face;
 use crate::surface::SurfaceJet;
 

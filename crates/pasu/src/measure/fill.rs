@@ -5,11 +5,13 @@ use core::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::column::{Column, Inside, LEVEL, Link, Wet};
-use super::integral::{Accuracy, Integral, along, between, finer};
+use super::integral::{Accuracy, between};
 use super::moments::{Moments, element};
 use super::outside::round;
 use super::panels;
 use super::quantity::Quantity;
+use crate::numeric::integral::Integral;
+use crate::numeric::{adaptive, bisection, trapezoid};
 use crate::solid::{FaceJet, Seams, ascending};
 
 /// Water up to a level.
@@ -67,13 +69,11 @@ impl<'a> Level<'a> {
             columns.push(before.clone());
             // Several changes between two columns are found one after the other.
             while !is_alike(&before.1, &after.1) {
-                let (mut low, mut high) = (before.clone(), after.clone());
-                for _ in 0..HALVINGS {
-                    let middle = at(0.5 * (low.0.v() + high.0.v()));
-                    if is_alike(&middle.1, &before.1) { low = middle } else { high = middle }
-                }
-                breaks.push(0.5 * (low.0.v() + high.0.v()));
-                if low.0.v() > before.0.v() {
+                let [from, to] = [&before, &after].map(|end| (end.0.v(), end.clone()));
+                let [(below, low), (above, high)] =
+                    bisection::change(from, to, HALVINGS, &at, |middle| is_alike(&middle.1, &before.1));
+                breaks.push(0.5 * (below + above));
+                if below > before.0.v() {
                     columns.push(low);
                 }
                 before = high;
@@ -151,9 +151,8 @@ impl<'a> Level<'a> {
             }
         }
         for (link, from, to) in stretches.into_iter().filter(|(_, from, to)| from != to) {
-            let mut part = along(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
-                let value = self.integrand(link, s, v, rest.middle);
-                Integral { value, error: [0.0; 5], size: value.map(f64::abs) }
+            let mut part = adaptive::integrate(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
+                Integral::of(self.integrand(link, s, v, rest.middle))
             });
             if from > to {
                 part.value = part.value.map(|value| -value);
@@ -283,26 +282,15 @@ impl<'a> Level<'a> {
 
     /// The rest where all columns are alike: by the trapezoidal rule, with more columns until that changes too little.
     fn smooth(&self, rest: &Rest, accuracy: &Accuracy) -> Integral<5> {
-        let mut n = accuracy.columns;
-        let mut before: Option<[f64; 5]> = None;
-        loop {
-            let step = TAU / n as f64;
-            let mut sum = Integral::<5>::default();
+        let allowed =
+            |size: &[f64; 5]| core::array::from_fn(|i| accuracy.relative * size[i].max(TAU * rest.at_least[i]));
+        trapezoid::integrate(accuracy.columns, accuracy.most_columns, 0.0, allowed, |n| {
+            let mut sum = Integral::default();
             for column in self.inside.columns(&round(n).collect::<Vec<_>>()) {
                 sum.add(&self.of_column(&column, rest));
             }
-            let value = sum.value.map(|value| step * value);
-            let change: Option<[f64; 5]> = before.map(|before| core::array::from_fn(|i| (value[i] - before[i]).abs()));
-            let size: [f64; 5] = core::array::from_fn(|i| step * sum.size[i]);
-            n = finer(n);
-            if let Some(change) = change
-                && ((0..5).all(|i| change[i] <= accuracy.relative * size[i].max(TAU * rest.at_least[i]))
-                    || n > accuracy.most_columns)
-            {
-                return Integral { value, error: core::array::from_fn(|i| step * sum.error[i] + change[i]), size };
-            }
-            before = Some(value);
-        }
+            sum
+        })
     }
 
     /// The rest where columns differ: Gauss-Kronrod between the places where they change.
@@ -310,7 +298,7 @@ impl<'a> Level<'a> {
         let mut breaks = self.breaks.clone();
         breaks.push(self.breaks[0] + TAU);
         let at_least = rest.at_least.map(|size| TAU * size);
-        along(&breaks, accuracy.relative, at_least, 3 * breaks.len() + 8, |v| {
+        adaptive::integrate(&breaks, accuracy.relative, at_least, 3 * breaks.len() + 8, |v| {
             let column = self.of_column(&self.inside.column(v), &rest);
             for i in 0..5 {
                 rest.at_least[i] = rest.at_least[i].max(column.size[i]);

@@ -9,7 +9,6 @@ mod fill;
 mod filled;
 mod integral;
 mod json;
-mod limit;
 mod measures;
 mod moments;
 mod outside;
@@ -17,8 +16,6 @@ mod paint;
 mod panels;
 mod pool;
 mod quantity;
-mod rule;
-mod search;
 mod standing;
 mod water;
 

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::integral::{Accuracy, Integral, over_face};
+use super::integral::{Accuracy, over_face};
 use super::quantity::Quantity;
+use crate::numeric::integral::Integral;
 use crate::solid::{Face, FaceJet};
 
 /// The vector of a surface element, `F_a x F_v`, turned out of the clay.

@@ -4,10 +4,13 @@ use core::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::limit::limit;
 use super::moments::element;
 use super::quantity::{Quantity, ROUNDING};
-use super::search::{Grid, Place, least};
+use crate::numeric::brent;
+use crate::numeric::climb::Place;
+use crate::numeric::grid::Grid;
+use crate::numeric::limit::limit;
+use crate::numeric::minima;
 use crate::solid::{Face, FaceJet, FaceKind};
 
 /// Faces seen from outside, each sampled on a grid from which searches begin.
@@ -131,19 +134,12 @@ impl<'a> Outside<'a> {
         let widths: Vec<f64> = (0..DIRECTIONS).map(coarse).collect();
         // The best extremes of the table, refined: petals repeat one, and the table is a little off.
         let refine = |sign: f64, tolerance: f64, most: usize| {
-            let of = |i: usize| sign * widths[i % DIRECTIONS];
-            let mut lows: Vec<usize> =
-                (0..DIRECTIONS).filter(|&i| of(i) < of(i + DIRECTIONS - 1) && of(i) <= of(i + 1)).collect();
-            lows.sort_by(|&i, &j| of(i).total_cmp(&of(j)).then(i.cmp(&j)));
-            lows.truncate(most);
-            if lows.is_empty() {
-                lows.push(0);
-            }
+            let values: Vec<f64> = widths.iter().map(|width| sign * width).collect();
             let mut best = (0.0, f64::INFINITY);
-            for i in lows {
+            for i in minima::round(&values).into_iter().take(most) {
                 let middle = step * i as f64;
                 let of = |angle: f64| sign * self.width(angle);
-                let (angle, width) = least(middle - 1.5 * step, middle + 1.5 * step, tolerance, of);
+                let (angle, width) = brent::least(middle - 1.5 * step, middle + 1.5 * step, tolerance, of);
                 for (angle, width) in [(middle, of(middle)), (angle, width)] {
                     if width < best.1 {
                         best = (angle, width);

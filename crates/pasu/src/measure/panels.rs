@@ -2,27 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use super::integral::{Accuracy, Integral, ROUNDING};
+use super::integral::Accuracy;
+use crate::numeric::gauss_legendre::{FOUR, Rule, THREE, TWO, spread};
+use crate::numeric::integral::{Integral, ROUNDING};
 use crate::solid::{FaceJet, Places, Seams};
-
-/// Nodes on [0, 1] and weights.
-type Rule = &'static [(f64, f64)];
-
-/// Gauss's rules with two, three and four nodes, exact for polynomials of degree 3, 5 and 7.
-const RULES: [Rule; 3] = [
-    &[(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)],
-    &[
-        (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
-        (0.5, 0.444_444_444_444_444_4),
-        (0.887_298_334_620_741_7, 0.277_777_777_777_777_8),
-    ],
-    &[
-        (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-        (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
-        (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
-        (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
-    ],
-];
 
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
@@ -32,7 +15,7 @@ const MOST_PLACES: usize = 3_000_000;
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
-    if accuracy.seamed < 1e-6 { [RULES[2], RULES[1]] } else { [RULES[1], RULES[0]] }
+    if accuracy.seamed < 1e-6 { [FOUR, THREE] } else { [THREE, TWO] }
 }
 
 /// Into how many pieces the widest gap between ascending places is cut at first.
@@ -50,23 +33,6 @@ pub(crate) fn once_round(places: &[f64]) -> Vec<f64> {
     }
     all.push(first + TAU);
     all
-}
-
-/// The nodes of a rule between ascending places, each gap cut into so many pieces.
-fn spread(breaks: &[f64], splits: usize, rule: Rule) -> (Vec<f64>, Vec<f64>) {
-    let mut places = Vec::with_capacity(breaks.len() * splits * rule.len());
-    let mut weights = Vec::with_capacity(places.capacity());
-    for pair in breaks.windows(2) {
-        let width = (pair[1] - pair[0]) / splits as f64;
-        for piece in 0..splits {
-            let from = pair[0] + piece as f64 * width;
-            for &(node, weight) in rule {
-                places.push(from + node * width);
-                weights.push(weight * width);
-            }
-        }
-    }
-    (places, weights)
 }
 
 /// The rows between two knots, with what they add up to.
@@ -241,7 +207,7 @@ pub(crate) fn column<const N: usize>(
         for piece in 0..pieces {
             for &(node, weight) in rule {
                 let value = at(below + (piece as f64 + node) * width);
-                total.add(&Integral { value, error: [0.0; N], size: value.map(f64::abs) }.scaled(weight * width));
+                total.add(&Integral::of(value).scaled(weight * width));
             }
         }
         below = above;
@@ -309,16 +275,6 @@ mod tests {
     use super::*;
     use crate::design::Design;
     use crate::solid::{Face, Pot, Product};
-
-    #[test]
-    fn rules_are_exact_for_their_degree() {
-        for rule in RULES {
-            for degree in 0..2 * rule.len() {
-                let sum: f64 = rule.iter().map(|(node, weight)| weight * node.powi(degree as i32)).sum();
-                assert!((sum - 1.0 / (degree + 1) as f64).abs() < 1e-15, "{degree}");
-            }
-        }
-    }
 
     /// What is stated covers what a hundred times more is found to change.
     #[test]

@@ -8,7 +8,7 @@ use super::integral::Accuracy;
 use super::moments::area;
 use super::outside::{Outside, degrees, hull, polygon_area, round};
 use super::quantity::Quantity;
-use super::search::least;
+use crate::numeric::{brent, minima, romberg};
 use crate::solid::Face;
 
 /// Points of a pot that are less than this part of its size above the lowest one stand on the table too.
@@ -93,10 +93,10 @@ impl<'a> Standing<'a> {
     pub(crate) fn footprint(&self, accuracy: &Accuracy) -> Footprint {
         let area = self.touching.iter().fold(Quantity::default(), |sum, face| sum + area(*face, accuracy));
         let n = EDGE_POINTS.max(4 * self.columns);
-        let [coarse, middle, fine] = [n / 4, n / 2, n].map(|n| polygon_area(&hull(&self.edge(n))));
-        // The hull of points of a smooth curve lacks a part that goes with 1 / n^2, and then with 1 / n^4 (Romberg).
-        let [before, after] = [(coarse, middle), (middle, fine)].map(|(a, b)| b + (b - a) / 3.0);
-        let hull_area = Quantity::new(after + (after - before) / 15.0, (after - before).abs() + 1e-13 * after);
+        // The hull of points of a smooth curve lacks a part that goes with 1 / n^2, and then with 1 / n^4.
+        let (area_of_hull, [before, after]) =
+            romberg::romberg([n / 4, n / 2, n].map(|n| polygon_area(&hull(&self.edge(n)))));
+        let hull_area = Quantity::new(area_of_hull, (after - before).abs() + 1e-13 * after);
         let told = hull(&self.edge(TOLD));
         Footprint { level: self.level, area, hull_area, hull: told.iter().map(|p| p.to_array()).collect() }
     }
@@ -121,7 +121,7 @@ impl<'a> Standing<'a> {
                 .map(|v| (v, at(v)))
                 .fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
             let step = TAU / n as f64;
-            let (_, refined) = least(far.0 - step, far.0 + step, 1e-9, |v| -at(v));
+            let (_, refined) = brent::least(far.0 - step, far.0 + step, 1e-9, |v| -at(v));
             most = most.max(far.1).max(-refined);
         }
         most
@@ -147,20 +147,17 @@ impl<'a> Standing<'a> {
             (normal.dot(p - from), libm::atan2(normal.y, normal.x))
         };
         let edges: Vec<(f64, f64)> = (0..n).map(edge).collect();
-        let mut near: Vec<(f64, f64)> = (0..n)
-            .filter(|&i| edges[i].0 < edges[(i + n - 1) % n].0 && edges[i].0 <= edges[(i + 1) % n].0)
-            .map(|i| edges[i])
-            .collect();
-        if near.is_empty() {
-            near.extend(edges.iter().min_by(|x, y| x.0.total_cmp(&y.0)));
-        }
+        let reaches: Vec<f64> = edges.iter().map(|edge| edge.0).collect();
+        let mut near: Vec<(f64, f64)> = minima::round(&reaches).into_iter().map(|i| edges[i]).collect();
+        // Of equal ones, which a regular foot has, that with the smallest angle.
         near.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.total_cmp(&y.1)));
         let (mut reach, mut toward) = near.first().copied().unwrap_or_default();
         if !self.edges.is_empty() {
             reach = f64::INFINITY;
             let step = TAU / self.columns as f64;
             for &(_, start) in near.iter().take(LOOKED_AT) {
-                let (angle, refined) = least(start - step, start + step, NEAREST, |angle| self.reach(from, angle));
+                let (angle, refined) =
+                    brent::least(start - step, start + step, NEAREST, |angle| self.reach(from, angle));
                 for (here, angle) in [(self.reach(from, start), start), (refined, angle)] {
                     if here < reach {
                         (reach, toward) = (here, angle);

@@ -8,6 +8,7 @@ use super::profile::{Bend, Profile};
 use super::sample::VERTEX_LIMIT;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
+use crate::numeric::bisection;
 
 /// Without rows, columns or tolerance a part is sampled to this fraction of its size.
 const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
@@ -157,11 +158,7 @@ impl Part {
         // The fewest columns that take no more rows.
         let rows = self.along_for(best, budget);
         below = below.max((best / COLUMN_STEP).floor() - 1.0);
-        while best - below > 1.0 {
-            let middle = (0.5 * (below + best)).floor();
-            if self.along_for(middle, budget) <= rows { best = middle } else { below = middle }
-        }
-        best
+        bisection::least_whole(below, best, |round| self.along_for(round, budget) <= rows)
     }
 
     /// How many cells along `u` hold beside cells round the axis.
@@ -187,16 +184,10 @@ impl Part {
             return grid(estimate.ceil().max(VERTEX_LIMIT as f64), None);
         };
         // The same number of steps at the least budget, so that the last is no shorter than it must be.
-        let (mut enough, mut less) = (budget, (q * q * roundest).max(0.25 * budget));
-        if (n_steps as f64) < MANY_ROWS {
-            for _ in 0..EVENING {
-                let middle = 0.5 * (enough + less);
-                match self.profile.walk(q, middle, n_steps, &mut |_| {}) {
-                    Some(_) => enough = middle,
-                    None => less = middle,
-                }
-            }
-        }
+        let least = (q * q * roundest).max(0.25 * budget);
+        let halvings = if (n_steps as f64) < MANY_ROWS { EVENING } else { 0 };
+        let holds = |budget: f64| self.profile.walk(q, budget, n_steps, &mut |_| {}).is_some();
+        let [(enough, _), _] = bisection::change((budget, true), (least, false), halvings, holds, |holds| *holds);
         let mut rows = Vec::with_capacity(n_steps + 1);
         rows.push(0.0);
         self.profile.walk(q, enough, n_steps, &mut |u| rows.push(u));

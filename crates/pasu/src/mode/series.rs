@@ -1,5 +1,7 @@
 //! Polynomials and power series in `x = u - 1/2`, lowest power first.
 
+use crate::numeric::horner;
+
 /// Terms that no longer change a sum of doubles on |x| <= 1/2.
 const NEGLIGIBLE: f64 = 1e-19;
 
@@ -60,22 +62,9 @@ pub(super) fn about_the_middle(in_u: &[f64]) -> Vec<f64> {
     shifted
 }
 
-/// The polynomial at `u` with its derivatives up to order `N - 1`, by Horner's rule.
+/// The polynomial at `u` with its derivatives up to order `N - 1`.
 pub(super) fn jet<const N: usize>(polynomial: &[f64], u: f64) -> [f64; N] {
-    let x = u - 0.5;
-    let mut jet = [0.0; N];
-    for &coefficient in polynomial.iter().rev() {
-        for order in (1..N).rev() {
-            jet[order] = jet[order] * x + jet[order - 1];
-        }
-        jet[0] = jet[0] * x + coefficient;
-    }
-    let mut factorial = 1.0;
-    for (order, value) in jet.iter_mut().enumerate().skip(2) {
-        factorial *= order as f64;
-        *value *= factorial;
-    }
-    jet
+    horner::derivatives(polynomial.iter().rev().copied(), u - 0.5)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::basis::{Basis, product};
 use super::rate::Rate;
 use super::{Equation, ModeSolution};
+use crate::numeric::horner;
 
 impl Equation {
     /// Bounds of `|q|` and its derivatives up to order `N - 1` on all of `[from, to]`, a part of [0, 1], for several solutions.
@@ -76,19 +77,7 @@ impl Rate {
 
 /// Bounds of a polynomial in `x` and its derivatives for `|x| <= reach`.
 fn polynomial<const N: usize>(coefficients: &[f64], reach: f64) -> [f64; N] {
-    let mut suprema = [0.0; N];
-    for coefficient in coefficients.iter().rev() {
-        for order in (1..N).rev() {
-            suprema[order] = suprema[order] * reach + suprema[order - 1];
-        }
-        suprema[0] = suprema[0] * reach + coefficient.abs();
-    }
-    let mut factorial = 1.0;
-    for (order, value) in suprema.iter_mut().enumerate().skip(2) {
-        factorial *= order as f64;
-        *value *= factorial;
-    }
-    suprema
+    horner::derivatives(coefficients.iter().rev().map(|coefficient| coefficient.abs()), reach)
 }
 
 #[cfg(test)]

@@ -14,9 +14,13 @@ use super::skin::{Skin, middle_of, place, short};
 use super::thickness::Thickness;
 use crate::design::{Design, RimForm, Side, Wall, plain};
 use crate::error::{Code, Error, Result};
+use crate::numeric::golden_section;
 
 /// A foot is level if its points are within this part of the size of one plane across the axis.
 const LEVEL: f64 = 1e-9;
+
+/// Golden sections by which the highest place between two columns is found: they leave 4e-9 of the gap, by which a height differs by less than rounding.
+const SECTIONS: usize = 40;
 
 /// A curve no wider than this part of the size is a point.
 const POINT: f64 = 1e-6;
@@ -598,16 +602,11 @@ impl Outline {
 
 /// The greatest value of a function of `v`, sought by golden sections round the greatest at even columns.
 fn extreme(n_columns: usize, f: impl Fn(f64) -> f64) -> f64 {
-    const GOLDEN: f64 = 0.618_033_988_749_895;
     let gap = TAU / n_columns as f64;
     let best = (0..n_columns)
         .map(|j| (f(j as f64 * gap), j))
         .fold((f64::NEG_INFINITY, 0), |a, b| if b.0 > a.0 { b } else { a });
-    let (mut from, mut to) = ((best.1 as f64 - 1.0) * gap, (best.1 as f64 + 1.0) * gap);
+    let (from, to) = ((best.1 as f64 - 1.0) * gap, (best.1 as f64 + 1.0) * gap);
     let wrapped = |v: f64| f(if v < 0.0 { v + TAU } else { v });
-    for _ in 0..40 {
-        let inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
-        if wrapped(inner[0]) > wrapped(inner[1]) { to = inner[1] } else { from = inner[0] }
-    }
-    wrapped(0.5 * (from + to)).max(best.0)
+    wrapped(golden_section::middle_of_greatest(from, to, SECTIONS, wrapped)).max(best.0)
 }

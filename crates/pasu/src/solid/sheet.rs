@@ -9,6 +9,7 @@ use glam::DVec3;
 
 use super::skin::{Columns, Skin, SkinJet};
 use super::thickness::Thickness;
+use crate::numeric::{bisection, illinois};
 
 /// The most columns whose beginning is remembered.
 const REMEMBERED: usize = 1 << 16;
@@ -188,16 +189,8 @@ impl Sheet {
                 let (mut v, mut here, end) = (from, before(from), before(to));
                 // Several between two knots are found one after the other.
                 while here != end && found.len() < MOST_CROSSINGS {
-                    let (mut low, mut high, mut beyond) = (v, to, end);
-                    for _ in 0..HALVINGS {
-                        let middle = 0.5 * (low + high);
-                        let there = before(middle);
-                        if there == here {
-                            low = middle;
-                        } else {
-                            (high, beyond) = (middle, there);
-                        }
-                    }
+                    let [(low, _), (high, beyond)] =
+                        bisection::change((v, here), (to, end), HALVINGS, before, |there| *there == here);
                     found.push(0.5 * (low + high));
                     (v, here) = (high, beyond);
                 }
@@ -261,7 +254,7 @@ impl Sheet {
 
     fn find(&self, v: f64) -> Start {
         let Some((low, high)) = self.bracket(v) else { return Start::default() };
-        let s = root(low, high, |s| self.above(s, v));
+        let s = illinois::rise(low, high, |s| self.above(s, v));
         // The root is where g = 0: by implicit differentiation s' = -g_v / g_s.
         let jet = self.jet(s, v);
         let frame = self.skin.frame();
@@ -309,50 +302,6 @@ impl Sheet {
             Trim::Foot => 0.0,
             Trim::Level(level) => self.skin.frame().level(position) - level,
             Trim::Cylinder(radius) => self.skin.frame().plan(position).length() - radius,
-        }
-    }
-}
-
-/// The root of a function that is negative at `low` and not at `high`, to rounding, by the Illinois form of false position with a bisection after every third step.
-fn root(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (mut low, mut high) = (low, high);
-    let (mut f_low, mut f_high) = (f(low), f(high));
-    for step in 0..120 {
-        if f_high == 0.0 || high - low <= 4.0 * f64::EPSILON * high {
-            return high;
-        }
-        let share = if step % 4 == 3 { 0.5 } else { f_low / (f_low - f_high) };
-        let middle = low + share * (high - low);
-        if !(middle > low && middle < high) {
-            // The two are neighbours, or one of them is the root to rounding.
-            return if -f_low < f_high { low } else { high };
-        }
-        let f_middle = f(middle);
-        if f_middle < 0.0 {
-            (low, f_low) = (middle, f_middle);
-            f_high *= if step % 4 == 3 { 1.0 } else { 0.5 };
-        } else {
-            (high, f_high) = (middle, f_middle);
-            f_low *= if step % 4 == 3 { 1.0 } else { 0.5 };
-        }
-    }
-    high
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn roots_are_found_to_rounding() {
-        for (exact, f) in [
-            (0.5f64.sqrt(), (|x: f64| x * x - 0.5) as fn(f64) -> f64),
-            (0.3, |x| (x - 0.3) * (x - 0.3) * (x - 0.3)),
-            (1e-3, |x| x - 1e-3),
-            (0.9, |x| libm::exp(40.0 * x) - libm::exp(36.0)),
-        ] {
-            let found = root(0.0, 1.0, f);
-            assert!((found - exact).abs() < 1e-5 && f(found).abs() < 1e-15 * f(1.0).abs().max(1.0), "{found} {exact}");
         }
     }
 }

@@ -9,6 +9,7 @@ use super::frame::Frame;
 use crate::design::{Part, plain};
 use crate::error::{Code, Error, Result};
 use crate::mesh::points_outward;
+use crate::numeric::golden_section;
 use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns};
 
 /// An end no wider than this part of the size is a point.
@@ -16,6 +17,9 @@ const POLE: f64 = 1e-6;
 
 /// A row between the ends no wider than this part of the size is a pinch.
 const PINCH: f64 = 1e-4;
+
+/// Golden sections by which the narrowest row between two is found: they leave 1e-10 of the gap.
+const SECTIONS: usize = 48;
 
 /// Rows that are looked at to find size, poles and pinches.
 const ROWS: usize = 96;
@@ -147,7 +151,8 @@ impl Skin {
         self.poles = [widths[0], widths[ROWS]].map(|width| width <= POLE * self.size);
         for i in 1..ROWS {
             if widths[i] <= widths[i - 1] && widths[i] <= widths[i + 1] {
-                let (s, width) = self.narrowest((i - 1) as f64 / ROWS as f64, (i + 1) as f64 / ROWS as f64, &columns);
+                let (before, after) = ((i - 1) as f64 / ROWS as f64, (i + 1) as f64 / ROWS as f64);
+                let (s, width) = golden_section::least(before, after, SECTIONS, |s| self.width(s, &columns));
                 if width <= PINCH * self.size {
                     let at = self.mean(s);
                     let message = format!(
@@ -159,25 +164,6 @@ impl Skin {
             }
         }
         Ok(())
-    }
-
-    /// The narrowest row between two, by golden sections.
-    fn narrowest(&self, from: f64, to: f64, columns: &Columns) -> (f64, f64) {
-        const GOLDEN: f64 = 0.618_033_988_749_895;
-        let (mut from, mut to) = (from, to);
-        let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)].map(|s| (s, self.width(s, columns)));
-        for _ in 0..48 {
-            if inner[0].1 < inner[1].1 {
-                to = inner[1].0;
-                let s = to - GOLDEN * (to - from);
-                inner = [(s, self.width(s, columns)), inner[0]];
-            } else {
-                from = inner[0].0;
-                let s = from + GOLDEN * (to - from);
-                inner = [inner[1], (s, self.width(s, columns))];
-            }
-        }
-        if inner[0].1 < inner[1].1 { inner[0] } else { inner[1] }
     }
 
     /// Twice the largest distance of a row from its mean.

@@ -1,4 +1,4 @@
-//! The quadrature rule along a face: Gauss-Legendre with ten nodes, extended by Kronrod to twenty-one.
+//! The Gauss-Kronrod rule: Gauss-Legendre with ten nodes, extended by Kronrod to twenty-one, so that the two tell the error of the longer.
 
 /// Nodes on [-1, 1], from 1 down to 0, and their weights: of Kronrod's rule, and of Gauss's, which has every second node.
 ///
@@ -18,7 +18,7 @@ const NODES: [(f64, f64, f64); 11] = [
 ];
 
 /// The nodes of both rules on an interval with their weights: place, Kronrod's weight, Gauss's weight or 0.
-pub(super) fn nodes(from: f64, to: f64) -> impl Iterator<Item = (f64, f64, f64)> {
+pub(crate) fn nodes(from: f64, to: f64) -> impl Iterator<Item = (f64, f64, f64)> {
     let (middle, half) = (0.5 * from + 0.5 * to, 0.5 * (to - from));
     let at = move |x: f64, kronrod: f64, gauss: f64| (middle + half * x, half * kronrod, half * gauss);
     let lower = NODES.iter().map(move |&(x, kronrod, gauss)| at(-x, kronrod, gauss));
@@ -28,7 +28,7 @@ pub(super) fn nodes(from: f64, to: f64) -> impl Iterator<Item = (f64, f64, f64)>
 
 /// The error of Kronrod's sum, from its difference to Gauss's and from how much the integrand departs from its mean (QUADPACK's estimate: the
 /// power 3/2 is for the twelve further degrees of the longer rule), and no more than the difference: the longer rule is not worse than the shorter.
-pub(super) fn error(difference: f64, departure: f64) -> f64 {
+pub(crate) fn error(difference: f64, departure: f64) -> f64 {
     let ratio = 200.0 * difference / departure;
     if difference == 0.0 || !(departure > 0.0) {
         difference

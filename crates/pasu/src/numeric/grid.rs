@@ -1,0 +1,154 @@
+//! Extremes over a whole surface: the best points of an even grid, each [climbed](super::climb) to the top.
+
+use core::f64::consts::TAU;
+
+use super::climb::{Place, climb};
+
+/// What a face is at the points of an even grid, to be searched for several functions.
+pub(crate) struct Grid<T> {
+    rows: usize,
+    columns: usize,
+    points: Vec<T>,
+}
+
+/// How far from a top the function is looked at again, as a part of the first step: so near that a smooth one has changed by rounding alone.
+const LAST: f64 = 1e-8;
+
+/// Local extremes of a grid that are followed to the end. Petals repeat the same one; a shape of several has not many nearly as large.
+const FOLLOWED: usize = 6;
+
+impl<T> Grid<T> {
+    /// Samples a function of `(a, v)`: `rows` rows from `a = 0` to 1, and round `v` as many columns.
+    pub(crate) fn new(rows: usize, columns: usize, mut at: impl FnMut(f64, f64) -> T) -> Grid<T> {
+        let (rows, columns) = (rows.max(2), columns.max(4));
+        let mut points = Vec::with_capacity(rows * columns);
+        for i in 0..rows {
+            let a = i as f64 / (rows - 1) as f64;
+            points.extend((0..columns).map(|j| at(a, TAU * j as f64 / columns as f64)));
+        }
+        Grid { rows, columns, points }
+    }
+
+    pub(crate) fn points(&self) -> &[T] {
+        &self.points
+    }
+
+    /// Where point number `index` is.
+    pub(crate) fn place(&self, index: usize) -> (f64, f64) {
+        let (row, column) = (index / self.columns, index % self.columns);
+        (row as f64 / (self.rows - 1) as f64, TAU * column as f64 / self.columns as f64)
+    }
+
+    /// The neighbours of a point on either side: along `a`, where it has both, and round `v`.
+    pub(crate) fn neighbours(&self, index: usize) -> [Option<[usize; 2]>; 2] {
+        let (row, column, n) = (index / self.columns, index % self.columns, self.columns);
+        let along = (row > 0 && row + 1 < self.rows).then(|| [index - n, index + n]);
+        let round = [(column + n - 1) % n, (column + 1) % n].map(|column| row * n + column);
+        [along, Some(round)]
+    }
+
+    pub(crate) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    pub(crate) fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The distance between neighbours.
+    pub(crate) fn steps(&self) -> (f64, f64) {
+        (1.0 / (self.rows - 1) as f64, TAU / self.columns as f64)
+    }
+
+    /// The greatest value of a function of the face, and where: the best local extremes of the grid are each climbed to the top. Values that are not finite are passed over.
+    pub(crate) fn greatest(&self, of: impl Fn(&T) -> f64, at: impl Fn(f64, f64) -> T) -> Option<Place> {
+        let values: Vec<f64> = self.points.iter().map(&of).collect();
+        let mut tops: Vec<usize> = (0..values.len()).filter(|&index| self.is_top(&values, index)).collect();
+        tops.sort_by(|&i, &j| values[j].total_cmp(&values[i]).then(i.cmp(&j)));
+        let (step_a, step_v) = self.steps();
+        let mut best: Option<Place> = None;
+        for &index in tops.iter().take(FOLLOWED) {
+            let (a, v) = self.place(index);
+            let start = Place { a, v, value: values[index] };
+            let top = climb(start, step_a, step_v, |a, v| of(&at(a, v)));
+            if best.is_none_or(|best| top.value > best.value) {
+                best = Some(top);
+            }
+        }
+        best
+    }
+
+    /// As [`Self::greatest`], with how far the value may be off: what the same search from another grid finds otherwise, and how much the function changes over the last step. Where the
+    /// function is smooth that is little more than its rounding.
+    pub(crate) fn greatest_and_error(
+        &self,
+        other: &Grid<T>,
+        of: impl Fn(&T) -> f64,
+        at: impl Fn(f64, f64) -> T,
+    ) -> Option<(Place, f64)> {
+        let found = [self.greatest(&of, &at), other.greatest(&of, &at)];
+        let best = found.into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value))?;
+        let between = found.into_iter().flatten().fold(0.0f64, |most, place| most.max(best.value - place.value));
+        let (step_a, step_v) = self.steps();
+        // At an end the function may rise towards it.
+        let p = if best.a > 0.0 && best.a < 1.0 { LAST * step_a } else { 0.0 };
+        let q = LAST * step_v;
+        let mut change = 0.0f64;
+        for (a, v) in [(p, 0.0), (-p, 0.0), (0.0, q), (0.0, -q), (p, q), (-p, -q)] {
+            let near = of(&at((best.a + a).clamp(0.0, 1.0), best.v + v));
+            if near.is_finite() {
+                change = change.max((best.value - near).abs());
+            }
+        }
+        Some((best, 2.0 * (between + change)))
+    }
+
+    /// Every local top that begins above a value, climbed.
+    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, at: impl Fn(f64, f64) -> T) -> Vec<Place> {
+        let values: Vec<f64> = self.points.iter().map(&of).collect();
+        let (step_a, step_v) = self.steps();
+        let starts = (0..values.len()).filter(|&index| values[index] > above && self.is_top(&values, index));
+        starts
+            .map(|index| {
+                let (a, v) = self.place(index);
+                climb(Place { a, v, value: values[index] }, step_a, step_v, |a, v| of(&at(a, v)))
+            })
+            .collect()
+    }
+
+    fn is_top(&self, values: &[f64], index: usize) -> bool {
+        let (row, column) = (index / self.columns, index % self.columns);
+        let here = values[index];
+        // Of equal neighbours the first counts: a level curve has one top, not as many as columns.
+        here.is_finite()
+            && [-1, 0, 1].iter().all(|down: &isize| {
+                let Some(row) = row.checked_add_signed(*down).filter(|row| *row < self.rows) else { return true };
+                [self.columns - 1, 0, 1].iter().all(|right| {
+                    let other = row * self.columns + (column + right) % self.columns;
+                    let there = values[other];
+                    !(there > here || there == here && other < index)
+                })
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tops_inside_and_at_ends() {
+        type Hill = (&'static str, fn(f64, f64) -> f64, f64);
+        let hills: [Hill; 5] = [
+            ("round", |a, v| 3.0 - (a - 0.3).powi(2) - (v - 2.0).sin().powi(2), 3.0),
+            ("ridge", |a, _| 2.0 - (a - 0.71).powi(2), 2.0),
+            ("askew", |a, v| 1.0 - (5.0 * (a - 0.4) + (v - 1.0).sin()).powi(2) - 0.01 * (a - 0.5).powi(2), 1.0),
+            ("at an end", |a, v| a + 0.1 * (3.0 * v).cos(), 1.1),
+            ("kink", |a, v| 1.0 - (a - 0.37).abs() - (0.5 * (v - 4.0)).sin().abs(), 1.0),
+        ];
+        for (name, hill, top) in hills {
+            let found = Grid::new(17, 24, hill).greatest(|value| *value, hill).unwrap();
+            assert!((found.value - top).abs() < if name == "kink" { 1e-7 } else { 1e-12 }, "{name}: {found:?}");
+        }
+    }
+}
