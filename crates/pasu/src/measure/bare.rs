@@ -7,9 +7,8 @@ use glam::{DMat3, DVec3};
 
 use crate::design::Part;
 use crate::error::Result;
-use crate::mesh::points_outward;
 use crate::solid::{Face, FaceJet, FaceKind, Seams};
-use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns};
+use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns, points_outward};
 
 /// The placed surface `X(u, v)` of a part, from foot (`a = 0`) to rim (`a = 1`).
 ///

@@ -1,5 +1,8 @@
 //! What a mesh is, and how it is asked for.
 
+/// The most vertices that a mesh may have.
+pub const VERTEX_LIMIT: usize = 16_000_000;
+
 /// Triangles of a whole design, in model units, after placement.
 ///
 /// Every part is one grid of `rows x columns` vertices, row by row: row `i` is a curve of constant `u`, column `j` that of constant

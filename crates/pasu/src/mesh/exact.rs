@@ -4,8 +4,8 @@ use glam::{DMat3, DVec3};
 
 use super::normal::{self, Facing, write_single};
 use super::part::PartGrid;
-use super::row::Row;
-use crate::surface::{BLOCK, Block, ColumnTable, RowTable};
+use crate::error::{Code, Error, Result};
+use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable};
 
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
 const MOST_WITHOUT: usize = 256;
@@ -29,14 +29,22 @@ pub(super) struct ExactRows<'a> {
 impl<'a> ExactRows<'a> {
     pub(super) fn new(grid: &'a PartGrid, n_columns: usize) -> Self {
         // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
-        let outward = cofactors(grid.matrix) * if grid.is_wound_forwards() { 1.0 } else { -1.0 };
+        let outward = cofactors(grid.matrix) * grid.sign();
         let (coefficients, row) = (RowTable::default(), Row::default());
         ExactRows { grid, n_columns, table: None, coefficients, row, u: 0.0, second: None, n_without: 0, outward }
     }
 
-    /// Fills the row at `u`.
-    pub(super) fn fill(&mut self, u: f64, positions: &mut [f32], normals: &mut [f32]) {
-        self.take(u);
+    /// Fills a row of the grid.
+    ///
+    /// # Errors
+    /// `overflow` for a point beyond single precision.
+    pub(super) fn fill(&mut self, row: usize, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
+        self.take(row);
+        self.write(positions, normals);
+        self.check(row, positions)
+    }
+
+    fn write(&mut self, positions: &mut [f32], normals: &mut [f32]) {
         let positions = positions.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
         let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
         for (block, (positions, normals)) in positions.zip(normals).enumerate() {
@@ -46,9 +54,23 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals at the columns of the row at `u` that are wanted.
-    pub(super) fn normals(&mut self, u: f64, wanted: &[bool], normals: &mut [f32]) {
-        self.take(u);
+    fn check(&self, row: usize, positions: &[f32]) -> Result<()> {
+        match positions.iter().position(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(index) => {
+                let path = format!("parts[{}]", self.grid.index);
+                let message = format!(
+                    "the surface runs beyond what a mesh can hold at row {row}, column {}; numbers up to 3e38 can be held",
+                    index / 3
+                );
+                Err(Error::new(Code::Overflow, path, message))
+            }
+        }
+    }
+
+    /// Fills the normals at the columns of a row of the grid that are wanted.
+    pub(super) fn normals(&mut self, row: usize, wanted: &[bool], normals: &mut [f32]) {
+        self.take(row);
         let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
         for (block, (normals, wanted)) in normals.zip(wanted.chunks(BLOCK)).enumerate() {
             if wanted.contains(&true) {
@@ -62,7 +84,8 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    fn take(&mut self, u: f64) {
+    fn take(&mut self, row: usize) {
+        let u = self.grid.tessellation.row(row);
         let table = self.table.get_or_insert_with(|| ColumnTable::new(&self.grid.surface, self.n_columns));
         self.coefficients.take(&self.grid.surface, &table.distinct, u);
         self.row.fill(&self.coefficients);

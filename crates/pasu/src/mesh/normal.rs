@@ -2,8 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::row::Sums;
-use crate::surface::{BLOCK, Block, Surface, SurfaceJet};
+use crate::surface::{BLOCK, Block, Sums, Surface, SurfaceJet};
 
 /// `X_u x X_v` counts as vanished when it is this small against the lengths of both: then its direction is rounding.
 const VANISHED: f64 = 1e-10;

@@ -4,18 +4,13 @@ use core::fmt::Write;
 
 use glam::{DMat3, DVec3};
 
-use super::coefficients::{Coefficients, ROWS};
 use super::contract::{Mesh, MeshOptions};
-use super::copies::Copies;
-use super::exact::ExactRows;
 use super::grid::append_triangles;
-use super::kernel::{self, Circles};
-use super::orientation::is_outward;
 use super::profile::Profile;
 use super::tolerance::Tessellation;
 use crate::design::Part;
-use crate::error::{Code, Error, Result};
-use crate::surface::{Curves, Surface, Turns};
+use crate::error::Result;
+use crate::surface::{Curves, Surface, is_outward};
 
 /// One part, ready to be sampled.
 pub(super) struct PartGrid {
@@ -27,19 +22,9 @@ pub(super) struct PartGrid {
     pub(super) shift: DVec3,
     /// Whether `X_u x X_v` points away from the inside, before placement.
     is_outward: bool,
-    curves: Curves,
-    index: usize,
-}
-
-/// What sampling needs besides the mesh, kept from one mesh to the next.
-#[derive(Debug, Default)]
-pub(super) struct Workspace {
-    coefficients: Coefficients,
-    turns: Turns,
-    circles: Circles,
-    copies: Copies,
-    /// Whether the normal at a column of a row is to be formed in double precision.
-    unsure: Vec<bool>,
+    pub(super) curves: Curves,
+    /// The number of the part.
+    pub(super) index: usize,
 }
 
 impl PartGrid {
@@ -95,6 +80,11 @@ impl PartGrid {
         self.is_outward != (self.matrix.determinant() < 0.0)
     }
 
+    /// What turns `X_u x X_v` outward.
+    pub(super) fn sign(&self) -> f64 {
+        if self.is_wound_forwards() { 1.0 } else { -1.0 }
+    }
+
     /// Appends what depends on the grid alone, and room for positions and normals.
     pub(super) fn append_to(&self, mesh: &mut Mesh) {
         let (rows, columns) = self.tessellation.counts();
@@ -109,73 +99,5 @@ impl PartGrid {
         let first = mesh.indices.len() as u32;
         append_triangles(&mut mesh.indices, base, rows as u32, columns as u32, self.is_wound_forwards());
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.index as u32]);
-    }
-
-    /// Fills positions and normals.
-    ///
-    /// # Errors
-    /// `overflow` for a point beyond single precision.
-    pub(super) fn sample(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
-        let Workspace { coefficients, turns, circles, copies, unsure } = workspace;
-        let curves = &self.curves;
-        let mut reached = 0.0;
-        let (rows, columns) = self.tessellation.counts();
-        let sign = if self.is_wound_forwards() { 1.0 } else { -1.0 };
-        let mut exact = ExactRows::new(self, columns);
-        if !self.is_precise {
-            turns.divide(columns - 1);
-            let folds = kernel::folds(self.surface.is_closed(), columns);
-            coefficients.prepare(curves, self.matrix, self.shift, folds);
-            reached = coefficients.reached(&self.surface, curves, &self.tessellation);
-            circles.prepare(coefficients, self.surface.is_closed(), turns, columns);
-            copies.prepare(coefficients, turns, columns);
-        }
-        for first in (0..rows).step_by(ROWS) {
-            let u = core::array::from_fn(|row| self.tessellation.row((first + row).min(rows - 1)));
-            if !self.is_precise {
-                coefficients.take(&self.surface, curves, u);
-            }
-            for (row, index) in (first..rows).take(ROWS).enumerate() {
-                if !self.is_precise && copies.take(coefficients, turns, (index, row), columns, reached, sign) {
-                    continue;
-                }
-                let range = 3 * columns * index..3 * columns * (index + 1);
-                let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range))
-                else {
-                    continue;
-                };
-                if !self.is_precise {
-                    coefficients.round(reached);
-                }
-                if self.is_precise || coefficients.is_exact[row] {
-                    exact.fill(u[row], positions, normals);
-                    self.check(index, positions)?;
-                    continue;
-                }
-                unsure.clear();
-                unsure.resize(columns, false);
-                if circles.row(coefficients, row, sign as f32, positions, normals, unsure) {
-                    exact.normals(u[row], unsure, normals);
-                }
-            }
-            if !self.is_precise {
-                copies.write(first + ROWS >= rows, columns, positions, normals);
-            }
-        }
-        Ok(())
-    }
-
-    fn check(&self, row: usize, positions: &[f32]) -> Result<()> {
-        match positions.iter().position(|x| !x.is_finite()) {
-            None => Ok(()),
-            Some(index) => {
-                let path = format!("parts[{}]", self.index);
-                let message = format!(
-                    "the surface runs beyond what a mesh can hold at row {row}, column {}; numbers up to 3e38 can be held",
-                    index / 3
-                );
-                Err(Error::new(Code::Overflow, path, message))
-            }
-        }
     }
 }

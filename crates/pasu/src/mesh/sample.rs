@@ -1,13 +1,11 @@
 //! Sampling a design on grids.
 
-use super::contract::{Mesh, MeshOptions};
-use super::part::{PartGrid, Workspace};
+use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
+use super::fill::Workspace;
+use super::part::PartGrid;
 use crate::design::{Design, Part, plain};
 use crate::error::{Code, Error, Result};
 use crate::surface::Curves;
-
-/// The most vertices that a mesh may have.
-pub const VERTEX_LIMIT: usize = 16_000_000;
 
 /// The mesh of every part of a design, placed, in one set of arrays.
 ///
@@ -70,7 +68,7 @@ impl Sampler {
             if let (Some(positions), Some(normals)) =
                 (mesh.positions.get_mut(range.clone()), mesh.normals.get_mut(range))
             {
-                grid.sample(&mut self.workspace, positions, normals)?;
+                self.workspace.fill(grid, positions, normals)?;
             }
         }
         self.mesh = mesh;

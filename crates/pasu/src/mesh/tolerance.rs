@@ -2,10 +2,9 @@
 
 use xxhash_rust::xxh64::Xxh64;
 
-use super::coefficients::POSITION_ERROR;
-use super::contract::MeshOptions;
+use super::contract::{MeshOptions, VERTEX_LIMIT};
 use super::profile::{Bend, Profile};
-use super::sample::VERTEX_LIMIT;
+use super::promise::POSITION_ERROR;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
 use crate::numeric::bisection;

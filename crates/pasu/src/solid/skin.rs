@@ -8,9 +8,8 @@ use glam::{DMat3, DVec3};
 use super::frame::Frame;
 use crate::design::{Part, plain};
 use crate::error::{Code, Error, Result};
-use crate::mesh::points_outward;
 use crate::numeric::golden_section;
-use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns};
+use crate::surface::{RowTable, Surface, SurfaceJet, distinct, of_turns, points_outward};
 
 /// An end no wider than this part of the size is a point.
 const POLE: f64 = 1e-6;

@@ -2,9 +2,10 @@
 //!
 //! Such a row is hardly more than its stores. What is computed between two rows would have to wait until memory has taken the first, and memory for it in turn: a third of the time of a large mesh.
 
-use super::coefficients::Coefficients;
+use super::copy::{Circle, Original};
 use super::outline::{Outline, OutlineRow};
 use super::ring::{Pattern, RingRow};
+use super::waves::Waves;
 use crate::surface::Turns;
 
 /// Rows that wait before they are written: enough that the way there and back is nothing beside them.
@@ -13,6 +14,8 @@ const MOST_WAITING: usize = 64;
 /// The tables that copies are made from, and the rows that wait to be written.
 #[derive(Debug, Default)]
 pub(super) struct Copies {
+    /// What copies are of.
+    pub(super) original: Original,
     pattern: Pattern,
     outline: Outline,
     /// Whether the surface has an outline, once that was asked.
@@ -27,30 +30,31 @@ enum Row {
 }
 
 impl Copies {
-    /// Takes another surface.
-    pub(super) fn prepare(&mut self, coefficients: &Coefficients, turns: &Turns, n_columns: usize) {
+    /// Takes another surface, whose original has been found.
+    pub(super) fn prepare(&mut self, waves: &Waves, turns: &Turns, n_columns: usize) {
         self.has_outline = None;
         self.waiting.clear();
-        if let [harmonic] = coefficients.harmonics.as_slice() {
+        if let [harmonic] = waves.harmonics.as_slice() {
             self.pattern.prepare(harmonic.n, n_columns, turns);
         }
     }
 
-    /// Takes row `index` of the mesh, which is one of the four of the coefficients, normals times `sign`; false where it is no copy, or single precision may not hold it.
+    /// Takes row `index` of the mesh, which is one of the four of the waves, normals times `sign`; false where it is no copy, or single precision may not hold it.
     pub(super) fn take(
         &mut self,
-        coefficients: &Coefficients,
+        waves: &Waves,
         turns: &Turns,
         (index, row): (usize, usize),
         n_columns: usize,
         largest: f64,
         sign: f64,
     ) -> bool {
-        let ring = coefficients.circle(row).and_then(|circle| RingRow::of(&circle, largest, sign));
+        let ring = Circle::of(waves, row).and_then(|circle| RingRow::of(&circle, largest, sign));
         let row = ring.map(Row::Ring).or_else(|| {
-            let copy = coefficients.scaled(row)?;
-            let outline = &mut self.outline;
-            let has_outline = *self.has_outline.get_or_insert_with(|| outline.prepare(coefficients, turns, n_columns));
+            let Copies { original, outline, has_outline, .. } = self;
+            let copy = original.scaled(waves, row)?;
+            let has_outline =
+                *has_outline.get_or_insert_with(|| outline.prepare(original, &waves.harmonics, turns, n_columns));
             outline.row(&copy, largest, sign).filter(|_| has_outline).map(Row::Outline)
         });
         self.waiting.extend(row.map(|row| (index, row)));

@@ -1,7 +1,9 @@
 //! Which side of a surface is its outside.
 
+use super::curves::Curves;
 use super::row::{Row, Sums};
-use crate::surface::{BLOCK, Block, ColumnTable, Curves, Surface};
+use super::solve::Surface;
+use super::table::{BLOCK, Block, ColumnTable};
 
 /// Enough of the surface to know the sign of the volume that it goes round.
 const ROWS: usize = 17;
@@ -12,7 +14,7 @@ const COLUMNS: usize = 61;
 ///
 /// Slice by slice, the flux of `(x, y, 0)` through the surface is twice the area that the surface goes round, whatever lies at rim and foot; its sign
 /// tells the side. It is taken about the middle of each row, so that a leaning pot counts by its slices. A surface that goes round nothing keeps `X_u x X_v`.
-pub(super) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
+pub(crate) fn is_outward(surface: &Surface, curves: &Curves) -> bool {
     let flux = if surface.is_closed() && goes_round_level_slices(curves) {
         level_flux(surface, curves)
     } else {

@@ -3,7 +3,9 @@
 //! This is where a mesh's time goes. A vertex costs three multiplications and additions per datum that is not 0, a square root and a division; tables and
 //! coefficients are made once per column and row.
 
-use crate::surface::{Block, Curves, RowTable, RowTerm, Surface};
+use super::curves::Curves;
+use super::solve::Surface;
+use super::table::{Block, RowTable, RowTerm};
 
 /// One datum of one mode at one row: adds `value cos(k v)` to the position, `slope cos(k v)` to `X_u` and `turned sin(k v)` to `X_v`; a datum of
 /// `sin(k v)` has the two exchanged.
@@ -18,15 +20,15 @@ struct Strand {
 
 /// Position and tangents at the columns of one block, component by component.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sums {
-    pub(super) position: [Block; 3],
-    pub(super) du: [Block; 3],
-    pub(super) dv: [Block; 3],
+pub(crate) struct Sums {
+    pub(crate) position: [Block; 3],
+    pub(crate) du: [Block; 3],
+    pub(crate) dv: [Block; 3],
 }
 
 /// The strands of one row, kept to be filled again: for each component those of `cos` and those of `sin`.
 #[derive(Debug, Default)]
-pub(super) struct Row {
+pub(crate) struct Row {
     strands: [[Vec<Strand>; 2]; 3],
     /// The squared lengths that `X_u` and `X_v` would have if nothing cancelled.
     terms: [f64; 2],
@@ -34,7 +36,7 @@ pub(super) struct Row {
 
 impl Row {
     /// Takes the coefficients of a row.
-    pub(super) fn fill(&mut self, row: &RowTable<2>) {
+    pub(crate) fn fill(&mut self, row: &RowTable<2>) {
         for ([cosines, sines], terms) in self.strands.iter_mut().zip(&row.components) {
             cosines.clear();
             sines.clear();
@@ -51,7 +53,7 @@ impl Row {
     }
 
     /// Takes the coefficients of a row to the digits that [`Curves`] promise.
-    pub(super) fn fill_roughly(&mut self, surface: &Surface, curves: &Curves, distinct: &[f64], u: f64) {
+    pub(crate) fn fill_roughly(&mut self, surface: &Surface, curves: &Curves, distinct: &[f64], u: f64) {
         for strands in self.strands.as_flattened_mut() {
             strands.clear();
         }
@@ -81,12 +83,12 @@ impl Row {
     }
 
     /// The squared lengths that `X_u` and `X_v` would have if nothing cancelled.
-    pub(super) fn terms(&self) -> [f64; 2] {
+    pub(crate) fn terms(&self) -> [f64; 2] {
         self.terms
     }
 
     /// The sums at one block of the columns of the same surface.
-    pub(super) fn sums(&self, circles: &[[Block; 2]]) -> Sums {
+    pub(crate) fn sums(&self, circles: &[[Block; 2]]) -> Sums {
         let mut sums = Sums::default();
         for (axis, [cosines, sines]) in self.strands.iter().enumerate() {
             let (mut position, mut du, mut dv) = (Block::ZERO, Block::ZERO, Block::ZERO);

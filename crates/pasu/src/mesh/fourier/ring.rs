@@ -1,8 +1,7 @@
 //! Rows that are circles: every vertex is a multiple of one pattern.
 
-use super::coefficients::Circle;
+use super::copy::{Circle, Scaled};
 use super::lanes::Lanes;
-use super::outline::Scaled;
 use crate::surface::Turns;
 
 /// What a row's vertices are made of: `radius` times the pattern plus `centre`, with a normal of `level` times the pattern and `upright`.

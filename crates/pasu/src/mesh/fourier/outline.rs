@@ -1,41 +1,9 @@
 //! Rows that are scaled copies of one outline: their positions are multiples of it, and two numbers make their normals of its tangents.
 
-use super::coefficients::{Coefficients, HALF_UNIT, POSITION_ERROR};
+use super::copy::{Original, Scaled};
 use super::lanes::{Lanes, write};
+use super::waves::Harmonic;
 use crate::surface::Turns;
-
-/// A row at height `z` about the point `(x, y)`: `X = (x + a P_x(v), y + a P_y(v), z)` of the outline `P`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Scaled {
-    pub(super) centre: [f64; 3],
-    /// `z'`, the slope of the height.
-    pub(super) rise: f64,
-    /// `a`.
-    pub(super) scale: f64,
-    /// `a'`.
-    pub(super) slope: f64,
-    /// How far `X_u` and `X_v` may be off.
-    pub(super) noise: [f64; 2],
-}
-
-impl Scaled {
-    /// Whether single precision holds the positions of a mesh with a coordinate of at least `largest`, for an outline of this size.
-    ///
-    /// Outline, `a` and their product are rounded, then the centre, and the sum at last.
-    pub(super) fn is_held(&self, size: f64, largest: f64) -> bool {
-        let centre = self.centre.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-        let farthest = self.scale.abs() * size + centre;
-        4.0 * HALF_UNIT * farthest <= POSITION_ERROR * largest && farthest < f64::from(f32::MAX)
-    }
-
-    /// Whether directions that are made of `X_u` and of `X_v`, of these lengths, are known to all digits that a normal has.
-    pub(super) fn tells(&self, lengths: [f64; 2]) -> bool {
-        self.noise.iter().zip(lengths).all(|(noise, length)| *noise <= SURE * length)
-    }
-}
-
-/// What a direction may be off, in radians, by more than the arithmetic of single precision: too little to be seen among that.
-const SURE: f64 = 1e-7;
 
 /// What a copy's vertices are made of: its centre, `a`, and the two numbers of its normals.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,10 +34,16 @@ const SHORTEST: f64 = 1e-4;
 
 impl Outline {
     /// Takes the outline of a surface, and says whether there is one whose copies have their normals by it: not where it comes to a stop.
-    pub(super) fn prepare(&mut self, coefficients: &Coefficients, turns: &Turns, n_columns: usize) -> bool {
+    pub(super) fn prepare(
+        &mut self,
+        original: &Original,
+        harmonics: &[Harmonic],
+        turns: &Turns,
+        n_columns: usize,
+    ) -> bool {
         self.columns.resize(n_columns, [[0.0; 2]; 2]);
         self.blocks.clear();
-        if !coefficients.trace_outline(turns, &mut self.columns) {
+        if !original.trace(harmonics, turns, &mut self.columns) {
             return false;
         }
         let (mut reach, mut speeds, mut size) = ([f64::INFINITY, 0.0f64], [f64::INFINITY, 0.0f64], 0.0f64);

@@ -1,0 +1,212 @@
+//! One row of a mesh in single precision.
+//!
+//! A vertex is a sum of products of a row's coefficients with a column's cosines and sines. Where every `n` is whole, columns `v` and `-v` have the same sums but for the
+//! sign of the sines, and columns half a turn apart but for the sign of the odd `n`: up to four columns are had from one set of sums.
+
+use super::block::{open_block, quartered_block, turned_block};
+use super::form::{Both, Form, Split, Task};
+use super::lanes::Lanes;
+use super::strands::{Layout, Strands};
+use super::watch::{EachNormal, Limits, WARY_ROWS, Watch, WholeRow};
+use super::waves::Harmonic;
+use crate::surface::Turns;
+
+/// Which columns share their sums.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Fold {
+    /// None: the surface does not close, or the number of steps round it is odd or very small.
+    #[default]
+    Open,
+    /// `v`, `-v` and both half a turn on.
+    Quartered,
+}
+
+/// The fewest steps round the axis for which no block of a folded row reaches over the end of it.
+const LEAST_FOLDED: usize = 12;
+
+/// Whether columns share their sums, as in [`Fold::Quartered`].
+pub(super) fn folds(is_closed: bool, n_columns: usize) -> bool {
+    let n_steps = n_columns - 1;
+    is_closed && n_steps >= LEAST_FOLDED && n_steps.is_multiple_of(2)
+}
+
+/// Cosines and sines of the columns whose sums are formed, four at a time.
+#[derive(Debug, Default)]
+pub(super) struct Circles {
+    fold: Fold,
+    n_columns: usize,
+    /// Block by block, cosine and sine of each harmonic.
+    pairs: Vec<[Lanes; 2]>,
+    n_harmonics: usize,
+    /// For the columns of each block and those that share their sums, the lanes whose normals single precision does not hold.
+    unsure: Vec<[u8; 4]>,
+    /// How many more rows are to be asked normal by normal.
+    n_wary: u32,
+}
+
+impl Circles {
+    /// Makes the tables for a number of columns.
+    pub(super) fn prepare(&mut self, harmonics: &[Harmonic], is_closed: bool, turns: &Turns, n_columns: usize) {
+        let n_steps = n_columns - 1;
+        let fold = if folds(is_closed, n_columns) { Fold::Quartered } else { Fold::Open };
+        let n_formed = match fold {
+            Fold::Open => n_columns,
+            Fold::Quartered => n_steps / 4 + 1,
+        };
+        let n_blocks = n_formed.div_ceil(4);
+        self.n_harmonics = harmonics.len();
+        self.n_columns = n_columns;
+        self.fold = fold;
+        self.n_wary = 0;
+        self.pairs.clear();
+        self.pairs.resize(n_blocks * self.n_harmonics, [Lanes::ZERO; 2]);
+        self.unsure.clear();
+        self.unsure.resize(n_blocks, [0; 4]);
+        for (index, harmonic) in harmonics.iter().enumerate() {
+            let mut walk = turns.walk(harmonic.n);
+            for pair in self.pairs.iter_mut().skip(index).step_by(self.n_harmonics) {
+                let lanes: [(f64, f64); 4] = core::array::from_fn(|_| walk.next().unwrap_or((1.0, 0.0)));
+                *pair = [lanes.map(|(cos, _)| cos as f32).into(), lanes.map(|(_, sin)| sin as f32).into()];
+            }
+        }
+    }
+
+    /// Writes positions and unit normals of one of the four rows, normals times `sign`; marks every column whose normal single precision does not hold and says whether there are any.
+    #[inline(never)]
+    pub(super) fn row(
+        &mut self,
+        strands: &Strands,
+        row: usize,
+        sign: f32,
+        positions: &mut [f32],
+        normals: &mut [f32],
+        unsure: &mut [bool],
+    ) -> bool {
+        let row = row & 3;
+        let at = |lanes: Lanes| Lanes::splat(lanes.to_array()[row]);
+        let task = Task {
+            constant: strands.constant.map(|pair| pair.map(at)),
+            limits: Limits { tilt: strands.tilt.map(at), steepest: at(strands.steepest) },
+            sign: Lanes::splat(sign),
+            n_even: strands.n_even,
+            n_steps: self.n_columns - 1,
+        };
+        // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
+        if self.n_wary == 0 {
+            if self.columns::<WholeRow>(strands, row, &task, positions, normals) {
+                self.close(positions, normals);
+                return false;
+            }
+            self.n_wary = WARY_ROWS;
+        }
+        self.n_wary = self.n_wary.saturating_sub(1);
+        let is_sure = self.columns::<EachNormal>(strands, row, &task, positions, normals);
+        if !is_sure {
+            self.mark(unsure);
+        }
+        self.close(positions, normals);
+        !is_sure
+    }
+
+    /// Writes all columns of a row but the last of one that is folded, and says whether all normals are sure.
+    fn columns<W: Watch>(
+        &mut self,
+        strands: &Strands,
+        row: usize,
+        task: &Task,
+        positions: &mut [f32],
+        normals: &mut [f32],
+    ) -> bool {
+        let Strands { layout, is_turned, strands, sine_strands, .. } = strands;
+        match (*layout, self.fold) {
+            (Layout::Split { z_is_sine: true }, Fold::Quartered) => {
+                let layout = Split::<true> { strands, row };
+                self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
+            }
+            (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
+                let layout = Split::<false> { strands, row };
+                if *is_turned && W::IS_WHOLE {
+                    self.each_block(task, &layout, positions, normals, turned_block::<_, W>)
+                } else {
+                    self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
+                }
+            }
+            (_, fold) => {
+                let layout = Both { strands, sine_strands, row };
+                match fold {
+                    Fold::Quartered => self.each_block(task, &layout, positions, normals, quartered_block::<_, W>),
+                    Fold::Open => self.each_block(task, &layout, positions, normals, open_block::<_, W>),
+                }
+            }
+        }
+    }
+
+    /// The last column of a folded row: the seam has the same bits, down to the sign of 0.
+    fn close(&self, positions: &mut [f32], normals: &mut [f32]) {
+        if self.fold != Fold::Open {
+            for array in [positions, normals] {
+                let last = array.len() - 3;
+                array.copy_within(0..3, last);
+            }
+        }
+    }
+
+    /// Every kind of fold and layout is a function of its own: in one large function browsers run out of registers.
+    #[inline(never)]
+    fn each_block<F: Form, W: Watch>(
+        &mut self,
+        task: &Task,
+        layout: &F,
+        positions: &mut [f32],
+        normals: &mut [f32],
+        block: impl Fn(&Task, &F, &[[Lanes; 2]], usize, &mut [f32], &mut [f32]) -> [W; 4],
+    ) -> bool {
+        let n = self.n_harmonics;
+        // A copy of its own, which no write through another reference can change.
+        let task = *task;
+        let mut all = W::SURE;
+        // The last columns of a row that is not folded need not be four.
+        let n_whole = if self.fold == Fold::Open { self.n_columns / 4 } else { usize::MAX };
+        let (mut last_positions, mut last_normals) = ([0.0; 12], [0.0; 12]);
+        for (index, unsure) in self.unsure.iter_mut().enumerate() {
+            let circles = self.pairs.get(index * n..index * n + n).unwrap_or_default();
+            let (positions, normals, column) = if index < n_whole {
+                (&mut *positions, &mut *normals, 4 * index)
+            } else {
+                (last_positions.as_mut_slice(), last_normals.as_mut_slice(), 0)
+            };
+            let seen = block(&task, layout, circles, column, positions, normals);
+            W::keep(seen, unsure);
+            all = all.and(seen[0].and(seen[1])).and(seen[2].and(seen[3]));
+        }
+        if n_whole < self.unsure.len() {
+            for (array, last) in [(positions, last_positions), (normals, last_normals)] {
+                for (to, value) in array.iter_mut().skip(12 * n_whole).zip(last) {
+                    *to = value;
+                }
+            }
+        }
+        all.is_sure()
+    }
+
+    /// Marks the columns of the lanes that were found unsure.
+    fn mark(&self, unsure: &mut [bool]) {
+        let n_steps = self.n_columns - 1;
+        for (block, slots) in self.unsure.iter().enumerate() {
+            for (slot, lanes) in slots.iter().enumerate() {
+                for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
+                    let column = 4 * block + lane;
+                    let column = match (self.fold, slot) {
+                        (Fold::Quartered, 2) => column + n_steps / 2,
+                        (Fold::Quartered, 1) => n_steps - column,
+                        (Fold::Quartered, 3) => n_steps / 2 - column,
+                        _ => column,
+                    };
+                    if let Some(unsure) = unsure.get_mut(column) {
+                        *unsure = true;
+                    }
+                }
+            }
+        }
+    }
+}
