@@ -102,6 +102,7 @@ for (const entry of ["pasu.js", "drawing.js"]) {
             assert.equal(error.code, "not-finite");
             assert.equal(error.path, "parts[0].shape.r[2]");
             assert.match(error.message, /NaN/);
+            assert.ok(!("place" in error));
             return true;
           },
         );
@@ -109,6 +110,23 @@ for (const entry of ["pasu.js", "drawing.js"]) {
     });
   });
 }
+
+test("a refusal says where in space the pot went wrong", async () => {
+  await inFreshProject(async (project) => {
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
+    await pasu.default();
+    const shape = { kind: "second-order", r: [2, 0, -2, 0], t: [0, 0], n: [1, 2], height: 5 };
+    const design = { pasu: 1, parts: [{ shape, wall: { thickness: 0.2, base: 0.3 } }] };
+    assert.throws(
+      () => pasu.solid(design),
+      ({ code, path, place }) => {
+        assert.deepEqual([code, path], ["pinched-surface", "parts[0].shape"]);
+        assert.deepEqual(place.map((x) => Math.round(1e9 * x) / 1e9 + 0), [0, 0, 2.5]);
+        return true;
+      },
+    );
+  });
+});
 
 test("both entries live side by side, say the same and throw the same class", async () => {
   await inFreshProject((project) => {

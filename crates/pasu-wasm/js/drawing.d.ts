@@ -6,7 +6,9 @@ export type {
   DesignSource,
   Mesh,
   MeshOptions,
+  PasuErrorArgs,
   PasuErrorCode,
+  Point,
   Remesh,
 } from "./pasu.js";
 export { bound, default, derivatives, evaluate, fingerprint, link, mesh, PasuError, parse } from "./pasu.js";

@@ -36,13 +36,28 @@ export type PasuErrorCode =
   /** A mistake of Pasu's own. The next call works on a fresh instance. */
   | "bug";
 
+/**
+ * What the message of a refusal names, as far as it names anything: `found`, what was refused; `least` and `greatest`, the range that was expected, `above` and
+ * `below`, the same without its end, `not`, a number that was not expected; `words`, one of which was expected; and what the Rust documentation of `Error::args` lists.
+ */
+export type PasuErrorArgs = Readonly<Record<string, number | string | readonly string[]>>;
+
 /** What every function throws when it refuses. */
 export declare class PasuError extends Error {
-  constructor(code: PasuErrorCode, path: string, message: string, options?: ErrorOptions);
+  constructor(
+    code: PasuErrorCode,
+    path: string,
+    message: string,
+    options?: ErrorOptions & { args?: PasuErrorArgs; place?: Point | undefined },
+  );
   override readonly name: "PasuError";
   readonly code: PasuErrorCode;
   /** Where in the design, such as `parts[2].shape.s[0]`; empty for the design as a whole. */
   readonly path: string;
+  /** What the message names: with the code, what it takes to say it in another language. */
+  readonly args: PasuErrorArgs;
+  /** Where in space, if it went wrong at a point of a pot. */
+  readonly place?: Point;
 }
 
 /** Triangles, counter-clockwise from outside. The arrays are yours. */

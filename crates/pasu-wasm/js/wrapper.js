@@ -3,13 +3,15 @@
 // The WebAssembly instance lives behind this file: errors become PasuError, and an instance that a bug has stopped is
 // replaced by a fresh one, which costs nothing else because every function is stateless.
 
-/** A refusal: `code` says what, `path` where, `message` tells a person. */
+/** A refusal: `code` says what, `path` and `place` where, `message` tells a person, `args` are what the message names. */
 export class PasuError extends Error {
-  constructor(code, path, message, options) {
+  constructor(code, path, message, { args = {}, place, ...options } = {}) {
     super(message, options);
     this.name = "PasuError";
     this.code = code;
     this.path = path;
+    this.args = args;
+    if (place) this.place = place;
   }
 }
 
@@ -87,7 +89,7 @@ export function entry(simd, scalar) {
       return loaded[name](...args);
     } catch (error) {
       if (error instanceof Error && error.name === "PasuError" && error.code !== "bug") {
-        throw new PasuError(error.code, error.path, error.message);
+        throw new PasuError(error.code, error.path, error.message, { args: error.args, place: error.place });
       }
       // Whatever else comes out of the module is a bug of ours, and the instance can no longer be trusted. It is replaced
       // at the next call, not now: the stack may be what has run out.

@@ -207,6 +207,19 @@ fn water_stands_where_it_is_told() {
 }
 
 #[wasm_bindgen_test]
+fn refusals_say_where_in_space_and_what_they_name() {
+    let pinched = CUP.replace("[3, 0, 3, 0]", "[3, 0, -3, 0]");
+    let error = solid(&pinched.into(), &JsValue::UNDEFINED).expect_err("a pinched surface");
+    assert_eq!(at(&error, "code").as_string().as_deref(), Some("pinched-surface"));
+    let place: Vec<f64> = at(&error, "place").unchecked_into::<Array>().iter().filter_map(|x| x.as_f64()).collect();
+    assert!(place.len() == 3 && place.iter().zip([0.0, 0.0, 2.0]).all(|(x, y)| (x - y).abs() < 1e-9), "{place:?}");
+    let error = check(&CUP.into(), &js(r#"{ "shrinkage": 50 }"#)).expect_err("too much");
+    let args = JSON::stringify(&at(&error, "args")).expect("plain data");
+    assert_eq!(args, r#"{"least":0,"below":50,"found":50}"#);
+    assert!(at(&error, "place").is_undefined());
+}
+
+#[wasm_bindgen_test]
 fn wrong_arguments_are_refused_by_name() {
     let cup = JsValue::from(CUP);
     let cases = [

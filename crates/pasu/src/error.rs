@@ -2,15 +2,27 @@
 
 use std::fmt;
 
-/// What went wrong, as a stable kebab-case word ([`Error::code`]), where in the design it went wrong
-/// ([`Error::path`]) and a sentence for the person who caused it ([`Error::message`]).
+/// What went wrong, as a stable code ([`Error::code`]), where in the design it went wrong ([`Error::path`]), a sentence for the person
+/// who caused it ([`Error::message`]), and what that sentence names ([`Error::args`]).
 ///
 /// The codes are public: programs match on them, so a code once released is never renamed.
+///
+/// ```
+/// use pasu::{Arg, Code, Design};
+///
+/// let vase = Design::parse("#1/second-order").unwrap();
+/// let error = pasu::evaluate(&vase, 0, &[0.5, 0.0, 1.5, 0.0]).unwrap_err();
+/// assert_eq!(error.code(), Code::NoSuchPoint);
+/// assert_eq!(error.path(), "at[2]");
+/// assert_eq!(error.message(), "expected u from 0 to 1, found 1.5");
+/// assert_eq!(error.arg("found"), Some(&Arg::Number(1.5)));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Error {
     code: Code,
     path: String,
     message: String,
+    args: Vec<(&'static str, Arg)>,
     /// Coordinates as bits: errors can then be compared.
     place: Option<[u64; 3]>,
 }
@@ -18,8 +30,68 @@ pub struct Error {
 /// The result of everything in Pasu that can be refused.
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The closed set of causes behind [`Error::code`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// One thing that a message names: with the code and the path, a page has what it takes to say it in its own language.
+///
+/// Numbers are equal if their bits are, so that errors can be compared: what was found may be NaN.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub enum Arg {
+    /// A number, a count among them.
+    Number(f64),
+    /// A text of the design, or a word of the format.
+    Text(String),
+    /// Words of the format, one of which was expected.
+    Words(Vec<String>),
+}
+
+impl PartialEq for Arg {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Arg::Number(one), Arg::Number(other)) => one.to_bits() == other.to_bits(),
+            (Arg::Text(one), Arg::Text(other)) => one == other,
+            (Arg::Words(one), Arg::Words(other)) => one == other,
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Arg {}
+
+impl From<f64> for Arg {
+    fn from(number: f64) -> Self {
+        Arg::Number(number)
+    }
+}
+
+impl From<usize> for Arg {
+    fn from(count: usize) -> Self {
+        Arg::Number(count as f64)
+    }
+}
+
+impl From<&str> for Arg {
+    fn from(text: &str) -> Self {
+        Arg::Text(text.to_owned())
+    }
+}
+
+impl From<&[&str]> for Arg {
+    fn from(words: &[&str]) -> Self {
+        Arg::Words(words.iter().map(|word| (*word).to_owned()).collect())
+    }
+}
+
+/// What can go wrong. Causes are added as the format grows, and none is renamed.
+///
+/// ```
+/// use pasu::{Code, Design};
+///
+/// let error = Design::parse("#1/teapot").unwrap_err();
+/// assert_eq!(error.code(), Code::UnknownName);
+/// assert_eq!(error.code().as_str(), "unknown-name");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Code {
     /// The text is not JSON.
     NotJson,
@@ -100,10 +172,36 @@ impl Code {
     }
 }
 
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
 impl Error {
     /// An error at a path of the design (`parts[2].shape.s[0]`; empty for the design as a whole).
+    ///
+    /// For whoever reads documents or options in a language of their own, as the bindings for JavaScript do.
+    ///
+    /// ```
+    /// let error = pasu::Error::new(pasu::Code::OutOfRange, "rows", "expected at least 2 rows, found 1");
+    /// assert_eq!(error.to_string(), "rows: expected at least 2 rows, found 1");
+    /// ```
     pub fn new(code: Code, path: impl Into<String>, message: impl Into<String>) -> Self {
-        Error { code, path: path.into(), message: message.into(), place: None }
+        Error { code, path: path.into(), message: message.into(), args: Vec::new(), place: None }
+    }
+
+    /// The same error with something that its message names. [`Error::args`] lists the names.
+    ///
+    /// ```
+    /// use pasu::{Arg, Code, Error};
+    ///
+    /// let error = Error::new(Code::OutOfRange, "rows", "expected at least 2 rows, found 1").with("found", 1.0);
+    /// assert_eq!(error.args(), [("found", Arg::Number(1.0))]);
+    /// ```
+    pub fn with(mut self, name: &'static str, arg: impl Into<Arg>) -> Self {
+        self.args.push((name, arg.into()));
+        self
     }
 
     /// The same error at another path.
@@ -116,9 +214,9 @@ impl Error {
         Error { place: Some(point.map(f64::to_bits)), ..self }
     }
 
-    /// The stable kebab-case word for the cause.
-    pub fn code(&self) -> &'static str {
-        self.code.as_str()
+    /// What went wrong.
+    pub fn code(&self) -> Code {
+        self.code
     }
 
     /// Where in the design; empty for the design as a whole.
@@ -134,6 +232,31 @@ impl Error {
     /// One sentence in the user's words: what was found and what was expected.
     pub fn message(&self) -> &str {
         &self.message
+    }
+
+    /// What the message names, each under one of these names:
+    ///
+    /// | name | what it is |
+    /// | --- | --- |
+    /// | `found` | the number or the text that was refused, or how many there are |
+    /// | `least`, `greatest` | the range of what was expected, both ends included |
+    /// | `above`, `below` | the same, without the end |
+    /// | `not` | a number that was not expected |
+    /// | `words` | the words one of which was expected |
+    /// | `component`, `n` | the component `x`, `y` or `z` and the mode of an equation |
+    /// | `s`, `t`, `w` | the parameters of the equation |
+    /// | `rows`, `columns` | vertices along `u` and round the axis that a mesh would need or has |
+    /// | `face`, `other` | the faces of a pot that meet where they should not, in the words of [`FaceKind::name`](crate::FaceKind::name) |
+    /// | `thickness` | of the wall, where it was found too thin |
+    ///
+    /// A message that names nothing has none; a name that is not listed here may come with a later release.
+    pub fn args(&self) -> &[(&'static str, Arg)] {
+        &self.args
+    }
+
+    /// One of [`Error::args`] by its name.
+    pub fn arg(&self, name: &str) -> Option<&Arg> {
+        self.args.iter().find(|(known, _)| *known == name).map(|(_, arg)| arg)
     }
 }
 

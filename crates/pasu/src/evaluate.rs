@@ -43,22 +43,24 @@ fn for_each_point(design: &Design, part: usize, at: &[f64], mut visit: impl FnMu
     let parts = design.parts();
     let Some(chosen) = parts.get(part) else {
         let message = format!("expected a part from 0 to {}, found {part}", parts.len() - 1);
-        return Err(Error::new(Code::NoSuchPoint, "part", message));
+        let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
+        return Err(error.with("greatest", parts.len() - 1).with("found", part));
     };
     if !at.len().is_multiple_of(2) {
         let message = format!("expected pairs (u, v), found {} numbers", at.len());
-        return Err(Error::new(Code::NoSuchPoint, "at", message));
+        return Err(Error::new(Code::NoSuchPoint, "at", message).with("found", at.len()));
     }
     let surface = Surface::of_part(chosen, part)?;
     for (i, point) in at.chunks_exact(2).enumerate() {
         let (u, v) = (point[0], point[1]);
         if !(0.0..=1.0).contains(&u) {
             let message = format!("expected u from 0 to 1, found {}", plain(u));
-            return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i), message));
+            let error = Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i), message);
+            return Err(error.with("least", 0.0).with("greatest", 1.0).with("found", u));
         }
         if !v.is_finite() {
             let message = format!("expected a finite v, found {}", plain(v));
-            return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message));
+            return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message).with("found", v));
         }
         visit(&surface.at(u, v));
     }

@@ -40,7 +40,7 @@ pub use design::{
     Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
     Order, Part, Placement, RimForm, SecondOrder, Shape, Side, Span, Unit, Value, Wall,
 };
-pub use error::{Code, Error, Result};
+pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{Drawn, DrawnFace, Format, Sketch, SketchOptions, drawn, open, sketch, write};
 pub use fingerprint::fingerprint;

@@ -11,7 +11,7 @@ use serde_json::Value;
 use support::{design, gallery};
 use xxhash_rust::xxh64::xxh64;
 
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/goldens/files.json");
+const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/files.json");
 
 /// A jar of revolution, a dinted vase and a twisted one, of the gallery.
 const JAR: &str = r#""kind": "fourth-order", "r0": 5.5, "r1": 5.4, "rm": 9.4, "h1": 20, "eta": [1.4, -1.9], "dz": [34, 9], "s": [1, 1], "t": [2, 2], "w": [1, 1]"#;

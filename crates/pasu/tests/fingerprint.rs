@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use pasu::fingerprint;
 use support::{corpus, design, design_of, design_of_case};
 
-const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/goldens/fingerprints.json");
+const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/fingerprints.json");
 
 /// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test fingerprint` writes the file anew; the CHANGELOG says why.
 #[test]

@@ -73,8 +73,12 @@ fn make(seed: u64) -> Option<String> {
         }
         Err(error) => {
             let path = error.path().trim_start_matches("parts[0].");
-            assert!(REASONS.contains(&(error.code(), path)), "seed {seed}: {} {error}\n{json}", error.code());
-            Some(format!("{} {path}", error.code()))
+            assert!(
+                REASONS.contains(&(error.code().as_str(), path)),
+                "seed {seed}: {} {error}\n{json}",
+                error.code().as_str()
+            );
+            Some(format!("{} {path}", error.code().as_str()))
         }
     }
 }

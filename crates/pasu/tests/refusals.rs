@@ -1,6 +1,6 @@
 //! Every refusal of a document: its code, its path, and a message that says what was found and what was expected.
 
-use pasu::{Design, Value};
+use pasu::{Arg, Code, Design, Format, Making, MeshOptions, VERTEX_LIMIT, Value, evaluate, mesh, write};
 
 const SHAPE: &str = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06] }"#;
 const GENERAL: &str = r#"{ "kind": "boundary-value", "span": 1, "x": X,
@@ -28,7 +28,9 @@ fn with_mode(mode: &str) -> String {
 fn check(result: pasu::Result<Design>, given: &str, (code, path, message): (&str, &str, &str)) {
     match result {
         Ok(design) => panic!("{given} was read as {}", design.to_json()),
-        Err(error) => assert_eq!((error.code(), error.path(), error.message()), (code, path, message), "{given}"),
+        Err(error) => {
+            assert_eq!((error.code().as_str(), error.path(), error.message()), (code, path, message), "{given}")
+        }
     }
 }
 
@@ -378,7 +380,7 @@ fn limits_of_size() {
     let given = with_mode(&modes.join(","));
     assert!(given.len() < 1 << 20);
     let error = Design::parse(&given).unwrap_err();
-    assert_eq!((error.code(), error.path()), ("too-large", ""));
+    assert_eq!((error.code().as_str(), error.path()), ("too-large", ""));
     assert!(error.message().starts_with("expected a design of at most 1048576 bytes of JSON, found 3"));
 }
 
@@ -420,4 +422,49 @@ fn values_from_javascript() {
         }
     }
     check(Design::from_value(&Value::Number(3.0)), "3", ("wrong-type", "", "expected a design, found 3"));
+}
+
+/// What a message names is also there as data, in the order of [`pasu::Error::args`], so that it can be said in another language.
+#[test]
+fn arguments() {
+    let number = Arg::Number;
+    let vase = Design::parse(&with_shape(SHAPE)).unwrap();
+    let cases = [
+        (
+            mesh(&vase, &MeshOptions { rows: Some(1), ..MeshOptions::default() }).unwrap_err(),
+            vec![("least", number(2.0)), ("greatest", number(VERTEX_LIMIT as f64)), ("found", number(1.0))],
+        ),
+        (
+            evaluate(&vase, 3, &[]).unwrap_err(),
+            vec![("least", number(0.0)), ("greatest", number(0.0)), ("found", number(3.0))],
+        ),
+        (
+            write(&vase, Format::Stl, &Making { shrinkage: 50.0, ..Making::default() }).unwrap_err(),
+            vec![("least", number(0.0)), ("below", number(50.0)), ("found", number(50.0))],
+        ),
+        (Design::parse("{").unwrap_err(), vec![]),
+    ];
+    for (error, args) in cases {
+        assert_eq!(error.args(), args, "{error}");
+        for (name, arg) in &args {
+            assert_eq!(error.arg(name), Some(arg));
+            // The sentence says the same number.
+            if let (&"found", Arg::Number(found)) = (name, arg) {
+                assert!(error.message().contains(&format!("found {found}")), "{error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn resonance_names_its_equation() {
+    let design = with_shape(
+        r#"{ "kind": "boundary-value", "span": 1, "x": { "order": 2, "s": 4, "t": -1, "modes": [{ "n": 1, "cos": { "start": 1 } }] },
+             "y": { "order": 2, "s": 1, "t": 1, "modes": [] }, "z": { "order": 2, "s": 1, "t": 1, "modes": [] } }"#,
+    );
+    let error = evaluate(&Design::parse(&design).unwrap(), 0, &[0.0, 0.0]).unwrap_err();
+    assert_eq!(error.code(), Code::ResonantProblem);
+    let named = [("n", 1.0), ("s", 4.0), ("t", -1.0), ("w", 0.0)].map(|(name, number)| (name, Arg::Number(number)));
+    assert_eq!(error.args()[0], ("component", Arg::Text("x".into())));
+    assert_eq!(error.args()[1..], named);
 }

@@ -293,7 +293,7 @@ fn after_an_error_a_sampler_is_as_good_as_a_new_one() {
     let grid = MeshOptions { rows: Some(40), columns: Some(33), tolerance: None };
     for options in [grid, MeshOptions { tolerance: Some(1.0), ..grid }] {
         let mut sampler = Sampler::new();
-        assert_eq!(sampler.sample(&beyond, &grid).unwrap_err().code(), "overflow");
+        assert_eq!(sampler.sample(&beyond, &grid).unwrap_err().code().as_str(), "overflow");
         assert_eq!(sampler.sample(&vase, &options).unwrap(), &mesh(&vase, &options).unwrap());
     }
 }

@@ -110,12 +110,12 @@ fn what_cannot_be_a_pot_is_refused_as_files_are() {
         let [sketched, made] =
             [sketch(&design, &SketchOptions::default()).map(|_| ()), drawn(&design, &Making::default()).map(|_| ())];
         let (sketched, made) = (sketched.expect_err("no sketch"), made.expect_err("no pot"));
-        assert_eq!((sketched.code(), sketched.path()), (made.code(), made.path()), "{wall}");
+        assert_eq!((sketched.code().as_str(), sketched.path()), (made.code().as_str(), made.path()), "{wall}");
     }
     for fill in [-0.1, 1.5, f64::NAN] {
         let options = SketchOptions { fill: Some(fill), ..SketchOptions::default() };
         let error = sketch(&with_wall(JAR, r#"{ "thickness": 0.2, "base": 0.3 }"#), &options).expect_err("no share");
-        assert_eq!((error.code(), error.path()), ("out-of-range", "fill"));
+        assert_eq!((error.code().as_str(), error.path()), ("out-of-range", "fill"));
     }
 }
 

@@ -318,7 +318,7 @@ fn a_tip_stands_on_a_stump_outside_and_needs_a_base_inside() {
     for side in ["inside", "outside"] {
         let thin = bowl(0.0, 6.0, &format!(r#"{{ "thickness": 0.25, "base": 0, "side": "{side}" }}"#));
         let error = solid(&thin, &POT).unwrap_err();
-        assert_eq!((error.code(), error.path()), ("no-room", "parts[0].wall.base"));
+        assert_eq!((error.code().as_str(), error.path()), ("no-room", "parts[0].wall.base"));
         assert!(error.message().starts_with("the bottom ends in a tip at (0, 0, 0)"), "{error}");
         assert_eq!(error.place(), Some([0.0; 3]));
     }
@@ -366,7 +366,7 @@ fn a_foot_that_is_not_level_has_a_cone_under_it() {
         r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {{ "thickness": 0.3, "base": 0.3, "foot": [0.5, 0.5] }} }}] }}"#
     ));
     let error = solid(&design, &POT).unwrap_err();
-    assert_eq!((error.code(), error.path()), ("no-room", "parts[0].wall.foot"));
+    assert_eq!((error.code().as_str(), error.path()), ("no-room", "parts[0].wall.foot"));
 }
 
 /// The distance of a point from a triangle.
@@ -441,7 +441,7 @@ fn the_lining_is_as_far_from_the_outside_as_the_wall_is_thick() {
 fn refused(shape: &str, wall: &str, code: &str, path: &str, message: &str) {
     let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#);
     let error = solid(&design(&json), &POT).expect_err(&json);
-    assert_eq!((error.code(), error.path()), (code, path), "{error}");
+    assert_eq!((error.code().as_str(), error.path()), (code, path), "{error}");
     assert!(error.message().contains(message), "{error}");
 }
 
@@ -477,14 +477,14 @@ fn what_cannot_be_a_pot_says_why_and_where() {
     refused(&narrow, high, "no-room", "parts[0].wall.foot", "has no room: it runs through the outside near (");
     let bare = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {cup} }}] }}"#));
     let error = solid(&bare, &POT).unwrap_err();
-    assert_eq!((error.code(), error.path()), ("no-wall", "parts[0].wall"));
+    assert_eq!((error.code().as_str(), error.path()), ("no-wall", "parts[0].wall"));
     assert!(solid(&bare, &SOLID).is_ok());
 }
 
 #[test]
 fn a_part_that_is_not_there_is_refused() {
     let error = Pot::new(&cylinder(r#"{ "thickness": 0.2, "base": 0.3 }"#), 1, Product::Pot).unwrap_err();
-    assert_eq!((error.code(), error.message()), ("no-such-point", "expected a part from 0 to 0, found 1"));
+    assert_eq!((error.code().as_str(), error.message()), ("no-such-point", "expected a part from 0 to 0, found 1"));
 }
 
 /// A wall thicker than the tube is wide is thinned, never folded; the report says by how much.

@@ -60,7 +60,8 @@ fn resonance_names_component_and_mode() {
             y: component(Order::Second, 1.0, t, 0.0, 2.0),
             z: component(Order::Second, 1.0, 1.0, 0.0, 0.0),
         };
-        Surface::solve(&shape, "parts[3].shape").map_err(|e| (e.code(), e.path().to_owned(), e.message().to_owned()))
+        Surface::solve(&shape, "parts[3].shape")
+            .map_err(|e| (e.code().as_str(), e.path().to_owned(), e.message().to_owned()))
     };
     // k sqrt(-t/s) = 2 sqrt(-t) = 3 pi
     let t = -(1.5 * std::f64::consts::PI) * (1.5 * std::f64::consts::PI);

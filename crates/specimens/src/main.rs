@@ -36,7 +36,7 @@ fn main() -> Result<()> {
             }
             Err(error) => {
                 println!("{} cannot be made: {error}", specimen.name);
-                refused.push(json!({ "name": specimen.name, "code": error.code(), "path": error.path(), "message": error.message() }));
+                refused.push(json!({ "name": specimen.name, "code": error.code().as_str(), "path": error.path(), "message": error.message() }));
             }
         }
     }

@@ -27,7 +27,7 @@ pub(crate) fn verdict(making: &Making, parts: impl Iterator<Item = Result<impl B
                 report.meshes.push(counted(made.borrow()));
             }
             Err(error) => report.findings.push(Finding {
-                code: error.code(),
+                code: error.code().as_str(),
                 severity: Severity::Error,
                 part,
                 message: error.message().to_owned(),

@@ -57,7 +57,7 @@ impl Design {
     /// assert_eq!(design.link(), "1/bloor-wilson?a=6&n1=5");
     ///
     /// let error = Design::parse("#2/bloor-wilson?a=6").unwrap_err();
-    /// assert_eq!(error.code(), "unknown-version");
+    /// assert_eq!(error.code(), pasu::Code::UnknownVersion);
     /// # Ok::<(), pasu::Error>(())
     /// ```
     ///

@@ -196,7 +196,7 @@ mod tests {
 
     #[test]
     fn every_reference_placement() {
-        let text = include_str!("../../../../tests/reference/placements.json");
+        let text = include_str!("../../tests/reference/placements.json");
         let cases: Vec<Vec<(String, Value)>> = match serde_json::from_str(text).unwrap() {
             Value::List(cases) => cases
                 .into_iter()

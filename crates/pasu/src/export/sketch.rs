@@ -42,7 +42,8 @@ pub struct Sketch {
 pub fn sketch(design: &Design, options: &SketchOptions) -> Result<Sketch> {
     if let Some(fill) = options.fill.filter(|fill| !(0.0..=1.0).contains(fill)) {
         let message = format!("expected a share of the depth from 0 to 1, found {}", plain(fill));
-        return Err(Error::new(Code::OutOfRange, "fill", message));
+        let error = Error::new(Code::OutOfRange, "fill", message).with("least", 0.0).with("greatest", 1.0);
+        return Err(error.with("found", fill));
     }
     let mut sketch = Sketch::default();
     let mut pots = Vec::with_capacity(design.parts().len());

@@ -40,7 +40,8 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
         let message = format!(
             "expected at most {MOST_TRIANGLES} triangles in a file, found {n_triangles}; a larger tolerance takes fewer"
         );
-        return Err(Error::new(Code::TooLarge, "tolerance", message));
+        let error = Error::new(Code::TooLarge, "tolerance", message).with("greatest", MOST_TRIANGLES);
+        return Err(error.with("found", n_triangles));
     }
     let notes = Notes {
         title: design.title().map_or_else(|| format!("Pasu {}", making.product.name()), str::to_owned),

@@ -164,11 +164,11 @@ pub(crate) fn gauge(design: &Design, product: Product, gauge: Gauge) -> Result<f
 fn check(options: &MeasureOptions) -> Result<()> {
     if let Some(density) = options.density.filter(|density| !(*density > 0.0 && density.is_finite())) {
         let message = format!("expected a density in g/cm3 greater than 0, found {}", plain(density));
-        return Err(Error::new(Code::OutOfRange, "density", message));
+        return Err(Error::new(Code::OutOfRange, "density", message).with("above", 0.0).with("found", density));
     }
     if let Some(fill) = options.fill.filter(|fill| !fill.is_finite()) {
         let message = format!("expected a level, found {}", plain(fill));
-        return Err(Error::new(Code::OutOfRange, "fill", message));
+        return Err(Error::new(Code::OutOfRange, "fill", message).with("found", fill));
     }
     Ok(())
 }
@@ -189,7 +189,7 @@ pub(crate) fn above_spill(path: &str, level: f64, spill: f64) -> Error {
         plain(rounded(spill)),
         plain(level)
     );
-    Error::new(Code::OutOfRange, path, message)
+    Error::new(Code::OutOfRange, path, message).with("greatest", rounded(spill)).with("found", level)
 }
 
 fn part_measures(

@@ -42,7 +42,8 @@ const COLUMNS: usize = 192;
 /// [`Surface::solve`](crate::Surface::solve) refuses.
 pub fn water(design: &Design, level: f64) -> Result<Water> {
     if !level.is_finite() {
-        return Err(Error::new(Code::OutOfRange, "level", format!("expected a level, found {}", plain(level))));
+        let message = format!("expected a level, found {}", plain(level));
+        return Err(Error::new(Code::OutOfRange, "level", message).with("found", level));
     }
     let mut water = Water::default();
     let mut highest: Option<(f64, f64)> = None;

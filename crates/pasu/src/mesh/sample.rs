@@ -135,7 +135,8 @@ pub(crate) fn places(part: &Part, index: usize, tolerance: Option<f64>) -> Resul
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
         let message = format!("needs {} rows of {} vertices; ask for a coarser tolerance", plain(rows), plain(columns));
-        return Err(Error::new(Code::TooLarge, format!("parts[{index}]"), message));
+        let error = Error::new(Code::TooLarge, format!("parts[{index}]"), message).with("rows", rows);
+        return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
     }
     Ok(grid.places())
 }
@@ -154,15 +155,13 @@ fn choose(design: &Design, options: &MeshOptions, is_bounded: bool, spare: &mut 
         let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
         n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {
-            return Err(Error::new(
-                Code::TooLarge,
-                format!("parts[{index}]"),
-                format!(
-                    "needs {} rows of {} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns",
-                    plain(rows),
-                    plain(columns)
-                ),
-            ));
+            let message = format!(
+                "needs {} rows of {} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns",
+                plain(rows),
+                plain(columns)
+            );
+            let error = Error::new(Code::TooLarge, format!("parts[{index}]"), message).with("rows", rows);
+            return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
         }
         grids.push(grid);
     }
@@ -173,13 +172,14 @@ fn check(options: &MeshOptions) -> Result<()> {
     for (name, count, least) in [("rows", options.rows, 2), ("columns", options.columns, 4)] {
         if let Some(count) = count.filter(|count| !(least..=VERTEX_LIMIT).contains(count)) {
             let message = format!("expected a whole number from {least} to {VERTEX_LIMIT}, found {count}");
-            return Err(Error::new(Code::OutOfRange, name, message));
+            let error = Error::new(Code::OutOfRange, name, message).with("least", least);
+            return Err(error.with("greatest", VERTEX_LIMIT).with("found", count));
         }
     }
     match options.tolerance {
         Some(tolerance) if !(tolerance > 0.0 && tolerance.is_finite()) => {
             let message = format!("expected a distance greater than 0 in model units, found {}", plain(tolerance));
-            Err(Error::new(Code::OutOfRange, "tolerance", message))
+            Err(Error::new(Code::OutOfRange, "tolerance", message).with("above", 0.0).with("found", tolerance))
         }
         _ => Ok(()),
     }

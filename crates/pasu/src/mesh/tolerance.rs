@@ -224,7 +224,12 @@ impl Part {
                 plain(grid.round + 1.0)
             )
         };
-        Error::new(Code::ToleranceTooFine, "tolerance", message)
+        let error = Error::new(Code::ToleranceTooFine, "tolerance", message).with("found", tolerance);
+        if 2.0 * self.rounding > tolerance {
+            error.with("least", self.rounding)
+        } else {
+            error.with("rows", grid.along + 1.0).with("columns", grid.round + 1.0)
+        }
     }
 }
 

@@ -74,7 +74,9 @@ pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) ->
         match made {
             Ok((topology, mesh)) => return Ok(Made { mesh, pot, topology }),
             // Looking more closely does not make a pot smaller.
-            Err(error) if ["overflow", "too-large", "tolerance-too-fine"].contains(&error.code()) => return Err(error),
+            Err(error) if matches!(error.code(), Code::Overflow | Code::TooLarge | Code::ToleranceTooFine) => {
+                return Err(error);
+            }
             Err(error) => refusal = Some(error),
         }
         if attempt == 0
@@ -118,7 +120,7 @@ fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
             place(at),
             short(thinnest)
         );
-        Error::new(Code::NoRoom, pot.skin().path("wall.thickness"), message).near(at.to_array())
+        Error::new(Code::NoRoom, pot.skin().path("wall.thickness"), message).near(at.to_array()).with("thickness", thinnest)
     })
 }
 
@@ -150,7 +152,7 @@ pub(super) fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: O
     let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
     if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
         let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
-        return Err(Error::new(Code::TooLarge, pot_path(part), message));
+        return Err(Error::new(Code::TooLarge, pot_path(part), message).with("greatest", MOST_TRIANGLES));
     }
     Ok(grid)
 }
@@ -233,7 +235,8 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         FaceKind::Underside if !pot.has_wall() => "shape",
         kind => field(kind),
     };
-    Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array())
+    let error = Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array());
+    error.with("face", first.name()).with("other", second.name())
 }
 
 pub(super) fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {

@@ -98,7 +98,7 @@ impl Making {
                 return Ok(());
             }
             let message = format!("expected a number greater than 0, found {}", plain(value));
-            Err(Error::new(Code::OutOfRange, name, message))
+            Err(Error::new(Code::OutOfRange, name, message).with("above", 0.0).with("found", value))
         };
         match self.size {
             Some(Size::Height(height)) => positive("size.height", height)?,
@@ -112,7 +112,8 @@ impl Making {
         if !(0.0..MOST_SHRINKAGE).contains(&self.shrinkage) {
             let message =
                 format!("expected a percentage from 0 to less than {MOST_SHRINKAGE}, found {}", plain(self.shrinkage));
-            return Err(Error::new(Code::OutOfRange, "shrinkage", message));
+            let error = Error::new(Code::OutOfRange, "shrinkage", message).with("least", 0.0);
+            return Err(error.with("below", MOST_SHRINKAGE).with("found", self.shrinkage));
         }
         Ok(())
     }

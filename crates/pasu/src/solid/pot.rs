@@ -65,7 +65,8 @@ impl Pot {
         let parts = design.parts();
         let Some(part) = parts.get(index) else {
             let message = format!("expected a part from 0 to {}, found {index}", parts.len() - 1);
-            return Err(Error::new(Code::NoSuchPoint, "part", message));
+            let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
+            return Err(error.with("greatest", parts.len() - 1).with("found", index));
         };
         let wall = match product {
             Product::Solid => None,

@@ -123,9 +123,10 @@ fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index:
         Axis::Z => "z",
     };
     let Component { s, t, w, .. } = component;
-    let [s, t, w, n] = [*s, *t, *w, n].map(plain);
+    let named = [("n", n), ("s", *s), ("t", *t), ("w", *w)];
+    let [n, s, t, w] = named.map(|(_, number)| plain(number));
     let path = format!("{path}.{name}.modes[{index}]");
-    match why {
+    let error = match why {
         Unsolvable::NoHighestDerivative => {
             Error::new(Code::OutOfRange, path, format!("the equation of {name} needs an s that is not 0, found {s}"))
         }
@@ -144,5 +145,6 @@ fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index:
                 "component {name}, mode n = {n} is too large to compute: with s = {s}, t = {t}, w = {w} its solution leaves the range of numbers"
             ),
         ),
-    }
+    };
+    named.into_iter().fold(error.with("component", name), |error, (name, number)| error.with(name, number))
 }

@@ -24,12 +24,12 @@ pub struct Point {
 }
 
 pub fn corpus() -> Vec<Case> {
-    serde_json::from_str(include_str!("../../../../tests/reference/surfaces.json")).expect("the corpus is JSON")
+    serde_json::from_str(include_str!("../reference/surfaces.json")).expect("the corpus is JSON")
 }
 
 /// `tests/reference/digits.json`: data of twelve digits in every regime, values of full precision.
 pub fn digits() -> Vec<Case> {
-    serde_json::from_str(include_str!("../../../../tests/reference/digits.json")).expect("the corpus is JSON")
+    serde_json::from_str(include_str!("../reference/digits.json")).expect("the corpus is JSON")
 }
 
 pub fn shape(value: &Value) -> Shape {
@@ -80,7 +80,7 @@ pub struct Exhibit {
 
 /// `tests/reference/gallery.json`, which a test of the front end keeps equal to the gallery.
 pub fn gallery() -> Vec<Exhibit> {
-    serde_json::from_str(include_str!("../../../../tests/reference/gallery.json")).expect("the gallery is JSON")
+    serde_json::from_str(include_str!("../reference/gallery.json")).expect("the gallery is JSON")
 }
 
 impl Exhibit {
