@@ -29,6 +29,7 @@ cargo xtask <task>
   build    build the library (crates/pasu-wasm/pkg) and the static site (web/dist) for release
   test     every check there is; --fast leaves the browser out;
            --tools asks other programs to judge our files
+  tidy     the rules of the house alone, which test begins with
   bench    how fast surfaces are computed
 
 `cargo xtask <task> --help` tells more about each.";
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Some("dev") => dev::main(&rest),
         Some("build") => build::main(&rest),
         Some("test") => test::main(&rest),
+        Some("tidy") => tidy::main(&rest),
         Some("bench") => bench::main(&rest),
         None | Some("help" | "--help" | "-h") => {
             println!("{HELP}");

@@ -1,0 +1,124 @@
+//! What a file of the front end may import, and what must not appear in it.
+
+use super::code_lines;
+
+/// Something that only one folder of the front end may import.
+struct OnlyUser {
+    package: &'static str,
+    folder: &'static str,
+}
+
+/// Each heavy or delicate dependency has one door: the solver draws with `pasu/drawing`, the maker has all of `pasu`.
+const ONLY_USERS: [OnlyUser; 3] = [
+    OnlyUser { package: "three", folder: "web/src/render/" },
+    OnlyUser { package: "pasu/drawing", folder: "web/src/solver/" },
+    OnlyUser { package: "pasu", folder: "web/src/maker/" },
+];
+
+/// Where the types of the package enter the page; what is imported as a type is gone once compiled.
+const TYPES_OF_PACKAGE: &str = "web/src/document/types.ts";
+
+/// Folders that are plain data and functions: no page, no components.
+const PURE: [&str; 2] = ["web/src/document/", "web/src/state/"];
+
+/// What a pure folder may not name.
+const PAGE: [&str; 7] = [
+    "document.querySelector",
+    "document.createElement",
+    "window.",
+    "HTMLElement",
+    "addEventListener(",
+    "customElements",
+    "navigator.",
+];
+
+/// What no file of the front end may contain, and why.
+const FORBIDDEN: [(&str, &str); 8] = [
+    ("innerHTML", "text from a document must never become markup"),
+    ("outerHTML", "text from a document must never become markup"),
+    ("insertAdjacentHTML", "text from a document must never become markup"),
+    ("unsafeHTML", "text from a document must never become markup"),
+    ("eval(", "the Content-Security-Policy forbids compiling text"),
+    ("new Function(", "the Content-Security-Policy forbids compiling text"),
+    ("styleMap", "it writes a style attribute, which the Content-Security-Policy forbids; set element.style"),
+    (" style=", "the Content-Security-Policy forbids style attributes; use a class or set element.style"),
+];
+
+/// Every breach in one file.
+pub(super) fn breaches(file: &str, text: &str) -> Vec<String> {
+    let mut breaches = Vec::new();
+    let test = file.ends_with(".test.ts");
+    for (number, line) in code_lines(text) {
+        if let Some(package) = imported_package(line) {
+            for rule in &ONLY_USERS {
+                let types = file == TYPES_OF_PACKAGE && line.starts_with("import type ");
+                let allowed = file.starts_with(rule.folder) || package.starts_with("pasu") && (test || types);
+                if package == rule.package && !allowed {
+                    breaches.push(format!("{file}:{number}: only {} imports `{package}`", rule.folder));
+                }
+            }
+            if package == "lit" && is_pure(file) {
+                breaches.push(format!("{file}:{number}: this folder is plain data and functions; no components here"));
+            }
+        }
+        if is_pure(file) && !test {
+            for name in PAGE.iter().filter(|name| line.contains(*name)) {
+                breaches.push(format!("{file}:{number}: `{name}` does not belong in plain data and functions"));
+            }
+        }
+        for (name, why) in FORBIDDEN.iter().filter(|(name, _)| line.contains(name)) {
+            breaches.push(format!("{file}:{number}: `{}`: {why}", name.trim()));
+        }
+    }
+    breaches
+}
+
+fn is_pure(file: &str) -> bool {
+    PURE.iter().any(|folder| file.starts_with(folder))
+}
+
+/// The package of an import: `three` for `from "three/addons/.."`, nothing for a file of our own. `pasu/drawing` counts as one.
+fn imported_package(line: &str) -> Option<&str> {
+    let after = ["from \"", "import \"", "import(\""].iter().find_map(|word| line.split_once(word))?.1;
+    let specifier = after.split('"').next()?;
+    if specifier.starts_with('.') || specifier.contains(':') {
+        return None;
+    }
+    if specifier == "pasu/drawing" { Some(specifier) } else { specifier.split('/').next() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_dependency_has_one_door() {
+        let import = "import { Mesh } from \"three/webgpu\";";
+        assert!(breaches("web/src/render/stage.ts", import).is_empty());
+        assert_eq!(
+            breaches("web/src/app/page.ts", import),
+            ["web/src/app/page.ts:1: only web/src/render/ imports `three`"]
+        );
+        assert_eq!(breaches("web/src/app/page.ts", "await import(\"pasu\")").len(), 1);
+        assert!(breaches("web/src/solver/worker.ts", "import init from \"pasu/drawing\";").is_empty());
+        assert_eq!(breaches("web/src/solver/worker.ts", "import init from \"pasu\";").len(), 1);
+        assert!(breaches("web/src/maker/worker.ts", "import init from \"pasu\";").is_empty());
+        assert!(breaches(TYPES_OF_PACKAGE, "import type * as pasu from \"pasu\";").is_empty());
+        assert_eq!(breaches(TYPES_OF_PACKAGE, "import init from \"pasu\";").len(), 1);
+        assert!(breaches("web/src/app/page.ts", "import { Stage } from \"../render/stage\";").is_empty());
+    }
+
+    #[test]
+    fn plain_folders_know_no_page() {
+        assert_eq!(breaches("web/src/state/store.ts", "window.location.hash").len(), 1);
+        assert_eq!(breaches("web/src/document/design.ts", "import { html } from \"lit\";").len(), 1);
+        assert!(breaches("web/src/app/page.ts", "window.location.hash").is_empty());
+    }
+
+    #[test]
+    fn text_never_becomes_markup_or_code() {
+        assert_eq!(breaches("web/src/app/page.ts", "x.innerHTML = y;").len(), 1);
+        assert_eq!(breaches("web/src/app/page.ts", "html`<p style=\"x\">`").len(), 1);
+        assert!(breaches("web/src/app/page.ts", "// never innerHTML").is_empty());
+    }
+}
