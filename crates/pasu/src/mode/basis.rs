@@ -1,11 +1,11 @@
 //! Functions that span the solutions of a mode's equation and stay independent in its regime.
 
-use super::Unsolvable;
-use super::equation::{largest_rate, squared_roots};
+use super::order::Order;
 use super::pair::Pair;
 use super::rate::Rate;
+use super::roots::{largest_rate, squared_roots};
 use super::series::{self, continue_series};
-use crate::design::Order;
+use super::unsolvable::Unsolvable;
 
 /// Below this rate an order 4 equation is solved by power series about the middle: at 4 the series of the four fundamental solutions
 /// reach e^2 at the ends, so they lose less than one digit, and above it every other form below is as good.

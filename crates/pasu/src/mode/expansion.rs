@@ -1,8 +1,9 @@
 //! Taylor expansions of a mode: many rows from one evaluation of its exponentials.
 
+use super::equation::Equation;
+use super::order::Order;
+use super::series;
 use super::solution::ModeSolution;
-use super::{Equation, series};
-use crate::design::Order;
 
 /// Terms of an expansion. On an interval that is no longer than [`Equation::reach`] allows, what is left out is below `0.7^12 / 12!`, some
 /// 3e-11 of the mode: a thousandth of what single precision can show.

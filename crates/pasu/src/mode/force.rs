@@ -1,8 +1,9 @@
 //! A polynomial that meets the force, whatever its boundary values.
 
-use super::equation::{Equation, largest_rate, squared_roots};
+use super::equation::Equation;
+use super::order::Order;
+use super::roots::{largest_rate, squared_roots};
 use super::series::{about_the_middle, continue_series, falling};
-use crate::design::Order;
 
 /// Up to this rate an order 4 problem is grown in one piece, whatever its regime.
 const ONE_PIECE_RATE: f64 = 6.0;

@@ -1,6 +1,6 @@
 //! Two functions that meet two conditions at one end: the half of a mode problem.
 
-use super::Unsolvable;
+use super::unsolvable::Unsolvable;
 
 /// A determinant this small against its parts, per unit of oscillation, cannot be told from 0 to the promised 1e-10 of the solution:
 /// the rounding of the parts, 2e-16 each, would be magnified beyond it.

@@ -1,8 +1,9 @@
 //! The closed form of one mode.
 
+use super::equation::Equation;
+use super::order::Order;
 use super::series;
-use super::{Equation, Unsolvable};
-use crate::design::{Datum, Order};
+use super::unsolvable::Unsolvable;
 
 /// Boundary values and force of a mode problem. Slopes are not used by order 2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,13 +18,6 @@ pub struct ModeData<'a> {
     pub end_u: f64,
     /// Polynomial force in ascending powers of `u`.
     pub force: &'a [f64],
-}
-
-impl<'a> From<&'a Datum> for ModeData<'a> {
-    fn from(datum: &'a Datum) -> Self {
-        let &Datum { start, end, start_u, end_u, ref force } = datum;
-        ModeData { start, start_u, end, end_u, force }
-    }
 }
 
 /// `q(u)`: factors of the equation's basis plus a polynomial in `u - 1/2`. At `u = 0` and `u = 1` it is the boundary data, to the bit: a pole is

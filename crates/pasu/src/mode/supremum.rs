@@ -84,7 +84,7 @@ fn polynomial<const N: usize>(coefficients: &[f64], reach: f64) -> [f64; N] {
 mod tests {
     use super::super::ModeData;
     use super::*;
-    use crate::design::Order;
+    use crate::mode::Order;
 
     #[test]
     fn nothing_between_is_larger() {

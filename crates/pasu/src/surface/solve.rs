@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use super::circle;
 use super::jet::SurfaceJet;
-use crate::design::{Axis, BoundaryValue, Component, Span, plain};
+use crate::design::{Axis, BoundaryValue, Component, Datum, Span, plain};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Equation, ModeData, ModeSolution, Unsolvable};
 
@@ -42,6 +42,13 @@ impl Span {
             Span::Tau => n,
             Span::Length(length) => TAU * n / length,
         }
+    }
+}
+
+impl<'a> From<&'a Datum> for ModeData<'a> {
+    fn from(datum: &'a Datum) -> Self {
+        let &Datum { start, end, start_u, end_u, ref force } = datum;
+        ModeData { start, start_u, end, end_u, force }
     }
 }
 

@@ -1,0 +1,12 @@
+//! What a mode problem can lack.
+
+/// Why a mode problem has no answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unsolvable {
+    /// The shape control parameter of the highest derivative is 0.
+    NoHighestDerivative,
+    /// Oscillating solutions whose boundary matrix is singular, or so nearly that no digit of the answer could be promised.
+    Resonant,
+    /// The numbers leave the range of doubles.
+    Overflow,
+}
