@@ -143,6 +143,10 @@ pub enum Code {
 
 impl Code {
     /// The stable kebab-case word.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Code::DamagedLink.as_str(), "damaged-link");
+    /// ```
     pub fn as_str(self) -> &'static str {
         match self {
             Code::NotJson => "not-json",
@@ -215,21 +219,45 @@ impl Error {
     }
 
     /// What went wrong.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Design::parse("#1~").unwrap_err().code(), pasu::Code::DamagedLink);
+    /// ```
     pub fn code(&self) -> Code {
         self.code
     }
 
     /// Where in the design; empty for the design as a whole.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Design::parse("#1/second-order?s=1,0").unwrap_err().path(), "parts[0].shape.s[1]");
+    /// ```
     pub fn path(&self) -> &str {
         &self.path
     }
 
     /// Where in space, in model units after placement, if it went wrong at a point of a pot.
+    ///
+    /// ```
+    /// use pasu::{Design, Product};
+    ///
+    /// // From radius 2 to radius -2: a point in the middle.
+    /// let shape = r#"{ "kind": "second-order", "r": [2, 0, -2, 0], "t": [0, 0], "n": [1, 2], "height": 5 }"#;
+    /// let wall = r#"{ "thickness": 0.2, "base": 0.3 }"#;
+    /// let pinched = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "wall": {wall} }}] }}"#))?;
+    /// let error = pasu::Pot::new(&pinched, 0, Product::Pot).unwrap_err();
+    /// assert!(error.place().is_some_and(|[_, _, z]| (z - 2.5).abs() < 1e-9));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn place(&self) -> Option<[f64; 3]> {
         self.place.map(|place| place.map(f64::from_bits))
     }
 
     /// One sentence in the user's words: what was found and what was expected.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Design::parse("#1/second-order?s=1,0").unwrap_err().message(), "expected a number other than 0, found 0");
+    /// ```
     pub fn message(&self) -> &str {
         &self.message
     }

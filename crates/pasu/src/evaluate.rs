@@ -17,6 +17,14 @@ pub struct Derivatives {
 ///
 /// # Errors
 /// `no-such-point` for a part that does not exist, an odd number of coordinates, or a point outside the surface; what [`Surface::solve`] refuses; `overflow`.
+///
+/// ```
+/// let vase = pasu::Design::parse("#1/second-order?height=9")?;
+/// // The rim is at u = 0, the foot at u = 1.
+/// let points = pasu::evaluate(&vase, 0, &[0.0, 0.0, 1.0, 0.5])?;
+/// assert!((points[2] - 9.0).abs() < 1e-12 && points[5].abs() < 1e-12);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn evaluate(design: &Design, part: usize, at: &[f64]) -> Result<Vec<f64>> {
     let mut positions = Vec::with_capacity(at.len() / 2 * 3);
     for_each_point(design, part, at, |jet| positions.extend(jet.position.to_array()))?;
@@ -28,6 +36,14 @@ pub fn evaluate(design: &Design, part: usize, at: &[f64]) -> Result<Vec<f64>> {
 ///
 /// # Errors
 /// As [`evaluate`].
+///
+/// ```
+/// let vase = pasu::Design::parse("#1/second-order?height=9")?;
+/// let slopes = pasu::derivatives(&vase, 0, &[0.5, 0.25])?;
+/// // The height falls evenly from the rim to the foot.
+/// assert!((slopes.du[2] + 9.0).abs() < 1e-12 && slopes.dv[2] == 0.0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn derivatives(design: &Design, part: usize, at: &[f64]) -> Result<Derivatives> {
     let mut derivatives = Derivatives::default();
     for_each_point(design, part, at, |jet| {
@@ -80,6 +96,13 @@ impl Surface {
     ///
     /// # Errors
     /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/second-order?height=9")?;
+    /// let surface = pasu::Surface::of_part(&vase.parts()[0], 0)?;
+    /// assert!((surface.at(0.5, 0.0).position.z - 4.5).abs() < 1e-12);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
         let path = format!("parts[{index}].shape");
         let shape = part.shape.problem();

@@ -19,6 +19,16 @@ const COLUMNS: usize = 97;
 ///
 /// # Errors
 /// As [`mesh`](crate::mesh).
+///
+/// ```
+/// use pasu::{Design, fingerprint};
+///
+/// let vase = Design::parse("#1/bloor-wilson?n1=5")?;
+/// let other = Design::parse("#1/bloor-wilson?n1=6")?;
+/// assert_eq!(fingerprint(&vase)?.len(), 16);
+/// assert_ne!(fingerprint(&vase)?, fingerprint(&other)?);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn fingerprint(design: &Design) -> Result<String> {
     let mesh = exact_mesh(design, ROWS, COLUMNS)?;
     let mut hash = Xxh64::new(0);

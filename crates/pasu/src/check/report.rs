@@ -16,6 +16,10 @@ pub enum Severity {
 
 impl Severity {
     /// The word by which it is known: `error`, `warning` or `note`.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Severity::Warning.name(), "warning");
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             Severity::Error => "error",
@@ -78,22 +82,67 @@ pub struct Report {
 
 impl Report {
     /// Whether nothing was found that keeps the design from being made.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let report = pasu::check(&cup, &pasu::Making::default())?;
+    /// assert!(report.is_ok());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn is_ok(&self) -> bool {
         self.findings.iter().all(|finding| finding.severity != Severity::Error)
     }
 
     /// The number of triangles of all parts.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let report = pasu::check(&cup, &pasu::Making::default())?;
+    /// assert_eq!(report.triangles(), report.meshes[0].triangles);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn triangles(&self) -> usize {
         self.meshes.iter().map(|mesh| mesh.triangles).sum()
     }
 
     /// The number of vertices of all parts.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let report = pasu::check(&cup, &pasu::Making::default())?;
+    /// // A cup has no handle: V - E + F = 2, and E = 3 F / 2.
+    /// assert_eq!(2 * report.vertices() - report.triangles(), 4);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn vertices(&self) -> usize {
         self.meshes.iter().map(|mesh| mesh.vertices).sum()
     }
 
     /// `{ ok, product, triangles, vertices, findings: [{ code, severity, part, message, at? }], meshes: [{ part, vertices, triangles, closed, genus?, degenerate, crossings,
     /// bound, thinned, thinnest? }] }`, on one line.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let report = pasu::check(&cup, &pasu::Making::default())?;
+    /// assert!(report.to_json().starts_with(r#"{"ok":true,"product":"pot","#));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn to_json(&self) -> String {
         to_json(&Value::Record(vec![
             entry("ok", Value::Bool(self.is_ok())),

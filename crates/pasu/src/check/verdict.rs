@@ -11,6 +11,17 @@ use crate::solid::{Made, Making, make, place, short};
 ///
 /// # Errors
 /// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
+///
+/// ```
+/// use pasu::{Code, Design, Making};
+///
+/// let vase = Design::parse("#1/bloor-wilson?n1=5")?;
+/// let report = pasu::check(&vase, &Making::default())?;
+/// // It has no wall, and so is no pot.
+/// assert!(!report.is_ok());
+/// assert_eq!(report.findings[0].code, Code::NoWall.as_str());
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn check(design: &Design, making: &Making) -> Result<Report> {
     let scale = making.scale(design)?.millimetres;
     let parts = 0..design.parts().len();

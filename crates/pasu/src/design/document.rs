@@ -81,6 +81,12 @@ impl Design {
     /// The canonical link, without `#`: readable when the design is one part of a named family, packed otherwise.
     ///
     /// Readable links leave out what the shape's kind starts from, which never changes within a format version.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("https://example.org/#1/bloor-wilson?n1=5&a=.01")?;
+    /// assert_eq!(vase.link(), "1/bloor-wilson?n1=5");
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn link(&self) -> String {
         link::write(self)
     }
@@ -112,6 +118,12 @@ impl Design {
     }
 
     /// The canonical document, on one line.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse(r#"{ "parts": [{ "shape": { "kind": "second-order", "r": [1, 0.1, 0.60, 6e-2] } }], "unit": "cm", "pasu": 1 }"#)?;
+    /// assert_eq!(vase.to_json(), r#"{"pasu":1,"parts":[{"shape":{"kind":"second-order","r":[1,0.1,0.6,0.06]}}]}"#);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn to_json(&self) -> String {
         json::write(&self.to_value())
     }
@@ -128,16 +140,34 @@ impl Design {
     }
 
     /// The title, if it has one.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// assert_eq!(vase.title(), None);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
     /// What 1 means.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// assert_eq!(vase.unit(), pasu::Unit::Cm);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn unit(&self) -> Unit {
         self.unit
     }
 
     /// The parts, in the order of the document; at least one.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// assert!(matches!(vase.parts()[0].shape, pasu::Shape::BloorWilson(_)));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn parts(&self) -> &[Part] {
         &self.parts
     }

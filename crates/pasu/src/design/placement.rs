@@ -36,6 +36,12 @@ impl Placement {
     /// The rows of the matrix that scales, then turns (Rodrigues' formula; ASB88 T2, corrected).
     ///
     /// A point `p` of the shape goes to `matrix p + shift`. Turns by 0 and by half a turn are exact.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// assert_eq!(vase.parts()[0].place.matrix(), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         // Twelve decimals leave the axis a little off unit length.
         let length = norm(self.axis);

@@ -130,6 +130,14 @@ impl Shape {
     }
 
     /// The boundary-value problem of this shape.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson?a=3")?;
+    /// let problem = vase.parts()[0].shape.boundary_value();
+    /// // s = 1, t = 2 a^2, w = a^4
+    /// assert_eq!((problem.x.s, problem.x.t, problem.x.w), (1.0, 18.0, 81.0));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn boundary_value(&self) -> BoundaryValue {
         self.problem().into_owned()
     }

@@ -15,6 +15,10 @@ use super::wall::{RimForm, Side, WALL};
 /// The declarations of everything that a design document may hold, as the text of a `.d.ts` module.
 ///
 /// `Design` fits what [`Design::parse`](crate::Design::parse) accepts and the canonical document that it gives back.
+///
+/// ```
+/// assert!(pasu::typescript().contains("export interface Design {"));
+/// ```
 pub fn typescript() -> String {
     let mut text = String::from("// Generated from the field tables of the Rust crate `pasu`. Do not edit.\n");
     interface(&mut text, "Design", "A design: what a person has chosen.", DESIGN);

@@ -16,6 +16,10 @@ names! {
 
 impl Unit {
     /// How many millimetres one model unit has; exact.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Unit::In.millimetres(), 25.4);
+    /// ```
     pub fn millimetres(self) -> f64 {
         match self {
             Unit::Cm => 10.0,

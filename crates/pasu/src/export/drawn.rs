@@ -41,6 +41,18 @@ pub struct DrawnFace {
 ///
 /// # Errors
 /// As [`solid`](crate::solid()).
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// let drawn = pasu::drawn(&cup, &pasu::Making::default())?;
+/// assert!(drawn.faces.iter().any(|face| face.kind == pasu::FaceKind::Lining));
+/// assert_eq!(drawn.scale.millimetres, 10.0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn drawn(design: &Design, making: &Making) -> Result<Drawn> {
     let scale = making.scale(design)?;
     let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());

@@ -52,6 +52,10 @@ impl Format {
         [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply, Format::Step, Format::Svg];
 
     /// The ending of its files, which is also its name: `stl`, `3mf`, `glb`, `obj`, `ply`, `step`, `svg`.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Format::ThreeMf.name(), "3mf");
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             Format::Stl => "stl",
@@ -65,6 +69,11 @@ impl Format {
     }
 
     /// The format of a [name](Format::name); `None` if there is none.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Format::from_name("step"), Some(pasu::Format::Step));
+    /// assert_eq!(pasu::Format::from_name("doc"), None);
+    /// ```
     pub fn from_name(name: &str) -> Option<Format> {
         Format::ALL.into_iter().find(|format| format.name() == name)
     }

@@ -10,6 +10,18 @@ const MOST: usize = 2 << 20;
 ///
 /// `None` for every other file: no bytes make it fail. That a link is found does not make it whole: reading it says so if it is not. An STL file holds its link only
 /// if it is short.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// let bytes = pasu::write(&cup, pasu::Format::ThreeMf, &pasu::Making::default())?;
+/// assert_eq!(pasu::open(&bytes), Some(cup.link()));
+/// assert_eq!(pasu::open(b"something else"), None);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn open(bytes: &[u8]) -> Option<String> {
     let link = if bytes.starts_with(b"PK\x03\x04") {
         let model = zip::beginning_of(bytes, three_mf::MODEL, MOST)?;

@@ -39,6 +39,19 @@ pub struct Sketch {
 ///
 /// # Errors
 /// `out-of-range` for a tolerance that is not a distance or a share that is not one; what [`Pot::new`](crate::Pot::new) and [`solid`](crate::solid()) refuse.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// let options = pasu::SketchOptions { fill: Some(0.5), ..pasu::SketchOptions::default() };
+/// let sketch = pasu::sketch(&cup, &options)?;
+/// // Half of the depth from the floor, at 1, to the brim, at 4.
+/// assert!(sketch.water.is_some_and(|water| (water.level - 2.5).abs() < 1e-6));
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn sketch(design: &Design, options: &SketchOptions) -> Result<Sketch> {
     if let Some(fill) = options.fill.filter(|fill| !(0.0..=1.0).contains(fill)) {
         let message = format!("expected a share of the depth from 0 to 1, found {}", plain(fill));

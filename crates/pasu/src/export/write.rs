@@ -31,6 +31,21 @@ const MOST_TRIANGLES: usize = 20_000_000;
 ///
 /// # Errors
 /// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A design with warnings is written all the same; the verdict is in the file.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// use pasu::{Format, Making, Size};
+///
+/// let making = Making { size: Some(Size::Height(120.0)), shrinkage: 10.0, ..Making::default() };
+/// let bytes = pasu::write(&cup, Format::Stl, &making)?;
+/// // 80 bytes of title, a count, 50 bytes for each triangle.
+/// assert_eq!((bytes.len() - 84) % 50, 0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>> {
     let millimetres = making.scale(design)?.millimetres;
     let parts = 0..design.parts().len();

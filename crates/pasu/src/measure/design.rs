@@ -24,6 +24,10 @@ const WATER: f64 = 1.0;
 
 impl Clay {
     /// The usual density of the fired body in g/cm3.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Clay::Terracotta.density(), 1.9);
+    /// ```
     pub fn density(self) -> f64 {
         match self {
             Clay::Stoneware | Clay::Black => 2.3,
@@ -95,6 +99,19 @@ struct Share {
 /// # Errors
 /// What [`Surface::solve`](crate::Surface::solve) refuses; `out-of-range` for a density that is not positive, a fill level that is not finite, or one above the spill point, whose level is in the message; `overflow` where
 /// the surface leaves the range of numbers.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// let measures = pasu::measure(&cup, &pasu::MeasureOptions::default())?;
+/// let brim = measures.whole.capacity.expect("it holds water").brim;
+/// // Inside, a cylinder of radius 2.5 and height 3.
+/// assert!((brim.value - std::f64::consts::PI * 2.5 * 2.5 * 3.0).abs() <= brim.error);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn measure(design: &Design, options: &MeasureOptions) -> Result<Measures> {
     check(options)?;
     let mut taken = Vec::with_capacity(design.parts().len());

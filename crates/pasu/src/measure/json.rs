@@ -18,6 +18,17 @@ impl Measures {
     }
 
     /// The same as JSON text.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let measures = pasu::measure(&cup, &pasu::MeasureOptions::default())?;
+    /// assert!(measures.to_json().starts_with(r#"{"unit":"cm","product":"pot","height":{"value":4,"#));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn to_json(&self) -> String {
         write_json(&self.to_value())
     }

@@ -29,6 +29,10 @@ impl Map {
     pub const ALL: [Map; 4] = [Map::MeanCurvature, Map::GaussianCurvature, Map::Thickness, Map::Overhang];
 
     /// The word by which it is known: `mean-curvature`, `gaussian-curvature`, `thickness`, `overhang`.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Map::MeanCurvature.name(), "mean-curvature");
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             Map::MeanCurvature => "mean-curvature",
@@ -45,6 +49,21 @@ impl Map {
 ///
 /// # Errors
 /// As [`mesh`](crate::mesh); for [`Map::Thickness`] also what [`Pot::new`] refuses.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// use pasu::{Map, MeshOptions};
+///
+/// let options = MeshOptions { rows: Some(5), columns: Some(9), ..MeshOptions::default() };
+/// let thickness = pasu::paint(&cup, Map::Thickness, &options)?;
+/// assert_eq!(thickness.len(), 5 * 9);
+/// assert!(thickness.iter().all(|thickness| (thickness - 0.5).abs() < 1e-6));
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn paint(design: &Design, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
     let grids = grid_places(design, options)?;
     let mut values = Vec::with_capacity(grids.iter().map(|grid| grid.rows.len() * grid.columns).sum());

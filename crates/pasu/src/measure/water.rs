@@ -40,6 +40,18 @@ const COLUMNS: usize = 192;
 /// # Errors
 /// `out-of-range` for a level that is not finite or above every spill point, the highest of which is in the message; `no-room` for a design that holds nothing, with the reason; what
 /// [`Surface::solve`](crate::Surface::solve) refuses.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// // The floor is at 1.
+/// let water = pasu::water(&cup, 2.0)?;
+/// assert!((water.volume - std::f64::consts::PI * 2.5 * 2.5).abs() <= water.error);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn water(design: &Design, level: f64) -> Result<Water> {
     if !level.is_finite() {
         let message = format!("expected a level, found {}", plain(level));

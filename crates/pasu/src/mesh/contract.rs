@@ -67,11 +67,29 @@ impl Mesh {
     }
 
     /// Number of vertices.
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions};
+    ///
+    /// let options = MeshOptions { rows: Some(5), columns: Some(9), ..MeshOptions::default() };
+    /// let mesh = pasu::mesh(&Design::parse("#1/bloor-wilson")?, &options)?;
+    /// assert_eq!(mesh.n_vertices(), 5 * 9);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn n_vertices(&self) -> usize {
         self.positions.len() / 3
     }
 
     /// Number of triangles.
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions};
+    ///
+    /// let options = MeshOptions { rows: Some(5), columns: Some(9), ..MeshOptions::default() };
+    /// let mesh = pasu::mesh(&Design::parse("#1/bloor-wilson")?, &options)?;
+    /// assert_eq!(mesh.n_triangles(), 2 * 4 * 8);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn n_triangles(&self) -> usize {
         self.indices.len() / 3
     }
@@ -80,6 +98,16 @@ impl Mesh {
     ///
     /// # Errors
     /// The first violation found, in words.
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions};
+    ///
+    /// let mut mesh = pasu::mesh(&Design::parse("#1/bloor-wilson")?, &MeshOptions::default())?;
+    /// assert_eq!(mesh.validate(), Ok(()));
+    /// mesh.indices[0] = u32::MAX;
+    /// assert!(mesh.validate().is_err());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn validate(&self) -> Result<(), String> {
         let n = self.n_vertices();
         if self.positions.len() != 3 * n || self.normals.len() != 3 * n || self.uvs.len() != 2 * n {

@@ -12,6 +12,15 @@ use crate::surface::Curves;
 /// # Errors
 /// `too-large` beyond [`VERTEX_LIMIT`]; `tolerance-too-fine` where the tolerance cannot be promised (single precision positions, or rows and columns that are
 /// given); `out-of-range` for options outside their range; what [`Surface::solve`](crate::Surface::solve) refuses; `overflow` for a point beyond single precision.
+///
+/// ```
+/// use pasu::{Design, MeshOptions};
+///
+/// let vase = Design::parse("#1/bloor-wilson?n1=5")?;
+/// let mesh = pasu::mesh(&vase, &MeshOptions { tolerance: Some(0.01), ..MeshOptions::default() })?;
+/// assert!(mesh.bound.is_some_and(|bound| bound <= 0.01));
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn mesh(design: &Design, options: &MeshOptions) -> Result<Mesh> {
     let mut sampler = Sampler::new();
     sampler.sample(design, options)?;
@@ -38,6 +47,18 @@ impl Sampler {
     ///
     /// # Errors
     /// As [`mesh`].
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions, Sampler};
+    ///
+    /// let options = MeshOptions { rows: Some(33), columns: Some(65), ..MeshOptions::default() };
+    /// let mut sampler = Sampler::new();
+    /// for a in ["1", "1.1", "1.2"] {
+    ///     let vase = Design::parse(&format!("#1/bloor-wilson?a={a}"))?;
+    ///     assert_eq!(sampler.sample(&vase, &options)?, &pasu::mesh(&vase, &options)?);
+    /// }
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn sample(&mut self, design: &Design, options: &MeshOptions) -> Result<&Mesh> {
         let grids = choose(design, options, false, &mut self.spare)?;
         let filled = self.fill(&grids);
@@ -118,6 +139,15 @@ pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result
 ///
 /// # Errors
 /// As [`mesh`]; `overflow` where second derivatives leave the range of numbers, not where points do, which only sampling finds.
+///
+/// ```
+/// use pasu::{Design, MeshOptions};
+///
+/// let vase = Design::parse("#1/bloor-wilson")?;
+/// let grid = |rows| MeshOptions { rows: Some(rows), columns: Some(2 * rows), ..MeshOptions::default() };
+/// assert!(pasu::bound(&vase, &grid(64))? < pasu::bound(&vase, &grid(32))?);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
     let message = "the surface bends more sharply than numbers can tell";
     largest_bound(&choose(design, options, true, &mut Vec::new())?)

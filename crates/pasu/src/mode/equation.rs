@@ -27,6 +27,15 @@ impl Equation {
     /// # Errors
     /// [`Unsolvable::NoHighestDerivative`] if `s = 0`, [`Unsolvable::Overflow`] if a parameter or a coefficient is not finite,
     /// [`Unsolvable::Resonant`] if the homogeneous problem has a solution of its own, for instance order 2 with `k sqrt(-t/s) = m pi`.
+    ///
+    /// ```
+    /// use pasu::{Equation, Order, Unsolvable};
+    ///
+    /// assert!(Equation::new(Order::Second, 1.0, 1.0, 0.0, 3.0).is_ok());
+    /// assert_eq!(Equation::new(Order::Second, 0.0, 1.0, 0.0, 3.0), Err(Unsolvable::NoHighestDerivative));
+    /// // q'' + pi^2 q = 0 does not say how far q swings between q(0) = 0 and q(1) = 0.
+    /// assert_eq!(Equation::new(Order::Second, 1.0, -1.0, 0.0, std::f64::consts::PI), Err(Unsolvable::Resonant));
+    /// ```
     pub fn new(order: Order, s: f64, t: f64, w: f64, k: f64) -> Result<Self, Unsolvable> {
         if s == 0.0 {
             return Err(Unsolvable::NoHighestDerivative);
@@ -44,6 +53,15 @@ impl Equation {
     }
 
     /// The size of the fastest rate, `max |r|` over the roots of the characteristic polynomial.
+    ///
+    /// ```
+    /// use pasu::{Equation, Order};
+    ///
+    /// // q'' - t k^2 q = 0 grows and falls as exp(k sqrt(t) u).
+    /// let equation = Equation::new(Order::Second, 1.0, 4.0, 0.0, 3.0)?;
+    /// assert!((equation.largest_rate() - 6.0).abs() < 1e-14);
+    /// # Ok::<(), pasu::Unsolvable>(())
+    /// ```
     pub fn largest_rate(&self) -> f64 {
         largest_rate(self.order, self.b, self.c)
     }

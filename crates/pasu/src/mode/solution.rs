@@ -91,6 +91,15 @@ impl ModeSolution {
     }
 
     /// Whether `q` is 0 everywhere.
+    ///
+    /// ```
+    /// use pasu::{Equation, ModeData, Order};
+    ///
+    /// let equation = Equation::new(Order::Second, 1.0, 1.0, 0.0, 2.0)?;
+    /// let nothing = ModeData { start: 0.0, end: 0.0, start_u: 0.0, end_u: 0.0, force: &[] };
+    /// assert!(equation.solve(&nothing)?.is_zero());
+    /// # Ok::<(), pasu::Unsolvable>(())
+    /// ```
     pub fn is_zero(&self) -> bool {
         self.particular.is_empty() && self.factors == [0.0; 4]
     }
@@ -98,6 +107,17 @@ impl ModeSolution {
 
 impl Equation {
     /// The solutions at `u` in [0, 1], each with its derivatives up to order `N - 1`. They share the transcendental functions.
+    ///
+    /// ```
+    /// use pasu::{Equation, ModeData, Order};
+    ///
+    /// // The fourth derivative 0, with q(0) = 0, q'(0) = 0, q(1) = 1, q'(1) = 3 is u^3.
+    /// let equation = Equation::new(Order::Fourth, 1.0, 0.0, 0.0, 0.0)?;
+    /// let solution = equation.solve(&ModeData { start: 0.0, end: 1.0, start_u: 0.0, end_u: 3.0, force: &[] })?;
+    /// let [[q, q_u, q_uu]] = equation.jets::<3, 1>([&solution], 0.5);
+    /// assert!((q - 0.125).abs() < 1e-15 && (q_u - 0.75).abs() < 1e-15 && (q_uu - 3.0).abs() < 1e-14);
+    /// # Ok::<(), pasu::Unsolvable>(())
+    /// ```
     pub fn jets<const N: usize, const M: usize>(&self, solutions: [&ModeSolution; M], u: f64) -> [[f64; N]; M] {
         let needs_basis = solutions.iter().any(|solution| solution.factors != [0.0; 4]);
         let basis = if needs_basis { self.basis.jets::<N>(u) } else { [[0.0; N]; 4] };

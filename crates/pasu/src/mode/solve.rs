@@ -13,6 +13,17 @@ impl Equation {
     ///
     /// # Errors
     /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.
+    ///
+    /// ```
+    /// use pasu::{Equation, ModeData, Order};
+    ///
+    /// // q'' - 4 q = 0 from 1 to 0: sinh(2 (1 - u)) / sinh(2)
+    /// let equation = Equation::new(Order::Second, 1.0, 1.0, 0.0, 2.0)?;
+    /// let solution = equation.solve(&ModeData { start: 1.0, end: 0.0, start_u: 0.0, end_u: 0.0, force: &[] })?;
+    /// let [[q]] = equation.jets::<1, 1>([&solution], 0.5);
+    /// assert!((q - 1.0f64.sinh() / 2.0f64.sinh()).abs() < 1e-15);
+    /// # Ok::<(), pasu::Unsolvable>(())
+    /// ```
     pub fn solve(&self, data: &ModeData) -> Result<ModeSolution, Unsolvable> {
         if data.is_zero() {
             return Ok(ModeSolution::zero());

@@ -30,6 +30,10 @@ pub enum FaceKind {
 
 impl FaceKind {
     /// The word by which it is known: `outer`, `lining`, `rim`, `underside`, `foot-ring`, `recess`, `floor`, `drain`, `lid`.
+    ///
+    /// ```
+    /// assert_eq!(pasu::FaceKind::FootRing.name(), "foot-ring");
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             FaceKind::Outer => "outer",

@@ -43,6 +43,22 @@ const LEAST_STEP: f64 = 0.4;
 /// # Errors
 /// What [`Making::scale`] and [`Pot::new`] refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
 /// `overflow` for millimetres beyond single precision.
+///
+/// ```
+/// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+/// # let cup = pasu::Design::parse(
+/// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+/// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+/// # )?;
+/// use pasu::{Making, Size};
+///
+/// let making = Making { size: Some(Size::Height(8.0)), ..Making::default() };
+/// let pots = pasu::solid(&cup, &making)?;
+/// let top = pots[0].positions.chunks_exact(3).map(|p| p[2]).fold(f32::NEG_INFINITY, f32::max);
+/// // In millimetres, as files are.
+/// assert_eq!(top, 80.0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
 pub fn solid(design: &Design, making: &Making) -> Result<Vec<SolidMesh>> {
     let scale = making.scale(design)?.millimetres;
     (0..design.parts().len()).map(|part| Ok(make(design, part, making, scale)?.mesh)).collect()

@@ -16,6 +16,10 @@ pub enum Product {
 
 impl Product {
     /// The word by which it is known: `pot` or `solid`.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Product::Solid.name(), "solid");
+    /// ```
     pub fn name(self) -> &'static str {
         match self {
             Product::Pot => "pot",
@@ -71,6 +75,21 @@ impl Making {
     /// # Errors
     /// `out-of-range` for a size, shrinkage or tolerance outside its range, or a size that the design has nothing of; `no-room` for the capacity of a design that holds nothing; what
     /// [`Surface::solve`](crate::Surface::solve) refuses.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Making, Size};
+    ///
+    /// let making = Making { size: Some(Size::Height(8.0)), shrinkage: 20.0, ..Making::default() };
+    /// let scale = making.scale(&cup)?;
+    /// assert!((scale.size - 2.0).abs() < 1e-12 && (scale.shrinkage - 1.25).abs() < 1e-12);
+    /// assert!((scale.millimetres - 25.0).abs() < 1e-10);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn scale(&self, design: &Design) -> Result<Scale> {
         self.check()?;
         let size = match self.size {

@@ -23,11 +23,34 @@ pub struct SolidMesh {
 
 impl SolidMesh {
     /// Number of vertices.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let pots = pasu::solid(&cup, &pasu::Making::default())?;
+    /// assert_eq!(3 * pots[0].n_vertices(), pots[0].positions.len());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn n_vertices(&self) -> usize {
         self.positions.len() / 3
     }
 
     /// Number of triangles.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let pots = pasu::solid(&cup, &pasu::Making::default())?;
+    /// // A cup has no handle: V - E + F = 2, and E = 3 F / 2.
+    /// assert_eq!(2 * pots[0].n_vertices() - pots[0].n_triangles(), 4);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn n_triangles(&self) -> usize {
         self.indices.len() / 3
     }

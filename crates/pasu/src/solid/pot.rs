@@ -56,6 +56,19 @@ impl Pot {
     /// # Errors
     /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses; `no-wall`, `open-surface`, `pinched-surface`, `no-opening`, `no-room` with the
     /// field that asks too much and the place. That the faces do not cross is only known of a [mesh](crate::solid).
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Pot, Product};
+    ///
+    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
+    /// assert_eq!(pot.thickness(), (0.5, 0.5));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn new(design: &Design, part: usize, product: Product) -> Result<Pot> {
         Pot::with_fineness(design, part, product, 1)
     }
@@ -97,16 +110,53 @@ impl Pot {
     }
 
     /// The faces, in order along a meridian.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Face, FaceKind, Pot, Product};
+    ///
+    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
+    /// let kinds: Vec<FaceKind> = pot.faces().iter().map(|face| face.kind()).collect();
+    /// assert!(kinds.contains(&FaceKind::Outer) && kinds.contains(&FaceKind::Lining) && kinds.contains(&FaceKind::Rim));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn faces(&self) -> &[Piece] {
         &self.pieces
     }
 
     /// Whether the last face ends where the first begins: a tube, or a pot with a drain.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Pot, Product};
+    ///
+    /// assert!(!Pot::new(&cup, 0, Product::Pot)?.is_ring());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn is_ring(&self) -> bool {
         self.is_ring
     }
 
     /// The unit vector along the pot's own axis, from foot to rim.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let pot = pasu::Pot::new(&cup, 0, pasu::Product::Pot)?;
+    /// assert!((pot.axis().z - 1.0).abs() < 1e-12);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn axis(&self) -> DVec3 {
         self.skin.frame().axis()
     }
@@ -130,6 +180,17 @@ impl Pot {
     }
 
     /// The share of the surface where the wall is thinner than asked for, from 0 to 1, and the place where it is thinnest; `None` where it is as asked for everywhere.
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// let pot = pasu::Pot::new(&cup, 0, pasu::Product::Pot)?;
+    /// assert_eq!(pot.thinned(), None);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn thinned(&self) -> Option<(f64, DVec3)> {
         match &*self.thickness {
             Thickness::Even(_) => None,

@@ -29,6 +29,11 @@ pub(super) struct Term {
 
 impl Span {
     /// The length of the `v` interval.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Span::Length(3.0).length(), 3.0);
+    /// assert_eq!(pasu::Span::Tau.length(), std::f64::consts::TAU);
+    /// ```
     pub fn length(self) -> f64 {
         match self {
             Span::Tau => TAU,
@@ -58,6 +63,13 @@ impl Surface {
     /// # Errors
     /// `resonant-problem`, naming component and mode, where oscillating solutions leave no unique answer; `out-of-range` where `s` is 0;
     /// `overflow` where the solution leaves the range of doubles.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// let surface = pasu::Surface::solve(&vase.parts()[0].shape.boundary_value(), "parts[0].shape")?;
+    /// assert!(surface.is_closed());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
         // What x has solved: y nearly always, and z often, have the same equations.
         let mut equations: Vec<Equation> = Vec::with_capacity(shape.x.modes.len());
@@ -89,11 +101,26 @@ impl Surface {
     }
 
     /// The length of the `v` interval.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
+    /// assert_eq!(pasu::Surface::of_part(&vase.parts()[0], 0)?.span(), std::f64::consts::TAU);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn span(&self) -> f64 {
         self.span.length()
     }
 
     /// Whether the surface meets itself at `v = 0` and `v = span`: every `n` in use is whole.
+    ///
+    /// ```
+    /// use pasu::{Design, Surface};
+    ///
+    /// let closed = |link: &str| Ok(Surface::of_part(&Design::parse(link)?.parts()[0], 0)?.is_closed());
+    /// assert_eq!(closed("#1/second-order?n=1,8"), Ok(true));
+    /// assert_eq!(closed("#1/second-order?n=1,8.5"), Ok::<bool, pasu::Error>(false));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn is_closed(&self) -> bool {
         self.components.iter().flatten().all(|term| term.n == term.n.trunc())
     }
@@ -103,6 +130,13 @@ impl Surface {
     }
 
     /// Position and derivatives at `(u, v)`, `u` in [0, 1], `v` in the units of the span.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/second-order?height=9")?;
+    /// let jet = pasu::Surface::of_part(&vase.parts()[0], 0)?.at(0.5, 0.25);
+    /// assert!((jet.position.z - 4.5).abs() < 1e-12 && (jet.du.z + 9.0).abs() < 1e-12);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
     pub fn at(&self, u: f64, v: f64) -> SurfaceJet {
         let mut jet = SurfaceJet::default();
         for (axis, terms) in self.components.iter().enumerate() {
