@@ -4,6 +4,7 @@ mod bench;
 mod browser;
 mod build;
 mod command;
+mod crate_package;
 mod debian;
 mod dev;
 mod node;
@@ -28,7 +29,7 @@ cargo xtask <task>
   dev      serve the designer and rebuild it on every change
   build    build the library (crates/pasu-wasm/pkg) and the static site (web/dist) for release
   test     every check there is; --fast leaves the browser out;
-           --tools asks other programs to judge our files
+           --tools asks other programs to judge our files; --package tests the crate as it is published
   tidy     the rules of the house alone, which test begins with
   bench    how fast surfaces are computed
 

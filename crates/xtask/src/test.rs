@@ -7,10 +7,10 @@ use anyhow::{Result, bail};
 use crate::report::{Report, cargo_count, node_count, vitest_count};
 use crate::wasm_package::{self, Care};
 use crate::workspace::{Workspace, cargo};
-use crate::{browser, command, node, site, tidy, tools, wasm_target, weight};
+use crate::{browser, command, crate_package, node, site, tidy, tools, wasm_target, weight};
 
 const HELP: &str = "\
-cargo xtask test [--fast | --tools]
+cargo xtask test [--fast | --tools | --package]
 
 Runs, and goes on after a failure: the rules of the house, the formatter, clippy, the tests of the
 mathematics, the WebAssembly tests in Node, the TypeScript check, the linter, the tests of the front
@@ -18,13 +18,17 @@ end and of the library as it is published, and the browser tests.
 
   --fast   leave out what needs a browser
   --tools  instead of all that, have other programs judge files of many designs: Manifold, trimesh, lib3mf,
-           OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed";
+           OpenCASCADE, PrusaSlicer, resvg and the glTF validator. They are installed when first needed
+  --package
+           instead of all that, pack the crate `pasu`, run its tests in an empty folder, and compare its interface
+           with that of the last tag";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     let fast = match arguments {
         [] => false,
         [word] if word == "--fast" => true,
         [word] if word == "--tools" => return with_tools(),
+        [word] if word == "--package" => return of_package(),
         [word] if word == "--help" || word == "-h" => {
             println!("{HELP}");
             return Ok(());
@@ -59,6 +63,13 @@ fn with_tools() -> Result<()> {
     node::ensure(&workspace)?;
     let mut report = Report::default();
     tools::check(&mut report, &workspace);
+    report.close()
+}
+
+fn of_package() -> Result<()> {
+    let workspace = Workspace::find()?;
+    let mut report = Report::default();
+    crate_package::check(&mut report, &workspace);
     report.close()
 }
 

@@ -1,0 +1,72 @@
+//! `cargo xtask test --package`: the crate `pasu` as crates.io would have it, and whether its interface is still that of the last tag.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+
+use crate::command;
+use crate::report::{Report, cargo_count};
+use crate::workspace::{Workspace, cargo};
+
+/// Packs the crate, unpacks it where nothing else is, runs all of its tests there, and compares interfaces.
+pub(crate) fn check(report: &mut Report, workspace: &Workspace) {
+    report.check("crate is packed", || unpack(workspace));
+    report.tests("tests of the crate", cargo_count, || {
+        let mut tests = Command::new(cargo());
+        tests.args(["test", "--all-features", "--no-fail-fast"]).current_dir(folder(workspace));
+        // What it was compiled for stays for the next time. Optimised as in the workspace, of which nothing is known there.
+        tests.env("CARGO_TARGET_DIR", workspace.target().join("package-tests")).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
+        Ok(tests)
+    });
+    report.check("interface since the last tag", || interface(workspace));
+}
+
+/// Outside the repository: in a folder below, Cargo would find the workspace, and a test a file that is not in the package.
+fn folder(workspace: &Workspace) -> PathBuf {
+    let mark =
+        workspace.root().to_string_lossy().bytes().fold(0u32, |mark, byte| mark.rotate_left(5) ^ u32::from(byte));
+    std::env::temp_dir().join(format!("pasu-crate-{mark:08x}"))
+}
+
+fn unpack(workspace: &Workspace) -> Result<()> {
+    // Also what is not committed yet; whether it compiles is seen below.
+    let packing = ["package", "--package", "pasu", "--no-verify", "--allow-dirty", "--quiet"];
+    command::run(Command::new(cargo()).args(packing).current_dir(workspace.root()))?;
+    let folder = folder(workspace);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).with_context(|| format!("cannot empty {}", folder.display()))?;
+    }
+    fs::create_dir_all(&folder)?;
+    let packed = workspace.target().join(format!("package/pasu-{}.crate", env!("CARGO_PKG_VERSION")));
+    command::run(Command::new("tar").arg("-xzf").arg(packed).args(["--strip-components", "1", "-C"]).arg(&folder))?;
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        if fs::read(folder.join(licence)).ok() != fs::read(workspace.root().join(licence)).ok() {
+            bail!(
+                "{licence} in the package is not that of the repository; are symbolic links off? (git config core.symlinks true)"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// `cargo semver-checks` against the last tag `v..`, once there is one. It is installed when first needed.
+fn interface(workspace: &Workspace) -> Result<()> {
+    let tags = command::read(
+        Command::new("git")
+            .args(["tag", "--list", "v*", "--merged", "HEAD", "--sort=-v:refname"])
+            .current_dir(workspace.root()),
+    )?;
+    let Some(last) = tags.lines().next() else {
+        println!("there is no tag v.. yet with which the interface could be compared");
+        return Ok(());
+    };
+    let is_installed =
+        Command::new(cargo()).args(["semver-checks", "--version"]).output().is_ok_and(|output| output.status.success());
+    if !is_installed {
+        command::run(Command::new(cargo()).args(["install", "--locked", "cargo-semver-checks"]))?;
+    }
+    let comparing = ["semver-checks", "--package", "pasu", "--all-features", "--baseline-rev", last];
+    command::run(Command::new(cargo()).args(comparing).current_dir(workspace.root()))
+}
