@@ -6,6 +6,7 @@ use crate::surface::{Surface, SurfaceJet};
 
 /// Derivatives at the points asked for, three numbers each.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Derivatives {
     /// `X_u`.
     pub du: Vec<f64>,

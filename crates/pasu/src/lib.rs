@@ -48,6 +48,8 @@ pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{Drawn, DrawnFace, Format, Sketch, SketchOptions, drawn, open, sketch, write};
 pub use fingerprint::fingerprint;
+/// The crate of the vectors in points and derivatives, in the version that they are of.
+pub use glam;
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
     Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,

@@ -5,6 +5,7 @@ use crate::solid::Product;
 
 /// How much a finding matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Severity {
     /// It cannot be made.
     Error,
@@ -31,6 +32,7 @@ impl Severity {
 
 /// One thing that a check found.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Finding {
     /// A stable kebab-case word: `thinned`, or the code of the [`Error`](crate::Error) that refuses the part.
     pub code: &'static str,
@@ -46,6 +48,7 @@ pub struct Finding {
 
 /// What the checks counted on the mesh of one part, on the coordinates that a file holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct MeshReport {
     /// The part.
     pub part: usize,
@@ -71,6 +74,7 @@ pub struct MeshReport {
 
 /// The verdict on a design: can it be made, and what was found.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// What was to be made.
     pub product: Product,

@@ -19,6 +19,7 @@ pub struct Look {
 
 names! {
     /// A glaze.
+    #[non_exhaustive]
     pub enum Glaze {
         /// Grey-green, glassy, pooling in hollows.
         Celadon = "celadon",
@@ -41,6 +42,7 @@ names! {
 
 names! {
     /// A clay body.
+    #[non_exhaustive]
     pub enum Clay {
         /// Warm grey.
         Stoneware = "stoneware",

@@ -38,6 +38,7 @@ names! {
 
 names! {
     /// How a wall ends at an opening.
+    #[non_exhaustive]
     pub enum RimForm {
         /// Cut square across the wall.
         Flat = "flat",

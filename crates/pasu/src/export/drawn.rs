@@ -11,6 +11,7 @@ use crate::solid::{FaceKind, Making, Scale, solid};
 ///
 /// A vertex is split where faces meet, so that edges are drawn sharp. Triangles are counter-clockwise seen from outside the clay.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Drawn {
     /// `x, y, z` per vertex, in model units after placement: before size and shrinkage.
     pub positions: Vec<f32>,
@@ -26,6 +27,7 @@ pub struct Drawn {
 
 /// One face of one part in [`Drawn`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct DrawnFace {
     /// What it is.
     pub kind: FaceKind,

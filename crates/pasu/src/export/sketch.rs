@@ -18,6 +18,7 @@ pub struct SketchOptions {
 
 /// The faces of pots that the [mesh](crate::mesh) of the design does not show, and water.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Sketch {
     /// `x, y, z` per vertex, in model units after placement. Vertices are split where faces meet.
     pub positions: Vec<f32>,

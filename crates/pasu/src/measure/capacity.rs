@@ -11,6 +11,7 @@ use crate::solid::{Face, FaceKind, Pot};
 
 /// What a pot holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Capacity {
     /// To the brim, in the position in which it is placed.
     pub brim: Quantity,

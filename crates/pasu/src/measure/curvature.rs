@@ -14,6 +14,7 @@ use crate::surface::SurfaceJet;
 
 /// A value and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Located {
     /// The value.
     pub value: f64,
@@ -25,6 +26,7 @@ pub struct Located {
 
 /// The range of a curvature; a bound is `None` where the curvature grows without one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct CurvatureRange {
     /// The least.
     pub least: Option<Located>,
@@ -34,6 +36,7 @@ pub struct CurvatureRange {
 
 /// Ranges of mean and Gaussian curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Curvature {
     /// Half the sum of the principal curvatures, positive where the surface bends like a ball seen from outside.
     pub mean: CurvatureRange,

@@ -11,6 +11,7 @@ use crate::solid::Pot;
 
 /// A level surface of water.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct WaterSurface {
     /// Its height in model units, the `z` of the world.
     pub level: f64,

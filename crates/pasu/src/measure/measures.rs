@@ -22,6 +22,7 @@ pub struct MeasureOptions {
 ///
 /// Lengths are in the unit of the design, areas and volumes in its square and cube, angles in degrees, masses in grams; `z` of the world is up.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Measures {
     /// The unit of length.
     pub unit: Unit,
@@ -35,6 +36,7 @@ pub struct Measures {
 
 /// What can be said of one part and of several together.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Body {
     /// From the lowest to the highest point.
     pub height: Quantity,
@@ -64,6 +66,7 @@ pub struct Body {
 
 /// The least and the greatest distance of two parallel upright boards on either side of a pot.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Width {
     /// The least.
     pub least: Quantity,
@@ -77,6 +80,7 @@ pub struct Width {
 
 /// The clay of a pot.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct ClayMeasures {
     /// Of its whole boundary.
     pub area: Quantity,
@@ -88,6 +92,7 @@ pub struct ClayMeasures {
 
 /// A centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Centre {
     /// Where it is.
     pub at: [f64; 3],
@@ -97,6 +102,7 @@ pub struct Centre {
 
 /// The measures of one part.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct PartMeasures {
     /// Its number.
     pub part: usize,
@@ -120,6 +126,7 @@ pub struct PartMeasures {
 
 /// How thick a wall is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ThicknessRange {
     /// The thickness asked for.
     pub asked: f64,
@@ -135,6 +142,7 @@ pub struct ThicknessRange {
 
 /// How far a wall leans over what is below.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Overhang {
     /// The angle against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up.
     pub degrees: f64,

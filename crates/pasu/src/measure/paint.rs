@@ -13,6 +13,7 @@ use crate::solid::{Face, Pot, Product};
 
 /// What is painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Map {
     /// Mean curvature of the design surface, in 1 / length; positive where it bends like a ball seen from outside.
     MeanCurvature,

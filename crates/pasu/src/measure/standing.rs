@@ -22,6 +22,7 @@ const TOLD: usize = 128;
 
 /// What a pot stands on.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Footprint {
     /// The `z` of the table.
     pub level: f64,
@@ -35,6 +36,7 @@ pub struct Footprint {
 
 /// How far a pot can be tilted.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Tipping {
     /// The smallest tilt, in degrees, at which the centre of mass is above an edge of the footprint's hull; 0 where it never was above the hull.
     pub degrees: f64,

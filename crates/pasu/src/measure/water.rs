@@ -13,6 +13,7 @@ use crate::solid::{Pot, Product};
 
 /// Water up to a level.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Water {
     /// Its volume in model units cubed.
     pub volume: f64,

@@ -19,6 +19,7 @@ pub const VERTEX_LIMIT: usize = 16_000_000;
 ///
 /// Every number is finite.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Mesh {
     /// `x, y, z` per vertex.
     pub positions: Vec<f32>,

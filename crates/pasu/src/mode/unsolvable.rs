@@ -2,6 +2,7 @@
 
 /// Why a mode problem has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unsolvable {
     /// The shape control parameter of the highest derivative is 0.
     NoHighestDerivative,

@@ -6,6 +6,7 @@ use crate::measure::{Gauge, gauge};
 
 /// What is made of each part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Product {
     /// A hollow pot with the part's wall.
     #[default]
@@ -30,6 +31,7 @@ impl Product {
 
 /// What the finished pot is to measure, in the unit of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Size {
     /// From the lowest to the highest point.
     Height(f64),
@@ -57,6 +59,7 @@ pub struct Making {
 
 /// The factors between a design and what is made of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Scale {
     /// From the design to the finished pot.
     pub size: f64,

@@ -8,6 +8,7 @@ use super::face::FaceKind;
 /// - Triangles are counter-clockwise seen from outside the clay.
 /// - No triangle is without area and no two cross, on the coordinates as they are: single precision, rounded once.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct SolidMesh {
     /// `x, y, z` per vertex, in millimetres, after size and shrinkage.
     pub positions: Vec<f32>,

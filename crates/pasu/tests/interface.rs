@@ -1,0 +1,38 @@
+//! What every public type promises besides what it is.
+
+use std::collections::BTreeSet;
+
+use pasu::*;
+
+/// The names of types, each of which can go from thread to thread and be shared between them.
+macro_rules! shared {
+    ($($name:ident)*) => {{
+        fn is_shared<T: Send + Sync>() {}
+        $(is_shared::<$name>();)*
+        [$(stringify!($name)),*]
+    }};
+}
+
+#[test]
+fn every_type_goes_from_thread_to_thread() {
+    let mut checked = BTreeSet::from(shared!(
+        Arg Axis BloorWilson Body BoundaryValue Capacity Centre Clay ClayMeasures Code Component Curvature CurvatureRange Datum Derivatives Design
+        Drawn DrawnFace Equation Error FaceJet FaceKind Finding Footprint Format FourthOrder Glaze Located Look Making Map MeasureOptions Measures
+        Mesh MeshOptions MeshReport MixedOrder Mode ModeSolution Order Overhang Part PartMeasures Placement Product Quantity Report RimForm Sampler
+        Scale SecondOrder Severity Shape Side Size Sketch SketchOptions SolidMesh Span Surface SurfaceJet ThicknessRange Tipping Unit Unsolvable
+        Value Wall Water WaterSurface Width
+    ));
+    fn is_shared<T: Send + Sync>() {}
+    is_shared::<ModeData<'_>>();
+    checked.insert("ModeData");
+    // A trait and an alias, and the faces of a pot, which keep what was asked of them.
+    checked.extend(["Face", "Piece", "Pot", "Result"]);
+    assert_eq!(checked, declared());
+}
+
+/// The types that `lib.rs` lists.
+fn declared() -> BTreeSet<&'static str> {
+    let lists = include_str!("../src/lib.rs").split("pub use ").skip(1).filter_map(|list| list.split(';').next());
+    let words = lists.flat_map(|list| list.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    words.filter(|word| word.starts_with(char::is_uppercase) && word.contains(char::is_lowercase)).collect()
+}
