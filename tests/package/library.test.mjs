@@ -121,7 +121,10 @@ test("a refusal says where in space the pot went wrong", async () => {
       () => pasu.solid(design),
       ({ code, path, place }) => {
         assert.deepEqual([code, path], ["pinched-surface", "parts[0].shape"]);
-        assert.deepEqual(place.map((x) => Math.round(1e9 * x) / 1e9 + 0), [0, 0, 2.5]);
+        assert.deepEqual(
+          place.map((x) => Math.round(1e9 * x) / 1e9 + 0),
+          [0, 0, 2.5],
+        );
         return true;
       },
     );

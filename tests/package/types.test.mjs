@@ -61,6 +61,8 @@ const same: Mesh = drawn(design) satisfies Drawn;
 const refused: PasuError = new Refused("not-json", "", "");
 void same; void refused; void text; void off; void numbers; void indices; void slopes;
 
+// @ts-expect-error an object that is no design
+parse({ pot: 1 });
 // @ts-expect-error a part is named by its index
 evaluate(design, "0", at);
 // @ts-expect-error there is no such option

@@ -4,8 +4,8 @@ import type { Design } from "./design.js";
 
 export type * from "./design.js";
 
-/** A design to read: a plain object, JSON text, a link (with or without `#`) or an address with one. */
-export type DesignSource = object | string;
+/** A design to read: a plain object, or as text its JSON, a link (with or without `#`) or an address with one. */
+export type DesignSource = Design | string;
 
 /** Why something was refused; stable words to match on. */
 export type PasuErrorCode =
@@ -308,9 +308,9 @@ export interface Solid {
 /** What {@link sketch} is asked for. */
 export interface SketchOptions {
   /** How far triangles may be from the true faces, in the unit of the design; one two-thousandth of each part's size when left out. It is aimed at, not proved. */
-  tolerance?: number;
+  tolerance?: number | undefined;
   /** How full the pot is, as a share of the depth from its lowest point to where water runs out, from 0 to 1; no water when left out. */
-  fill?: number;
+  fill?: number | undefined;
 }
 
 /** The faces of pots that the mesh of the design does not show. The arrays are views of the beginnings of longer ones, which are yours. */

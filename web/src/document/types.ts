@@ -52,6 +52,9 @@ export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {
   readonly parts: readonly Part[];
 }
 
+/** The same as the package takes it: a component has the data of its order. The package holds a design to that; while it is being edited, the page does not. */
+export type Sent = pasu.Design;
+
 export type Making = Frozen<pasu.Making>;
 export type Product = pasu.Product;
 export type Format = pasu.Format;

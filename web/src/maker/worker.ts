@@ -1,7 +1,7 @@
 /** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
 
 import init, { check, measure, open, PasuError, paint, sketch, solid, water, write } from "pasu";
-import type { Design, Refusal } from "../document/types";
+import type { Refusal, Sent } from "../document/types";
 import type { Answers, Ask, Begin, Kind, Quick, Reply, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { solidOf } from "./solid";
@@ -33,29 +33,29 @@ function post(reply: Reply, transfer: Transferable[]): void {
 function perform(ask: Ask): Answers[Kind] {
   switch (ask.kind) {
     case "solid":
-      return drawn(ask.design, ask.tolerance);
+      return drawn(ask.design as Sent, ask.tolerance);
     case "quick":
       return quick(ask);
     case "measure":
-      return measure(ask.design, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
+      return measure(ask.design as Sent, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
     case "check":
-      return check(ask.design, ask.making);
+      return check(ask.design as Sent, ask.making);
     case "paint":
-      return paintedOf(paint(ask.design, ask.map, { rows: ask.rows, columns: ask.columns }));
+      return paintedOf(paint(ask.design as Sent, ask.map, { rows: ask.rows, columns: ask.columns }));
     case "water":
-      return { ...water(ask.design, ask.level), level: ask.level };
+      return { ...water(ask.design as Sent, ask.level), level: ask.level };
     case "write":
-      return { bytes: write(ask.design, ask.format, ask.making) };
+      return { bytes: write(ask.design as Sent, ask.format, ask.making) };
     case "open":
       return open(ask.bytes) ?? null;
   }
 }
 
 /** Parts that are no pots are drawn by the solver alone. */
-function drawn(design: Design, tolerance: number): Solid {
+function drawn(design: Sent, tolerance: number): Solid {
   const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
   if (walled.length === design.parts.length) return solidOf(design, solid(design, { tolerance }));
-  const parts = walled.map((part) => design.parts[part]);
+  const parts = design.parts.filter(({ wall }) => wall !== undefined);
   const made = solid({ ...design, parts }, { tolerance });
   const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
   return solidOf(design, { ...made, faces });
@@ -64,7 +64,7 @@ function drawn(design: Design, tolerance: number): Solid {
 /** A pot under the hand, in the arrays of an earlier one. */
 function quick({ design, tolerance, fill, spare }: Extract<Ask, { kind: "quick" }>): Quick {
   const begun = performance.now();
-  const made = sketch(design, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
+  const made = sketch(design as Sent, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
   const solid = solidOf(design, made, spare);
   return { solid, water: made.water ?? null, took: performance.now() - begun };
 }

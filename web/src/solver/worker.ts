@@ -3,7 +3,7 @@
 import init, { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, PasuError, parse } from "pasu/drawing";
 import type { Grid } from "../document/describe";
 import { facts } from "../document/describe";
-import type { Design, Part, Refusal } from "../document/types";
+import type { Part, Refusal, Sent } from "../document/types";
 import { type GridSize, wavesOf } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
@@ -45,9 +45,9 @@ function perform(request: Request): SentAnswers[Ask["kind"]] {
   const { ask } = request;
   switch (ask.kind) {
     case "solve":
-      return solve(ask.design, ask.options, request);
+      return solve(ask.design as Sent, ask.options, request);
     case "mesh":
-      return meshed(ask.design, ask, request, true).mesh;
+      return meshed(ask.design as Sent, ask, request, true).mesh;
     case "parse": {
       const design = parse(ask.text);
       return { design, link: link(design) };
@@ -55,7 +55,7 @@ function perform(request: Request): SentAnswers[Ask["kind"]] {
   }
 }
 
-function solve(design: Design, options: SolveOptions, given: Given): Solved<SentMesh> {
+function solve(design: Sent, options: SolveOptions, given: Given): Solved<SentMesh> {
   const begun = now();
   const made = meshed(design, options, given, options.settle);
   const { bounds, positions } = made.mesh;
@@ -84,7 +84,7 @@ function now(): number {
 /** What a request brings along. */
 type Given = Pick<Request, "known" | "spare">;
 
-function meshed(design: Design, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
+function meshed(design: Sent, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
   const guess = spare && known.includes(spare.topology) ? spare.topology : known.at(-1);
   const made = mesh(design, {
     rows,
@@ -138,7 +138,7 @@ function spanOf({ shape }: Part): number {
   }
 }
 
-function tangentsOf(design: Design, part: Part, index: number) {
+function tangentsOf(design: Sent, part: Part, index: number) {
   const points = tangentPoints(spanOf(part));
   return {
     at: evaluate(design, index, points),
@@ -147,7 +147,7 @@ function tangentsOf(design: Design, part: Part, index: number) {
   };
 }
 
-function sectionOf(design: Design, part: Part, index: number): Section {
+function sectionOf(design: Sent, part: Part, index: number): Section {
   const half = spanOf(part) / 2;
   const along = (v: number) => {
     const at = new Float64Array(2 * SECTION_POINTS);
