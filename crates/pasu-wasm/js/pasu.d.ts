@@ -370,7 +370,8 @@ export function link(source: DesignSource): string;
 export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
 
 /**
- * The surface as triangles, placed, in the arrays of an earlier mesh: those of the right length are filled and handed back, so that a drag allocates nothing.
+ * The surface as triangles, placed, in the arrays of an earlier mesh, so that a drag allocates nothing: each array of `into` that is long enough is written over and handed
+ * back, as a view of its beginning where it is longer. For one that is too short or missing there is a new one.
  *
  * Where `into.topology` is that of the new mesh too, `uvs`, `indices` and `groups` are as they were: they are not written, and are left out of the
  * result if `into` is without them.
@@ -414,11 +415,11 @@ export function solid(source: DesignSource, making?: Making): Solid;
  * The pots of a design as {@link solid} shows them, in a fraction of the time: for a screen, while a hand changes the design. Parts without a wall are passed over, and the face that is the surface
  * of the design is left out, because {@link mesh} shows it. That no faces cross is checked on a coarse mesh, so `solid` may refuse what this shows.
  *
- * The arrays of `into` that are long enough are written over; views of them are handed back.
+ * The arrays of `into` are taken as by {@link mesh}. New ones are views of the beginnings of longer ones, so that the next sketch has room in them.
  */
 export function sketch(
   source: DesignSource,
-  options?: SketchOptions & { into?: { positions?: Float32Array; normals?: Float32Array; indices?: Uint32Array } },
+  options?: SketchOptions & { into?: Partial<Pick<Sketch, "positions" | "normals" | "indices">> | undefined },
 ): Sketch;
 
 /** One number for each vertex of {@link mesh} with the same options, in the same order. */

@@ -11,6 +11,7 @@
 mod error;
 #[cfg(feature = "making")]
 mod fields;
+mod into;
 #[cfg(feature = "making")]
 mod making;
 mod mesh;
@@ -60,7 +61,7 @@ pub fn link(source: &JsValue) -> Result<String, JsValue> {
     Ok(design.link())
 }
 
-/// The triangles of a design, as an object of typed arrays: those of an earlier mesh in `into` where they have the right length.
+/// The triangles of a design, as an object of typed arrays: those of an earlier mesh in `into` where they are long enough.
 ///
 /// # Errors
 /// When the source is not a design, an option is not understood, or the design cannot be solved or meshed.

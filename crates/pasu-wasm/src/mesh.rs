@@ -2,9 +2,11 @@
 
 use std::cell::RefCell;
 
-use js_sys::{Float32Array, Object, Reflect, Uint32Array};
+use js_sys::{Object, Reflect};
 use pasu::{Design, Mesh, MeshOptions, Result, Sampler};
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::JsValue;
+
+use crate::into::{Room, floats, integers};
 
 /// A mesh of more vertices than this is not kept to be overwritten: its memory would never be free for anything else.
 const KEPT: usize = 1 << 20;
@@ -38,13 +40,14 @@ pub(crate) fn sampled(
     })
 }
 
-/// `{ positions, normals, uvs, indices, groups, topology, bound }`, in the arrays of `into` where these have the right length.
+/// `{ positions, normals, uvs, indices, groups, topology, bound }`, in the arrays of `into` where these are long enough.
 ///
 /// Where `into` already is of this topology, what depends on it alone is not written again: it is handed back where it is given, and left out where not.
 fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> {
     let object = Object::new();
-    floats(&object, "positions", &mesh.positions, into)?;
-    floats(&object, "normals", &mesh.normals, into)?;
+    for (key, values) in [("positions", &mesh.positions), ("normals", &mesh.normals)] {
+        set(&object, key, floats(values, &field(into, key), Room::None).into())?;
+    }
     set(&object, "topology", mesh.topology.as_str().into())?;
     if let Some(bound) = mesh.bound {
         set(&object, "bound", bound.into())?;
@@ -57,33 +60,12 @@ fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> 
             }
         }
     } else {
-        floats(&object, "uvs", &mesh.uvs, into)?;
-        integers(&object, "indices", &mesh.indices, into)?;
-        integers(&object, "groups", &mesh.groups, into)?;
+        set(&object, "uvs", floats(&mesh.uvs, &field(into, "uvs"), Room::None).into())?;
+        for (key, values) in [("indices", &mesh.indices), ("groups", &mesh.groups)] {
+            set(&object, key, integers(values, &field(into, key), Room::None).into())?;
+        }
     }
     Ok(object)
-}
-
-fn floats(object: &Object, key: &str, values: &[f32], into: &JsValue) -> core::result::Result<(), JsValue> {
-    let array = match field(into, key).dyn_into::<Float32Array>() {
-        Ok(array) if array.length() as usize == values.len() => {
-            array.copy_from(values);
-            array
-        }
-        _ => Float32Array::from(values),
-    };
-    set(object, key, array.into())
-}
-
-fn integers(object: &Object, key: &str, values: &[u32], into: &JsValue) -> core::result::Result<(), JsValue> {
-    let array = match field(into, key).dyn_into::<Uint32Array>() {
-        Ok(array) if array.length() as usize == values.len() => {
-            array.copy_from(values);
-            array
-        }
-        _ => Uint32Array::from(values),
-    };
-    set(object, key, array.into())
 }
 
 /// A field of whatever this is; `undefined` where it has none.

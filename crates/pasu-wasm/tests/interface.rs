@@ -49,6 +49,25 @@ fn a_mesh_is_typed_arrays_of_the_grid_that_was_asked_for() {
 }
 
 #[wasm_bindgen_test]
+fn arrays_that_are_long_enough_are_written_over() {
+    let options = js(r#"{ "rows": 5, "columns": 9 }"#);
+    let fresh = mesh(&DINT_VASE.into(), &options, &JsValue::UNDEFINED).expect("a mesh");
+    let positions =
+        |of: &Object| Reflect::get(of, &"positions".into()).expect("a field").unchecked_into::<Float32Array>();
+    let expected = positions(&fresh).to_vec();
+    for (length, is_used) in [(3 * 5 * 9, true), (3 * 5 * 9 + 100, true), (3 * 5 * 9 - 1, false), (0, false)] {
+        let given = Float32Array::new_with_length(length);
+        let into = Object::new();
+        Reflect::set(&into, &"positions".into(), &given).expect("set");
+        let found = positions(&mesh(&DINT_VASE.into(), &options, &into).expect("a mesh"));
+        assert_eq!(found.to_vec(), expected, "{length}");
+        assert_eq!(JsValue::from(found.buffer()) == JsValue::from(given.buffer()), is_used, "{length}");
+        assert_eq!(JsValue::from(&found) == JsValue::from(&given), length == 3 * 5 * 9, "{length}");
+        assert_eq!(found.byte_offset(), 0);
+    }
+}
+
+#[wasm_bindgen_test]
 fn points_come_as_typed_or_plain_arrays() {
     let pairs = [0.0, 0.0, 0.25, 1.0, 1.0, 3.0];
     let typed = JsValue::from(Float64Array::from(pairs.as_slice()));

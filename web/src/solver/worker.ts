@@ -86,10 +86,12 @@ type Given = Pick<Request, "known" | "spare">;
 
 function meshed(design: Sent, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
   const guess = spare && known.includes(spare.topology) ? spare.topology : known.at(-1);
+  // A longer array would do, but a grid that became coarse is not to hold the memory of a fine one.
+  const fits = spare?.positions.length === 3 * rows * columns * design.parts.length;
   const made = mesh(design, {
     rows,
     columns,
-    into: { ...(spare && { positions: spare.positions, normals: spare.normals }), ...(guess && { topology: guess }) },
+    into: { ...(fits && { positions: spare.positions, normals: spare.normals }), ...(guess && { topology: guess }) },
   });
   const meshedAt = now();
   const { positions, normals, topology, uvs, indices, groups } = made;
