@@ -17,7 +17,12 @@ struct Step {
     name: &'static str,
     count: Count,
     seconds: f64,
+    /// Its files with their seconds, where it says these.
+    files: Vec<(String, f64)>,
 }
+
+/// How many steps and files the list of the slowest has. It informs whoever makes them faster; nothing is judged by it.
+const SLOWEST: usize = 10;
 
 /// Checks that passed and failed.
 #[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +38,10 @@ impl Report {
     /// A step that succeeds or fails as one.
     pub(crate) fn check(&mut self, name: &'static str, step: impl FnOnce() -> Result<()>) {
         self.time(name, || match step() {
-            Ok(()) => Count { passed: 1, failed: 0 },
+            Ok(()) => (Count { passed: 1, failed: 0 }, Vec::new()),
             Err(error) => {
                 println!("{error:#}");
-                Count { passed: 0, failed: 1 }
+                (Count { passed: 0, failed: 1 }, Vec::new())
             }
         });
     }
@@ -53,28 +58,41 @@ impl Report {
                     println!("no test was run");
                     count.failed = 1;
                 }
-                count
+                (count, vitest_files(&output))
             }
             Err(error) => {
                 println!("{error:#}");
-                Count { passed: 0, failed: 1 }
+                (Count { passed: 0, failed: 1 }, Vec::new())
             }
         });
     }
 
-    fn time(&mut self, name: &'static str, step: impl FnOnce() -> Count) {
+    fn time(&mut self, name: &'static str, step: impl FnOnce() -> (Count, Vec<(String, f64)>)) {
         println!("\n── {name}");
         let start = Instant::now();
-        let count = step();
-        self.steps.push(Step { name, count, seconds: start.elapsed().as_secs_f64() });
+        let (count, files) = step();
+        self.steps.push(Step { name, count, seconds: start.elapsed().as_secs_f64(), files });
     }
 
-    /// Prints the table and the closing line; any failure is an error.
+    fn slowest(&self) -> Vec<(&str, f64)> {
+        let steps = self.steps.iter().map(|step| (step.name, step.seconds));
+        let files = self.steps.iter().flat_map(|step| &step.files).map(|(name, seconds)| (name.as_str(), *seconds));
+        let mut all: Vec<(&str, f64)> = steps.chain(files).collect();
+        all.sort_by(|one, other| other.1.total_cmp(&one.1));
+        all.truncate(SLOWEST);
+        all
+    }
+
+    /// Prints the table, what took the most time, and the closing line; any failure is an error.
     pub(crate) fn close(self) -> Result<()> {
         println!("\n── summary");
-        for Step { name, count, seconds } in &self.steps {
+        for Step { name, count, seconds, .. } in &self.steps {
             let verdict = if count.failed == 0 { "ok    " } else { "FAILED" };
             println!("{verdict} {name:<28} {:>5} passed {:>4} failed {seconds:>7.1} s", count.passed, count.failed);
+        }
+        println!("\n── the slowest steps, and files of tests");
+        for (name, seconds) in self.slowest() {
+            println!("{seconds:>7.1} s  {name}");
         }
         let total = self.steps.iter().fold(Count::default(), |sum, step| Count {
             passed: sum.passed + step.count.passed,
@@ -111,6 +129,16 @@ pub(crate) fn vitest_count(output: &str) -> Count {
     count
 }
 
+/// ` ✓  together  tests/e2e/host.test.ts (4 tests) 23456ms`: files and their seconds, in the order in which they ended.
+fn vitest_files(output: &str) -> Vec<(String, f64)> {
+    let file_of = |line: &str| {
+        let (before, after) = line.split_once(".test.ts (")?;
+        let milliseconds: f64 = after.trim_end().strip_suffix("ms")?.rsplit(' ').next()?.parse().ok()?;
+        Some((format!("{}.test.ts", before.rsplit(' ').next()?), milliseconds / 1000.0))
+    };
+    output.lines().filter_map(file_of).collect()
+}
+
 /// `# pass 3` and `# fail 0` of Node's own test runner.
 pub(crate) fn node_count(output: &str) -> Count {
     let after = |word: &str| {
@@ -144,5 +172,24 @@ mod tests {
         );
         assert_eq!(node_count("# tests 4\n# pass 3\n# fail 1\n"), Count { passed: 3, failed: 1 });
         assert_eq!(vitest_count("nothing of the kind"), Count::default());
+    }
+
+    #[test]
+    fn files_and_their_times_are_read_from_what_vitest_prints() {
+        let output = " ✓  together  ../tests/e2e/host.test.ts (4 tests) 23456ms\n   ✓ the first picture comes soon  812ms\n \
+                      ❯ src/a.test.ts (12 tests | 1 failed) 40ms\n      Tests  1 failed | 11 passed (12)\n";
+        let expected = [("../tests/e2e/host.test.ts", 23.456), ("src/a.test.ts", 0.04)];
+        assert_eq!(vitest_files(output), expected.map(|(name, seconds)| (name.to_owned(), seconds)));
+    }
+
+    #[test]
+    fn the_slowest_come_first() {
+        let mut report = Report::default();
+        for (name, seconds) in [("quick", 1.0), ("slow", 30.0)] {
+            let files = vec![(format!("a file of {name}"), 0.5 * seconds)];
+            report.steps.push(Step { name, count: Count::default(), seconds, files });
+        }
+        let names: Vec<&str> = report.slowest().into_iter().map(|(name, _)| name).collect();
+        assert_eq!(names, ["slow", "a file of slow", "quick", "a file of quick"]);
     }
 }
