@@ -24,9 +24,18 @@ const SLOWER = {
   [PARAMETRIC_GEOMETRY]: [160, 270, 380],
 };
 
+/** How many times slower than Pasu mirrored columns are to be at least where components have cosines and sines, and Pasu than where they have only one of the two at most. */
+const OF_MIRRORED = 3;
+const OF_APART = 1.96;
+const APART = "Pasu, cosines and sines apart";
+const OF_EASIER = { against: APART, at_most: OF_APART, note: `the ratio is to ${APART}, those below to this row` };
+
 /** How many times slower than `memory.fill` Pasu is to be at most. */
 const OF_FILL = [2.5, 4, 5];
 const TURNED_OF_FILL = 1.5;
+
+/** How many times longer than sampling `mesh()` is to take at most, for 512 x 512 cells into new arrays. */
+const MESH_OF_SAMPLING = 4;
 
 /** How many microseconds solving 64 modes in each component is to take at most. */
 const SOLVING = 50;
@@ -39,7 +48,7 @@ const SOLVING = 50;
 export async function* groups({ bench, pasu, vase, turned }, { quick }) {
   const rounds = quick ? 3 : 15;
   for (const [index, modes] of MODES.entries()) yield await kernel(bench, firstModes(vase, modes), index, rounds);
-  yield await everyWave(bench, withEveryWave(firstModes(vase, 4)), rounds);
+  yield await everyWave(bench, withEveryWave(firstModes(vase, 4)), firstModes(vase, 4), rounds);
   yield await memory(bench, vase, turned, 2 * rounds + 1);
   yield await solving(bench, vase, 2 * rounds + 1);
   yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
@@ -52,16 +61,19 @@ async function kernel(bench, design, index, rounds) {
   return await sampling(`K = ${MODES[index]}`, bench, design, contenders, targets, rounds);
 }
 
-/** The same where no two components have the sums of one kind of wave only, and nothing can be left out. */
-async function everyWave(bench, design, rounds) {
+/** The same where every component has cosines and sines, and nothing can be left out; against as many modes, of which each component has one kind. */
+async function everyWave(bench, design, apart, rounds) {
   const fast = (...grid) =>
     contenders(...grid).filter(({ name }) => [HAND_TUNED, MIRRORED, PLAIN_LOOPS].includes(name));
-  return await sampling("K = 4 of cosines and as many of sines", bench, design, fast, {}, rounds);
+  const targets = { [MIRRORED]: OF_MIRRORED };
+  return await sampling("K = 4 of cosines and as many of sines", bench, design, fast, targets, rounds, apart);
 }
 
-async function sampling(what, bench, design, contendersOf, targets, rounds) {
+/** Sampling of a design, against what contenders make of it and, if there is one, sampling of another design. */
+async function sampling(what, bench, design, contendersOf, targets, rounds, apart) {
   const side = 513;
   const subject = new bench.Subject(JSON.stringify(design));
+  const easier = apart && new bench.Subject(JSON.stringify(apart));
   subject.show(side, side);
   const { positions, normals } = subject;
   const others = contendersOf(design, side, side);
@@ -74,10 +86,12 @@ async function sampling(what, bench, design, contendersOf, targets, rounds) {
       { run: (times) => subject.sample(side, side, times) },
       { run: (times) => subject.solve(times) },
       ...others.map((other) => ({ ...other, run: (times) => repeat(other.run, times) })),
+      ...(easier ? [{ run: (times) => easier.sample(side, side, times) }] : []),
     ],
     rounds,
   );
   subject.free();
+  easier?.free();
   const perVertex = 1e6 / side ** 2;
   const rows = others.map(({ name }, other) => {
     const row = { name, samples: scaled(samples[other + 2], perVertex), against: "Pasu" };
@@ -87,9 +101,10 @@ async function sampling(what, bench, design, contendersOf, targets, rounds) {
     group: `Kernel, ${side - 1} x ${side - 1} cells, ${what}`,
     unit: "ns per vertex",
     rows: [
-      { name: "Pasu", samples: scaled(samples[0], perVertex) },
+      { name: "Pasu", samples: scaled(samples[0], perVertex), ...(easier && OF_EASIER) },
       { name: "Pasu, of which solving", samples: scaled(samples[1], perVertex) },
       ...rows,
+      ...(easier ? [{ name: APART, samples: scaled(samples.at(-1), perVertex) }] : []),
     ],
   };
 }
@@ -226,7 +241,7 @@ async function whole(bench, pasu, design, side, rounds) {
     unit: "ms",
     rows: [
       { name, samples: samples[0] },
-      { name: "mesh()", samples: samples[1], against: name },
+      { name: "mesh()", samples: samples[1], against: name, ...(side === 513 && { at_most: MESH_OF_SAMPLING }) },
       { name: "mesh() into the arrays of the last", samples: samples[2], against: name },
     ],
   };

@@ -17,6 +17,25 @@ pub fn vase(modes: usize) -> Result<Design> {
     Design::parse(&document(modes).to_string())
 }
 
+/// The vase with the first so many modes of each component, and of each mode the other wave, half as high, with rim and foot exchanged: every component has cosines and sines.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase_of_every_wave(modes: usize) -> Result<Design> {
+    let mut document = document(modes);
+    for name in ["x", "y", "z"] {
+        let component = &mut document["parts"][0]["shape"][name];
+        for mode in component["modes"].as_array_mut().into_iter().flatten().filter(|mode| mode["n"] != 0) {
+            let (here, other) = if mode["cos"].is_object() { ("cos", "sin") } else { ("sin", "cos") };
+            let half = |datum: &str| mode[here][datum].as_f64().unwrap_or(0.0) / 2.0;
+            mode[other] = serde_json::json!({
+                "start": half("end"), "end": half("start"), "start_u": half("end_u"), "end_u": half("start_u")
+            });
+        }
+    }
+    Design::parse(&document.to_string())
+}
+
 /// The vase with the equation of `x` in every component.
 ///
 /// # Errors
@@ -92,6 +111,14 @@ mod tests {
         for modes in [1, 4, 8, 64] {
             let shape = shape(&vase(modes).unwrap());
             assert_eq!([&shape.x, &shape.y, &shape.z].map(|component| component.modes.len()), [modes; 3]);
+        }
+    }
+
+    #[test]
+    fn every_component_may_have_cosines_and_sines() {
+        let shape = shape(&vase_of_every_wave(4).unwrap());
+        for mode in [&shape.x, &shape.y, &shape.z].iter().flat_map(|component| &component.modes) {
+            assert!(mode.n == 0.0 || mode.cos.start != 0.0 && mode.sin.start != 0.0, "{}", mode.n);
         }
     }
 }

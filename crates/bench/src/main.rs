@@ -18,6 +18,7 @@ fn main() -> Result<()> {
     for modes in [1, 4, 8] {
         kernel(modes, rounds)?;
     }
+    every_wave(rounds)?;
     memory(rounds)?;
     solving(rounds)?;
     baseline("order 4", &designs::vase(8)?, rounds)?;
@@ -46,6 +47,26 @@ fn kernel(modes: usize, rounds: usize) -> Result<()> {
     let mut direct = row(direct, scale);
     direct["against"] = json!("Pasu");
     print(&format!("Kernel, {0} x {0} cells, K = {modes}", SIDE - 1), "ns per vertex", vec![row(pasu, scale), direct]);
+    Ok(())
+}
+
+/// Sampling where every component has cosines and sines, against sampling where each has one of the two.
+fn every_wave(rounds: usize) -> Result<()> {
+    const SIDE: usize = 513;
+    const AT_MOST: f64 = 1.96;
+    let (every, apart) = (designs::vase_of_every_wave(4)?, designs::vase(4)?);
+    let (mut sampler, mut other) = (Sampler::new(), Sampler::new());
+    let mut contenders = [
+        sampling("Pasu", &mut sampler, &every, SIDE),
+        sampling("Pasu, cosines and sines apart", &mut other, &apart, SIDE),
+    ];
+    take_turns(&mut contenders, rounds);
+    let scale = 1e9 / (SIDE * SIDE) as f64;
+    let [mut first, second] = contenders.each_ref().map(|contender| row(contender, scale));
+    first["against"] = second["name"].clone();
+    first["at_most"] = json!(AT_MOST);
+    let group = format!("Kernel, {0} x {0} cells, K = 4 of cosines and as many of sines", SIDE - 1);
+    print(&group, "ns per vertex", vec![first, second]);
     Ok(())
 }
 

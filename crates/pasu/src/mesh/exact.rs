@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3};
 use super::normal::{self, Facing, write_single};
 use super::part::PartGrid;
 use crate::error::{Code, Error, Result};
-use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable};
+use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable, Sums};
 
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
 const MOST_WITHOUT: usize = 256;
@@ -48,8 +48,8 @@ impl<'a> ExactRows<'a> {
         let positions = positions.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
         let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
         for (block, (positions, normals)) in positions.zip(normals).enumerate() {
-            let (position, facing) = self.block(block);
-            facing.write(normals);
+            let Sums { position, du, dv } = self.row.sums(circles(self.table.as_ref(), block));
+            self.facing(block, [du, dv]).write(normals);
             write_single(self.placed(position), positions);
         }
     }
@@ -75,7 +75,8 @@ impl<'a> ExactRows<'a> {
         for (block, (normals, wanted)) in normals.zip(wanted.chunks(BLOCK)).enumerate() {
             if wanted.contains(&true) {
                 let mut written = [[0.0; 3]; BLOCK];
-                self.block(block).1.write(&mut written);
+                let tangents = self.row.tangents(circles(self.table.as_ref(), block));
+                self.facing(block, tangents).write(&mut written);
                 for ((normal, written), _) in normals.iter_mut().zip(written).zip(wanted).filter(|(_, wanted)| **wanted)
                 {
                     *normal = written;
@@ -93,13 +94,12 @@ impl<'a> ExactRows<'a> {
         self.second = None;
     }
 
-    /// Positions, not yet placed, and normals at one block of columns.
-    fn block(&mut self, block: usize) -> ([Block; 3], Facing) {
-        let surface = &self.grid.surface;
-        let table = self.table.get_or_insert_with(|| ColumnTable::new(surface, self.n_columns));
-        let sums = self.row.sums(table.block(block));
-        let (mut facing, missing) = Facing::of(&sums, self.row.terms());
+    /// Normals at one block of columns, where `X_u` and `X_v` are these.
+    fn facing(&mut self, block: usize, tangents: [[Block; 3]; 2]) -> Facing {
+        let (mut facing, missing) = Facing::of(tangents, self.row.terms());
         if missing != 0 {
+            let surface = &self.grid.surface;
+            let table = self.table.get_or_insert_with(|| ColumnTable::new(surface, self.n_columns));
             let second = self.second.get_or_insert_with(|| RowTable::at(surface, &table.distinct, self.u));
             for lane in (0..BLOCK).filter(|lane| missing >> lane & 1 == 1) {
                 let jet = second.jet(|n| table.circle(n, block, lane));
@@ -120,7 +120,7 @@ impl<'a> ExactRows<'a> {
         if self.outward != DMat3::IDENTITY {
             facing.turn(self.outward);
         }
-        (sums.position, facing)
+        facing
     }
 
     /// Scales, turns and moves the positions of a block.
@@ -133,6 +133,11 @@ impl<'a> ExactRows<'a> {
         let component = |i: usize| x * m.x_axis[i] + y * m.y_axis[i] + z * m.z_axis[i] + Block::splat(shift[i]);
         [component(0), component(1), component(2)]
     }
+}
+
+/// Cosine and sine of each distinct `n` at one block of columns, of a table that was made when its row was taken.
+fn circles(table: Option<&ColumnTable>, block: usize) -> &[[Block; 2]] {
+    table.map(|table| table.block(block)).unwrap_or_default()
 }
 
 /// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::surface::{BLOCK, Block, Sums, Surface, SurfaceJet};
+use crate::surface::{BLOCK, Block, Surface, SurfaceJet};
 
 /// `X_u x X_v` counts as vanished when it is this small against the lengths of both: then its direction is rounding.
 const VANISHED: f64 = 1e-10;
@@ -30,11 +30,10 @@ pub(super) struct Facing {
 }
 
 impl Facing {
-    /// The normals of a block, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`is_direction`] judges.
+    /// The normals of a block with these `X_u` and `X_v`, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`is_direction`] judges.
     ///
     /// `terms` are the squared lengths that `X_u` and `X_v` would have if nothing cancelled.
-    pub(super) fn of(sums: &Sums, terms: [f64; 2]) -> (Self, u32) {
-        let ([ux, uy, uz], [vx, vy, vz]) = (sums.du, sums.dv);
+    pub(super) fn of([[ux, uy, uz], [vx, vy, vz]]: [[Block; 3]; 2], terms: [f64; 2]) -> (Self, u32) {
         let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
         let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
         let du = (ux * ux + uy * uy + uz * uz).to_array();

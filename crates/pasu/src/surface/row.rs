@@ -89,23 +89,36 @@ impl Row {
 
     /// The sums at one block of the columns of the same surface.
     pub(crate) fn sums(&self, circles: &[[Block; 2]]) -> Sums {
-        let mut sums = Sums::default();
+        let [du, dv] = self.tangents(circles);
+        let mut position = [Block::ZERO; 3];
+        for (position, strands) in position.iter_mut().zip(&self.strands) {
+            for (wave, strands) in strands.iter().enumerate() {
+                for strand in strands {
+                    let Some(circle) = circles.get(strand.column) else { continue };
+                    *position += circle[wave] * strand.value;
+                }
+            }
+        }
+        Sums { position, du, dv }
+    }
+
+    /// Of these, `X_u` and `X_v`.
+    pub(crate) fn tangents(&self, circles: &[[Block; 2]]) -> [[Block; 3]; 2] {
+        let mut tangents = [[Block::ZERO; 3]; 2];
         for (axis, [cosines, sines]) in self.strands.iter().enumerate() {
-            let (mut position, mut du, mut dv) = (Block::ZERO, Block::ZERO, Block::ZERO);
+            let (mut du, mut dv) = (Block::ZERO, Block::ZERO);
             for strand in cosines {
                 let Some([cos, sin]) = circles.get(strand.column) else { continue };
-                position += *cos * strand.value;
                 du += *cos * strand.slope;
                 dv += *sin * strand.turned;
             }
             for strand in sines {
                 let Some([cos, sin]) = circles.get(strand.column) else { continue };
-                position += *sin * strand.value;
                 du += *sin * strand.slope;
                 dv += *cos * strand.turned;
             }
-            (sums.position[axis], sums.du[axis], sums.dv[axis]) = (position, du, dv);
+            (tangents[0][axis], tangents[1][axis]) = (du, dv);
         }
-        sums
+        tangents
     }
 }

@@ -3,9 +3,11 @@
 //! A vertex is a sum of products of a row's coefficients with a column's cosines and sines. Where every `n` is whole, columns `v` and `-v` have the same sums but for the
 //! sign of the sines, and columns half a turn apart but for the sign of the odd `n`: up to four columns are had from one set of sums.
 
-use super::block::{open_block, quartered_block, turned_block};
-use super::form::{Both, Form, Split, Task};
+use super::block::{Both, open_block, quartered_block, turned_block};
 use super::lanes::Lanes;
+use super::place::Task;
+use super::quarters::Quarters;
+use super::split::Split;
 use super::strands::{Layout, Strands};
 use super::watch::{EachNormal, Limits, WARY_ROWS, Watch, WholeRow};
 use super::waves::Harmonic;
@@ -38,6 +40,8 @@ pub(super) struct Circles {
     /// Block by block, cosine and sine of each harmonic.
     pairs: Vec<[Lanes; 2]>,
     n_harmonics: usize,
+    /// For rows whose columns share sums of cosines and of sines.
+    quarters: Quarters,
     /// For the columns of each block and those that share their sums, the lanes whose normals single precision does not hold.
     unsure: Vec<[u8; 4]>,
     /// How many more rows are to be asked normal by normal.
@@ -58,6 +62,7 @@ impl Circles {
         self.n_columns = n_columns;
         self.fold = fold;
         self.n_wary = 0;
+        self.quarters.prepare();
         self.pairs.clear();
         self.pairs.resize(n_blocks * self.n_harmonics, [Lanes::ZERO; 2]);
         self.unsure.clear();
@@ -91,16 +96,7 @@ impl Circles {
             n_even: strands.n_even,
             n_steps: self.n_columns - 1,
         };
-        // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
-        if self.n_wary == 0 {
-            if self.columns::<WholeRow>(strands, row, &task, positions, normals) {
-                self.close(positions, normals);
-                return false;
-            }
-            self.n_wary = WARY_ROWS;
-        }
-        self.n_wary = self.n_wary.saturating_sub(1);
-        let is_sure = self.columns::<EachNormal>(strands, row, &task, positions, normals);
+        let is_sure = self.write(strands, row, &task, positions, normals);
         if !is_sure {
             self.mark(unsure);
         }
@@ -108,7 +104,32 @@ impl Circles {
         !is_sure
     }
 
-    /// Writes all columns of a row but the last of one that is folded, and says whether all normals are sure.
+    /// Writes all columns of a row but the last of one that is folded, notes which normals are unsure, and says whether none is.
+    fn write(
+        &mut self,
+        strands: &Strands,
+        row: usize,
+        task: &Task,
+        positions: &mut [f32],
+        normals: &mut [f32],
+    ) -> bool {
+        if (strands.layout, self.fold) == (Layout::Both, Fold::Quartered) {
+            let Circles { quarters, pairs, unsure, n_harmonics, .. } = self;
+            quarters.take(strands, row);
+            return quarters.write(task, pairs, *n_harmonics, unsure, positions, normals);
+        }
+        // A row of which all normals are plainly sure need not ask it of each. Where one is not, rows near it are the same.
+        if self.n_wary == 0 {
+            if self.columns::<WholeRow>(strands, row, task, positions, normals) {
+                return true;
+            }
+            self.n_wary = WARY_ROWS;
+        }
+        self.n_wary -= 1;
+        self.columns::<EachNormal>(strands, row, task, positions, normals)
+    }
+
+    /// As [`Circles::write`], where a block is summed and written at once.
     fn columns<W: Watch>(
         &mut self,
         strands: &Strands,
@@ -117,26 +138,23 @@ impl Circles {
         positions: &mut [f32],
         normals: &mut [f32],
     ) -> bool {
-        let Strands { layout, is_turned, strands, sine_strands, .. } = strands;
-        match (*layout, self.fold) {
+        let (cosines, sines) = (strands.strands.as_slice(), strands.sine_strands.as_slice());
+        match (strands.layout, self.fold) {
             (Layout::Split { z_is_sine: true }, Fold::Quartered) => {
-                let layout = Split::<true> { strands, row };
-                self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
+                let split = Split::<true> { strands: cosines, row };
+                self.each_block(task, &split, positions, normals, quartered_block::<true, W>)
             }
             (Layout::Split { z_is_sine: false }, Fold::Quartered) => {
-                let layout = Split::<false> { strands, row };
-                if *is_turned && W::IS_WHOLE {
-                    self.each_block(task, &layout, positions, normals, turned_block::<_, W>)
+                let split = Split::<false> { strands: cosines, row };
+                if strands.is_turned && W::IS_WHOLE {
+                    self.each_block(task, &split, positions, normals, turned_block::<W>)
                 } else {
-                    self.each_block(task, &layout, positions, normals, quartered_block::<_, W>)
+                    self.each_block(task, &split, positions, normals, quartered_block::<false, W>)
                 }
             }
-            (_, fold) => {
-                let layout = Both { strands, sine_strands, row };
-                match fold {
-                    Fold::Quartered => self.each_block(task, &layout, positions, normals, quartered_block::<_, W>),
-                    Fold::Open => self.each_block(task, &layout, positions, normals, open_block::<_, W>),
-                }
+            (Layout::Both, _) | (_, Fold::Open) => {
+                let both = Both { strands: cosines, sine_strands: sines, row };
+                self.each_block(task, &both, positions, normals, open_block::<W>)
             }
         }
     }
@@ -153,7 +171,7 @@ impl Circles {
 
     /// Every kind of fold and layout is a function of its own: in one large function browsers run out of registers.
     #[inline(never)]
-    fn each_block<F: Form, W: Watch>(
+    fn each_block<F, W: Watch>(
         &mut self,
         task: &Task,
         layout: &F,
@@ -192,7 +210,7 @@ impl Circles {
     /// Marks the columns of the lanes that were found unsure.
     fn mark(&self, unsure: &mut [bool]) {
         let n_steps = self.n_columns - 1;
-        for (block, slots) in self.unsure.iter().enumerate() {
+        for (block, slots) in self.unsure.iter().enumerate().filter(|(_, slots)| **slots != [0; 4]) {
             for (slot, lanes) in slots.iter().enumerate() {
                 for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
                     let column = 4 * block + lane;

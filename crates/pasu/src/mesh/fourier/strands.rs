@@ -33,7 +33,9 @@ pub(super) struct Strands {
     pub(super) layout: Layout,
     /// Half a turn takes the surface into itself: normals there are turned by as much.
     pub(super) is_turned: bool,
-    /// How many of the strands are of even `n`; they come first.
+    /// Which components depend on `v` at all.
+    pub(super) is_wavy: [bool; 3],
+    /// How many of the strands are summed by themselves, before the others: those of even `n` where columns half a turn apart share sums, otherwise all.
     pub(super) n_even: usize,
     /// Value and slope of what does not depend on `v`, the slope scaled as the strands are.
     pub(super) constant: [[Lanes; 2]; 3],
@@ -54,6 +56,7 @@ impl Default for Strands {
         Strands {
             layout: Layout::Both,
             is_turned: false,
+            is_wavy: [false; 3],
             n_even: 0,
             constant: [[Lanes::ZERO; 2]; 3],
             strands: Vec::new(),
@@ -69,14 +72,15 @@ impl Strands {
     /// Takes the waves of another surface; `folds` as [`folds`](super::circles::folds).
     pub(super) fn prepare(&mut self, waves: &Waves, folds: bool) {
         let Waves { has, leans, .. } = waves;
-        self.n_even = waves.n_even;
+        self.n_even = if folds { waves.n_even } else { waves.harmonics.len() };
         self.layout = match *has {
             [[_, false], [false, _], [cos, sin]] if folds && !(leans[1] || cos && sin) => {
                 Layout::Split { z_is_sine: sin }
             }
             _ => Layout::Both,
         };
-        self.is_turned = self.n_even == 0 && has[2] == [false; 2] && !leans[0] && !leans[1];
+        self.is_wavy = has.map(|waves| waves != [false; 2]);
+        self.is_turned = waves.n_even == 0 && has[2] == [false; 2] && !leans[0] && !leans[1];
         let silent = [[Lanes::ZERO; 3]; 3];
         for strands in [&mut self.strands, &mut self.sine_strands] {
             strands.clear();
@@ -134,17 +138,21 @@ impl Strands {
     /// they are; and the squares of how long positions and tangents are at most. What is too large for single precision has a variance that is infinite or not a number.
     fn variances(&self, scale: f32) -> ([Lanes; 3], [Lanes; 3]) {
         let (mut variances, mut lengths) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
+        let kinds = [Some(&self.strands), (self.layout == Layout::Both).then_some(&self.sine_strands)];
         for (axis, [value, slope]) in self.constant.iter().enumerate() {
             let constants = [value.abs() * scale, slope.abs(), Lanes::ZERO];
-            let (mut squares, mut whole) = (constants.map(|constant| constant * constant), constants);
-            let mut n_parts = self.weigh(&self.strands, axis, scale, &mut squares, &mut whole);
-            if self.layout == Layout::Both {
-                n_parts += self.weigh(&self.sine_strands, axis, scale, &mut squares, &mut whole);
+            let (mut squares, mut whole) = (constants.map(|constant| constant * constant), [Lanes::ZERO; 3]);
+            for strands in kinds.into_iter().flatten() {
+                let (even, odd) = strands.split_at(self.n_even.min(strands.len()));
+                let mut waves = weigh(even, axis, scale, &mut squares);
+                let odd = weigh(odd, axis, scale, &mut squares);
+                join(&mut waves, odd, &mut squares);
+                join(&mut whole, waves, &mut squares);
             }
+            join(&mut whole, constants, &mut squares);
             for i in 0..3 {
-                let length = whole[i] * whole[i];
-                lengths[i] += length;
-                variances[i] = variances[i].fast_max(squares[i] + length * n_parts);
+                lengths[i] += whole[i] * whole[i];
+                variances[i] = variances[i].fast_max(squares[i]);
             }
         }
         for (variance, length) in variances.iter_mut().zip(lengths) {
@@ -153,45 +161,38 @@ impl Strands {
         }
         (variances, lengths)
     }
+}
 
-    /// Adds the squared errors of one component's sums in units of a rounding, and their sizes; returns in how many parts they are summed.
-    #[inline(never)]
-    fn weigh(
-        &self,
-        strands: &[[Strand; 3]],
-        axis: usize,
-        scale: f32,
-        squares: &mut [Lanes; 3],
-        whole: &mut [Lanes; 3],
-    ) -> f32 {
-        let mut n_parts = 0.0;
-        for part in [strands.get(..self.n_even), strands.get(self.n_even..)].into_iter().flatten() {
-            n_parts += f32::from(u8::from(!part.is_empty()));
-            let mut partial = [Lanes::ZERO; 3];
-            let mut terms = [Lanes::ZERO; 3];
-            for (index, strand) in part.iter().enumerate() {
-                let [value, slope, turned] = strand[axis];
-                for ((size, partial), (terms, square)) in [value * scale, slope, turned]
-                    .into_iter()
-                    .zip(&mut partial)
-                    .zip(terms.iter_mut().zip(&mut *squares))
-                {
-                    *terms += size * size;
-                    *partial += size.abs();
-                    if index > 0 {
-                        *square += *partial * *partial;
-                    }
-                }
-            }
-            // Rounding of the table, of the coefficient and of the product of each; and, from the second on, of the sum.
-            for (square, terms) in squares.iter_mut().zip(terms) {
-                *square += terms * 3.0;
-            }
-            for (whole, partial) in whole.iter_mut().zip(partial) {
-                *whole += partial;
+/// Adds the squared errors of the sums of one component's strands, in units of a rounding; returns how large these are at most.
+#[inline(never)]
+fn weigh(strands: &[[Strand; 3]], axis: usize, scale: f32, squares: &mut [Lanes; 3]) -> [Lanes; 3] {
+    let mut partial = [Lanes::ZERO; 3];
+    let mut terms = [Lanes::ZERO; 3];
+    for (index, strand) in strands.iter().enumerate() {
+        let [value, slope, turned] = strand[axis];
+        for ((size, partial), (terms, square)) in
+            [value * scale, slope, turned].into_iter().zip(&mut partial).zip(terms.iter_mut().zip(&mut *squares))
+        {
+            *terms += size * size;
+            *partial += size.abs();
+            if index > 0 {
+                *square += *partial * *partial;
             }
         }
-        n_parts
+    }
+    // Rounding of the table, of the coefficient and of the product of each; and, from the second on, of the sum.
+    for (square, terms) in squares.iter_mut().zip(terms) {
+        *square += terms * 3.0;
+    }
+    partial
+}
+
+/// Adds the squared error of joining a part to a sum, in units of a rounding: none where either is 0.
+fn join(sum: &mut [Lanes; 3], part: [Lanes; 3], squares: &mut [Lanes; 3]) {
+    for ((sum, part), square) in sum.iter_mut().zip(part).zip(squares) {
+        let is_rounded = sum.simd_gt(Lanes::ZERO) & part.simd_gt(Lanes::ZERO);
+        *sum += part;
+        *square += (*sum * *sum) & is_rounded;
     }
 }
 

@@ -30,38 +30,6 @@ pub(super) fn sums<const SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes;
     [[x, y, z], [xu, yu, zu], [xv, yv, zv]]
 }
 
-/// The sums of strands that go with cosines in `x`, with sines in `y`, and with either in `z`.
-#[inline(always)]
-pub(super) fn split_sums<const Z_IS_SINE: bool>(strands: &[[Strand; 3]], circles: &[[Lanes; 2]], row: usize) -> Sums {
-    let (first, second) = (usize::from(Z_IS_SINE), usize::from(!Z_IS_SINE));
-    let products = |(strand, circle): (&[Strand; 3], &[Lanes; 2])| {
-        let at = |axis: usize, quantity: usize| Lanes::splat(strand[axis][quantity].as_array()[row & 3]);
-        let [cos, sin] = *circle;
-        (
-            (cos * at(0, 0), cos * at(0, 1), sin * at(0, 2)),
-            (sin * at(1, 0), sin * at(1, 1), cos * at(1, 2)),
-            (circle[first] * at(2, 0), circle[first] * at(2, 1), circle[second] * at(2, 2)),
-        )
-    };
-    // The first products are where the sums start: nothing is added to 0.
-    let mut pairs = strands.iter().zip(circles);
-    let Some(pair) = pairs.next() else { return [[Lanes::ZERO; 3]; 3] };
-    let ((mut x, mut xu, mut xv), (mut y, mut yu, mut yv), (mut z, mut zu, mut zv)) = products(pair);
-    for pair in pairs {
-        let ((dx, dxu, dxv), (dy, dyu, dyv), (dz, dzu, dzv)) = products(pair);
-        x += dx;
-        xu += dxu;
-        xv += dxv;
-        y += dy;
-        yu += dyu;
-        yv += dyv;
-        z += dz;
-        zu += dzu;
-        zv += dzv;
-    }
-    [[x, y, z], [xu, yu, zu], [xv, yv, zv]]
-}
-
 #[inline(always)]
 pub(super) fn added(a: &Sums, b: &Sums) -> Sums {
     [plus(a[0], b[0]), plus(a[1], b[1]), plus(a[2], b[2])]
