@@ -4,7 +4,8 @@ use xxhash_rust::xxh64::Xxh64;
 
 use crate::design::Design;
 use crate::error::Result;
-use crate::mesh::exact_mesh;
+use crate::mesh::{Mesh, exact_mesh};
+use crate::solution::Solution;
 
 /// The grid of every part. Frozen with format version 1: another grid would be another fingerprint.
 const ROWS: usize = 33;
@@ -30,7 +31,20 @@ const COLUMNS: usize = 97;
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn fingerprint(design: &Design) -> Result<String> {
-    let mesh = exact_mesh(design, ROWS, COLUMNS)?;
+    Solution::of(design).fingerprint()
+}
+
+impl Solution {
+    /// As [`fingerprint`].
+    ///
+    /// # Errors
+    /// As [`fingerprint`].
+    pub fn fingerprint(&self) -> Result<String> {
+        Ok(hashed(&exact_mesh(self, ROWS, COLUMNS)?))
+    }
+}
+
+fn hashed(mesh: &Mesh) -> String {
     let mut hash = Xxh64::new(0);
     for position in &mesh.positions {
         // Adding 0 makes 0 of -0, which is the same place.
@@ -39,5 +53,5 @@ pub fn fingerprint(design: &Design) -> Result<String> {
     for index in mesh.indices.iter().chain(&mesh.groups) {
         hash.update(&index.to_le_bytes());
     }
-    Ok(format!("{:016x}", hash.digest()))
+    format!("{:016x}", hash.digest())
 }

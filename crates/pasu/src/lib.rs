@@ -24,20 +24,25 @@
 #[doc = include_str!("../README.md")]
 mod readme {}
 
+#[cfg(test)]
+mod any_patch;
 mod check;
 mod design;
 mod error;
 mod evaluate;
 mod export;
+mod face;
 mod fingerprint;
+mod make;
 mod measure;
 mod mesh;
 mod mode;
 mod numeric;
+mod patch;
 mod solid;
+mod solution;
 mod surface;
 
-pub use check::{Finding, MeshReport, Report, Severity, check};
 #[cfg(feature = "typescript")]
 pub use design::typescript;
 pub use design::{
@@ -47,14 +52,18 @@ pub use design::{
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{Drawn, DrawnFace, Format, Sketch, SketchOptions, drawn, open, sketch, write};
+pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
+pub use make::{Finding, Making, MeshReport, Report, Scale, Severity, Size, SolidMesh, check, solid};
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
     Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
-pub use solid::{Face, FaceJet, FaceKind, Making, Piece, Pot, Product, Scale, Size, SolidMesh, solid};
-pub use surface::{Surface, SurfaceJet};
+pub use patch::SurfaceJet;
+pub use solid::{Piece, Pot, Product};
+pub use solution::Solution;
+pub use surface::Surface;

@@ -1,15 +1,9 @@
-//! Whether a pot can be made: checks of the mesh that a file holds, after rounding.
+//! Exact predicates on triangles: whether they close, degenerate or cross.
 
 mod closed;
 mod crossing;
 mod degenerate;
-mod report;
-mod verdict;
 
 pub(crate) use closed::{Topology, closed};
 pub(crate) use crossing::crossings;
 pub(crate) use degenerate::is_degenerate;
-
-pub use report::{Finding, MeshReport, Report, Severity};
-pub use verdict::check;
-pub(crate) use verdict::verdict;

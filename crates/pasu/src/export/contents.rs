@@ -1,7 +1,7 @@
 //! What every file says of itself, and the bodies that it holds.
 
 use crate::design::Look;
-use crate::solid::FaceKind;
+use crate::face::FaceKind;
 
 /// The program that writes, with its version.
 pub(super) const PROGRAM: &str = concat!("Pasu ", env!("CARGO_PKG_VERSION"));

@@ -5,7 +5,9 @@ use super::shading::{Shaded, shaded};
 use super::write::body;
 use crate::design::Design;
 use crate::error::Result;
-use crate::solid::{FaceKind, Making, Scale, solid};
+use crate::face::FaceKind;
+use crate::make::{Making, Scale};
+use crate::solution::Solution;
 
 /// The meshes of [`solid`](crate::solid()) as one, with normals, in model units.
 ///
@@ -56,10 +58,24 @@ pub struct DrawnFace {
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn drawn(design: &Design, making: &Making) -> Result<Drawn> {
-    let scale = making.scale(design)?;
+    Solution::of(design).drawn(making)
+}
+
+impl Solution {
+    /// As [`drawn`].
+    ///
+    /// # Errors
+    /// As [`drawn`].
+    pub fn drawn(&self, making: &Making) -> Result<Drawn> {
+        shown(self, making)
+    }
+}
+
+fn shown(solution: &Solution, making: &Making) -> Result<Drawn> {
+    let (design, scale) = (solution.design(), making.scale_of(solution)?);
     let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut drawn = Drawn { positions, normals, indices, faces, scale };
-    for mesh in solid(design, making)? {
+    for mesh in solution.solid(making)? {
         let body = body(design, "", &mesh);
         add(
             &body,

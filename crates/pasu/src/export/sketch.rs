@@ -4,8 +4,9 @@ use super::drawn::{DrawnFace, add};
 use super::write::body;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
+use crate::make::sketched;
 use crate::measure::{WaterSurface, filled};
-use crate::solid::sketched;
+use crate::solution::Solution;
 
 /// What [`sketch`] is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -54,6 +55,21 @@ pub struct Sketch {
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn sketch(design: &Design, options: &SketchOptions) -> Result<Sketch> {
+    Solution::of(design).sketch(options)
+}
+
+impl Solution {
+    /// As [`sketch`].
+    ///
+    /// # Errors
+    /// As [`sketch`].
+    pub fn sketch(&self, options: &SketchOptions) -> Result<Sketch> {
+        drafted(self, options)
+    }
+}
+
+fn drafted(solution: &Solution, options: &SketchOptions) -> Result<Sketch> {
+    let design = solution.design();
     if let Some(fill) = options.fill.filter(|fill| !(0.0..=1.0).contains(fill)) {
         let message = format!("expected a share of the depth from 0 to 1, found {}", plain(fill));
         let error = Error::new(Code::OutOfRange, "fill", message).with("least", 0.0).with("greatest", 1.0);
@@ -66,14 +82,14 @@ pub fn sketch(design: &Design, options: &SketchOptions) -> Result<Sketch> {
             pots.push(None);
             continue;
         }
-        let (pot, mesh) = sketched(design, part, options.tolerance)?;
+        let (pot, mesh) = sketched(solution, part, options.tolerance)?;
         let mut body = body(design, "", &mesh);
         body.faces.retain(|(kind, ..)| *kind != pot.surface_kind());
         add(&body, part, 1.0, (&mut sketch.positions, &mut sketch.normals, &mut sketch.indices), &mut sketch.faces);
         pots.push(Some(pot));
     }
     if let Some(fill) = options.fill {
-        sketch.water = filled(design, &pots, fill)?;
+        sketch.water = filled(solution, &pots, fill)?;
     }
     Ok(sketch)
 }

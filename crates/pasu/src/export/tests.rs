@@ -6,11 +6,11 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::contents::{Body, Notes};
-use super::step::Part;
+use super::step::{Boundary, Part};
 use super::template::{Frame, Stand};
 use super::{glb, obj, open, ply, step, stl, template, three_mf};
 use crate::design::Look;
-use crate::solid::{Face, FaceJet, FaceKind};
+use crate::face::{Face, FaceJet, FaceKind};
 
 const COLUMNS: u32 = 24;
 
@@ -106,7 +106,7 @@ fn files(notes: &Notes) -> Vec<(&'static str, Vec<u8>)> {
     let part = Part {
         name: bodies[0].name.clone(),
         look: Look::default(),
-        faces: faces.iter().map(|face| face as &dyn Face).collect(),
+        boundary: Boundary::Faces(faces.iter().map(|face| face as &dyn Face).collect()),
         tolerance: 1e-3,
         path: String::new(),
     };

@@ -7,11 +7,13 @@ use glam::DVec3;
 use super::contents::{Body, Notes};
 use super::template::{Frame, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
-use crate::check::{Report, Severity, verdict};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
-use crate::fingerprint::fingerprint;
-use crate::solid::{Face, FaceKind, Made, Making, Pot, SolidMesh, make};
+use crate::face::{Face, FaceKind};
+use crate::make::{Made, Making, SolidMesh, make};
+use crate::make::{Report, Severity, verdict};
+use crate::solid::Pot;
+use crate::solution::{Placed, Solution};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
@@ -47,9 +49,29 @@ const MOST_TRIANGLES: usize = 20_000_000;
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>> {
-    let millimetres = making.scale(design)?.millimetres;
-    let parts = 0..design.parts().len();
-    let made = parts.map(|part| make(design, part, making, millimetres)).collect::<Result<Vec<Made>>>()?;
+    Solution::of(design).write(format, making)
+}
+
+impl Solution {
+    /// As [`write`].
+    ///
+    /// # Errors
+    /// As [`write`].
+    pub fn write(&self, format: Format, making: &Making) -> Result<Vec<u8>> {
+        written(self, format, making)
+    }
+}
+
+fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u8>> {
+    let design = solution.design();
+    let millimetres = making.scale_of(solution)?.millimetres;
+    let mut made = Vec::with_capacity(solution.n_parts());
+    for part in 0..solution.n_parts() {
+        // A shape without foot and rim has no wall; STEP takes its patches as they are.
+        if format != Format::Step || solution.part(part)?.solved().wall().is_some() {
+            made.push(make(solution, part, making, millimetres)?);
+        }
+    }
     let n_triangles = made.iter().map(|made| made.mesh.n_triangles()).sum::<usize>();
     if n_triangles > MOST_TRIANGLES {
         let message = format!(
@@ -61,7 +83,7 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
     let notes = Notes {
         title: design.title().map_or_else(|| format!("Pasu {}", making.product.name()), str::to_owned),
         link: design.link(),
-        fingerprint: fingerprint(design)?,
+        fingerprint: solution.fingerprint()?,
         verdict: told(&verdict(making, made.iter().map(Ok))),
         scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
     };
@@ -73,21 +95,25 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
         Format::Obj => Ok(obj::write(&notes, &bodies)),
         Format::Ply => Ok(ply::write(&notes, &bodies)),
         Format::Step => {
-            let tolerance = |body: &Body| {
-                let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
-                asked.min(STEP_TOLERANCE * size(body))
-            };
-            let parts: Vec<step::Part> = bodies
-                .iter()
-                .zip(&made)
-                .map(|(body, Made { pot, .. })| step::Part {
-                    name: body.name.clone(),
-                    look: body.look,
-                    faces: pot.faces().iter().map(|face| face as &dyn Face).collect(),
-                    tolerance: tolerance(body),
-                    path: format!("parts[{}]", pot.part()),
-                })
-                .collect();
+            let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
+            let mut parts = Vec::with_capacity(solution.n_parts());
+            for part in 0..solution.n_parts() {
+                let placed = solution.part(part)?;
+                let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
+                    Some((Made { pot, .. }, body)) => {
+                        let faces = pot.faces().iter().map(|face| face as &dyn Face);
+                        (step::Boundary::Faces(faces.collect()), size(body))
+                    }
+                    None => (step::Boundary::Patches(placed), millimetres * extent(placed)),
+                };
+                parts.push(step::Part {
+                    name: named(design, &notes.title, part),
+                    look: design.parts()[part].look,
+                    boundary,
+                    tolerance: asked.min(STEP_TOLERANCE * size),
+                    path: placed.own_path(),
+                });
+            }
             step::write(&notes, &parts, millimetres)
         }
         Format::Svg => {
@@ -99,18 +125,33 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
 
 /// One part as files have it.
 pub(super) fn body<'a>(design: &Design, title: &str, mesh: &'a SolidMesh) -> Body<'a> {
-    let part = &design.parts()[mesh.part];
     Body {
-        name: part.name.clone().unwrap_or_else(|| match design.parts().len() {
-            // Slicers show this name, and name by it what they write.
-            1 => title.to_owned(),
-            _ => format!("part {}", mesh.part + 1),
-        }),
-        look: part.look,
+        name: named(design, title, mesh.part),
+        look: design.parts()[mesh.part].look,
         positions: &mesh.positions,
         indices: &mesh.indices,
         faces: mesh.faces.iter().map(|(kind, first, count)| (*kind, *first as usize, *count as usize)).collect(),
     }
+}
+
+/// What a part is called in a file.
+fn named(design: &Design, title: &str, part: usize) -> String {
+    design.parts()[part].name.clone().unwrap_or_else(|| match design.parts().len() {
+        // Slicers show this name, and name by it what they write.
+        1 => title.to_owned(),
+        _ => format!("part {}", part + 1),
+    })
+}
+
+/// The largest extent of the patches of a part, roughly, in model units.
+fn extent(placed: &Placed) -> f64 {
+    const SAMPLES: usize = 9;
+    let at = |i: usize| i as f64 / (SAMPLES - 1) as f64;
+    let places = (0..SAMPLES * SAMPLES).map(|k| (at(k / SAMPLES), at(k % SAMPLES)));
+    let patches = placed.solved().patches();
+    let points = patches.iter().flat_map(|patch| places.clone().map(|(u, v)| placed.place(&patch.jet(u, v)).position));
+    let (low, high) = points.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
+    (high - low).max_element()
 }
 
 /// The largest extent of a body.
@@ -144,8 +185,9 @@ fn stand(pot: &Pot, millimetres: f64) -> Stand {
     let mut height = f64::NEG_INFINITY;
     for face in pot.faces().iter().filter(|face| face.kind() == FaceKind::Outer) {
         for a in [0.0, 1.0] {
+            let mut walk = face.walk();
             let curve: Vec<DVec3> =
-                (0..RIM).map(|i| millimetres * face.jet(a, TAU * i as f64 / RIM as f64).position).collect();
+                (0..RIM).map(|i| millimetres * walk.jet(a, TAU * i as f64 / RIM as f64).position).collect();
             let mean = curve.iter().map(|point| point.dot(axis)).sum::<f64>() / RIM as f64;
             if mean > height {
                 height = mean;

@@ -7,7 +7,8 @@ use super::column::Inside;
 use super::fill::{Filling, Level};
 use super::integral::Accuracy;
 use super::quantity::Quantity;
-use crate::solid::{Face, FaceKind, Pot};
+use crate::face::{Face, FaceKind};
+use crate::solid::Pot;
 
 /// What a pot holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,11 +69,12 @@ impl<'a> Vessel<'a> {
         if !bare.is_closed() {
             return Err("the surface does not close round the axis, so it holds nothing".to_owned());
         }
-        let highest = bare.highest();
+        let highest = bare.waves();
         let width = |a: f64| {
             let n = closing_columns(highest);
             let centre = bare.centre(a);
-            (0..n).map(|j| bare.jet(a, TAU * j as f64 / n as f64).position.distance(centre)).fold(0.0, f64::max)
+            let mut walk = bare.walk();
+            (0..n).map(|j| walk.jet(a, TAU * j as f64 / n as f64).position.distance(centre)).fold(0.0, f64::max)
         };
         let widest = [0.0, 0.25, 0.5, 0.75, 1.0].map(width).into_iter().fold(0.0, f64::max);
         if !(width(1.0) > 1e-9 * widest) {

@@ -4,9 +4,9 @@ use core::f64::consts::TAU;
 
 use glam::DVec3;
 
+use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
 use crate::numeric::grid::Grid;
 use crate::numeric::{brent, illinois, minima};
-use crate::solid::{Face, FaceJet, FaceKind, Seams};
 
 /// One face of the inside, run through from the middle of the floor to the rim.
 #[derive(Clone, Copy)]
@@ -16,14 +16,43 @@ pub(crate) struct Link<'a> {
     is_reversed: bool,
 }
 
-impl Link<'_> {
+/// Places of a link one after the other.
+pub(crate) struct LinkWalk<'a> {
+    walk: Box<dyn FaceWalk + 'a>,
+    is_reversed: bool,
+}
+
+impl LinkWalk<'_> {
+    /// As [`Link::jet`].
+    pub(crate) fn jet(&mut self, s: f64, v: f64) -> FaceJet {
+        self.walk.jet(if self.is_reversed { 1.0 - s } else { s }, v)
+    }
+
+    /// Height and its derivative by `s`.
+    fn height(&mut self, s: f64, v: f64) -> (f64, f64) {
+        let jet = self.jet(s, v);
+        (jet.position.z, if self.is_reversed { -jet.da.z } else { jet.da.z })
+    }
+
+    fn sample(&mut self, link: usize, s: f64, v: f64) -> Sample {
+        let (z, slope) = self.height(s, v);
+        Sample { link, s, z, slope }
+    }
+}
+
+impl<'a> Link<'a> {
+    /// One place after the other.
+    pub(crate) fn walk(&self) -> LinkWalk<'a> {
+        LinkWalk { walk: self.face.walk(), is_reversed: self.is_reversed }
+    }
+
     pub(crate) fn face(&self) -> &dyn Face {
         self.face
     }
 
     /// The stretch of a column between two places, in the coordinates in which the face's seams are straight, ascending.
-    pub(crate) fn straight(&self, seams: &Seams, (from, to): (f64, f64), v: f64) -> (f64, f64) {
-        let [from, to] = [from, to].map(|s| seams.straight(if self.is_reversed { 1.0 - s } else { s }, v));
+    pub(crate) fn straight(&self, (from, to): (f64, f64), v: f64) -> (f64, f64) {
+        let [from, to] = [from, to].map(|s| self.face.straight(if self.is_reversed { 1.0 - s } else { s }, v));
         (from.min(to), from.max(to))
     }
 
@@ -34,13 +63,7 @@ impl Link<'_> {
 
     /// Height and its derivative by `s`.
     fn height(&self, s: f64, v: f64) -> (f64, f64) {
-        let jet = self.jet(s, v);
-        (jet.position.z, if self.is_reversed { -jet.da.z } else { jet.da.z })
-    }
-
-    fn sample(&self, link: usize, s: f64, v: f64) -> Sample {
-        let (z, slope) = self.height(s, v);
-        Sample { link, s, z, slope }
+        self.walk().height(s, v)
     }
 
     /// Cells in which at most one extreme of the height is looked for.
@@ -58,7 +81,7 @@ impl Link<'_> {
 pub(crate) struct Inside<'a> {
     links: Vec<Link<'a>>,
     /// The seams of each face.
-    seams: Vec<Option<Seams<'a>>>,
+    seams: Vec<Option<Seams>>,
     /// The middle of the rim and the direction of the axis.
     rim: (DVec3, DVec3),
     /// The largest coordinate.
@@ -130,13 +153,14 @@ impl<'a> Inside<'a> {
         let columns = (4 * highest.abs().clamp(1.0, 1e4) as usize + 1).max(49);
         let (mut middle, mut size) = (DVec3::ZERO, 0.0f64);
         let lining = links.iter().rfind(|link| link.face.kind() != FaceKind::Rim);
-        for j in 0..columns {
-            let v = TAU * j as f64 / columns as f64;
-            middle += lining.map_or(DVec3::ZERO, |link| link.jet(1.0, v).position) / columns as f64;
-            for link in &links {
-                for s in [0.0, 0.5, 1.0] {
-                    size = size.max(link.jet(s, v).position.abs().max_element());
-                }
+        let v = |j: usize| TAU * j as f64 / columns as f64;
+        if let Some(mut lining) = lining.map(Link::walk) {
+            middle = (0..columns).fold(middle, |sum, j| sum + lining.jet(1.0, v(j)).position / columns as f64);
+        }
+        for link in &links {
+            let mut walk = link.walk();
+            for s in [0.0, 0.5, 1.0] {
+                size = (0..columns).fold(size, |size, j| size.max(walk.jet(s, v(j)).position.abs().max_element()));
             }
         }
         let seams = links.iter().map(|link| link.face.seams()).collect();
@@ -148,7 +172,7 @@ impl<'a> Inside<'a> {
     }
 
     /// For each link the lines along which its derivatives jump.
-    pub(crate) fn seams(&self) -> &[Option<Seams<'a>>] {
+    pub(crate) fn seams(&self) -> &[Option<Seams>] {
         &self.seams
     }
 
@@ -170,7 +194,8 @@ impl<'a> Inside<'a> {
     pub(crate) fn column(&self, v: f64) -> Column {
         let samples = self.links.iter().enumerate().flat_map(|(link, face)| {
             let cells = face.cells();
-            (0..=cells).map(move |k| face.sample(link, k as f64 / cells as f64, v))
+            let mut walk = face.walk();
+            (0..=cells).map(move |k| walk.sample(link, k as f64 / cells as f64, v))
         });
         self.column_of(v, samples.collect())
     }
@@ -180,10 +205,11 @@ impl<'a> Inside<'a> {
         let mut samples: Vec<Vec<Sample>> = places.iter().map(|_| Vec::with_capacity(64)).collect();
         for (link, face) in self.links.iter().enumerate() {
             let cells = face.cells();
+            let mut walk = face.walk();
             for k in 0..=cells {
                 let s = k as f64 / cells as f64;
                 for (samples, &v) in samples.iter_mut().zip(places) {
-                    samples.push(face.sample(link, s, v));
+                    samples.push(walk.sample(link, s, v));
                 }
             }
         }
@@ -241,8 +267,9 @@ impl<'a> Inside<'a> {
     pub(crate) fn floor(&self) -> f64 {
         let columns = self.columns;
         let lowest = self.links.iter().map(|link| {
-            let grid = Grid::new(link.cells() + 1, columns, |s, v| -link.height(s, v).0);
-            grid.greatest(|z| *z, |s, v| -link.height(s, v).0).map_or(f64::INFINITY, |place| -place.value)
+            let mut walk = link.walk();
+            let grid = Grid::new(link.cells() + 1, columns, |s, v| -walk.height(s, v).0);
+            grid.greatest(|z| *z, |s, v| -walk.height(s, v).0).map_or(f64::INFINITY, |place| -place.value)
         });
         lowest.fold(f64::INFINITY, f64::min)
     }

@@ -6,11 +6,11 @@ use glam::DVec3;
 
 use super::bare::Bare;
 use super::outside::columns;
+use crate::face::Face;
 use crate::numeric::climb::Place;
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
-use crate::solid::Face;
-use crate::surface::SurfaceJet;
+use crate::patch::SurfaceJet;
 
 /// A value and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -113,9 +113,10 @@ const ROUNDING: f64 = 1e-11;
 
 /// The ranges over the whole surface.
 pub(crate) fn curvature(bare: &Bare) -> Curvature {
-    let columns = columns(bare.highest());
+    let columns = columns(bare.waves());
     let grids = [(65, columns), (51, columns + columns / 3)];
-    let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| bare.second(a, v)));
+    let mut walk = bare.second_walk();
+    let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| walk.at(a, v)));
     Curvature { mean: range(bare, &grids, Kind::Mean), gaussian: range(bare, &grids, Kind::Gaussian) }
 }
 
@@ -123,10 +124,11 @@ fn range(bare: &Bare, [grid, other]: &[Grid<SurfaceJet>; 2], kind: Kind) -> Curv
     let outward = bare.outward();
     // Ends that are poles or cusps, and the limits there.
     let mut ends = Vec::new();
+    let mut walk = bare.second_walk();
     for a in [0.0, 1.0] {
-        for j in 0..columns(bare.highest()) {
-            let v = TAU * j as f64 / columns(bare.highest()) as f64;
-            if !kind.of(&bare.second(a, v), outward).is_finite() {
+        for j in 0..columns(bare.waves()) {
+            let v = TAU * j as f64 / columns(bare.waves()) as f64;
+            if !kind.of(&walk.at(a, v), outward).is_finite() {
                 ends.push((a, v));
             }
         }
@@ -137,7 +139,8 @@ fn range(bare: &Bare, [grid, other]: &[Grid<SurfaceJet>; 2], kind: Kind) -> Curv
     let (from, to) = (if bounds[0] { STEP } else { 0.0 }, if bounds[1] { 1.0 - STEP } else { 1.0 });
     let extreme = |sign: f64| {
         let of = |jet: &SurfaceJet| sign * kind.of(jet, outward);
-        let (mut best, mut error) = grid.greatest_and_error(other, of, |a, v| bare.second(a.clamp(from, to), v))?;
+        let mut walk = bare.second_walk();
+        let (mut best, mut error) = grid.greatest_and_error(other, of, |a, v| walk.at(a.clamp(from, to), v))?;
         best.a = best.a.clamp(from, to);
         let is_beside = (bounds[0] && best.a == from) || (bounds[1] && best.a == to);
         let beside = best;
@@ -184,9 +187,10 @@ mod tests {
         let petals = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "n": [1, 8] }"#.to_owned();
         for shape in [own(0.01, 5), own(6.0, 3), own(1.0, 10), petals] {
             let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape} }}] }}"#)).unwrap();
-            let bare = Bare::new(&design.parts()[0], 0).unwrap();
-            let grids = [(301, 5 * columns(bare.highest())), (257, 4 * columns(bare.highest()))];
-            let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| bare.second(a, v)));
+            let bare = Bare::new(crate::solution::Solution::of(&design).part(0).unwrap()).unwrap();
+            let grids = [(301, 5 * columns(bare.waves())), (257, 4 * columns(bare.waves()))];
+            let mut walk = bare.second_walk();
+            let grids = grids.map(|(rows, columns)| Grid::new(rows, columns, |a, v| walk.at(a, v)));
             let found = curvature(&bare);
             for (kind, found) in [(Kind::Mean, found.mean), (Kind::Gaussian, found.gaussian)] {
                 let fine = range(&bare, &grids, kind);

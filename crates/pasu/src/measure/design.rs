@@ -1,8 +1,7 @@
 //! Measuring a design, part by part.
 
-use super::bare::Bare;
-use super::capacity::{Capacity, Vessel};
-use super::curvature::curvature;
+use super::capacity::Capacity;
+use super::curvature::{Curvature, curvature};
 use super::fill::Filling;
 use super::integral::Accuracy;
 use super::measures::{
@@ -12,12 +11,12 @@ use super::moments::{Moments, area, enclosed};
 use super::outside::{Outside, Spot, columns};
 use super::quantity::Quantity;
 use super::standing::Standing;
-use crate::design::{Clay, Design, Part, plain, rounded};
+use super::taken::{ACCURACY, Naked, Taken};
+use crate::design::{Clay, Design, plain, rounded};
 use crate::error::{Code, Error, Result};
-use crate::solid::{Face, FaceKind, Pot, Product};
-
-/// What integrals over exact faces are asked to keep, as a part of their size.
-const ACCURACY: f64 = 1e-9;
+use crate::face::{Face, FaceKind};
+use crate::solid::Product;
+use crate::solution::Solution;
 
 /// The mass of a cubic centimetre of water in grams.
 const WATER: f64 = 1.0;
@@ -33,54 +32,6 @@ impl Clay {
             Clay::Stoneware | Clay::Black => 2.3,
             Clay::Porcelain => 2.4,
             Clay::Terracotta => 1.9,
-        }
-    }
-}
-
-/// A part with what its measures are taken on.
-struct Taken {
-    bare: Bare,
-    inside: Bare,
-    pot: Result<Pot>,
-}
-
-impl Taken {
-    fn new(design: &Design, part: &Part, index: usize, product: Product) -> Result<Taken> {
-        let bare = Bare::new(part, index)?;
-        let inside = Bare::new(part, index)?.inside();
-        Ok(Taken { bare, inside, pot: Pot::new(design, index, product) })
-    }
-
-    /// Faces seen from outside, inside and between.
-    fn faces(&self) -> Vec<&dyn Face> {
-        match &self.pot {
-            Ok(pot) => pot.faces().iter().map(|piece| piece as &dyn Face).collect(),
-            Err(_) => vec![&self.bare],
-        }
-    }
-
-    fn outer_faces(&self) -> Vec<&dyn Face> {
-        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
-        let mut faces = self.faces();
-        faces.retain(|face| !is_inside(face.kind()));
-        faces
-    }
-
-    fn outside(&self) -> Outside<'_> {
-        Outside::new(self.outer_faces(), self.bare.highest())
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        Accuracy::new(ACCURACY, self.bare.highest())
-    }
-
-    /// What holds water: the pot, or the bare surface where no wall is asked for.
-    fn vessel(&self, has_wall: bool, product: Product) -> std::result::Result<Vessel<'_>, String> {
-        match &self.pot {
-            _ if product == Product::Solid => Err("a solid has no inside".to_owned()),
-            Ok(pot) => Vessel::of_pot(pot, self.bare.highest()),
-            Err(why) if has_wall => Err(why.message().to_owned()),
-            Err(_) => Vessel::of_bare(&self.inside),
         }
     }
 }
@@ -113,11 +64,23 @@ struct Share {
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn measure(design: &Design, options: &MeasureOptions) -> Result<Measures> {
-    check(options)?;
-    let mut taken = Vec::with_capacity(design.parts().len());
-    for (index, part) in design.parts().iter().enumerate() {
-        taken.push(Taken::new(design, part, index, options.product)?);
+    Solution::of(design).measure(options)
+}
+
+impl Solution {
+    /// As [`measure`].
+    ///
+    /// # Errors
+    /// As [`measure`].
+    pub fn measure(&self, options: &MeasureOptions) -> Result<Measures> {
+        measures(self, options)
     }
+}
+
+fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
+    check(options)?;
+    let design = solution.design();
+    let taken = Taken::all(solution, options.product)?;
     let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
     let mut parts = Vec::with_capacity(taken.len());
     let mut shares = Vec::with_capacity(taken.len());
@@ -151,19 +114,15 @@ pub(crate) enum Gauge {
 ///
 /// # Errors
 /// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
-pub(crate) fn gauge(design: &Design, product: Product, gauge: Gauge) -> Result<f64> {
-    let mut taken = Vec::with_capacity(design.parts().len());
-    for (index, part) in design.parts().iter().enumerate() {
-        taken.push(Taken::new(design, part, index, product)?);
-    }
-    let highest = taken.iter().fold(0.0f64, |highest, taken| highest.max(taken.bare.highest()));
-    let outside = || Outside::new(taken.iter().flat_map(Taken::outer_faces), highest);
+pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Result<f64> {
+    let taken = Taken::all(solution, product)?;
+    let outside = || Outside::new(taken.iter().flat_map(Taken::outer_faces), waves(&taken));
     match gauge {
         Gauge::Height => Ok(outside().height().value),
         Gauge::Width => Ok(outside().widths().greatest.value),
         Gauge::Capacity => {
             let (mut sum, mut reason) = (None, None);
-            for (taken, part) in taken.iter().zip(design.parts()) {
+            for (taken, part) in taken.iter().zip(solution.design().parts()) {
                 match taken.vessel(part.wall.is_some(), product) {
                     Ok(vessel) => {
                         *sum.get_or_insert(0.0) += vessel.capacity(&taken.accuracy(), None).0.brim.value;
@@ -176,6 +135,11 @@ pub(crate) fn gauge(design: &Design, product: Product, gauge: Gauge) -> Result<f
             sum.ok_or_else(|| Error::new(Code::NoRoom, "size.capacity", reason.unwrap_or_default()))
         }
     }
+}
+
+/// How many waves go round any part at most.
+fn waves(taken: &[Taken]) -> f64 {
+    taken.iter().map(Taken::waves).fold(0.0, f64::max)
 }
 
 fn check(options: &MeasureOptions) -> Result<()> {
@@ -217,10 +181,10 @@ fn part_measures(
     options: &MeasureOptions,
 ) -> Result<(PartMeasures, Share)> {
     let part = &design.parts()[index];
-    let bare = &taken.bare;
     let accuracy = taken.accuracy();
     let [bottom, top] = outside.heights();
-    let surface = area(bare, &Accuracy::new(ACCURACY, bare.highest()));
+    let naked = taken.naked_faces();
+    let surface = naked.iter().map(|face| area(*face, &accuracy)).reduce(|sum, area| sum + area).unwrap_or_default();
     if !(bottom.is_finite() && top.is_finite() && surface.value.is_finite()) {
         let message = "the surface leaves the range of numbers";
         return Err(Error::new(Code::Overflow, format!("parts[{index}]"), message));
@@ -231,8 +195,8 @@ fn part_measures(
     let cubic_centimetre = centimetres * centimetres * centimetres;
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;
-    if let Ok(pot) = &taken.pot {
-        let (areas, clay) = enclosed(&taken.faces(), &accuracy);
+    if let Some(faces) = taken.body() {
+        let (areas, clay) = enclosed(&faces, &accuracy);
         let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
         let mass = clay.scaled(density);
         body.clay = Some(ClayMeasures {
@@ -241,7 +205,7 @@ fn part_measures(
             mass: mass.volume,
         });
         share.clay = Some(mass);
-        if let (Some(wall), Product::Pot) = (&part.wall, options.product) {
+        if let (Some(wall), Product::Pot, Ok(pot)) = (&part.wall, options.product, &taken.pot) {
             let (least, greatest) = pot.thickness();
             let thinned = pot.thinned();
             thickness = Some(ThicknessRange {
@@ -262,11 +226,11 @@ fn part_measures(
         }
         Err(reason) => capacity_reason = Some(reason),
     }
-    stand(&mut body, &share, || Standing::new(&[outside], columns(bare.highest())), &accuracy);
+    stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
     let lining = taken.pot.as_ref().ok().and_then(|pot| {
         let lining = pot.faces().iter().filter(|face| face.kind() == FaceKind::Lining).map(|face| face as &dyn Face);
-        Outside::new(lining, bare.highest()).overhang(|_| true)
+        Outside::new(lining, taken.waves()).overhang(|_| true)
     });
     Ok((
         PartMeasures {
@@ -278,7 +242,10 @@ fn part_measures(
             thickness,
             overhang: outside.overhang(is_wall).map(overhang),
             overhang_inside: lining.map(overhang),
-            curvature: curvature(bare),
+            curvature: match &taken.surface {
+                Naked::Upright { bare, .. } => curvature(bare),
+                Naked::Patches { .. } => Curvature::default(),
+            },
         },
         share,
     ))
@@ -321,7 +288,7 @@ fn overhang(spot: Spot) -> Overhang {
 
 /// The measures of several parts together.
 fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
-    let highest = taken.iter().fold(0.0f64, |highest, taken| highest.max(taken.bare.highest()));
+    let highest = waves(taken);
     let accuracy = Accuracy::new(ACCURACY, highest);
     let bodies: Vec<Outside> = taken.iter().map(Taken::outside).collect();
     let bottom = parts.iter().fold(f64::INFINITY, |bottom, part| bottom.min(part.body.bottom));

@@ -10,9 +10,9 @@ use super::moments::{Moments, element};
 use super::outside::round;
 use super::panels;
 use super::quantity::Quantity;
+use crate::face::{FaceJet, Seams, ascending};
 use crate::numeric::integral::Integral;
 use crate::numeric::{adaptive, bisection, trapezoid};
-use crate::solid::{FaceJet, Seams, ascending};
 
 /// Water up to a level.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -115,14 +115,15 @@ impl<'a> Level<'a> {
         (0..self.inside.links().len()).map(stretch).collect()
     }
 
-    fn seams(&self, link: usize) -> Option<&Seams<'a>> {
+    fn seams(&self, link: usize) -> Option<&Seams> {
         self.inside.seams().get(link)?.as_ref()
     }
 
-    /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place.
-    fn integrand(&self, link: usize, s: f64, v: f64, middle: DVec3) -> [f64; 5] {
+    /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place after the other.
+    fn integrand(&self, link: usize, middle: DVec3) -> impl FnMut(f64, f64) -> [f64; 5] {
         let link = &self.inside.links()[link];
-        self.of_jet(link, &link.jet(s, v), middle)
+        let mut walk = link.walk();
+        move |s, v| self.of_jet(link, &walk.jet(s, v), middle)
     }
 
     fn of_jet(&self, link: &Link, jet: &FaceJet, middle: DVec3) -> [f64; 5] {
@@ -151,8 +152,9 @@ impl<'a> Level<'a> {
             }
         }
         for (link, from, to) in stretches.into_iter().filter(|(_, from, to)| from != to) {
+            let mut integrand = self.integrand(link, rest.middle);
             let mut part = adaptive::integrate(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
-                Integral::of(self.integrand(link, s, v, rest.middle))
+                Integral::of(integrand(s, v))
             });
             if from > to {
                 part.value = part.value.map(|value| -value);
@@ -189,18 +191,20 @@ impl<'a> Level<'a> {
         let mut breaks = self.breaks.clone();
         let mut common: Vec<Option<(f64, f64)>> = Vec::with_capacity(links.len());
         for (number, link, seams) in &links {
-            breaks.extend(seams.round().iter().chain(seams.crossings()));
+            breaks.extend(seams.round.iter().chain(&seams.crossings));
             // What is wet in every column.
             let mut stretches = Vec::with_capacity(self.columns.len());
             for (column, wet) in &self.columns {
                 let mut here = wet.iter().filter(|wet| wet.link == *number);
                 if let (Some(wet), None) = (here.next(), here.next()) {
-                    stretches.push(link.straight(seams, (wet.from, wet.to), column.v()));
+                    stretches.push(link.straight((wet.from, wet.to), column.v()));
                 }
             }
             let rows = panels::common_rows(seams, &stretches).filter(|_| stretches.len() == self.columns.len());
             if let Some(rows) = rows {
-                total.add(&panels::between_rows(seams, rows, accuracy, |jet| self.of_jet(link, jet, middle)));
+                total.add(&panels::between_rows(link.face(), seams, rows, accuracy, |jet| {
+                    self.of_jet(link, jet, middle)
+                }));
             }
             common.push(rows);
         }
@@ -218,13 +222,14 @@ impl<'a> Level<'a> {
                 let (v, wet) = (column.v(), self.inside.wet(column, self.z));
                 let mut sum = Integral::<5>::default();
                 for ((number, link, seams), common) in links.iter().zip(&common) {
+                    let mut walk = link.face().straight_walk();
                     let mut add = |from: f64, to: f64| {
-                        let at = |s: f64| self.of_jet(link, &seams.jet(s, v), middle);
+                        let at = |s: f64| self.of_jet(link, &walk.jet(s, v), middle);
                         sum.add(&panels::column(seams, (from, to), cut, at));
                     };
                     let here = wet.iter().filter(|wet| wet.link == *number);
                     let stretches: Vec<(f64, f64)> =
-                        here.clone().map(|wet| link.straight(seams, (wet.from, wet.to), v)).collect();
+                        here.clone().map(|wet| link.straight((wet.from, wet.to), v)).collect();
                     match (common, stretches.as_slice()) {
                         (Some((first, last)), [(from, to)]) => {
                             add(*from, *first);
@@ -258,7 +263,7 @@ impl<'a> Level<'a> {
         let has_others = self.columns.iter().any(|(_, wet)| wet.iter().any(|wet| !is_seamed(wet.link)));
         for (link, stretch) in common.iter().enumerate() {
             if let Some(stretch) = stretch {
-                total.add(&between(*stretch, accuracy, |s, v| self.integrand(link, s, v, middle)));
+                total.add(&between(*stretch, accuracy, self.integrand(link, middle)));
             }
         }
         // What columns leave is held against the whole.
@@ -328,7 +333,7 @@ mod tests {
     use super::super::bare::Cap;
     use super::super::pool::Pool;
     use super::*;
-    use crate::solid::{Face, FaceJet, FaceKind};
+    use crate::face::{Face, FaceJet, FaceKind};
 
     /// The lining of a tilted round cup, `r(a)` and `z(a)` with their derivatives.
     struct Cup {

@@ -5,9 +5,9 @@ use super::capacity::Vessel;
 use super::column::Inside;
 use super::fill::Level;
 use super::pool::Pool;
-use crate::design::Design;
 use crate::error::Result;
 use crate::solid::Pot;
+use crate::solution::Solution;
 
 /// A level surface of water.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -31,15 +31,16 @@ const COLUMNS: usize = 96;
 ///
 /// # Errors
 /// What [`Surface::solve`](crate::Surface::solve) refuses.
-pub(crate) fn filled(design: &Design, pots: &[Option<Pot>], share: f64) -> Result<Option<WaterSurface>> {
-    let parts = design.parts().iter().enumerate();
-    let bares = parts.map(|(index, part)| Ok(Bare::new(part, index)?.inside())).collect::<Result<Vec<Bare>>>()?;
-    let vessels: Vec<Vessel> = bares
+pub(crate) fn filled(solution: &Solution, pots: &[Option<Pot>], share: f64) -> Result<Option<WaterSurface>> {
+    let bares = solution.parts().map(|placed| Ok(Bare::new(placed?))).collect::<Result<Vec<Option<Bare>>>>()?;
+    let insides: Vec<Option<Bare>> = bares.iter().map(|bare| bare.as_ref().map(Bare::inside)).collect();
+    let vessels: Vec<Vessel> = insides
         .iter()
         .zip(pots)
-        .filter_map(|(bare, pot)| match pot {
-            Some(pot) => Vessel::of_pot(pot, bare.highest()).ok(),
-            None => Vessel::of_bare(bare).ok(),
+        .filter_map(|(inside, pot)| match (inside, pot) {
+            (Some(inside), Some(pot)) => Vessel::of_pot(pot, inside.waves()).ok(),
+            (Some(inside), None) => Vessel::of_bare(inside).ok(),
+            (None, _) => None,
         })
         .collect();
     let insides: Vec<(Inside, f64, f64)> = vessels

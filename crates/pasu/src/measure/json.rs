@@ -6,7 +6,7 @@ use super::measures::{Body, Centre, Measures, Overhang, PartMeasures, ThicknessR
 use super::quantity::Quantity;
 use super::standing::{Footprint, Tipping};
 use crate::design::{Value, write_json};
-use crate::solid::FaceKind;
+use crate::face::FaceKind;
 
 impl Measures {
     /// The measures as a tree of plain data; `docs/measures.md` names every field with its unit.

@@ -5,7 +5,8 @@ use super::curvature::Curvature;
 use super::quantity::Quantity;
 use super::standing::{Footprint, Tipping};
 use crate::design::Unit;
-use crate::solid::{FaceKind, Product};
+use crate::face::FaceKind;
+use crate::solid::Product;
 
 /// What to measure.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

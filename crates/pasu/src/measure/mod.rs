@@ -7,6 +7,7 @@ mod curvature;
 mod design;
 mod fill;
 mod filled;
+mod folded;
 mod integral;
 mod json;
 mod measures;
@@ -17,6 +18,7 @@ mod panels;
 mod pool;
 mod quantity;
 mod standing;
+mod taken;
 mod water;
 
 pub use capacity::Capacity;

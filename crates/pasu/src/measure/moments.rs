@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use super::integral::{Accuracy, over_face};
 use super::quantity::Quantity;
+use crate::face::{Face, FaceJet};
 use crate::numeric::integral::Integral;
-use crate::solid::{Face, FaceJet};
 
 /// The vector of a surface element, `F_a x F_v`, turned out of the clay.
 pub(crate) fn element(face: &dyn Face, jet: &FaceJet) -> DVec3 {
@@ -82,12 +82,12 @@ mod tests {
     use core::f64::consts::{PI, TAU};
 
     use super::*;
-    use crate::solid::FaceKind;
+    use crate::face::FaceKind;
 
     /// A face from a function of `(a, v)`.
     struct Patch<F>(F);
 
-    impl<F: Fn(f64, f64) -> [DVec3; 3]> Face for Patch<F> {
+    impl<F: Fn(f64, f64) -> [DVec3; 3] + Send + Sync> Face for Patch<F> {
         fn kind(&self) -> FaceKind {
             FaceKind::Outer
         }
@@ -103,7 +103,7 @@ mod tests {
     }
 
     /// A surface of revolution from its profile `(r, z)` and the derivative, traversed so that the outside is on the right.
-    fn turned(profile: impl Fn(f64) -> [[f64; 2]; 2]) -> impl Face {
+    fn turned(profile: impl Fn(f64) -> [[f64; 2]; 2] + Send + Sync) -> impl Face {
         Patch(move |a, v: f64| {
             let [[r, z], [dr, dz]] = profile(a);
             let (s, c) = v.sin_cos();

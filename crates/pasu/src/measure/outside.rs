@@ -6,12 +6,12 @@ use glam::{DVec2, DVec3};
 
 use super::moments::element;
 use super::quantity::{Quantity, ROUNDING};
+use crate::face::{Face, FaceJet, FaceKind};
 use crate::numeric::brent;
 use crate::numeric::climb::Place;
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
 use crate::numeric::minima;
-use crate::solid::{Face, FaceJet, FaceKind};
 
 /// Faces seen from outside, each sampled on a grid from which searches begin.
 pub(crate) struct Outside<'a> {
@@ -71,7 +71,8 @@ impl<'a> Outside<'a> {
                 // Straight from one curve to another.
                 _ => 3,
             };
-            (face, Grid::new(rows, columns, |a, v| face.jet(a, v)))
+            let mut walk = face.walk();
+            (face, Grid::new(rows, columns, |a, v| walk.jet(a, v)))
         };
         let faces: Vec<_> = faces.into_iter().map(sampled).collect();
         let points = faces.iter().flat_map(|(_, grid)| grid.points());
@@ -103,7 +104,8 @@ impl<'a> Outside<'a> {
         let mut best: Option<Spot> = None;
         for &(_, index) in starts.iter().take(most_faces) {
             let (face, grid) = &self.faces[index];
-            let Some(Place { a, v, value }) = grid.greatest(&of, |a, v| face.jet(a, v)) else { continue };
+            let mut walk = face.walk();
+            let Some(Place { a, v, value }) = grid.greatest(&of, |a, v| walk.jet(a, v)) else { continue };
             if best.is_none_or(|best| value > best.value) {
                 best = Some(Spot { value, error: 0.0, at: face.jet(a, v).position, face: face.kind() });
             }
@@ -207,7 +209,10 @@ impl<'a> Outside<'a> {
         // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
         let near = most - BETWEEN * self.size;
         let tops = self.faces.iter().zip(ends).filter(|(_, end)| *end >= near);
-        let tops = tops.flat_map(|((face, grid), _)| grid.tops(of, near, |a, v| face.jet(a, v)));
+        let tops = tops.flat_map(|((face, grid), _)| {
+            let mut walk = face.walk();
+            grid.tops(of, near, |a, v| walk.jet(a, v))
+        });
         tops.fold(most, |most, top| most.max(top.value))
     }
 
@@ -217,15 +222,16 @@ impl<'a> Outside<'a> {
         for (face, grid) in self.faces.iter().filter(|(face, _)| is_meant(face.kind())) {
             let lean = |jet: &FaceJet| lean(element(*face, jet));
             // An end without a normal somewhere, as at a pole, is kept away from.
-            let is_singular = [0.0, 1.0].map(|a| round(grid.columns()).any(|v| !lean(&face.jet(a, v)).is_finite()));
+            let mut walk = face.walk();
+            let is_singular = [0.0, 1.0].map(|a| round(grid.columns()).any(|v| !lean(&walk.jet(a, v)).is_finite()));
             let is_kept_from = |a: f64| is_singular[usize::from(a > 0.5)];
-            let at = |a: f64, v: f64| face.jet(if is_kept_from(a) { off_the_end(a) } else { a }, v);
+            let mut at = |a: f64, v: f64| walk.jet(if is_kept_from(a) { off_the_end(a) } else { a }, v);
             // A wall that had to be thinned has bumps between its knots.
             let (rows, columns) = match face.seams() {
-                Some(seams) => (2 * seams.along().len() + 1, (2 * seams.round().len() + 1).min(MOST_COLUMNS)),
+                Some(seams) => (2 * seams.along.len() + 1, (2 * seams.round.len() + 1).min(MOST_COLUMNS)),
                 None => (grid.rows() - grid.rows() / 4, grid.columns() + grid.columns() / 3),
             };
-            let other = Grid::new(rows, columns, at);
+            let other = Grid::new(rows, columns, &mut at);
             let Some((mut place, mut error)) = grid.greatest_and_error(&other, lean, at) else { continue };
             let end = if place.a > 0.5 { 1.0 } else { 0.0 };
             if is_kept_from(place.a) && (place.a - end).abs() < 1e-2 * BESIDE {
@@ -260,7 +266,8 @@ impl<'a> Outside<'a> {
                 continue;
             }
             let of = |jet: &FaceJet| -jet.position.z;
-            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |a, v| face.jet(a, v)) {
+            let mut walk = face.walk();
+            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |a, v| walk.jet(a, v)) {
                 if -value <= bottom + tolerance {
                     points.push(face.jet(a, v).position);
                 }

@@ -8,8 +8,11 @@ use super::moments::element;
 use super::outside::{lean, off_the_end};
 use crate::design::Design;
 use crate::error::Result;
-use crate::mesh::{MeshOptions, grid_places};
-use crate::solid::{Face, Pot, Product};
+use crate::face::Face;
+use crate::mesh::{MeshOptions, Places, grid_places};
+use crate::patch::Patch;
+use crate::solid::Product;
+use crate::solution::{Placed, Solution};
 
 /// What is painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,28 +69,71 @@ impl Map {
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn paint(design: &Design, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
-    let grids = grid_places(design, options)?;
-    let mut values = Vec::with_capacity(grids.iter().map(|grid| grid.rows.len() * grid.columns).sum());
-    for (index, (part, grid)) in design.parts().iter().zip(&grids).enumerate() {
-        let bare = Bare::new(part, index)?;
-        let pot = if map == Map::Thickness { Some(Pot::new(design, index, Product::Pot)?) } else { None };
-        // The last column of a closed surface repeats the first.
-        let last = grid.columns - 1;
-        let v_of = |j: usize| if j == last && bare.is_closed() { 0.0 } else { TAU * j as f64 / last as f64 };
-        for &u in &grid.rows {
-            let a = bare.along(u);
-            values.extend((0..grid.columns).map(v_of).map(|v| {
-                let value = match (map, &pot) {
-                    (Map::MeanCurvature, _) => Kind::Mean.at(&bare, a, v),
-                    (Map::GaussianCurvature, _) => Kind::Gaussian.at(&bare, a, v),
-                    (Map::Thickness, pot) => pot.as_ref().map_or(0.0, |pot| pot.thickness_at(a, v)),
-                    (Map::Overhang, _) => overhang(&bare, a, v),
-                };
-                single(value)
-            }));
+    Solution::of(design).paint(map, options)
+}
+
+impl Solution {
+    /// As [`paint`].
+    ///
+    /// # Errors
+    /// As [`paint`].
+    pub fn paint(&self, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
+        painted(self, map, options)
+    }
+}
+
+fn painted(solution: &Solution, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
+    let grids = grid_places(solution, options)?;
+    let mut values = Vec::new();
+    for (index, places) in grids.iter().enumerate() {
+        let placed = solution.part(index)?;
+        let pot = if map == Map::Thickness { Some(solution.pot(index, Product::Pot)?) } else { None };
+        match (places, Bare::new(placed)) {
+            (Places::Fourier { rows, columns }, Some(bare)) => {
+                // The last column of a closed surface repeats the first.
+                let last = columns - 1;
+                let v_of = |j: usize| if j == last && bare.is_closed() { 0.0 } else { TAU * j as f64 / last as f64 };
+                for &u in rows {
+                    let a = bare.along(u);
+                    values.extend((0..*columns).map(v_of).map(|v| {
+                        let value = match (map, &pot) {
+                            (Map::MeanCurvature, _) => Kind::Mean.at(&bare, a, v),
+                            (Map::GaussianCurvature, _) => Kind::Gaussian.at(&bare, a, v),
+                            (Map::Thickness, pot) => pot.as_ref().map_or(0.0, |pot| pot.thickness_at(a, v)),
+                            (Map::Overhang, _) => overhang(&bare, a, v),
+                        };
+                        single(value)
+                    }));
+                }
+            }
+            (Places::Patches(lines), _) => {
+                for (patch, [rows, columns]) in placed.solved().patches().iter().zip(lines) {
+                    let places = rows.iter().flat_map(|u| columns.iter().map(move |v| (*u, *v)));
+                    values.extend(places.map(|(u, v)| single(of_patch(map, placed, *patch, u, v))));
+                }
+            }
+            (Places::Fourier { rows, columns }, None) => {
+                values.extend(core::iter::repeat_n(0.0, rows.len() * columns));
+            }
         }
     }
     Ok(values)
+}
+
+/// A curvature or the overhang of a patch that is no side of a wall; beside a pole in its stead.
+fn of_patch(map: Map, placed: &Placed, patch: &dyn Patch, u: f64, v: f64) -> f64 {
+    let outward = if placed.is_forwards() { 1.0 } else { -1.0 };
+    let at = |u: f64| {
+        let jet = placed.place(&patch.jet(u, v));
+        match map {
+            Map::MeanCurvature => Kind::Mean.of(&jet, outward),
+            Map::GaussianCurvature => Kind::Gaussian.of(&jet, outward),
+            Map::Thickness => 0.0,
+            Map::Overhang => lean(jet.du.cross(jet.dv) * outward).to_degrees(),
+        }
+    };
+    let here = at(u);
+    if here.is_finite() { here } else { at(off_the_end(u)) }
 }
 
 fn overhang(bare: &Bare, a: f64, v: f64) -> f64 {

@@ -3,9 +3,10 @@
 use core::f64::consts::TAU;
 
 use super::integral::Accuracy;
+use crate::face::{Face, FaceJet, Seams, ascending};
 use crate::numeric::gauss_legendre::{FOUR, Rule, THREE, TWO, spread};
 use crate::numeric::integral::{Integral, ROUNDING};
-use crate::solid::{FaceJet, Places, Seams};
+use crate::solution::Columns;
 
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
@@ -47,25 +48,27 @@ struct Band<const N: usize> {
 /// Columns for a number of pieces: those of the rule and those of the shorter one, with their weights.
 struct Fan {
     splits: usize,
-    columns: [(Places, Vec<f64>); 2],
+    columns: [(Columns, Vec<f64>); 2],
 }
 
 /// Integrates between two rows, from one seam to the next; bands with the largest error are cut finer until the whole is accurate enough or has taken enough.
 pub(crate) fn between_rows<const N: usize>(
+    face: &dyn Face,
     seams: &Seams,
     (from, to): (f64, f64),
     accuracy: &Accuracy,
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
     let rules = rules(accuracy);
-    let breaks = once_round(seams.round());
+    let breaks = once_round(&seams.round);
     let mut fans: Vec<Fan> = Vec::new();
     let mut taken = 0;
+    let mut walk = face.straight_walk();
     let mut band = |from: f64, to: f64, splits: usize| {
         if !fans.iter().any(|fan| fan.splits == splits) {
             let columns = rules.map(|rule| {
                 let (places, weights) = spread(&breaks, splits, rule);
-                (seams.places(places), weights)
+                (face.columns(places), weights)
             });
             fans.push(Fan { splits, columns });
         }
@@ -79,7 +82,7 @@ pub(crate) fn between_rows<const N: usize>(
                     let mut row = [0.0; N];
                     let mut row_size = [0.0; N];
                     for (column, share) in weights.iter().enumerate() {
-                        let value = integrand(&seams.jet_at(s, places, column));
+                        let value = integrand(&walk.jet_at(s, places, column));
                         for i in 0..N {
                             row[i] += share * value[i];
                             row_size[i] += share * value[i].abs();
@@ -99,7 +102,7 @@ pub(crate) fn between_rows<const N: usize>(
         (Band { from, to, splits, integral: Integral { value, error: [0.0; N], size }, of_rule }, taken)
     };
     let rows: Vec<f64> = core::iter::once(from)
-        .chain(seams.along().iter().copied().filter(|s| from < *s && *s < to))
+        .chain(seams.along.iter().copied().filter(|s| from < *s && *s < to))
         .chain([to])
         .collect();
     let splits = splits(&breaks, accuracy);
@@ -196,12 +199,12 @@ pub(crate) fn column<const N: usize>(
     seams: &Seams,
     (from, to): (f64, f64),
     Cut { rule, pieces }: Cut,
-    at: impl Fn(f64) -> [f64; N],
+    mut at: impl FnMut(f64) -> [f64; N],
 ) -> Integral<N> {
     let (low, high, sign) = if from <= to { (from, to, 1.0) } else { (to, from, -1.0) };
     let mut total = Integral::default();
     let mut below = low;
-    let inner = seams.along().iter().copied().filter(|s| low < *s && *s < high);
+    let inner = seams.along.iter().copied().filter(|s| low < *s && *s < high);
     for above in inner.chain([high]) {
         let width = (above - below) / pieces as f64;
         for piece in 0..pieces {
@@ -218,6 +221,7 @@ pub(crate) fn column<const N: usize>(
 
 /// Integrates over a whole face, with respect to `da dv`.
 pub(crate) fn over_seamed<const N: usize>(
+    face: &dyn Face,
     seams: &Seams,
     accuracy: &Accuracy,
     integrand: impl Fn(&FaceJet) -> [f64; N],
@@ -225,24 +229,30 @@ pub(crate) fn over_seamed<const N: usize>(
     let breaks = all_breaks(seams);
     let (mut least, mut most) = (1.0f64, 0.0f64);
     for v in &breaks {
-        let begin = seams.begins(*v);
+        let begin = begins(face, *v);
         (least, most) = (least.min(begin), most.max(begin));
     }
     let Some(first) = first_row(seams, least, most) else { return Integral::default() };
-    let mut total = between_rows(seams, (first, 1.0), accuracy, &integrand);
+    let mut total = between_rows(face, seams, (first, 1.0), accuracy, &integrand);
     if least < first {
         let at_least = total.size;
         total.add(&over_columns(&breaks, accuracy, at_least, |places, cut| {
-            let along = |v: f64| column(seams, (seams.begins(v), first), cut, |s| integrand(&seams.jet(s, v)));
+            let mut walk = face.straight_walk();
+            let mut along = |v: f64| column(seams, (begins(face, v), first), cut, |s| integrand(&walk.jet(s, v)));
             places.iter().map(|v| along(*v)).collect()
         }));
     }
     total
 }
 
+/// The least `s` of a column.
+fn begins(face: &dyn Face, v: f64) -> f64 {
+    face.straight(0.0, v).min(face.straight(1.0, v))
+}
+
 /// All places round a face at which derivatives jump.
 pub(crate) fn all_breaks(seams: &Seams) -> Vec<f64> {
-    once_round(&crate::solid::ascending([seams.round(), seams.crossings()].concat()))
+    once_round(&ascending([&seams.round[..], &seams.crossings].concat()))
 }
 
 /// Rows are one where they differ by less than this.
@@ -250,7 +260,7 @@ const SAME: f64 = 1e-11;
 
 /// The row from which all columns are there: the first seam above where the last begins, or that place itself where all begin together.
 fn first_row(seams: &Seams, least: f64, most: f64) -> Option<f64> {
-    if most - least <= SAME { Some(least) } else { seams.along().iter().copied().find(|s| *s >= most) }
+    if most - least <= SAME { Some(least) } else { seams.along.iter().copied().find(|s| *s >= most) }
 }
 
 /// The rows between which all of several stretches are, from seam to seam; `None` where they have nothing in common.
@@ -261,7 +271,7 @@ pub(crate) fn common_rows(seams: &Seams, stretches: &[(f64, f64)]) -> Option<(f6
     };
     let ((least, most), (low, high)) = (ends(|stretch| stretch.0), ends(|stretch| stretch.1));
     let from = first_row(seams, least, most)?;
-    let to = if high - low <= SAME { low } else { seams.along().iter().rev().copied().find(|s| *s <= low)? };
+    let to = if high - low <= SAME { low } else { seams.along.iter().rev().copied().find(|s| *s <= low)? };
     (from < to).then_some((from, to))
 }
 
@@ -274,7 +284,8 @@ mod tests {
     use super::super::moments::enclosed;
     use super::*;
     use crate::design::Design;
-    use crate::solid::{Face, Pot, Product};
+    use crate::face::Face;
+    use crate::solid::{Pot, Product};
 
     /// What is stated covers what a hundred times more is found to change.
     #[test]

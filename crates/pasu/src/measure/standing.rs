@@ -8,8 +8,8 @@ use super::integral::Accuracy;
 use super::moments::area;
 use super::outside::{Outside, degrees, hull, polygon_area, round};
 use super::quantity::Quantity;
+use crate::face::Face;
 use crate::numeric::{brent, minima, romberg};
-use crate::solid::Face;
 
 /// Points of a pot that are less than this part of its size above the lowest one stand on the table too.
 const STANDING: f64 = 1e-6;
@@ -87,7 +87,8 @@ impl<'a> Standing<'a> {
     fn edge(&self, n: usize) -> Vec<DVec2> {
         let mut points = self.points.clone();
         for &(face, a) in &self.edges {
-            points.extend(round(n).map(|v| face.jet(a, v).position.truncate()));
+            let mut walk = face.walk();
+            points.extend(round(n).map(|v| walk.jet(a, v).position.truncate()));
         }
         points
     }
@@ -118,7 +119,8 @@ impl<'a> Standing<'a> {
         let mut most = f64::MIN;
         for &(face, a) in &self.edges {
             let n = self.columns;
-            let at = |v: f64| (face.jet(a, v).position.truncate() - from).dot(direction);
+            let mut walk = face.walk();
+            let mut at = |v: f64| (walk.jet(a, v).position.truncate() - from).dot(direction);
             let far = round(n)
                 .map(|v| (v, at(v)))
                 .fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });

@@ -1,15 +1,15 @@
 //! Water standing in a design, to be drawn.
 
-use super::bare::Bare;
-use super::capacity::Vessel;
 use super::design::above_spill;
 use super::fill::Level;
 use super::integral::Accuracy;
 use super::pool::Pool;
 use super::quantity::Quantity;
+use super::taken::Taken;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
-use crate::solid::{Pot, Product};
+use crate::solid::Product;
+use crate::solution::Solution;
 
 /// Water up to a level.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -54,6 +54,20 @@ const COLUMNS: usize = 192;
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn water(design: &Design, level: f64) -> Result<Water> {
+    Solution::of(design).water(level)
+}
+
+impl Solution {
+    /// As [`water`].
+    ///
+    /// # Errors
+    /// As [`water`].
+    pub fn water(&self, level: f64) -> Result<Water> {
+        standing(self, level)
+    }
+}
+
+fn standing(solution: &Solution, level: f64) -> Result<Water> {
     if !level.is_finite() {
         let message = format!("expected a level, found {}", plain(level));
         return Err(Error::new(Code::OutOfRange, "level", message).with("found", level));
@@ -61,14 +75,9 @@ pub fn water(design: &Design, level: f64) -> Result<Water> {
     let mut water = Water::default();
     let mut highest: Option<(f64, f64)> = None;
     let mut refusal = None;
-    for (index, part) in design.parts().iter().enumerate() {
-        let bare = Bare::new(part, index)?.inside();
-        let pot = part.wall.map(|_| Pot::new(design, index, Product::Pot));
-        let vessel = match &pot {
-            Some(Ok(pot)) => Vessel::of_pot(pot, bare.highest()),
-            Some(Err(why)) => Err(why.message().to_owned()),
-            None => Vessel::of_bare(&bare),
-        };
+    for (index, part) in solution.design().parts().iter().enumerate() {
+        let taken = Taken::new(solution, index, Product::Pot)?;
+        let vessel = taken.vessel(part.wall.is_some(), Product::Pot);
         let vessel = match vessel {
             Ok(vessel) => vessel,
             Err(reason) => {
@@ -86,7 +95,7 @@ pub fn water(design: &Design, level: f64) -> Result<Water> {
         if !(level > inside.floor()) {
             continue;
         }
-        let accuracy = Accuracy { most_columns: 4096, most_intervals: 16, ..Accuracy::new(ACCURACY, bare.highest()) };
+        let accuracy = Accuracy { most_columns: 4096, most_intervals: 16, ..Accuracy::new(ACCURACY, taken.waves()) };
         let edge = Level::new(&inside, level, COLUMNS.max(inside.n_columns()));
         let filling = edge.filling(&accuracy);
         water.volume += filling.moments.volume.value;

@@ -2,9 +2,10 @@
 
 use glam::{DMat3, DVec3};
 
-use super::normal::{self, Facing, write_single};
+use super::normal::{Facing, cofactors, write_single};
 use super::part::PartGrid;
 use crate::error::{Code, Error, Result};
+use crate::patch::normal_limit;
 use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable, Sums};
 
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
@@ -12,7 +13,7 @@ const MOST_WITHOUT: usize = 256;
 
 /// Rows of one part with every sum in double precision, rounded once; poles and cusps have their limits. Tables are made when first needed.
 pub(super) struct ExactRows<'a> {
-    grid: &'a PartGrid,
+    grid: &'a PartGrid<'a>,
     n_columns: usize,
     table: Option<ColumnTable>,
     coefficients: RowTable<2>,
@@ -27,7 +28,7 @@ pub(super) struct ExactRows<'a> {
 }
 
 impl<'a> ExactRows<'a> {
-    pub(super) fn new(grid: &'a PartGrid, n_columns: usize) -> Self {
+    pub(super) fn new(grid: &'a PartGrid<'a>, n_columns: usize) -> Self {
         // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
         let outward = cofactors(grid.matrix) * grid.sign();
         let (coefficients, row) = (RowTable::default(), Row::default());
@@ -87,8 +88,8 @@ impl<'a> ExactRows<'a> {
 
     fn take(&mut self, row: usize) {
         let u = self.grid.tessellation.row(row);
-        let table = self.table.get_or_insert_with(|| ColumnTable::new(&self.grid.surface, self.n_columns));
-        self.coefficients.take(&self.grid.surface, &table.distinct, u);
+        let table = self.table.get_or_insert_with(|| ColumnTable::new(self.grid.surface, self.n_columns));
+        self.coefficients.take(self.grid.surface.components(), &table.distinct, u);
         self.row.fill(&self.coefficients);
         self.u = u;
         self.second = None;
@@ -98,9 +99,9 @@ impl<'a> ExactRows<'a> {
     fn facing(&mut self, block: usize, tangents: [[Block; 3]; 2]) -> Facing {
         let (mut facing, missing) = Facing::of(tangents, self.row.terms());
         if missing != 0 {
-            let surface = &self.grid.surface;
+            let surface = self.grid.surface;
             let table = self.table.get_or_insert_with(|| ColumnTable::new(surface, self.n_columns));
-            let second = self.second.get_or_insert_with(|| RowTable::at(surface, &table.distinct, self.u));
+            let second = self.second.get_or_insert_with(|| RowTable::at(surface.components(), &table.distinct, self.u));
             for lane in (0..BLOCK).filter(|lane| missing >> lane & 1 == 1) {
                 let jet = second.jet(|n| table.circle(n, block, lane));
                 // The seam's two columns share the limit, as they share their position.
@@ -108,7 +109,7 @@ impl<'a> ExactRows<'a> {
                 let column = (block * BLOCK + lane).min(last);
                 let v = if column == last && surface.is_closed() { 0.0 } else { column as f64 / last as f64 };
                 let limit = if self.n_without < MOST_WITHOUT {
-                    normal::limit(surface, self.u, v * surface.span(), &jet)
+                    normal_limit(&jet, (self.u, v), |u, v| surface.at(u, v * surface.span()))
                 } else {
                     None
                 };
@@ -138,9 +139,4 @@ impl<'a> ExactRows<'a> {
 /// Cosine and sine of each distinct `n` at one block of columns, of a table that was made when its row was taken.
 fn circles(table: Option<&ColumnTable>, block: usize) -> &[[Block; 2]] {
     table.map(|table| table.block(block)).unwrap_or_default()
-}
-
-/// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.
-fn cofactors(m: DMat3) -> DMat3 {
-    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
 }

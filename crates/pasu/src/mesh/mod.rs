@@ -5,13 +5,16 @@ mod exact;
 mod fill;
 mod fourier;
 mod grid;
+mod grids;
 mod normal;
 mod part;
+mod patches;
 mod profile;
 mod promise;
 mod sample;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
+pub(crate) use grids::Places;
 pub use sample::{Sampler, bound, mesh};
 pub(crate) use sample::{exact_mesh, grid_places, places};

@@ -1,28 +1,14 @@
-//! Normals where the surface has no tangent plane of its own.
+//! Unit normals, and where there are none to be told from rounding.
 
 use glam::{DMat3, DVec3};
 
-use crate::surface::{BLOCK, Block, Surface, SurfaceJet};
+use crate::surface::{BLOCK, Block};
 
 /// `X_u x X_v` counts as vanished when it is this small against the lengths of both: then its direction is rounding.
 const VANISHED: f64 = 1e-10;
 
 /// A sum counts as vanished when it is this small against its terms.
 const CANCELLED: f64 = 1e-13;
-
-/// How far into the surface, as a part of `u`, the limit is looked for, in turn.
-const STEPS_INWARD: [f64; 4] = [1e-6, 1e-4, 1e-3, 1e-2];
-
-/// The unit normal along `X_u x X_v` if it can be told from rounding.
-fn regular(du: DVec3, dv: DVec3) -> Option<DVec3> {
-    let normal = du.cross(dv);
-    let squared = normal.length_squared();
-    if is_direction(squared, [du.length_squared(), dv.length_squared()], [0.0; 2]) {
-        Some(normal / squared.sqrt())
-    } else {
-        None
-    }
-}
 
 /// Unit normals of a block of columns, along `X_u x X_v`.
 pub(super) struct Facing {
@@ -84,27 +70,7 @@ fn is_direction(squared: f64, [du, dv]: [f64; 2], [du_terms, dv_terms]: [f64; 2]
         & (squared < f64::MAX)
 }
 
-/// The limit of the unit normal at a pole or cusp, where the surface has this jet.
-///
-/// By Taylor's formula a step `h` into the surface turns `X_u x X_v = 0` into `h (X_uu x X_v + X_u x X_uv)`, which is the limit's direction. Where that vanishes
-/// too, the normal a little further in is taken. There is none where the surface is a curve or a point all over.
-pub(super) fn limit(surface: &Surface, u: f64, v: f64, jet: &SurfaceJet) -> Option<DVec3> {
-    let inward = if u < 0.5 { 1.0 } else { -1.0 };
-    let turned = inward * (jet.duu.cross(jet.dv) + jet.du.cross(jet.duv));
-    let size = jet.duu.length() * jet.dv.length() + jet.du.length() * jet.duv.length();
-    let length = turned.length();
-    if length.is_finite() && length > 1e-9 * size {
-        return Some(turned / length);
-    }
-    for step in STEPS_INWARD {
-        for (u, v) in
-            [(u + inward * step, v), (u, v + step * surface.span()), (u + inward * step, v + step * surface.span())]
-        {
-            let jet = surface.at(u, v);
-            if let Some(normal) = regular(jet.du, jet.dv) {
-                return Some(normal);
-            }
-        }
-    }
-    None
+/// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.
+pub(super) fn cofactors(m: DMat3) -> DMat3 {
+    DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
 }

@@ -8,13 +8,13 @@ use super::contract::{Mesh, MeshOptions};
 use super::grid::append_triangles;
 use super::profile::Profile;
 use super::tolerance::Tessellation;
-use crate::design::Part;
 use crate::error::Result;
+use crate::solution::Placed;
 use crate::surface::{Curves, Surface, is_outward};
 
 /// One part, ready to be sampled.
-pub(super) struct PartGrid {
-    pub(super) surface: Surface,
+pub(super) struct PartGrid<'a> {
+    pub(super) surface: &'a Surface,
     pub(super) tessellation: Tessellation,
     /// Whether every sum is to be formed in double precision.
     pub(super) is_precise: bool,
@@ -27,25 +27,23 @@ pub(super) struct PartGrid {
     pub(super) index: usize,
 }
 
-impl PartGrid {
-    /// Solves a part and chooses its grid; `curves` are those of any other mesh, whose memory is used again.
+impl<'a> PartGrid<'a> {
+    /// Chooses the grid of a part whose shape is this series; `curves` are those of any other mesh, whose memory is used again.
     pub(super) fn choose(
-        part: &Part,
-        index: usize,
+        placed: &'a Placed,
+        surface: &'a Surface,
         options: &MeshOptions,
         is_bounded: bool,
         mut curves: Curves,
-    ) -> Result<PartGrid> {
-        let surface = Surface::of_part(part, index)?;
-        let matrix = DMat3::from_cols_array_2d(&part.place.matrix()).transpose();
-        let shift = DVec3::from_array(part.place.shift);
+    ) -> Result<PartGrid<'a>> {
+        let (matrix, shift) = (placed.matrix(), placed.shift());
         // A tolerance that is asked for is held to the rounding of single precision itself.
         let is_precise = options.tolerance.is_some();
         let tessellation =
-            Tessellation::choose(|| Profile::of(&surface, matrix), shift.length(), options, is_precise, is_bounded)?;
-        curves.prepare(&surface, tessellation.along);
-        let is_outward = is_outward(&surface, &curves);
-        Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index })
+            Tessellation::choose(|| Profile::of(surface, matrix), shift.length(), options, is_precise, is_bounded)?;
+        curves.prepare(surface, tessellation.along);
+        let is_outward = is_outward(surface, &curves);
+        Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index: placed.index() })
     }
 
     /// Its expansions, when it has been sampled.

@@ -2,9 +2,11 @@
 
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::fill::Workspace;
+use super::grids::{Grids, Places};
 use super::part::PartGrid;
-use crate::design::{Design, Part, plain};
+use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
+use crate::solution::{Placed, Solution};
 use crate::surface::Curves;
 
 /// The mesh of every part of a design, placed, in one set of arrays.
@@ -22,9 +24,29 @@ use crate::surface::Curves;
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn mesh(design: &Design, options: &MeshOptions) -> Result<Mesh> {
-    let mut sampler = Sampler::new();
-    sampler.sample(design, options)?;
-    Ok(sampler.mesh)
+    Solution::of(design).mesh(options)
+}
+
+impl Solution {
+    /// As [`mesh`].
+    ///
+    /// # Errors
+    /// As [`mesh`].
+    pub fn mesh(&self, options: &MeshOptions) -> Result<Mesh> {
+        let mut sampler = Sampler::new();
+        sampler.fill(&choose(self.parts(), options, false, &mut Vec::new())?)?;
+        Ok(sampler.mesh)
+    }
+
+    /// As [`bound`].
+    ///
+    /// # Errors
+    /// As [`bound`].
+    pub fn bound(&self, options: &MeshOptions) -> Result<f64> {
+        let message = "the surface bends more sharply than numbers can tell";
+        largest_bound(&choose(self.parts(), options, true, &mut Vec::new())?)
+            .ok_or_else(|| Error::new(Code::Overflow, "parts", message))
+    }
 }
 
 /// Samples one design after the other into the same arrays: what a drag needs, where each mesh takes the place of the one before.
@@ -60,14 +82,17 @@ impl Sampler {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn sample(&mut self, design: &Design, options: &MeshOptions) -> Result<&Mesh> {
-        let grids = choose(design, options, false, &mut self.spare)?;
+        check(options)?;
+        let parts = design.parts().iter().enumerate();
+        let placed = parts.map(|(index, part)| Placed::new(part, index)).collect::<Result<Vec<Placed>>>()?;
+        let grids = choose(placed.iter().map(Ok), options, false, &mut self.spare)?;
         let filled = self.fill(&grids);
-        self.spare.extend(grids.into_iter().map(PartGrid::into_curves));
+        self.spare.extend(grids.into_iter().filter_map(Grids::into_curves));
         filled?;
         Ok(&self.mesh)
     }
 
-    fn fill(&mut self, grids: &[PartGrid]) -> Result<()> {
+    fn fill(&mut self, grids: &[Grids]) -> Result<()> {
         let mut mesh = core::mem::take(&mut self.mesh);
         self.topology.clear();
         for grid in grids {
@@ -89,7 +114,7 @@ impl Sampler {
             if let (Some(positions), Some(normals)) =
                 (mesh.positions.get_mut(range.clone()), mesh.normals.get_mut(range))
             {
-                self.workspace.fill(grid, positions, normals)?;
+                grid.fill(&mut self.workspace, positions, normals)?;
             }
         }
         self.mesh = mesh;
@@ -97,36 +122,24 @@ impl Sampler {
     }
 }
 
-/// Where the vertices of one part's mesh are.
-pub(crate) struct Places {
-    /// The `u` of each row.
-    pub(crate) rows: Vec<f64>,
-    /// The number of columns, the repeated one included.
-    pub(crate) columns: usize,
-}
-
 /// Where the vertices of [`mesh`] are, part by part.
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn grid_places(design: &Design, options: &MeshOptions) -> Result<Vec<Places>> {
-    let grids = choose(design, options, false, &mut Vec::new())?;
-    let places = grids.iter().map(|grid| {
-        let (rows, columns) = grid.tessellation.counts();
-        Places { rows: (0..rows).map(|i| grid.tessellation.row(i)).collect(), columns }
-    });
-    Ok(places.collect())
+pub(crate) fn grid_places(solution: &Solution, options: &MeshOptions) -> Result<Vec<Places>> {
+    let grids = choose(solution.parts(), options, false, &mut Vec::new())?;
+    Ok(grids.iter().map(Grids::places).collect())
 }
 
 /// The mesh of even rows and columns with every sum in double precision, rounded once.
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result<Mesh> {
+pub(crate) fn exact_mesh(solution: &Solution, rows: usize, columns: usize) -> Result<Mesh> {
     let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
-    let mut grids = choose(design, &options, false, &mut Vec::new())?;
+    let mut grids = choose(solution.parts(), &options, false, &mut Vec::new())?;
     for grid in &mut grids {
-        grid.is_precise = true;
+        grid.make_precise();
     }
     let mut sampler = Sampler::new();
     sampler.fill(&grids)?;
@@ -149,40 +162,48 @@ pub(crate) fn exact_mesh(design: &Design, rows: usize, columns: usize) -> Result
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn bound(design: &Design, options: &MeshOptions) -> Result<f64> {
-    let message = "the surface bends more sharply than numbers can tell";
-    largest_bound(&choose(design, options, true, &mut Vec::new())?)
-        .ok_or_else(|| Error::new(Code::Overflow, "parts", message))
+    Solution::of(design).bound(options)
 }
 
 /// The rows and columns that [`mesh`] chooses for one part, as [`PartGrid::places`] gives them.
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn places(part: &Part, index: usize, tolerance: Option<f64>) -> Result<(Vec<f64>, usize, Option<f64>)> {
+pub(crate) fn places(placed: &Placed, tolerance: Option<f64>) -> Result<(Vec<f64>, usize, Option<f64>)> {
     let options = MeshOptions { tolerance, ..MeshOptions::default() };
     check(&options)?;
-    let grid = PartGrid::choose(part, index, &options, false, Curves::default())?;
+    let Some(surface) = placed.solved().fourier() else {
+        let message = "a shape without foot and rim has no rows";
+        return Err(Error::new(Code::OpenSurface, placed.path("shape"), message));
+    };
+    let grid = PartGrid::choose(placed, surface, &options, false, Curves::default())?;
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
         let message = format!("needs {} rows of {} vertices; ask for a coarser tolerance", plain(rows), plain(columns));
-        let error = Error::new(Code::TooLarge, format!("parts[{index}]"), message).with("rows", rows);
+        let error = Error::new(Code::TooLarge, placed.own_path(), message).with("rows", rows);
         return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
     }
     Ok(grid.places())
 }
 
 /// The largest bound of all parts, if every part has one.
-fn largest_bound(grids: &[PartGrid]) -> Option<f64> {
-    grids.iter().try_fold(0.0f64, |largest, grid| grid.tessellation.bound.map(|bound| largest.max(bound)))
+fn largest_bound(grids: &[Grids]) -> Option<f64> {
+    grids.iter().try_fold(0.0f64, |largest, grid| grid.bound().map(|bound| largest.max(bound)))
 }
 
-fn choose(design: &Design, options: &MeshOptions, is_bounded: bool, spare: &mut Vec<Curves>) -> Result<Vec<PartGrid>> {
+fn choose<'a, P: AsRef<Placed> + 'a>(
+    parts: impl Iterator<Item = Result<&'a P>>,
+    options: &MeshOptions,
+    is_bounded: bool,
+    spare: &mut Vec<Curves>,
+) -> Result<Vec<Grids<'a>>> {
     check(options)?;
-    let mut grids = Vec::with_capacity(design.parts().len());
+    let mut grids = Vec::new();
     let mut n_vertices = 0.0;
-    for (index, part) in design.parts().iter().enumerate() {
-        let grid = PartGrid::choose(part, index, options, is_bounded, spare.pop().unwrap_or_default())?;
-        let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
+    for placed in parts {
+        let placed: &'a Placed = placed?.as_ref();
+        let grid = Grids::choose(placed, options, is_bounded, spare)?;
+        let [rows, columns] = grid.counts();
         n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {
             let message = format!(
@@ -190,7 +211,7 @@ fn choose(design: &Design, options: &MeshOptions, is_bounded: bool, spare: &mut 
                 plain(rows),
                 plain(columns)
             );
-            let error = Error::new(Code::TooLarge, format!("parts[{index}]"), message).with("rows", rows);
+            let error = Error::new(Code::TooLarge, placed.own_path(), message).with("rows", rows);
             return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
         }
         grids.push(grid);

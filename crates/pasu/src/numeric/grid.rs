@@ -61,7 +61,7 @@ impl<T> Grid<T> {
     }
 
     /// The greatest value of a function of the face, and where: the best local extremes of the grid are each climbed to the top. Values that are not finite are passed over.
-    pub(crate) fn greatest(&self, of: impl Fn(&T) -> f64, at: impl Fn(f64, f64) -> T) -> Option<Place> {
+    pub(crate) fn greatest(&self, of: impl Fn(&T) -> f64, mut at: impl FnMut(f64, f64) -> T) -> Option<Place> {
         let values: Vec<f64> = self.points.iter().map(&of).collect();
         let mut tops: Vec<usize> = (0..values.len()).filter(|&index| self.is_top(&values, index)).collect();
         tops.sort_by(|&i, &j| values[j].total_cmp(&values[i]).then(i.cmp(&j)));
@@ -84,9 +84,9 @@ impl<T> Grid<T> {
         &self,
         other: &Grid<T>,
         of: impl Fn(&T) -> f64,
-        at: impl Fn(f64, f64) -> T,
+        mut at: impl FnMut(f64, f64) -> T,
     ) -> Option<(Place, f64)> {
-        let found = [self.greatest(&of, &at), other.greatest(&of, &at)];
+        let found = [self.greatest(&of, &mut at), other.greatest(&of, &mut at)];
         let best = found.into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value))?;
         let between = found.into_iter().flatten().fold(0.0f64, |most, place| most.max(best.value - place.value));
         let (step_a, step_v) = self.steps();
@@ -104,7 +104,7 @@ impl<T> Grid<T> {
     }
 
     /// Every local top that begins above a value, climbed.
-    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, at: impl Fn(f64, f64) -> T) -> Vec<Place> {
+    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, mut at: impl FnMut(f64, f64) -> T) -> Vec<Place> {
         let values: Vec<f64> = self.points.iter().map(&of).collect();
         let (step_a, step_v) = self.steps();
         let starts = (0..values.len()).filter(|&index| values[index] > above && self.is_top(&values, index));

@@ -1,7 +1,7 @@
 //! The closed curves in which the faces of a pot meet.
 
 use core::f64::consts::TAU;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
@@ -16,19 +16,19 @@ pub(crate) enum Curve {
     /// Everything in one point.
     Point(DVec3),
     /// Where a sheet begins.
-    Start(Rc<Sheet>),
+    Start(Arc<Sheet>),
     /// Where a sheet ends.
-    End(Rc<Sheet>),
+    End(Arc<Sheet>),
     /// Where an offset sheet begins, or beside the foot of the surface at the same distance where that is lower.
-    Beside { sheet: Rc<Sheet> },
+    Beside { sheet: Arc<Sheet> },
     /// Another curve moved along the axis to a level.
-    Level { curve: Rc<Curve>, sheet: Rc<Sheet>, level: f64 },
+    Level { curve: Arc<Curve>, sheet: Arc<Sheet>, level: f64 },
     /// Another curve drawn towards the axis of the foot until it is on a cylinder.
-    Cylinder { curve: Rc<Curve>, sheet: Rc<Sheet>, centre: DVec3, radius: f64 },
+    Cylinder { curve: Arc<Curve>, sheet: Arc<Sheet>, centre: DVec3, radius: f64 },
     /// A circle round the axis of the foot; `turn` is 1 or -1.
-    Circle { sheet: Rc<Sheet>, level: f64, radius: f64, phase: f64, turn: f64 },
+    Circle { sheet: Arc<Sheet>, level: f64, radius: f64, phase: f64, turn: f64 },
     /// A level curve moved sideways in its plane, to its left for a positive `width`.
-    Inset { curve: Rc<Curve>, sheet: Rc<Sheet>, width: f64 },
+    Inset { curve: Arc<Curve>, sheet: Arc<Sheet>, width: f64 },
 }
 
 impl Curve {
@@ -46,7 +46,7 @@ impl Curve {
                 (jet.position, jet.dv)
             }
             Curve::Beside { sheet } => {
-                let (p, dp) = Curve::Start(Rc::clone(sheet)).at(v);
+                let (p, dp) = Curve::Start(Arc::clone(sheet)).at(v);
                 sheet.beside(v).filter(|(q, _)| sheet.skin().frame().axis().dot(p - *q) > 0.0).unwrap_or((p, dp))
             }
             Curve::Level { curve, sheet, level } => {

@@ -1,16 +1,16 @@
 //! One face of a pot.
 
 use core::f64::consts::PI;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::curve::Curve;
-use super::face::{Face, FaceJet, FaceKind};
-use super::seams::Seams;
-use super::sheet::{Sheet, Start, WallSide};
+use super::sheet::{Sheet, SheetJet, SheetWalk, Start, WallSide};
 use super::skin::Skin;
 use super::thickness::Thickness;
+use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
+use crate::solution::Columns;
 
 /// One smooth face of the boundary of a pot. Those of a pot follow on from each other: where one ends (`a = 1`) the next begins (`a = 0`).
 #[derive(Debug)]
@@ -27,7 +27,7 @@ pub struct Piece {
 #[derive(Debug)]
 pub(crate) enum Form {
     /// A side of the wall from where it begins to the rim, or back.
-    Sheet { sheet: Rc<Sheet>, is_back: bool },
+    Sheet { sheet: Arc<Sheet>, is_back: bool },
     /// Straight lines from one curve to another.
     Ruled { from: Curve, to: Curve },
     /// Half circles over the strip from one end of two sheets to the other.
@@ -40,8 +40,8 @@ const BEAD_PIECES: usize = 8;
 /// A rounded rim: half circles from the end of one sheet to that of the other, in the planes of the wall's normal and the conormal of its edge.
 #[derive(Debug)]
 pub(crate) struct Bead {
-    pub(crate) from: Rc<Sheet>,
-    pub(crate) to: Rc<Sheet>,
+    pub(crate) from: Arc<Sheet>,
+    pub(crate) to: Arc<Sheet>,
     /// The end of the sheets: 0 or 1.
     pub(crate) at: f64,
 }
@@ -90,9 +90,9 @@ impl Bead {
 
 impl Piece {
     /// The surface of a design from foot to rim, as the outside.
-    pub(crate) fn surface(skin: &Rc<Skin>) -> Piece {
+    pub(crate) fn surface(skin: &Arc<Skin>) -> Piece {
         let form = Form::Sheet {
-            sheet: Rc::new(Sheet::whole(skin, &Rc::new(Thickness::Even(0.0)), WallSide::Design)),
+            sheet: Arc::new(Sheet::whole(skin, &Arc::new(Thickness::Even(0.0)), WallSide::Design)),
             is_back: false,
         };
         Piece { kind: FaceKind::Outer, form, outward: skin.outward(), is_level: false, is_exact: true }
@@ -125,14 +125,7 @@ impl Face for Piece {
 
     fn jet(&self, a: f64, v: f64) -> FaceJet {
         match &self.form {
-            Form::Sheet { sheet, is_back } => {
-                let Start { s: start, dv } = sheet.start(v);
-                let share = if *is_back { 1.0 - a } else { a };
-                let length = 1.0 - start;
-                let jet = sheet.jet(if share == 1.0 { 1.0 } else { start + share * length }, v);
-                let along = if *is_back { -length } else { length };
-                FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * ((1.0 - share) * dv) }
-            }
+            Form::Sheet { sheet, is_back } => on_sheet(sheet, *is_back, a, v, |s, v| sheet.jet(s, v)),
             Form::Ruled { from, to } => {
                 let ((p, dp), (q, dq)) = (from.at(v), to.at(v));
                 FaceJet { position: p + (q - p) * a, da: q - p, dv: dp + (dq - dp) * a }
@@ -141,29 +134,92 @@ impl Face for Piece {
         }
     }
 
+    fn walk(&self) -> Box<dyn FaceWalk + '_> {
+        let Form::Sheet { sheet, is_back } = &self.form else { return Box::new(|a: f64, v: f64| self.jet(a, v)) };
+        let mut walk = sheet.walk();
+        Box::new(move |a: f64, v: f64| on_sheet(sheet, *is_back, a, v, |s, v| walk.jet(s, v)))
+    }
+
     fn outward(&self) -> f64 {
         self.outward
     }
 
-    fn seams(&self) -> Option<Seams<'_>> {
+    fn seams(&self) -> Option<Seams> {
         match &self.form {
-            Form::Sheet { sheet, is_back } => Seams::of_sheet(sheet, *is_back),
+            Form::Sheet { sheet, .. } => {
+                let (along, round) = sheet.knots()?;
+                Some(Seams { along, round, crossings: sheet.crossings().to_vec() })
+            }
             Form::Ruled { from, to } => {
                 let ends = [from.seamed(), to.seamed()];
                 let (_, mut round) = ends.iter().flatten().find_map(|(sheet, _)| sheet.knots())?;
                 for (sheet, _) in ends.iter().flatten().filter(|(_, begins)| *begins) {
                     round.extend(sheet.crossings());
                 }
-                Some(Seams::across(self, 1, round))
+                Some(Seams::across(1, round))
             }
             Form::Bead(Bead { from, to, .. }) => {
                 let (_, round) = from.knots().or_else(|| to.knots())?;
-                Some(Seams::across(self, BEAD_PIECES, round))
+                Some(Seams::across(BEAD_PIECES, round))
             }
+        }
+    }
+
+    fn straight(&self, a: f64, v: f64) -> f64 {
+        let Form::Sheet { sheet, is_back } = &self.form else { return a };
+        let (start, share) = (sheet.start(v).s, if *is_back { 1.0 - a } else { a });
+        if share == 1.0 { 1.0 } else { start + share * (1.0 - start) }
+    }
+
+    fn straight_walk(&self) -> Box<dyn FaceWalk + '_> {
+        match &self.form {
+            Form::Sheet { sheet, is_back } => Box::new(StraightWalk { walk: sheet.walk(), is_back: *is_back }),
+            _ => self.walk(),
+        }
+    }
+
+    fn columns(&self, places: Vec<f64>) -> Columns {
+        match &self.form {
+            Form::Sheet { sheet, .. } => sheet.skin().columns_at(places),
+            _ => Columns::plain(places),
         }
     }
 
     fn is_exact(&self) -> bool {
         self.is_exact
+    }
+}
+
+/// The jet of the face that is a sheet from where it begins to the rim, or back.
+fn on_sheet(sheet: &Sheet, is_back: bool, a: f64, v: f64, jet: impl FnOnce(f64, f64) -> SheetJet) -> FaceJet {
+    let Start { s: start, dv } = sheet.start(v);
+    let share = if is_back { 1.0 - a } else { a };
+    let length = 1.0 - start;
+    let jet = jet(if share == 1.0 { 1.0 } else { start + share * length }, v);
+    let along = if is_back { -length } else { length };
+    FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * ((1.0 - share) * dv) }
+}
+
+/// A sheet in the coordinates of the whole.
+struct StraightWalk<'a> {
+    walk: SheetWalk<'a>,
+    is_back: bool,
+}
+
+impl StraightWalk<'_> {
+    fn turned(&self, jet: &SheetJet) -> FaceJet {
+        FaceJet { position: jet.position, da: if self.is_back { -jet.ds } else { jet.ds }, dv: jet.dv }
+    }
+}
+
+impl FaceWalk for StraightWalk<'_> {
+    fn jet(&mut self, s: f64, v: f64) -> FaceJet {
+        let jet = self.walk.jet(s, v);
+        self.turned(&jet)
+    }
+
+    fn jet_at(&mut self, s: f64, columns: &Columns, column: usize) -> FaceJet {
+        let jet = self.walk.jet_at(s, columns, column);
+        self.turned(&jet)
     }
 }

@@ -1,20 +1,22 @@
 //! A pot or a closed solid as smooth faces, from a surface and its wall.
 
 use core::f64::consts::TAU;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
-use super::face::FaceKind;
-use super::making::Product;
 use super::piece::{Bead, Form, Piece};
+use super::product::Product;
 use super::sheet::{Sheet, Trim, WallSide};
-use super::skin::{Skin, middle_of, place, short};
+use super::skin::{Skin, middle_of};
 use super::thickness::Thickness;
+use super::told::{place, short};
 use crate::design::{Design, RimForm, Side, Wall, plain};
 use crate::error::{Code, Error, Result};
+use crate::face::FaceKind;
 use crate::numeric::golden_section;
+use crate::solution::Solution;
 
 /// A foot is level if its points are within this part of the size of one plane across the axis.
 const LEVEL: f64 = 1e-9;
@@ -44,8 +46,8 @@ pub struct Pot {
     part: usize,
     pieces: Vec<Piece>,
     is_ring: bool,
-    skin: Rc<Skin>,
-    thickness: Rc<Thickness>,
+    skin: Arc<Skin>,
+    thickness: Arc<Thickness>,
     foot_level: f64,
     wall: Option<Wall>,
 }
@@ -70,38 +72,24 @@ impl Pot {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn new(design: &Design, part: usize, product: Product) -> Result<Pot> {
-        Pot::with_fineness(design, part, product, 1)
+        Solution::of(design).pot(part, product)
     }
 
-    /// As [`Pot::new`], with a thickness that is looked into so many times as finely.
-    pub(crate) fn with_fineness(design: &Design, index: usize, product: Product, fineness: usize) -> Result<Pot> {
-        let parts = design.parts();
-        let Some(part) = parts.get(index) else {
-            let message = format!("expected a part from 0 to {}, found {index}", parts.len() - 1);
-            let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
-            return Err(error.with("greatest", parts.len() - 1).with("found", index));
-        };
-        let wall = match product {
-            Product::Solid => None,
-            Product::Pot => Some(part.wall.ok_or_else(|| {
-                let message = "this part has no wall: expected one with thickness and base to make it a pot, or the solid as product";
-                Error::new(Code::NoWall, format!("parts[{index}].wall"), message)
-            })?),
-        };
-        let skin = Rc::new(Skin::new(part, index)?);
-        let thickness = Rc::new(match wall {
+    /// The faces of a part whose skin is known, with a thickness that is looked into so many times as finely.
+    pub(crate) fn of(skin: &Arc<Skin>, wall: Option<Wall>, fineness: usize) -> Result<Pot> {
+        let thickness = Arc::new(match wall {
             Some(wall) => {
                 let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
-                Thickness::of(part, index, &skin, &wall, direction, fineness)?
+                Thickness::of(skin, &wall, direction, fineness)?
             }
             None => Thickness::Even(0.0),
         });
-        let builder = Builder { skin: &skin, thickness: &thickness, pieces: Vec::new() };
+        let builder = Builder { skin, thickness: &thickness, pieces: Vec::new() };
         let (pieces, is_ring, foot_level) = match wall {
             Some(wall) => builder.pot(&wall)?,
             None => builder.solid()?,
         };
-        Ok(Pot { part: index, pieces, is_ring, skin, thickness, foot_level, wall })
+        Ok(Pot { part: skin.placed().index(), pieces, is_ring, skin: Arc::clone(skin), thickness, foot_level, wall })
     }
 
     /// The number of the part.
@@ -229,25 +217,53 @@ impl Pot {
     }
 }
 
+impl Solution {
+    /// As [`Pot::new`].
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub fn pot(&self, part: usize, product: Product) -> Result<Pot> {
+        let placed = self.part(part)?;
+        let wall = self.wall(part, product)?;
+        Pot::of(&Arc::new(Skin::new(placed)?), wall, 1)
+    }
+
+    /// The wall that a product of a part takes; `None` for a solid, which has none.
+    ///
+    /// # Errors
+    /// `no-wall`.
+    pub(crate) fn wall(&self, part: usize, product: Product) -> Result<Option<Wall>> {
+        if product == Product::Solid {
+            return Ok(None);
+        }
+        let wall = self.design().parts().get(part).and_then(|part| part.wall);
+        wall.map(Some).ok_or_else(|| {
+            let message =
+                "this part has no wall: expected one with thickness and base to make it a pot, or the solid as product";
+            Error::new(Code::NoWall, format!("parts[{part}].wall"), message)
+        })
+    }
+}
+
 /// What faces are put together from.
 struct Builder<'a> {
-    skin: &'a Rc<Skin>,
-    thickness: &'a Rc<Thickness>,
+    skin: &'a Arc<Skin>,
+    thickness: &'a Arc<Thickness>,
     pieces: Vec<Piece>,
 }
 
 type Parts = (Vec<Piece>, bool, f64);
 
 impl Builder<'_> {
-    fn whole(&self, face: WallSide) -> Rc<Sheet> {
-        Rc::new(Sheet::whole(self.skin, self.thickness, face))
+    fn whole(&self, face: WallSide) -> Arc<Sheet> {
+        Arc::new(Sheet::whole(self.skin, self.thickness, face))
     }
 
-    fn sheet(&self, face: WallSide, trim: Trim) -> Option<Rc<Sheet>> {
+    fn sheet(&self, face: WallSide, trim: Trim) -> Option<Arc<Sheet>> {
         if trim == Trim::Foot {
             Some(self.whole(face))
         } else {
-            Sheet::new(self.skin, self.thickness, face, trim).map(Rc::new)
+            Sheet::new(self.skin, self.thickness, face, trim).map(Arc::new)
         }
     }
 
@@ -260,14 +276,14 @@ impl Builder<'_> {
     }
 
     fn error(&self, code: Code, field: &str, message: String) -> Error {
-        Error::new(code, self.skin.path(field), message)
+        Error::new(code, self.skin.placed().path(field), message)
     }
 
     /// The surface between a level disc at each of its open ends.
     fn solid(mut self) -> Result<Parts> {
         let sheet = self.whole(WallSide::Design);
         let poles = self.skin.poles();
-        let ends = [Curve::Start(Rc::clone(&sheet)), Curve::End(Rc::clone(&sheet))];
+        let ends = [Curve::Start(Arc::clone(&sheet)), Curve::End(Arc::clone(&sheet))];
         let outlines = ends.each_ref().map(|curve| Outline::of(curve, self.skin));
         let levels = [outlines[0].lowest, outlines[1].highest];
         // An end that is not level is first led straight to the level of its furthest point.
@@ -275,7 +291,7 @@ impl Builder<'_> {
             if outlines[end].is_level {
                 return ends[end].clone();
             }
-            Curve::Level { curve: Rc::new(ends[end].clone()), sheet: Rc::clone(&sheet), level: levels[end] }
+            Curve::Level { curve: Arc::new(ends[end].clone()), sheet: Arc::clone(&sheet), level: levels[end] }
         });
         let mut middles = [const { None }; 2];
         for (end, name) in ["foot", "rim"].into_iter().enumerate().filter(|(end, _)| !poles[*end]) {
@@ -288,7 +304,7 @@ impl Builder<'_> {
                 self.ruled(FaceKind::Outer, &led[0], &ends[0], false, true);
             }
         }
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&sheet), is_back: false }, false, true);
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&sheet), is_back: false }, false, true);
         if let Some(middle) = rim {
             if !outlines[1].is_level {
                 self.ruled(FaceKind::Lid, &ends[1], &led[1], false, true);
@@ -338,16 +354,21 @@ impl Builder<'_> {
             }
         }
         let [outer, lining] = self.sides(wall, Trim::Foot, Trim::Foot)?;
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&outer), is_back: false }, false, outer.is_exact());
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&outer), is_back: false }, false, outer.is_exact());
         self.rim(wall, &outer, &lining, 1.0);
-        self.push(FaceKind::Lining, Form::Sheet { sheet: Rc::clone(&lining), is_back: true }, false, lining.is_exact());
+        self.push(
+            FaceKind::Lining,
+            Form::Sheet { sheet: Arc::clone(&lining), is_back: true },
+            false,
+            lining.is_exact(),
+        );
         self.rim(wall, &lining, &outer, 0.0);
-        let lowest = [&outer, &lining].map(|sheet| Outline::of(&Curve::Start(Rc::clone(sheet)), self.skin).lowest);
+        let lowest = [&outer, &lining].map(|sheet| Outline::of(&Curve::Start(Arc::clone(sheet)), self.skin).lowest);
         Ok((self.pieces, true, lowest[0].min(lowest[1])))
     }
 
     /// The sheets outside and inside; the trims are those of the design's surface and of the other.
-    fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Rc<Sheet>; 2]> {
+    fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Arc<Sheet>; 2]> {
         let no_room = |field: &str| {
             let message = "the rim is lower than what is to lie within it: expected less".to_owned();
             self.error(Code::NoRoom, field, message)
@@ -359,13 +380,13 @@ impl Builder<'_> {
         Ok(if wall.side == Side::Inside { [design, offset] } else { [offset, design] })
     }
 
-    fn rim(&mut self, wall: &Wall, from: &Rc<Sheet>, to: &Rc<Sheet>, at: f64) {
+    fn rim(&mut self, wall: &Wall, from: &Arc<Sheet>, to: &Arc<Sheet>, at: f64) {
         let is_exact = from.is_exact() && to.is_exact();
         let form = match wall.rim {
-            RimForm::Rounded => Form::Bead(Bead { from: Rc::clone(from), to: Rc::clone(to), at }),
+            RimForm::Rounded => Form::Bead(Bead { from: Arc::clone(from), to: Arc::clone(to), at }),
             _ => {
-                let end = |sheet: &Rc<Sheet>| {
-                    let sheet = Rc::clone(sheet);
+                let end = |sheet: &Arc<Sheet>| {
+                    let sheet = Arc::clone(sheet);
                     if at == 0.0 { Curve::Start(sheet) } else { Curve::End(sheet) }
                 };
                 Form::Ruled { from: end(from), to: end(to) }
@@ -381,7 +402,7 @@ impl Builder<'_> {
         let [ring_width, ring_height] = wall.foot.unwrap_or([0.0; 2]);
         let radius = wall.drain / 2.0;
         let surface = self.whole(WallSide::Design);
-        let foot = Rc::new(Curve::Start(Rc::clone(&surface)));
+        let foot = Arc::new(Curve::Start(Arc::clone(&surface)));
         let outline = Outline::of(&foot, self.skin);
         if is_pole && wall.foot.is_some() {
             let message =
@@ -400,7 +421,7 @@ impl Builder<'_> {
         // A round bottom may be all wall; over a tip the other side of the wall does not close.
         let (is_cut, is_above) = (offset.has_column_cut(), offset.has_column_above());
         let is_tip = is_pole && !is_cut && {
-            let edge = Outline::of(&Curve::Start(Rc::clone(offset)), self.skin);
+            let edge = Outline::of(&Curve::Start(Arc::clone(offset)), self.skin);
             edge.widest > POINT * self.skin.size()
         };
         if is_pole && (if is_tip { inside || wall.base == 0.0 } else { is_cut && is_above }) {
@@ -415,18 +436,18 @@ impl Builder<'_> {
         if is_pole && !has_level && radius > 0.0 {
             [outer, lining] = self.sides(wall, design_trim, Trim::Cylinder(radius))?;
         }
-        let offset = Rc::clone(if inside { &lining } else { &outer });
+        let offset = Arc::clone(if inside { &lining } else { &outer });
         let is_exact = offset.is_exact();
         let is_led = has_level && (is_above || is_tip);
 
         // The edge of the clay at the design's side of the base, and at the other.
         let middle = if is_pole { outline.mean } else { self.disc(&outline, "shape", "foot")? };
-        let edge = Rc::new(Curve::Start(Rc::clone(&offset)));
+        let edge = Arc::new(Curve::Start(Arc::clone(&offset)));
         // Outside, straight down from above the foot would be through it: first to its side.
         let beside =
-            Rc::new(if is_led && !inside { Curve::Beside { sheet: Rc::clone(&offset) } } else { (*edge).clone() });
-        let level_edge = Rc::new(if is_led {
-            Curve::Level { curve: Rc::clone(&beside), sheet: Rc::clone(&surface), level: cut }
+            Arc::new(if is_led && !inside { Curve::Beside { sheet: Arc::clone(&offset) } } else { (*edge).clone() });
+        let level_edge = Arc::new(if is_led {
+            Curve::Level { curve: Arc::clone(&beside), sheet: Arc::clone(&surface), level: cut }
         } else {
             (*edge).clone()
         });
@@ -438,18 +459,18 @@ impl Builder<'_> {
 
         // The hole.
         let hole = (radius > 0.0).then(|| {
-            let near = Rc::new(if is_pole {
-                Curve::Start(Rc::clone(if inside { &outer } else { &lining }))
+            let near = Arc::new(if is_pole {
+                Curve::Start(Arc::clone(if inside { &outer } else { &lining }))
             } else if outline.is_star {
-                Curve::Cylinder { curve: Rc::clone(&foot), sheet: Rc::clone(&surface), centre: middle, radius }
+                Curve::Cylinder { curve: Arc::clone(&foot), sheet: Arc::clone(&surface), centre: middle, radius }
             } else {
                 outline.circle(&surface, radius)
             });
             let far = match has_level {
-                true => Curve::Level { curve: Rc::clone(&near), sheet: Rc::clone(&surface), level: cut },
+                true => Curve::Level { curve: Arc::clone(&near), sheet: Arc::clone(&surface), level: cut },
                 false => (*edge).clone(),
             };
-            (near, Rc::new(far))
+            (near, Arc::new(far))
         });
         if let Some((near, far)) = &hole {
             if !is_pole {
@@ -483,9 +504,14 @@ impl Builder<'_> {
             self.ruled(FaceKind::Outer, &level_edge, &beside, false, is_exact);
             self.ruled(FaceKind::Outer, &beside, &edge, false, is_exact);
         }
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Rc::clone(&outer), is_back: false }, false, outer.is_exact());
+        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&outer), is_back: false }, false, outer.is_exact());
         self.rim(wall, &outer, &lining, 1.0);
-        self.push(FaceKind::Lining, Form::Sheet { sheet: Rc::clone(&lining), is_back: true }, false, lining.is_exact());
+        self.push(
+            FaceKind::Lining,
+            Form::Sheet { sheet: Arc::clone(&lining), is_back: true },
+            false,
+            lining.is_exact(),
+        );
         if inside && is_led {
             self.ruled(FaceKind::Lining, &edge, &level_edge, false, is_exact);
         }
@@ -508,18 +534,18 @@ impl Builder<'_> {
     }
 
     /// A level curve, so much higher.
-    fn raised(&self, curve: &Rc<Curve>, height: f64, surface: &Rc<Sheet>) -> Curve {
+    fn raised(&self, curve: &Arc<Curve>, height: f64, surface: &Arc<Sheet>) -> Curve {
         let level = self.skin.frame().level(curve.at(0.0).0) + height;
-        Curve::Level { curve: Rc::clone(curve), sheet: Rc::clone(surface), level }
+        Curve::Level { curve: Arc::clone(curve), sheet: Arc::clone(surface), level }
     }
 
     /// The recess, its wall and the ring on which the pot stands, from a curve or point at the level of the foot.
     fn foot_ring(
         &mut self,
         start: &Curve,
-        edge: &Rc<Curve>,
+        edge: &Arc<Curve>,
         [width, height]: [f64; 2],
-        surface: &Rc<Sheet>,
+        surface: &Arc<Sheet>,
         is_exact: bool,
         wall: &Wall,
     ) -> Result<()> {
@@ -529,7 +555,7 @@ impl Builder<'_> {
             return Err(self.error(Code::NoRoom, "wall.foot", message));
         }
         let inner =
-            Rc::new(Curve::Inset { curve: Rc::clone(edge), sheet: Rc::clone(surface), width: width * outline.turn });
+            Arc::new(Curve::Inset { curve: Arc::clone(edge), sheet: Arc::clone(surface), width: width * outline.turn });
         // Where the ring is as wide as the foot bends, its inner edge turns back.
         for v in self.skin.round() {
             let ((_, outer), (at, inner)) = (edge.at(v), inner.at(v));
@@ -547,11 +573,11 @@ impl Builder<'_> {
             let message = format!("a ring {} wide fills the foot: expected a narrower one", plain(width));
             return Err(self.error(Code::NoRoom, "wall.foot", message));
         }
-        let top = Rc::new(self.raised(&inner, height, surface));
+        let top = Arc::new(self.raised(&inner, height, surface));
         let start = match start {
             Curve::Point(point) => Curve::Point(*point + self.skin.frame().axis() * height),
             hole => {
-                let hole = Rc::new(hole.clone());
+                let hole = Arc::new(hole.clone());
                 self.hole_fits(&hole, &room, wall)?;
                 self.raised(&hole, height, surface)
             }
@@ -657,8 +683,8 @@ impl Outline {
     }
 
     /// A circle round the axis of the foot that goes round as the outline does.
-    fn circle(&self, sheet: &Rc<Sheet>, radius: f64) -> Curve {
-        Curve::Circle { sheet: Rc::clone(sheet), level: self.lowest, radius, phase: self.phase, turn: self.turn }
+    fn circle(&self, sheet: &Arc<Sheet>, radius: f64) -> Curve {
+        Curve::Circle { sheet: Arc::clone(sheet), level: self.lowest, radius, phase: self.phase, turn: self.turn }
     }
 }
 

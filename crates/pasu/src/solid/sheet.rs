@@ -1,15 +1,16 @@
 //! The two sides of a wall: the design surface, and the surface at a distance from it.
 
-use core::cell::{OnceCell, RefCell};
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
 
-use super::skin::{Columns, Skin, SkinJet};
+use super::skin::{Skin, SkinJet, SkinWalk};
 use super::thickness::Thickness;
 use crate::numeric::{bisection, illinois};
+use crate::patch::SurfaceJet;
+use crate::solution::Columns;
 
 /// The most columns whose beginning is remembered.
 const REMEMBERED: usize = 1 << 16;
@@ -32,6 +33,12 @@ pub(crate) struct SheetJet {
     pub(crate) position: DVec3,
     pub(crate) ds: DVec3,
     pub(crate) dv: DVec3,
+}
+
+/// Jets of one place of a sheet after the other, which share what depends on `s` alone.
+pub(crate) struct SheetWalk<'a> {
+    sheet: &'a Sheet,
+    walk: SkinWalk<'a>,
 }
 
 /// Which side of the wall.
@@ -65,8 +72,8 @@ pub(crate) struct Start {
 /// One side of a wall: `S(s, v)` from where its columns begin to `s = 1`.
 #[derive(Debug)]
 pub(crate) struct Sheet {
-    skin: Rc<Skin>,
-    thickness: Rc<Thickness>,
+    skin: Arc<Skin>,
+    thickness: Arc<Thickness>,
     face: WallSide,
     trim: Trim,
     /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
@@ -74,39 +81,41 @@ pub(crate) struct Sheet {
     /// Where all columns begin, if they begin at the same place.
     common: Option<f64>,
     /// Columns that were asked for.
-    starts: RefCell<BTreeMap<u64, Start>>,
-    crossings: OnceCell<Vec<f64>>,
+    starts: Mutex<BTreeMap<u64, Start>>,
+    crossings: OnceLock<Vec<f64>>,
 }
 
 impl Sheet {
     /// All of a side, from foot to rim.
-    pub(crate) fn whole(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: WallSide) -> Sheet {
+    pub(crate) fn whole(skin: &Arc<Skin>, thickness: &Arc<Thickness>, face: WallSide) -> Sheet {
         Sheet {
-            skin: Rc::clone(skin),
-            thickness: Rc::clone(thickness),
+            skin: Arc::clone(skin),
+            thickness: Arc::clone(thickness),
             face,
             trim: Trim::Foot,
             brackets: Vec::new(),
             common: Some(0.0),
-            starts: RefCell::default(),
-            crossings: OnceCell::new(),
+            starts: Mutex::default(),
+            crossings: OnceLock::new(),
         }
     }
 
     /// `None` where a column ends before it can begin: its rim is below the level or inside the cylinder.
-    pub(crate) fn new(skin: &Rc<Skin>, thickness: &Rc<Thickness>, face: WallSide, trim: Trim) -> Option<Sheet> {
+    pub(crate) fn new(skin: &Arc<Skin>, thickness: &Arc<Thickness>, face: WallSide, trim: Trim) -> Option<Sheet> {
         let mut sheet = Sheet { trim, common: None, ..Sheet::whole(skin, thickness, face) };
         let columns = skin.columns(skin.round().count());
+        let mut walk = sheet.walk();
         // From the rim down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
         for i in (0..=ROWS).rev() {
             let s = i as f64 / ROWS as f64;
             for (j, below) in below.iter_mut().enumerate().filter(|(_, below)| below.is_none()) {
-                if sheet.height(sheet.at_column(s, &columns, j)) < 0.0 {
+                if sheet.height(walk.position_at(s, &columns, j)) < 0.0 {
                     *below = Some(i);
                 }
             }
         }
+        drop(walk);
         if below.contains(&Some(ROWS)) {
             return None;
         }
@@ -145,21 +154,12 @@ impl Sheet {
 
     /// Position and derivatives with respect to `s` and `v`.
     pub(crate) fn jet(&self, s: f64, v: f64) -> SheetJet {
-        let WallSide::Offset { direction } = self.face else {
-            let jet = self.skin.second(s, v);
-            return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
-        };
-        self.offset(&self.skin.jet(s, v), self.thickness.at(s, v).map(|t| t * direction))
+        self.walk().jet(s, v)
     }
 
-    /// The same at a column.
-    pub(crate) fn jet_at(&self, s: f64, columns: &Columns, column: usize) -> SheetJet {
-        let WallSide::Offset { direction } = self.face else {
-            let jet = self.skin.second_at(s, columns, column);
-            return SheetJet { position: jet.position, ds: jet.du, dv: jet.dv };
-        };
-        let thickness = self.thickness.at(s, columns.v(column)).map(|t| t * direction);
-        self.offset(&self.skin.jet_at(s, columns, column), thickness)
+    /// One place after the other.
+    pub(crate) fn walk(&self) -> SheetWalk<'_> {
+        SheetWalk { sheet: self, walk: self.skin.walk() }
     }
 
     fn offset(&self, jet: &SkinJet, [t, t_s, t_v]: [f64; 3]) -> SheetJet {
@@ -199,14 +199,6 @@ impl Sheet {
         })
     }
 
-    /// The position at a column.
-    pub(crate) fn at_column(&self, s: f64, columns: &Columns, column: usize) -> DVec3 {
-        let WallSide::Offset { direction } = self.face else { return self.skin.second_at(s, columns, column).position };
-        let jet = self.skin.jet_at(s, columns, column);
-        let [t, ..] = self.thickness.at(s, columns.v(column));
-        jet.position + jet.normal * (t * direction)
-    }
-
     /// The point of an offset sheet's column that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, and how it changes
     /// with `v`; `None` where the column does not begin at the foot.
     pub(crate) fn beside(&self, v: f64) -> Option<(DVec3, DVec3)> {
@@ -241,11 +233,13 @@ impl Sheet {
             return Start { s, dv: 0.0 };
         }
         let key = v.to_bits();
-        if let Some(start) = self.starts.borrow().get(&key) {
-            return *start;
+        // What a thread left that panicked holds whole entries only.
+        let known = self.starts.lock().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
+        if let Some(start) = known {
+            return start;
         }
         let start = self.find(v);
-        let mut starts = self.starts.borrow_mut();
+        let mut starts = self.starts.lock().unwrap_or_else(PoisonError::into_inner);
         if starts.len() < REMEMBERED {
             starts.insert(key, start);
         }
@@ -304,4 +298,39 @@ impl Sheet {
             Trim::Cylinder(radius) => self.skin.frame().plan(position).length() - radius,
         }
     }
+}
+
+impl SheetWalk<'_> {
+    /// As [`Sheet::jet`].
+    pub(crate) fn jet(&mut self, s: f64, v: f64) -> SheetJet {
+        let WallSide::Offset { direction } = self.sheet.face else {
+            return whole(&self.walk.second(s, v));
+        };
+        let thickness = self.sheet.thickness.at(s, v).map(|t| t * direction);
+        self.sheet.offset(&self.walk.jet(s, v), thickness)
+    }
+
+    /// As [`Sheet::jet`], at a column.
+    pub(crate) fn jet_at(&mut self, s: f64, columns: &Columns, column: usize) -> SheetJet {
+        let WallSide::Offset { direction } = self.sheet.face else {
+            return whole(&self.walk.second_at(s, columns, column));
+        };
+        let thickness = self.sheet.thickness.at(s, columns.v(column)).map(|t| t * direction);
+        self.sheet.offset(&self.walk.jet_at(s, columns, column), thickness)
+    }
+
+    /// The position at a column.
+    pub(crate) fn position_at(&mut self, s: f64, columns: &Columns, column: usize) -> DVec3 {
+        let WallSide::Offset { direction } = self.sheet.face else {
+            return self.walk.second_at(s, columns, column).position;
+        };
+        let jet = self.walk.jet_at(s, columns, column);
+        let [t, ..] = self.sheet.thickness.at(s, columns.v(column));
+        jet.position + jet.normal * (t * direction)
+    }
+}
+
+/// The jet of the surface of the design itself.
+fn whole(jet: &SurfaceJet) -> SheetJet {
+    SheetJet { position: jet.position, ds: jet.du, dv: jet.dv }
 }

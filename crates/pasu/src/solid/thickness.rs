@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::cells::Cells;
 use super::skin::{Skin, SkinJet};
-use crate::design::{Part, Wall};
+use crate::design::Wall;
 use crate::error::Result;
 use crate::mesh::places;
 
@@ -77,15 +77,8 @@ impl Thickness {
     ///
     /// # Errors
     /// What [`places`] refuses.
-    pub(crate) fn of(
-        part: &Part,
-        index: usize,
-        skin: &Skin,
-        wall: &Wall,
-        direction: f64,
-        fineness: usize,
-    ) -> Result<Thickness> {
-        let (rows, columns) = rows_and_columns(part, index, skin, fineness)?;
+    pub(crate) fn of(skin: &Skin, wall: &Wall, direction: f64, fineness: usize) -> Result<Thickness> {
+        let (rows, columns) = rows_and_columns(skin, fineness)?;
         let samples = samples(skin, &rows, columns, direction);
         let asked = wall.thickness;
         let most = asked / SHARE;
@@ -244,10 +237,10 @@ fn least_nearby(values: &[f64], columns: usize) -> Vec<f64> {
 }
 
 /// The rows and columns of a mesh of the part, and as many more as it takes.
-fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
+fn rows_and_columns(skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
     let mut tolerance = FINENESS * skin.size();
     let (placed, columns) = loop {
-        let (placed, columns, _) = places(part, index, Some(tolerance))?;
+        let (placed, columns, _) = places(skin.placed(), Some(tolerance))?;
         if placed.len() * columns <= MOST_PLACES {
             break (placed, columns);
         }
@@ -267,9 +260,10 @@ fn rows_and_columns(part: &Part, index: usize, skin: &Skin, fineness: usize) -> 
 fn samples(skin: &Skin, rows: &[f64], columns: usize, direction: f64) -> Vec<Sample> {
     let mut samples = Vec::with_capacity(rows.len() * columns);
     let even = skin.columns(columns);
+    let mut walk = skin.walk();
     for &s in rows {
         for j in 0..columns {
-            let jet = skin.jet_at(s, &even, j);
+            let jet = walk.jet_at(s, &even, j);
             let inward = jet.normal * direction;
             samples.push(Sample {
                 position: jet.position,

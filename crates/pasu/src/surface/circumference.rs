@@ -3,8 +3,9 @@
 use core::f64::consts::PI;
 
 use super::circle;
+use super::row_table::RowTable;
 use super::solve::Surface;
-use super::table::{BLOCK, Block, RowTable, distinct};
+use super::table::{BLOCK, Block};
 
 /// Modes beyond this are not sampled but added up.
 const HIGHEST_SAMPLED: f64 = 256.0;
@@ -76,7 +77,7 @@ struct Wave {
 
 impl Circumference {
     pub(crate) fn new(surface: &Surface) -> Self {
-        let distinct = distinct(surface);
+        let distinct = surface.distinct().to_vec();
         let has_many_modes = surface.components().iter().map(Vec::len).sum::<usize>() >= MANY;
         let is_sampled = |n: f64| n.abs() <= HIGHEST_SAMPLED;
         let highest = distinct.iter().filter(|n| is_sampled(**n)).fold(1.0f64, |highest, n| highest.max(n.abs()));
@@ -123,7 +124,7 @@ impl Circumference {
 
     /// The suprema at `u` of a surface whose axes are stretched by these factors.
     pub(crate) fn suprema(&mut self, surface: &Surface, u: f64, stretch: [f64; 3]) -> RowSuprema {
-        let row = RowTable::<3>::at(surface, &self.distinct, u);
+        let row = RowTable::<3>::at(surface.components(), &self.distinct, u);
         let straightening = straightening(&row, &self.distinct, stretch);
         let mut size = [0.0; 3];
         for (axis, (waves, terms)) in self.waves.iter_mut().zip(&row.components).enumerate() {

@@ -1,7 +1,8 @@
 //! The coefficients of a surface at many rows at once.
 
-use super::solve::{Surface, Term};
+use super::solve::Surface;
 use super::table::{BLOCK, Block};
+use super::term::Term;
 use crate::mode::{Expansion, ModeSolution, ROUNDING, TERMS};
 
 /// One datum of one mode, a function of `u` alone.

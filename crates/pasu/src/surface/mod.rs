@@ -3,20 +3,24 @@
 mod circle;
 mod circumference;
 mod curves;
-mod jet;
+mod ends;
 mod orientation;
+mod patch;
 mod row;
+mod row_table;
 mod solve;
 mod supremum;
 mod table;
+mod term;
 mod turns;
 
-pub(crate) use circle::of_turns;
 pub(crate) use circumference::{Circumference, RowSuprema};
 pub(crate) use curves::Curves;
-pub use jet::SurfaceJet;
 pub(crate) use orientation::{is_outward, points_outward};
 pub(crate) use row::{Row, Sums};
+pub(crate) use row_table::RowTable;
+#[cfg(test)]
+pub(crate) use solve::SOLVED;
 pub use solve::Surface;
-pub(crate) use table::{BLOCK, Block, ColumnTable, RowTable, distinct};
+pub(crate) use table::{BLOCK, Block, ColumnTable};
 pub(crate) use turns::Turns;

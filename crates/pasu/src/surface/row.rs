@@ -4,8 +4,9 @@
 //! coefficients are made once per column and row.
 
 use super::curves::Curves;
+use super::row_table::{RowTable, RowTerm};
 use super::solve::Surface;
-use super::table::{Block, RowTable, RowTerm};
+use super::table::Block;
 
 /// One datum of one mode at one row: adds `value cos(k v)` to the position, `slope cos(k v)` to `X_u` and `turned sin(k v)` to `X_v`; a datum of
 /// `sin(k v)` has the two exchanged.

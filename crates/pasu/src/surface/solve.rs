@@ -1,12 +1,16 @@
 //! The closed form of a two-sided surface.
 
 use core::f64::consts::TAU;
+use std::borrow::Cow;
 
 use super::circle;
-use super::jet::SurfaceJet;
-use crate::design::{Axis, BoundaryValue, Component, Datum, Span, plain};
+use super::ends::Ends;
+use super::row_table::RowTable;
+use super::term::Term;
+use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
-use crate::mode::{Equation, ModeData, ModeSolution, Unsolvable};
+use crate::mode::{Equation, ModeData, Unsolvable};
+use crate::patch::SurfaceJet;
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
 ///
@@ -15,16 +19,9 @@ use crate::mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub struct Surface {
     components: [Vec<Term>; 3],
     span: Span,
-}
-
-/// One `n` of one component.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Term {
-    pub(super) n: f64,
-    pub(super) k: f64,
-    pub(super) equation: Equation,
-    pub(super) cos: ModeSolution,
-    pub(super) sin: ModeSolution,
+    /// The different `n`, in the order of their first use.
+    distinct: Vec<f64>,
+    ends: Ends,
 }
 
 impl Span {
@@ -57,6 +54,12 @@ impl<'a> From<&'a Datum> for ModeData<'a> {
     }
 }
 
+#[cfg(test)]
+thread_local! {
+    /// How many shapes this thread has solved.
+    pub(crate) static SOLVED: core::cell::Cell<usize> = const { core::cell::Cell::new(0) };
+}
+
 impl Surface {
     /// Solves every mode problem of a shape. `path` is where the shape stands in its design, for the error.
     ///
@@ -71,6 +74,8 @@ impl Surface {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
+        #[cfg(test)]
+        SOLVED.set(SOLVED.get() + 1);
         // What x has solved: y nearly always, and z often, have the same equations.
         let mut equations: Vec<Equation> = Vec::with_capacity(shape.x.modes.len());
         let mut component = |axis: Axis, component: &Component| {
@@ -97,7 +102,31 @@ impl Surface {
             Ok(terms)
         };
         let components = [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
-        Ok(Surface { components, span: shape.span })
+        let mut distinct = Vec::with_capacity(4);
+        for term in components.iter().flatten() {
+            if !distinct.contains(&term.n) {
+                distinct.push(term.n);
+            }
+        }
+        Ok(Surface { components, span: shape.span, distinct, ends: Ends::default() })
+    }
+
+    /// Solves the shape of part number `index` of a design.
+    ///
+    /// # Errors
+    /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/second-order?height=9")?;
+    /// let surface = pasu::Surface::of_part(&vase.parts()[0], 0)?;
+    /// assert!((surface.at(0.5, 0.0).position.z - 4.5).abs() < 1e-12);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
+        let path = format!("parts[{index}].shape");
+        let is_written_out = matches!(part.shape, Shape::BoundaryValue(_));
+        Surface::solve(&part.shape.problem(), &path)
+            .map_err(|error| if is_written_out { error } else { error.at(path) })
     }
 
     /// The length of the `v` interval.
@@ -125,7 +154,19 @@ impl Surface {
         self.components.iter().flatten().all(|term| term.n == term.n.trunc())
     }
 
-    pub(super) fn components(&self) -> &[Vec<Term>; 3] {
+    /// The different `n`, in the order of their first use.
+    pub(crate) fn distinct(&self) -> &[f64] {
+        &self.distinct
+    }
+
+    /// The coefficients at `u`; at an end they are made once.
+    pub(super) fn row_table(&self, u: f64) -> Cow<'_, RowTable<3>> {
+        let make = || RowTable::at(&self.components, &self.distinct, u);
+        self.ends.at(u, make).map_or_else(|| Cow::Owned(make()), Cow::Borrowed)
+    }
+
+    /// The modes of each component.
+    pub(crate) fn components(&self) -> &[Vec<Term>; 3] {
         &self.components
     }
 

@@ -2,7 +2,6 @@
 
 use wide::f64x4;
 
-use super::jet::SurfaceJet;
 use super::solve::Surface;
 use super::turns::Turns;
 
@@ -11,58 +10,6 @@ pub(crate) const BLOCK: usize = 4;
 
 /// A quantity at the columns of one block. Lane by lane its arithmetic is that of `f64`, whatever the instructions.
 pub(crate) type Block = f64x4;
-
-/// Coefficients of `cos(k v)` and `sin(k v)` at one row.
-#[derive(Debug, Clone)]
-pub(crate) struct RowTerm<const N: usize> {
-    /// Index of the distinct `n` in the [`ColumnTable`].
-    pub(crate) column: usize,
-    pub(crate) k: f64,
-    /// Derivatives of `A` up to order `N - 1`.
-    pub(crate) cos: [f64; N],
-    /// Derivatives of `B` up to order `N - 1`.
-    pub(crate) sin: [f64; N],
-}
-
-/// What one row of constant `u` needs of the solution.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct RowTable<const N: usize> {
-    pub(crate) components: [Vec<RowTerm<N>>; 3],
-}
-
-impl<const N: usize> RowTable<N> {
-    /// The coefficients at `u`, for the columns of a table of the same surface.
-    pub(crate) fn at(surface: &Surface, distinct: &[f64], u: f64) -> Self {
-        let mut table = RowTable::default();
-        table.take(surface, distinct, u);
-        table
-    }
-
-    /// Takes the coefficients at another `u`.
-    pub(crate) fn take(&mut self, surface: &Surface, distinct: &[f64], u: f64) {
-        for (row, terms) in self.components.iter_mut().zip(surface.components()) {
-            row.clear();
-            row.extend(terms.iter().map(|term| {
-                let [cos, sin] = term.equation.jets::<N, 2>([&term.cos, &term.sin], u);
-                let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
-                RowTerm { column, k: term.k, cos, sin }
-            }));
-        }
-    }
-}
-
-impl RowTable<3> {
-    /// Position and derivatives at one column, given cosine and sine of each distinct `n` there.
-    pub(crate) fn jet(&self, circle: impl Fn(usize) -> (f64, f64)) -> SurfaceJet {
-        let mut jet = SurfaceJet::default();
-        for (axis, terms) in self.components.iter().enumerate() {
-            for term in terms {
-                jet.add(axis, term.k, &term.cos, &term.sin, circle(term.column));
-            }
-        }
-        jet
-    }
-}
 
 /// `cos(k_n v_j)` and `sin(k_n v_j)` for every distinct `n` of a surface and every column, in blocks of columns; the last block repeats the last column.
 #[derive(Debug, Clone)]
@@ -77,7 +24,7 @@ pub(crate) struct ColumnTable {
 impl ColumnTable {
     /// Tables for `n_columns` columns from `v = 0` to `v = span`, both included. For whole `n` the last column has the bits of the first.
     pub(crate) fn new(surface: &Surface, n_columns: usize) -> Self {
-        let distinct = distinct(surface);
+        let distinct = surface.distinct().to_vec();
         let mut turns = Turns::default();
         turns.divide(n_columns.max(2) - 1);
         let mut circles = vec![[Block::ZERO; 2]; n_columns.div_ceil(BLOCK) * distinct.len()];
@@ -110,15 +57,4 @@ impl ColumnTable {
         let n = self.distinct.len();
         self.circles.get(block * n..(block + 1) * n).unwrap_or_default()
     }
-}
-
-/// The different `n` of a surface, in the order of their first use.
-pub(crate) fn distinct(surface: &Surface) -> Vec<f64> {
-    let mut distinct = Vec::new();
-    for term in surface.components().iter().flatten() {
-        if !distinct.contains(&term.n) {
-            distinct.push(term.n);
-        }
-    }
-    distinct
 }

@@ -39,19 +39,6 @@ const ALONE: [(&str, &[&str]); 1] = [("check", &["mesh"])];
 
 /// What is known to breach a rule and waits to be mended: which file takes from which. Once it does not any more, or nothing is wrong with it any more, its line is to be deleted.
 const KNOWN: &[(&str, &str)] = &[
-    // What is made of checks, and what is told of it, belongs in `make`.
-    ("check/report.rs", "design/json.rs"),
-    ("check/report.rs", "design/value.rs"),
-    ("check/report.rs", "solid/making.rs"),
-    ("check/verdict.rs", "design/document.rs"),
-    ("check/verdict.rs", "error.rs"),
-    ("check/verdict.rs", "solid/make.rs"),
-    ("check/verdict.rs", "solid/making.rs"),
-    ("check/verdict.rs", "solid/skin.rs"),
-    ("solid/make.rs", "check/closed.rs"),
-    ("solid/make.rs", "check/crossing.rs"),
-    ("solid/make.rs", "check/degenerate.rs"),
-    ("solid/making.rs", "measure/design.rs"),
     // Circles of files.
     ("design/document.rs", "design/link/mod.rs"),
     ("design/link/packed.rs", "design/link/mod.rs"),
@@ -59,7 +46,6 @@ const KNOWN: &[(&str, &str)] = &[
     ("design/link/wrapping.rs", "design/link/mod.rs"),
     ("export/template/section.rs", "export/template/mod.rs"),
     ("measure/panels.rs", "measure/integral.rs"),
-    ("solid/seams.rs", "solid/face.rs"),
 ];
 
 /// Every breach in the solver, each with its file and line.

@@ -6,9 +6,10 @@ use glam::DVec3;
 
 use super::exchange::{Entities, Id, integers, list, reals, settled, string};
 use super::fit::{Boundary, Fitted, Net, Scaled, fit};
+use super::sewn::{Sewn, boolean};
 use super::spline::{multiplicities, restricted};
 use crate::error::{Code, Error, Result};
-use crate::solid::Face;
+use crate::face::Face;
 
 /// Where ends of faces are compared, as parts of a turn.
 const PLACES: [f64; 8] = [0.0, 0.11, 0.23, 0.37, 0.5, 0.61, 0.78, 0.93];
@@ -22,15 +23,6 @@ const LEVEL: f64 = 2e-9;
 /// At most so many intervals round a face are one panel. OpenCASCADE integrates along an edge with a fixed number of points, however many intervals it has: were a fluted face one
 /// panel, its programs would show half of its volume.
 const PANEL: usize = 32;
-
-/// What a solid has become.
-pub(super) struct Sewn {
-    /// The `MANIFOLD_SOLID_BREP`.
-    pub(super) solid: Id,
-    pub(super) deviation: f64,
-    pub(super) bound: f64,
-    pub(super) n_samples: usize,
-}
 
 /// Writes one closed solid of the faces, within the tolerance.
 ///
@@ -55,7 +47,13 @@ pub(super) fn sew(
     let shell: Vec<Id> = (0..faces.len()).flat_map(|face| sewing.face(face)).collect();
     let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
     let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
-    Ok(Sewn { solid, deviation: fitted.deviation, bound: fitted.bound, n_samples: fitted.n_samples })
+    Ok(Sewn {
+        shape: solid,
+        is_closed: true,
+        deviation: fitted.deviation,
+        bound: fitted.bound,
+        n_samples: fitted.n_samples,
+    })
 }
 
 /// Leaves out faces that are no wider than a curve, as the upright part of a lining that begins in the floor: neighbours on both sides then meet there.
@@ -276,10 +274,6 @@ impl Sewing<'_> {
             reals(nodes),
         ))
     }
-}
-
-fn boolean(value: bool) -> &'static str {
-    if value { ".T." } else { ".F." }
 }
 
 /// The outward normal of a face all of whose control points are in one plane.

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::exchange::settled;
 use super::spline::{Ends, basis, control_points};
-use crate::solid::Face;
+use crate::face::Face;
 
 /// The rows that a face begins with, and the columns of all faces.
 const FIRST_ROWS: usize = 2;

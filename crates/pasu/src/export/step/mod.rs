@@ -3,26 +3,36 @@
 mod brep;
 mod exchange;
 mod fit;
+mod net;
+mod patches;
+mod sewn;
 mod spline;
 
-use self::brep::sew;
 use self::exchange::{Entities, Id, list, real, string};
 use super::contents::{Notes, PROGRAM};
 use super::material::{Material, srgb};
 use crate::design::Look;
 use crate::error::Result;
-use crate::solid::Face;
+use crate::face::Face;
+use crate::solution::Placed;
 
 /// One part as CAD programs have it.
 pub(super) struct Part<'a> {
     pub(super) name: String,
     pub(super) look: Look,
-    /// The faces, which close.
-    pub(super) faces: Vec<&'a dyn Face>,
+    pub(super) boundary: Boundary<'a>,
     /// The largest distance between splines and faces that is aimed at, in millimetres.
     pub(super) tolerance: f64,
     /// For errors.
     pub(super) path: String,
+}
+
+/// What a part is bounded by.
+pub(super) enum Boundary<'a> {
+    /// Faces of a pot, which close.
+    Faces(Vec<&'a dyn Face>),
+    /// The patches of a shape that has no foot and no rim.
+    Patches(&'a Placed),
 }
 
 /// What the standard calls AP214, which every CAD program reads.
@@ -38,16 +48,19 @@ const UNCERTAINTY: f64 = 1e-6;
 /// `bug` when faces do not close.
 pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<Vec<u8>> {
     let mut data = Entities::default();
-    let mut solids = Vec::new();
+    let mut shapes = Vec::new();
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for part in parts {
-        let sewn = sew(&mut data, &part.name, &part.faces, millimetres, part.tolerance, &part.path)?;
+        let sewn = match &part.boundary {
+            Boundary::Faces(faces) => brep::sew(&mut data, &part.name, faces, millimetres, part.tolerance, &part.path)?,
+            Boundary::Patches(placed) => patches::sew(&mut data, &part.name, placed, millimetres, part.tolerance),
+        };
         deviation = deviation.max(sewn.deviation);
         bound = bound.max(sewn.bound);
         n_samples += sewn.n_samples;
-        solids.push((sewn.solid, part.look));
+        shapes.push(Shape { id: sewn.shape, is_closed: sewn.is_closed, look: part.look });
     }
-    product(&mut data, &notes.title, &solids);
+    product(&mut data, &notes.title, &shapes);
     let accuracy = format!(
         "pasu-deviation: {} mm at most from the exact surfaces at {n_samples} points compared, {} mm between them",
         rounded_up(deviation),
@@ -67,8 +80,15 @@ pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<V
     Ok(bytes)
 }
 
-/// The product that the solids are the shape of, their units and colours.
-fn product(data: &mut Entities, title: &str, solids: &[(Id, Look)]) {
+/// A solid, or a surface that is not closed.
+struct Shape {
+    id: Id,
+    is_closed: bool,
+    look: Look,
+}
+
+/// The product that these are the shape of, their units and colours.
+fn product(data: &mut Entities, title: &str, shapes: &[Shape]) {
     let application = data.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
     data.add(&format!(
         "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})"
@@ -92,16 +112,21 @@ fn product(data: &mut Entities, title: &str, solids: &[(Id, Look)]) {
     let context = data.add(&format!(
         "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty}))GLOBAL_UNIT_ASSIGNED_CONTEXT(({metre},{radian},{steradian}))REPRESENTATION_CONTEXT('','3D'))"
     ));
-    let ids: Vec<Id> = solids.iter().map(|(solid, _)| *solid).collect();
+    let ids: Vec<Id> = shapes.iter().map(|shape| shape.id).collect();
     let origin = data.point(glam::DVec3::ZERO);
     let up = data.direction(glam::DVec3::Z);
     let across = data.direction(glam::DVec3::X);
     let placement = data.add(&format!("AXIS2_PLACEMENT_3D('',{origin},{up},{across})"));
     let items: Vec<Id> = [placement].into_iter().chain(ids).collect();
-    let representation = data.add(&format!("ADVANCED_BREP_SHAPE_REPRESENTATION({title},{},{context})", list(&items)));
+    let representation = match shapes.iter().filter(|shape| shape.is_closed).count() {
+        0 => "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+        n if n == shapes.len() => "ADVANCED_BREP_SHAPE_REPRESENTATION",
+        _ => "SHAPE_REPRESENTATION",
+    };
+    let representation = data.add(&format!("{representation}({title},{},{context})", list(&items)));
     data.add(&format!("SHAPE_DEFINITION_REPRESENTATION({shape},{representation})"));
 
-    let styled: Vec<Id> = solids.iter().map(|(solid, look)| styled(data, *solid, *look)).collect();
+    let styled: Vec<Id> = shapes.iter().map(|shape| styled(data, shape.id, shape.look)).collect();
     data.add(&format!("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',{},{context})", list(&styled)));
 }
 

@@ -10,7 +10,7 @@ use self::section::section;
 use super::contents::{Body, Notes, PROGRAM};
 use super::shading::point;
 use super::xml::escaped;
-use crate::solid::FaceKind;
+use crate::face::FaceKind;
 
 /// Free space round the drawing and between its pieces, millimetres.
 const MARGIN: f64 = 12.0;

@@ -3,31 +3,8 @@
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::measure::{Gauge, gauge};
-
-/// What is made of each part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Product {
-    /// A hollow pot with the part's wall.
-    #[default]
-    Pot,
-    /// The surface with its ends closed, for the vase mode of a slicer.
-    Solid,
-}
-
-impl Product {
-    /// The word by which it is known: `pot` or `solid`.
-    ///
-    /// ```
-    /// assert_eq!(pasu::Product::Solid.name(), "solid");
-    /// ```
-    pub fn name(self) -> &'static str {
-        match self {
-            Product::Pot => "pot",
-            Product::Solid => "solid",
-        }
-    }
-}
+use crate::solid::Product;
+use crate::solution::Solution;
 
 /// What the finished pot is to measure, in the unit of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,23 +71,25 @@ impl Making {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn scale(&self, design: &Design) -> Result<Scale> {
-        self.check()?;
-        let size = match self.size {
-            None => 1.0,
-            Some(Size::Height(height)) => factor("size.height", height, self.found(design, Gauge::Height)?)?,
-            Some(Size::Width(width)) => factor("size.width", width, self.found(design, Gauge::Width)?)?,
-            Some(Size::Capacity(capacity)) => {
-                libm::cbrt(factor("size.capacity", capacity, self.found(design, Gauge::Capacity)?)?)
-            }
-        };
-        let shrinkage = 1.0 / (1.0 - self.shrinkage / 100.0);
-        let millimetres = design.unit().millimetres() * size * shrinkage;
-        Ok(Scale { size, shrinkage, millimetres })
+        self.scale_of(&Solution::of(design))
     }
 
-    /// What the design measures as it is.
-    fn found(&self, design: &Design, what: Gauge) -> Result<f64> {
-        gauge(design, self.product, what)
+    /// As [`Making::scale`].
+    ///
+    /// # Errors
+    /// As [`Making::scale`].
+    pub fn scale_of(&self, solution: &Solution) -> Result<Scale> {
+        self.check()?;
+        let found = |what| gauge(solution, self.product, what);
+        let size = match self.size {
+            None => 1.0,
+            Some(Size::Height(height)) => factor("size.height", height, found(Gauge::Height)?)?,
+            Some(Size::Width(width)) => factor("size.width", width, found(Gauge::Width)?)?,
+            Some(Size::Capacity(capacity)) => libm::cbrt(factor("size.capacity", capacity, found(Gauge::Capacity)?)?),
+        };
+        let shrinkage = 1.0 / (1.0 - self.shrinkage / 100.0);
+        let millimetres = solution.design().unit().millimetres() * size * shrinkage;
+        Ok(Scale { size, shrinkage, millimetres })
     }
 
     /// Refuses what is outside its range.

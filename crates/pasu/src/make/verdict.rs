@@ -2,10 +2,13 @@
 
 use std::borrow::Borrow;
 
+use super::made::{Made, make};
+use super::making::Making;
 use super::report::{Finding, MeshReport, Report, Severity};
 use crate::design::Design;
 use crate::error::Result;
-use crate::solid::{Made, Making, make, place, short};
+use crate::solid::{place, short};
+use crate::solution::Solution;
 
 /// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made, or what differs from what was asked for.
 ///
@@ -23,9 +26,18 @@ use crate::solid::{Made, Making, make, place, short};
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn check(design: &Design, making: &Making) -> Result<Report> {
-    let scale = making.scale(design)?.millimetres;
-    let parts = 0..design.parts().len();
-    Ok(verdict(making, parts.map(|part| make(design, part, making, scale))))
+    Solution::of(design).check(making)
+}
+
+impl Solution {
+    /// As [`check`].
+    ///
+    /// # Errors
+    /// As [`check`].
+    pub fn check(&self, making: &Making) -> Result<Report> {
+        let scale = making.scale_of(self)?.millimetres;
+        Ok(verdict(making, (0..self.n_parts()).map(|part| make(self, part, making, scale))))
+    }
 }
 
 /// What there is to say of parts that were made, or refused, in their order.

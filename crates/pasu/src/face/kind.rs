@@ -1,8 +1,4 @@
-//! The smooth pieces of which the boundary of a pot is made.
-
-use glam::DVec3;
-
-use super::seams::Seams;
+//! The names of the pieces of which the boundary of a pot is made.
 
 /// What a piece of the boundary is to a potter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -47,40 +43,4 @@ impl FaceKind {
             FaceKind::Lid => "lid",
         }
     }
-}
-
-/// Position and first derivatives of a face at one point, in model units, after placement.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct FaceJet {
-    /// `F(a, v)`.
-    pub position: DVec3,
-    /// `F_a`.
-    pub da: DVec3,
-    /// `F_v`.
-    pub dv: DVec3,
-}
-
-/// One smooth piece `F(a, v)` of the boundary, `a` in [0, 1] and `v` in [0, 2 pi], closed in `v`. Neighbours share whole boundary curves `a = 0` or `a = 1`;
-/// a boundary may shrink to a point.
-///
-/// A level face whose outline is not star-shaped may fold over itself as a map; its signed area and moments hold all the same.
-pub trait Face {
-    /// What it is.
-    fn kind(&self) -> FaceKind;
-
-    /// Position and derivatives.
-    fn jet(&self, a: f64, v: f64) -> FaceJet;
-
-    /// Whether `jet` is that of the true face to rounding. A lining that had to be thinned is interpolated, and is not.
-    fn is_exact(&self) -> bool {
-        true
-    }
-
-    /// Where the derivatives of a face that is not exact jump; `None` where they do not.
-    fn seams(&self) -> Option<Seams<'_>> {
-        None
-    }
-
-    /// 1 or -1, so that `outward() * (F_a x F_v)` points out of the clay.
-    fn outward(&self) -> f64;
 }

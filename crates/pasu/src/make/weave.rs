@@ -1,17 +1,15 @@
 //! From the faces of a pot to triangles that share their vertices.
 
 use core::f64::consts::{PI, TAU};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::disc;
-use super::face::{Face, FaceKind};
-use super::piece::{Form, Piece};
-use super::pot::Pot;
-use super::sheet::Sheet;
-use super::skin::{Columns, Skin, place};
 use crate::error::{Code, Error, Result};
+use crate::face::{Face, FaceKind};
+use crate::solid::{Form, Piece, Pot, Sheet, Skin, place};
+use crate::solution::Columns;
 
 /// A ring no wider than this part of the size is a point.
 const POLE: f64 = 1e-6;
@@ -141,7 +139,7 @@ pub(crate) fn weave(pot: &Pot, grid: &Grid, scale: f64) -> Result<Woven> {
 ///
 /// # Errors
 /// As [`weave`].
-pub(crate) fn weave_surface(skin: &Rc<Skin>, grid: &Grid, scale: f64) -> Result<Woven> {
+pub(crate) fn weave_surface(skin: &Arc<Skin>, grid: &Grid, scale: f64) -> Result<Woven> {
     let columns = skin.columns(grid.columns);
     let mut weaver = Weaver { skin, grid, scale, columns, woven: Woven::default() };
     let surface = Piece::surface(skin);
@@ -157,7 +155,8 @@ impl Weaver<'_> {
 
     /// The points of a face at constant `a`.
     fn curve(&self, piece: &Piece, a: f64) -> Vec<DVec3> {
-        (0..self.grid.columns).map(|j| piece.jet(a, self.v(j)).position).collect()
+        let mut walk = piece.walk();
+        (0..self.grid.columns).map(|j| walk.jet(a, self.v(j)).position).collect()
     }
 
     /// Makes vertices of points; those that are where the ring before has its own share them.
@@ -182,7 +181,7 @@ impl Weaver<'_> {
         let position = point.to_array().map(|x| (x * self.scale) as f32);
         if position.iter().any(|x| !x.is_finite()) {
             let message = "the pot is larger than a file can hold: numbers up to 3e38 millimetres can be held";
-            return Err(Error::new(Code::Overflow, format!("parts[{}]", self.skin.index()), message));
+            return Err(Error::new(Code::Overflow, self.skin.placed().own_path(), message));
         }
         self.woven.positions.push(position);
         Ok(self.woven.positions.len() as u32 - 1)
@@ -244,6 +243,7 @@ impl Weaver<'_> {
     /// The rings of a sheet above where it begins: rows of constant `s`, and below them what leads over from its edge.
     fn sheet(&self, sheet: &Sheet) -> Vec<Vec<DVec3>> {
         let starts: Vec<f64> = (0..self.grid.columns).map(|j| sheet.start(self.v(j)).s).collect();
+        let mut walk = sheet.walk();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
         let rows = &self.grid.rows;
         let is_inside = |i: usize| rows[i] > most && rows[i] - most >= CLEARANCE * (rows[i] - rows[i - 1]);
@@ -256,13 +256,13 @@ impl Weaver<'_> {
             let n = (skipped + 1).min(MOST_BETWEEN);
             for i in 1..n {
                 let share = i as f64 / n as f64;
-                let ring =
-                    starts.iter().enumerate().map(|(j, s)| sheet.at_column(s + share * (lowest - s), &self.columns, j));
+                let between = |s: f64| s + share * (lowest - s);
+                let ring = starts.iter().enumerate().map(|(j, s)| walk.position_at(between(*s), &self.columns, j));
                 rings.push(ring.collect());
             }
         }
         for s in &rows[first..rows.len() - 1] {
-            rings.push((0..self.grid.columns).map(|j| sheet.at_column(*s, &self.columns, j)).collect());
+            rings.push((0..self.grid.columns).map(|j| walk.position_at(*s, &self.columns, j)).collect());
         }
         rings
     }
@@ -316,7 +316,7 @@ impl Weaver<'_> {
             let at = rings.last().map_or(DVec3::ZERO, |ring| ring.point(0));
             return Err(Error::new(
                 Code::CrossesItself,
-                self.skin.path(field(piece.kind())),
+                self.skin.placed().path(field(piece.kind())),
                 format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at)),
             ));
         };

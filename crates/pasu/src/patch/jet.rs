@@ -21,12 +21,24 @@ pub struct SurfaceJet {
 
 impl SurfaceJet {
     /// Adds `A(u) cos(k v) + B(u) sin(k v)` to one component, from `A`, `A'`, `A''` and those of `B`.
-    pub(super) fn add(&mut self, axis: usize, k: f64, a: &[f64; 3], b: &[f64; 3], (c, s): (f64, f64)) {
+    pub(crate) fn add(&mut self, axis: usize, k: f64, a: &[f64; 3], b: &[f64; 3], (c, s): (f64, f64)) {
         self.position[axis] += a[0] * c + b[0] * s;
         self.du[axis] += a[1] * c + b[1] * s;
         self.duu[axis] += a[2] * c + b[2] * s;
         self.dv[axis] += k * (b[0] * c - a[0] * s);
         self.duv[axis] += k * (b[1] * c - a[1] * s);
         self.dvv[axis] -= k * k * (a[0] * c + b[0] * s);
+    }
+
+    /// The same point in parameters that run `along` and `round` times as fast: each derivative is multiplied once for each time it is taken.
+    pub(crate) fn stretched(&self, along: f64, round: f64) -> SurfaceJet {
+        SurfaceJet {
+            position: self.position,
+            du: self.du * along,
+            dv: self.dv * round,
+            duu: self.duu * (along * along),
+            duv: self.duv * (along * round),
+            dvv: self.dvv * (round * round),
+        }
     }
 }

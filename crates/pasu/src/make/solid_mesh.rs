@@ -1,6 +1,6 @@
 //! The closed mesh of a pot or solid: the very triangles that files hold.
 
-use super::face::FaceKind;
+use crate::face::FaceKind;
 
 /// The boundary of one part as triangles: closed, oriented, welded.
 ///

@@ -1,12 +1,11 @@
 //! From a design to a mesh for the screen while a hand changes the design: checked coarsely, drawn finely.
 
-use super::make::{compact, finished, grid, verdict};
-use super::making::Product;
-use super::mesh::SolidMesh;
-use super::pot::Pot;
+use super::made::{compact, finished, grid, verdict};
+use super::solid_mesh::SolidMesh;
 use super::weave::{Woven, weave};
-use crate::design::Design;
 use crate::error::Result;
+use crate::solid::{Pot, Product};
+use crate::solution::Solution;
 
 /// Crossings are looked for on a mesh that keeps this part of the size, or the tolerance where that is coarser.
 const COARSE: f64 = 1.0 / 150.0;
@@ -17,13 +16,13 @@ const FINER: f64 = 3.0;
 /// A pot and its mesh in model units, at a tolerance that is aimed at and not proved.
 ///
 /// # Errors
-/// What [`Pot::new`] and [`solid`](super::make::solid) refuse, as far as it is seen on the coarse mesh.
-pub(crate) fn sketched(design: &Design, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
-    let pot = Pot::new(design, part, Product::Pot)?;
+/// What [`Pot::new`] and [`solid`](super::made::solid) refuse, as far as it is seen on the coarse mesh.
+pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
+    let pot = solution.pot(part, Product::Pot)?;
     let coarse = COARSE * pot.skin().size();
     let checked = tolerance.map_or(coarse, |tolerance| tolerance.max(coarse));
     let at = |tolerance: Option<f64>| -> Result<Woven> {
-        let mut woven = weave(&pot, &grid(design, pot.skin(), tolerance, tolerance)?, 1.0)?;
+        let mut woven = weave(&pot, &grid(pot.skin(), tolerance, tolerance)?, 1.0)?;
         compact(&mut woven);
         Ok(woven)
     };
@@ -38,6 +37,7 @@ pub(crate) fn sketched(design: &Design, part: usize, tolerance: Option<f64>) -> 
 mod tests {
     use super::*;
     use crate::check;
+    use crate::design::Design;
 
     const GALLERY: &str = include_str!("../../tests/reference/gallery.json");
 
@@ -50,7 +50,8 @@ mod tests {
                 Design::parse(&serde_json::json!({ "pasu": 1, "parts": [part] }).to_string()).expect("a design")
             };
             let bare = document(serde_json::json!({ "thickness": 1, "base": 1 }));
-            let size = super::super::skin::Skin::new(&bare.parts()[0], 0).expect("a surface").size();
+            let size =
+                crate::solid::Skin::new(Solution::of(&bare).part(0).expect("a solution")).expect("a surface").size();
             let wall = size / [25.0, 40.0, 80.0][number % 3];
             let side = if number % 4 == 3 { "outside" } else { "inside" };
             let rim = if number % 2 == 1 { "rounded" } else { "flat" };
@@ -64,10 +65,10 @@ mod tests {
     fn what_is_drawn_of_the_gallery_is_closed_and_crosses_nothing() {
         let (mut n_made, mut n_overlooked) = (0, 0);
         for (name, design, size) in pots() {
-            let full = super::super::make::solid(&design, &super::super::Making::default());
+            let full = super::super::made::solid(&design, &super::super::Making::default());
             for fineness in [700.0, 350.0, 150.0] {
                 let tolerance = size / fineness;
-                let found = sketched(&design, 0, Some(tolerance));
+                let found = sketched(&Solution::of(&design), 0, Some(tolerance));
                 let (pot, mesh) = match (found, &full) {
                     (Ok(found), Ok(_)) => found,
                     (Err(error), Ok(_)) => panic!("{name} {fineness}: {error}"),
@@ -89,7 +90,7 @@ mod tests {
                 assert!(topology.is_ok(), "{name} {fineness}: does not close at {:?}", topology.err());
                 // Level faces are cut from an outline without overlaps and so are seen side by side.
                 let is_level =
-                    |kind| pot.faces().iter().any(|face| crate::solid::Face::kind(face) == kind && face.is_level());
+                    |kind| pot.faces().iter().any(|face| crate::face::Face::kind(face) == kind && face.is_level());
                 let group = |triangle: u32| {
                     let of = |&(_, first, count): &(_, u32, u32)| (first..first + count).contains(&(3 * triangle));
                     mesh.faces.iter().position(of).filter(|face| is_level(mesh.faces[*face].0)).map(|face| face as u32)

@@ -1,19 +1,19 @@
 //! From a design to meshes that pass every check.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::face::FaceKind;
 use super::making::Making;
-use super::mesh::SolidMesh;
-use super::pot::Pot;
-use super::skin::{Skin, place, short};
+use super::solid_mesh::SolidMesh;
 use super::weave::{Grid, Woven, field, name, weave, weave_surface};
 use crate::check::{self, Topology};
 use crate::design::Design;
 use crate::error::{Code, Error, Result};
+use crate::face::FaceKind;
 use crate::mesh::places;
+use crate::solid::{Pot, Skin, place, short};
+use crate::solution::Solution;
 
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
@@ -60,8 +60,18 @@ const LEAST_STEP: f64 = 0.4;
 /// # Ok::<(), pasu::Error>(())
 /// ```
 pub fn solid(design: &Design, making: &Making) -> Result<Vec<SolidMesh>> {
-    let scale = making.scale(design)?.millimetres;
-    (0..design.parts().len()).map(|part| Ok(make(design, part, making, scale)?.mesh)).collect()
+    Solution::of(design).solid(making)
+}
+
+impl Solution {
+    /// As [`solid`].
+    ///
+    /// # Errors
+    /// As [`solid`].
+    pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
+        let scale = making.scale_of(self)?.millimetres;
+        (0..self.n_parts()).map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
+    }
 }
 
 /// What was made of one part.
@@ -75,15 +85,15 @@ pub(crate) struct Made {
 ///
 /// # Errors
 /// As [`solid`].
-pub(crate) fn make(design: &Design, part: usize, making: &Making, scale: f64) -> Result<Made> {
-    let skin = Rc::new(Skin::new(&design.parts()[part], part)?);
-    if let Some(error) = surface_crossing(design, &skin, making, scale)? {
+pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Made> {
+    let skin = Arc::new(Skin::new(solution.part(part)?)?);
+    if let Some(error) = surface_crossing(&skin, making, scale)? {
         return Err(error);
     }
     let mut refusal = None;
     for (attempt, (of_thickness, of_mesh)) in FINENESS.into_iter().enumerate() {
-        let pot = Pot::with_fineness(design, part, making.product, of_thickness)?;
-        let made = woven(design, &pot, making, of_mesh, scale).and_then(|mut woven| {
+        let pot = Pot::of(&skin, solution.wall(part, making.product)?, of_thickness)?;
+        let made = woven(&pot, making, of_mesh, scale).and_then(|mut woven| {
             compact(&mut woven);
             Ok((verdict(&pot, &woven, scale)?, finished(&woven, part, scale)))
         });
@@ -109,12 +119,12 @@ fn pot_path(part: usize) -> String {
 }
 
 /// A mesh that keeps the tolerance.
-fn woven(design: &Design, pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
+fn woven(pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
     let mut promised = making.tolerance.map(|tolerance| tolerance / fineness);
     let mut asked = promised;
     let mut round = 1;
     loop {
-        let grid = grid(design, pot.skin(), asked, promised)?;
+        let grid = grid(pot.skin(), asked, promised)?;
         let tolerance = *promised.get_or_insert(grid.bound / fineness);
         let woven = weave(pot, &grid, scale)?;
         if woven.bound <= tolerance || round >= ROUNDS {
@@ -136,12 +146,12 @@ fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
             place(at),
             short(thinnest)
         );
-        Error::new(Code::NoRoom, pot.skin().path("wall.thickness"), message).near(at.to_array()).with("thickness", thinnest)
+        Error::new(Code::NoRoom, pot.skin().placed().path("wall.thickness"), message).near(at.to_array()).with("thickness", thinnest)
     })
 }
 
 /// Where the surface of the design itself crosses itself: seen on a coarse mesh, and again on one that keeps the tolerance.
-fn surface_crossing(design: &Design, skin: &Rc<Skin>, making: &Making, scale: f64) -> Result<Option<Error>> {
+fn surface_crossing(skin: &Arc<Skin>, making: &Making, scale: f64) -> Result<Option<Error>> {
     let coarse = COARSE * skin.size();
     let mut steps = vec![making.tolerance];
     if making.tolerance.is_none_or(|tolerance| tolerance < coarse) {
@@ -149,7 +159,7 @@ fn surface_crossing(design: &Design, skin: &Rc<Skin>, making: &Making, scale: f6
     }
     let mut found = None;
     for asked in steps {
-        let grid = grid(design, skin, asked, asked)?;
+        let grid = grid(skin, asked, asked)?;
         let woven = weave_surface(skin, &grid, scale)?;
         let Some(pair) = check::crossings(&woven.positions, &woven.triangles, |_| None, 1).first().copied() else {
             return Ok(None);
@@ -160,15 +170,14 @@ fn surface_crossing(design: &Design, skin: &Rc<Skin>, making: &Making, scale: f6
 }
 
 /// The rows and columns that keep a tolerance of the surface of the design; `promised` is what is aimed at for the other faces.
-pub(super) fn grid(design: &Design, skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
-    let part = skin.index();
-    let (rows, columns, bound) = places(&design.parts()[part], part, asked)?;
+pub(super) fn grid(skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
+    let (rows, columns, bound) = places(skin.placed(), asked)?;
     let bound = bound.unwrap_or_else(|| asked.unwrap_or(skin.size()));
     let rows = if skin.is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
     let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
     if 4 * grid.rows.len() * grid.columns > MOST_TRIANGLES {
         let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
-        return Err(Error::new(Code::TooLarge, pot_path(part), message).with("greatest", MOST_TRIANGLES));
+        return Err(Error::new(Code::TooLarge, skin.placed().own_path(), message).with("greatest", MOST_TRIANGLES));
     }
     Ok(grid)
 }
@@ -206,7 +215,7 @@ pub(super) fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> 
             place(at(woven.triangles[number][0]))
         );
         let place = at(woven.triangles[number][0]).to_array();
-        return Err(Error::new(Code::PinchedSurface, pot.skin().path(field(kind)), message).near(place));
+        return Err(Error::new(Code::PinchedSurface, pot.skin().placed().path(field(kind)), message).near(place));
     }
     let topology = check::closed(&woven.triangles, woven.positions.len()).map_err(|vertex| {
         let message = format!("the faces do not close at {}", place(at(vertex)));
@@ -224,7 +233,7 @@ pub(super) fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> 
 
 fn surface_crosses(skin: &Skin, at: DVec3) -> Error {
     let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
-    Error::new(Code::CrossesItself, skin.path("shape"), message).near(at.to_array())
+    Error::new(Code::CrossesItself, skin.placed().path("shape"), message).near(at.to_array())
 }
 
 /// What a crossing of two faces means to a potter.
@@ -251,7 +260,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         FaceKind::Underside if !pot.has_wall() => "shape",
         kind => field(kind),
     };
-    let error = Error::new(Code::NoRoom, pot.skin().path(path), message).near(at.to_array());
+    let error = Error::new(Code::NoRoom, pot.skin().placed().path(path), message).near(at.to_array());
     error.with("face", first.name()).with("other", second.name())
 }
 

@@ -1,0 +1,11 @@
+//! Smooth faces, whatever they are made of: what is meshed, measured and written of a body.
+
+mod contract;
+mod kind;
+mod patch_face;
+mod seams;
+
+pub use contract::{Face, FaceJet, FaceWalk};
+pub use kind::FaceKind;
+pub(crate) use patch_face::PatchFace;
+pub(crate) use seams::{Seams, ascending};

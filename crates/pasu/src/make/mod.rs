@@ -1,0 +1,19 @@
+//! Closed meshes that pass every check, or the reason why there is none.
+
+mod disc;
+mod made;
+mod making;
+mod report;
+mod sketch;
+mod solid_mesh;
+mod verdict;
+mod weave;
+
+pub use made::solid;
+pub(crate) use made::{Made, make};
+pub use making::{Making, Scale, Size};
+pub use report::{Finding, MeshReport, Report, Severity};
+pub(crate) use sketch::sketched;
+pub use solid_mesh::SolidMesh;
+pub use verdict::check;
+pub(crate) use verdict::verdict;

@@ -1,0 +1,116 @@
+//! What the measures of one part are taken on.
+
+use super::bare::Bare;
+use super::capacity::Vessel;
+use super::folded::Folded;
+use super::integral::Accuracy;
+use super::outside::Outside;
+use crate::error::Result;
+use crate::face::{Face, FaceKind, PatchFace};
+use crate::solid::{Pot, Product};
+use crate::solution::Solution;
+
+/// What integrals over exact faces are asked to keep, as a part of their size.
+pub(super) const ACCURACY: f64 = 1e-9;
+
+/// A part with what its measures are taken on.
+pub(super) struct Taken {
+    /// Its surface; of a shape without foot and rim its patches.
+    pub(super) surface: Naked,
+    pub(super) pot: Result<Pot>,
+}
+
+/// A part without a wall.
+pub(super) enum Naked {
+    /// A surface from foot to rim, seen from outside and from inside.
+    Upright { bare: Bare, inside: Bare },
+    /// Anything else.
+    Patches { patches: Vec<PatchFace>, folded: Vec<Folded>, is_closed: bool },
+}
+
+impl Taken {
+    /// # Errors
+    /// What [`Surface::solve`](crate::Surface::solve) refuses.
+    pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Taken> {
+        let placed = solution.part(index)?;
+        let surface = match Bare::new(placed) {
+            Some(bare) => Naked::Upright { inside: bare.inside(), bare },
+            None => {
+                let is_closed = placed.solved().is_closed();
+                let patches = PatchFace::all(placed);
+                let folded = patches.iter().filter(|patch| !patch.is_closed()).cloned().map(Folded).collect();
+                Naked::Patches { patches, folded, is_closed }
+            }
+        };
+        Ok(Taken { surface, pot: solution.pot(index, product) })
+    }
+
+    /// Every part of a design.
+    ///
+    /// # Errors
+    /// As [`Taken::new`].
+    pub(super) fn all(solution: &Solution, product: Product) -> Result<Vec<Taken>> {
+        (0..solution.n_parts()).map(|index| Taken::new(solution, index, product)).collect()
+    }
+
+    /// The faces of the surface itself.
+    pub(super) fn naked_faces(&self) -> Vec<&dyn Face> {
+        match &self.surface {
+            Naked::Upright { bare, .. } => vec![bare],
+            Naked::Patches { patches, .. } => patches.iter().map(|patch| patch as &dyn Face).collect(),
+        }
+    }
+
+    /// The faces that go round clay: those of the pot, or closed patches.
+    pub(super) fn body(&self) -> Option<Vec<&dyn Face>> {
+        match (&self.pot, &self.surface) {
+            (Ok(pot), _) => Some(pot.faces().iter().map(|piece| piece as &dyn Face).collect()),
+            (Err(_), Naked::Patches { is_closed: true, .. }) => Some(self.naked_faces()),
+            (Err(_), _) => None,
+        }
+    }
+
+    /// Faces seen from outside.
+    pub(super) fn outer_faces(&self) -> Vec<&dyn Face> {
+        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
+        let mut faces = match (&self.pot, &self.surface) {
+            (Err(_), Naked::Patches { patches, folded, .. }) => {
+                let closed = patches.iter().filter(|patch| patch.is_closed()).map(|patch| patch as &dyn Face);
+                closed.chain(folded.iter().map(|folded| folded as &dyn Face)).collect()
+            }
+            _ => self.body().unwrap_or_else(|| self.naked_faces()),
+        };
+        faces.retain(|face| !is_inside(face.kind()));
+        faces
+    }
+
+    /// How many waves go round at most.
+    pub(super) fn waves(&self) -> f64 {
+        match &self.surface {
+            Naked::Upright { bare, .. } => bare.waves(),
+            Naked::Patches { patches, .. } => {
+                let waves = patches.iter().flat_map(|patch| patch.patch().breaks()).map(|breaks| breaks.waves);
+                waves.fold(0.0, f64::max)
+            }
+        }
+    }
+
+    pub(super) fn outside(&self) -> Outside<'_> {
+        Outside::new(self.outer_faces(), self.waves())
+    }
+
+    pub(super) fn accuracy(&self) -> Accuracy {
+        Accuracy::new(ACCURACY, self.waves())
+    }
+
+    /// What holds water: the pot, or the bare surface where no wall is asked for; the reason in words where nothing does.
+    pub(super) fn vessel(&self, has_wall: bool, product: Product) -> std::result::Result<Vessel<'_>, String> {
+        match (&self.pot, &self.surface) {
+            _ if product == Product::Solid => Err("a solid has no inside".to_owned()),
+            (Ok(pot), _) => Vessel::of_pot(pot, self.waves()),
+            (Err(why), _) if has_wall => Err(why.message().to_owned()),
+            (Err(_), Naked::Upright { inside, .. }) => Vessel::of_bare(inside),
+            (Err(_), Naked::Patches { .. }) => Err("the shape has no foot and no rim, so it holds nothing".to_owned()),
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! A part on the grids of its patches, whatever kind of shape they are of.
+
+use core::fmt::Write;
+
+use glam::{DMat3, DVec3};
+use xxhash_rust::xxh64::Xxh64;
+
+use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
+use super::grid::append_triangles;
+use super::normal::cofactors;
+use super::tolerance::DEFAULT_FINENESS;
+use crate::design::plain;
+use crate::error::{Code, Error, Result};
+use crate::patch::{Cell, Lines, Patch, Side, deviation_of, lines_within};
+use crate::solution::Placed;
+
+/// One part, ready to be sampled patch by patch. Sums are in double precision and rounded once.
+///
+/// Sides that patches share, or that a patch joins to its own opposite, are sampled once: both have the same bits there. A pole is one point.
+pub(super) struct PatchGrids<'a> {
+    placed: &'a Placed,
+    lines: Vec<Lines>,
+    pub(super) bound: Option<f64>,
+}
+
+impl<'a> PatchGrids<'a> {
+    /// Chooses the grids; they are bounded where something was left to choose or `is_bounded`.
+    ///
+    /// # Errors
+    /// `tolerance-too-fine`, `too-large`.
+    pub(super) fn choose(placed: &'a Placed, options: &MeshOptions, is_bounded: bool) -> Result<PatchGrids<'a>> {
+        let patches = placed.solved().patches();
+        // The columns of a rotation times a scale are orthogonal, so lengths are those of stretched axes.
+        let m = placed.matrix();
+        let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);
+        let whole = Cell { u: [0.0, 1.0], v: [0.0, 1.0] };
+        let size = patches.iter().map(|patch| patch.suprema(whole, stretch).size).fold(0.0, f64::max);
+        // Half a unit in the last place in each of three directions.
+        let rounding = (size + placed.shift().length()) * f64::from(f32::EPSILON);
+        let too_fine = |message: String| Error::new(Code::ToleranceTooFine, "tolerance", message);
+        let lines = match (options.rows, options.columns) {
+            (Some(rows), Some(columns)) => vec![Lines::even(rows, columns); patches.len()],
+            (rows, columns) => {
+                let tolerance = options.tolerance.unwrap_or(DEFAULT_FINENESS * size + rounding);
+                if !(tolerance > rounding) {
+                    return Err(too_fine(format!(
+                        "a mesh in single precision is only good to {} for a pot of this size, found {}",
+                        plain(rounding),
+                        plain(tolerance)
+                    )));
+                }
+                let found = lines_within(&patches, stretch, tolerance - rounding, VERTEX_LIMIT);
+                let Some(mut lines) = found else {
+                    let message =
+                        format!("more than {VERTEX_LIMIT} vertices are needed for it; ask for a coarser tolerance");
+                    return Err(Error::new(Code::TooLarge, placed.own_path(), message));
+                };
+                for lines in &mut lines {
+                    let even = Lines::even(rows.unwrap_or(lines.u.len()), columns.unwrap_or(lines.v.len()));
+                    if rows.is_some() {
+                        lines.u = even.u;
+                    }
+                    if columns.is_some() {
+                        lines.v = even.v;
+                    }
+                }
+                lines
+            }
+        };
+        let is_known = is_bounded || options.tolerance.is_some() || options.rows.is_none() || options.columns.is_none();
+        let bound = is_known.then(|| deviation_of(&patches, &lines, stretch) + rounding);
+        if let (Some(tolerance), Some(bound)) = (options.tolerance, bound)
+            && !(bound <= tolerance * (1.0 + 1e-12))
+        {
+            let message =
+                format!("the rows and columns given cannot hold {}; leave them out, or ask for more", plain(tolerance));
+            return Err(too_fine(message));
+        }
+        Ok(PatchGrids { placed, lines, bound: bound.filter(|bound| bound.is_finite()) })
+    }
+
+    /// For each patch the lines of its grid.
+    pub(super) fn lines(&self) -> &[Lines] {
+        &self.lines
+    }
+
+    pub(super) fn n_vertices(&self) -> usize {
+        self.lines.iter().map(Lines::n_vertices).sum()
+    }
+
+    /// Names the grids and their winding.
+    pub(super) fn append_topology(&self, topology: &mut String) {
+        let winding = if self.placed.is_forwards() { '+' } else { '-' };
+        for Lines { u, v } in &self.lines {
+            let mut hash = Xxh64::new(0);
+            u.iter().chain(v).for_each(|place| hash.update(&place.to_le_bytes()));
+            // A String takes whatever is written to it.
+            let _ = write!(topology, "{}x{}{winding}{:016x}", u.len(), v.len(), hash.digest());
+        }
+    }
+
+    /// Appends what depends on the grids alone, and room for positions and normals.
+    pub(super) fn append_to(&self, mesh: &mut Mesh) {
+        let first = mesh.indices.len() as u32;
+        for Lines { u, v } in &self.lines {
+            let base = mesh.n_vertices() as u32;
+            let n = u.len() * v.len();
+            mesh.positions.resize(mesh.positions.len() + 3 * n, 0.0);
+            mesh.normals.resize(mesh.normals.len() + 3 * n, 0.0);
+            mesh.uvs.extend(u.iter().flat_map(|u| v.iter().flat_map(|v| [*u as f32, *v as f32])));
+            append_triangles(&mut mesh.indices, base, u.len() as u32, v.len() as u32, self.placed.is_forwards());
+        }
+        mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
+    }
+
+    /// Fills positions and normals.
+    ///
+    /// # Errors
+    /// `overflow` for a point beyond single precision.
+    pub(super) fn fill(&self, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
+        let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
+        let patches = self.placed.solved().patches();
+        let firsts: Vec<usize> = self
+            .lines
+            .iter()
+            .scan(0, |first, lines| {
+                *first += lines.n_vertices();
+                Some(*first - lines.n_vertices())
+            })
+            .collect();
+        let outward = cofactors(self.placed.matrix()) * if self.placed.is_forwards() { 1.0 } else { -1.0 };
+        for ((patch, lines), first) in patches.iter().zip(&self.lines).zip(&firsts) {
+            let range = *first..first + lines.n_vertices();
+            if let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range)) {
+                self.fill_patch(*patch, lines, outward, positions, normals)?;
+            }
+        }
+        for (index, (patch, lines)) in patches.iter().zip(&self.lines).enumerate() {
+            for (side, met) in patch.sides().into_iter().enumerate() {
+                let Side::Shared { patch: other, side: others, is_reversed } = met else { continue };
+                // The first of the two has it.
+                if (other, others) < (index, side)
+                    && let (Some(theirs), Some(start)) = (self.lines.get(other), firsts.get(other))
+                {
+                    let mut from: Vec<usize> = along_side(theirs, others).map(|vertex| start + vertex).collect();
+                    if is_reversed {
+                        from.reverse();
+                    }
+                    for (to, from) in along_side(lines, side).zip(from) {
+                        positions[firsts[index] + to] = positions[from];
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_patch(
+        &self,
+        patch: &dyn Patch,
+        lines: &Lines,
+        outward: DMat3,
+        positions: &mut [[f32; 3]],
+        normals: &mut [[f32; 3]],
+    ) -> Result<()> {
+        let n_columns = lines.v.len();
+        for (i, u) in lines.u.iter().enumerate() {
+            let row = patch.row(*u);
+            for (j, v) in lines.v.iter().enumerate() {
+                let jet = row.jet(*v);
+                let normal = outward * direction(patch, (*u, *v), jet.du, jet.dv);
+                let position = self.placed.place(&jet).position.to_array().map(|x| x as f32);
+                if position.iter().any(|x| !x.is_finite()) {
+                    let message = format!(
+                        "the surface runs beyond what a mesh can hold at row {i}, column {j}; numbers up to 3e38 can be held"
+                    );
+                    return Err(Error::new(Code::Overflow, self.placed.own_path(), message));
+                }
+                let vertex = i * n_columns + j;
+                positions[vertex] = position;
+                normals[vertex] = normal.normalize_or(DVec3::Z).to_array().map(|x| x as f32);
+            }
+        }
+        for (side, met) in patch.sides().into_iter().enumerate() {
+            let here: Vec<usize> = along_side(lines, side).collect();
+            match met {
+                Side::Pole => here.iter().for_each(|vertex| positions[*vertex] = positions[here[0]]),
+                // The opposite side has it.
+                Side::Joined if side % 2 == 1 => {
+                    for (to, from) in here.into_iter().zip(along_side(lines, side - 1)) {
+                        (positions[to], normals[to]) = (positions[from], normals[from]);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+}
+
+/// `X_u x X_v` counts as vanished when it is this small against the lengths of both.
+const VANISHED: f64 = 1e-10;
+
+/// A direction along `X_u x X_v`, at a pole or a cusp its limit; the axis where there is none.
+fn direction(patch: &dyn Patch, (u, v): (f64, f64), du: DVec3, dv: DVec3) -> DVec3 {
+    let normal = du.cross(dv);
+    if normal.length() > VANISHED * du.length() * dv.length() {
+        return normal.normalize_or(DVec3::Z);
+    }
+    patch.normal_limit(u, v).unwrap_or(DVec3::Z)
+}
+
+/// The vertices of one side of a grid, in the order of the parameter that runs along it.
+fn along_side(lines: &Lines, side: usize) -> impl Iterator<Item = usize> + use<> {
+    let (rows, columns) = (lines.u.len(), lines.v.len());
+    let (first, step, n) = match side {
+        0 => (0, 1, columns),
+        1 => ((rows - 1) * columns, 1, columns),
+        2 => (0, columns, rows),
+        _ => (columns - 1, columns, rows),
+    };
+    (0..n).map(move |i| first + i * step)
+}

@@ -1,0 +1,63 @@
+//! What is asked of a patch.
+
+use glam::DVec3;
+
+use super::breaks::Breaks;
+use super::cell::{Cell, Suprema};
+use super::columns::{Columns, Spread};
+use super::jet::SurfaceJet;
+use super::row::Row;
+use super::side::Side;
+
+/// One piece `X(u, v)` over the unit square, before placement: smooth inside but for the knots that it names, creases on its sides.
+///
+/// Whatever is a patch can be meshed within a tolerance, measured and written as STEP: nothing above this room knows what a patch is made of.
+pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
+    /// Value, first and second derivatives, to rounding.
+    fn jet(&self, u: f64, v: f64) -> SurfaceJet;
+
+    /// The curve of one `u`, which shares what depends on `u` alone.
+    fn row(&self, u: f64) -> Box<dyn Row + '_> {
+        Box::new(Pointwise { patch: self, u })
+    }
+
+    /// Values of `v` for any number of rows, with what the jets there have in common.
+    fn columns(&self, spread: Spread) -> Columns {
+        Columns::plain(spread)
+    }
+
+    /// Suprema of `|X|`, `|X_uu|`, `|X_uv|`, `|X_vv|` on a cell, with the axes stretched by these factors.
+    fn suprema(&self, cell: Cell, stretch: [f64; 3]) -> Suprema;
+
+    /// How far `X` and the two triangles of a cell are apart at most, either way, with the axes stretched.
+    fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
+        self.suprema(cell, stretch).deviation(cell.lengths())
+    }
+
+    /// What resolves it along `u` and along `v`.
+    fn breaks(&self) -> [Breaks; 2];
+
+    /// The sides `u = 0`, `u = 1`, `v = 0`, `v = 1`.
+    fn sides(&self) -> [Side; 4];
+
+    /// The limit of the unit normal along `X_u x X_v` from inside, where that product vanishes; `None` where the surface is a curve or a point all over.
+    fn normal_limit(&self, u: f64, v: f64) -> Option<DVec3> {
+        super::normal_limit::normal_limit(&self.jet(u, v), (u, v), |u, v| self.jet(u, v))
+    }
+}
+
+/// The row of a patch whose points have nothing in common.
+struct Pointwise<'a, P: ?Sized> {
+    patch: &'a P,
+    u: f64,
+}
+
+impl<P: Patch + ?Sized> Row for Pointwise<'_, P> {
+    fn length(&self) -> f64 {
+        1.0
+    }
+
+    fn jet(&self, v: f64) -> SurfaceJet {
+        self.patch.jet(self.u, v)
+    }
+}

@@ -1,0 +1,153 @@
+//! Where the grid lines of patches are.
+
+use super::cell::Cell;
+use super::contract::Patch;
+use super::side::Side;
+
+/// Lines nearer to each other than this are one: a knot, and the same knot seen from the other end of its side.
+const SAME: f64 = 1e-9;
+
+/// A patch that closes round is cut into so many cells at least: with fewer it would be flat.
+const LEAST_ROUND: usize = 6;
+
+/// The lines of constant `u` and of constant `v` of one patch, from 0 to 1, ascending.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Lines {
+    pub(crate) u: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+}
+
+impl Lines {
+    /// Even lines.
+    pub(crate) fn even(rows: usize, columns: usize) -> Lines {
+        let even = |n: usize| (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
+        Lines { u: even(rows), v: even(columns) }
+    }
+
+    /// The fewest lines of patches of one shape, with which a closed one is not flat.
+    pub(crate) fn fewest_of(patches: &[&dyn Patch]) -> Vec<Lines> {
+        let mut lines: Vec<Lines> = patches.iter().map(|patch| Lines::fewest(*patch)).collect();
+        Lines::share(patches, &mut lines);
+        lines
+    }
+
+    /// Knots, and what a closed patch needs not to be flat.
+    fn fewest(patch: &dyn Patch) -> Lines {
+        let [along, round] = patch.breaks();
+        let sides = patch.sides();
+        let cut = |places: Vec<f64>, is_round: bool| {
+            let pieces = if is_round { LEAST_ROUND.div_ceil(places.len() - 1) } else { 1 };
+            let between = |pair: &[f64]| {
+                let (from, step) = (pair[0], (pair[1] - pair[0]) / pieces as f64);
+                (0..pieces).map(|i| from + i as f64 * step).collect::<Vec<f64>>()
+            };
+            places.windows(2).flat_map(between).chain([1.0]).collect()
+        };
+        Lines {
+            u: cut(along.with_ends(), sides[0] == Side::Joined),
+            v: cut(round.with_ends(), sides[2] == Side::Joined),
+        }
+    }
+
+    pub(crate) fn n_vertices(&self) -> usize {
+        self.u.len() * self.v.len()
+    }
+
+    /// The lines that a side is cut by.
+    fn across(&self, side: usize) -> &Vec<f64> {
+        if side < 2 { &self.v } else { &self.u }
+    }
+
+    fn across_mut(&mut self, side: usize) -> &mut Vec<f64> {
+        if side < 2 { &mut self.v } else { &mut self.u }
+    }
+
+    /// Every cell with the numbers of its lines.
+    fn cells(&self) -> impl Iterator<Item = (usize, usize, Cell)> {
+        let rows = self.u.windows(2).enumerate();
+        rows.flat_map(move |(i, u)| {
+            self.v.windows(2).enumerate().map(move |(j, v)| (i, j, Cell { u: [u[0], u[1]], v: [v[0], v[1]] }))
+        })
+    }
+
+    /// Halves the intervals of these numbers.
+    pub(crate) fn halve(lines: &mut Vec<f64>, mut intervals: Vec<usize>) {
+        intervals.sort_unstable();
+        intervals.dedup();
+        for i in intervals.into_iter().rev() {
+            let middle = 0.5 * (lines[i] + lines[i + 1]);
+            lines.insert(i + 1, middle);
+        }
+    }
+
+    /// Gives every patch the lines that its neighbours have across a shared side, until nothing is new.
+    pub(crate) fn share(patches: &[&dyn Patch], lines: &mut [Lines]) {
+        let mut is_new = true;
+        while is_new {
+            is_new = false;
+            for (index, patch) in patches.iter().enumerate() {
+                for (side, met) in patch.sides().into_iter().enumerate() {
+                    let Side::Shared { patch: other, side: others, is_reversed } = met else { continue };
+                    let wanted: Vec<f64> = lines[index].across(side).clone();
+                    let Some(other) = lines.get_mut(other) else { continue };
+                    for place in wanted {
+                        is_new |= insert(other.across_mut(others), if is_reversed { 1.0 - place } else { place });
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Lines for patches of one shape, with which every cell keeps a distance; `None` beyond so many vertices. Patches that share a side have the same lines across it.
+///
+/// A cell that does not is halved across the direction that adds more to its bound, and with it the strip of cells that has the same lines. The axes are stretched by these factors.
+pub(crate) fn lines_within(
+    patches: &[&dyn Patch],
+    stretch: [f64; 3],
+    distance: f64,
+    most_vertices: usize,
+) -> Option<Vec<Lines>> {
+    let mut lines = Lines::fewest_of(patches);
+    loop {
+        if lines.iter().map(Lines::n_vertices).sum::<usize>() > most_vertices {
+            return None;
+        }
+        let mut is_done = true;
+        for (patch, lines) in patches.iter().zip(&mut lines) {
+            let (mut rows, mut columns) = (Vec::new(), Vec::new());
+            for (i, j, cell) in lines.cells() {
+                if !(patch.deviation(cell, stretch) <= distance) {
+                    let ([p, q], suprema) = (cell.lengths(), patch.suprema(cell, stretch));
+                    if p * p * suprema.uu >= q * q * suprema.vv { rows.push(i) } else { columns.push(j) }
+                }
+            }
+            is_done &= rows.is_empty() && columns.is_empty();
+            Lines::halve(&mut lines.u, rows);
+            Lines::halve(&mut lines.v, columns);
+        }
+        if is_done {
+            return Some(lines);
+        }
+        Lines::share(patches, &mut lines);
+    }
+}
+
+/// The largest distance between patches and the triangles of their cells.
+pub(crate) fn deviation_of(patches: &[&dyn Patch], lines: &[Lines], stretch: [f64; 3]) -> f64 {
+    let of = |(patch, lines): (&&dyn Patch, &Lines)| {
+        lines.cells().map(|(_, _, cell)| patch.deviation(cell, stretch)).fold(0.0, f64::max)
+    };
+    patches.iter().zip(lines).map(of).fold(0.0, f64::max)
+}
+
+/// Whether a line was not there yet.
+fn insert(lines: &mut Vec<f64>, place: f64) -> bool {
+    let at = lines.partition_point(|line| *line < place);
+    let is_near = |line: Option<&f64>| line.is_some_and(|line| (line - place).abs() <= SAME);
+    if is_near(lines.get(at)) || is_near(at.checked_sub(1).and_then(|before| lines.get(before))) {
+        return false;
+    }
+    lines.insert(at, place);
+    true
+}

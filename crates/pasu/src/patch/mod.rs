@@ -1,0 +1,23 @@
+//! What every surface is made of: pieces over the unit square, and what can be asked of one.
+
+mod breaks;
+mod cell;
+mod columns;
+mod contract;
+#[cfg(test)]
+pub(crate) mod examples;
+mod jet;
+mod lines;
+mod normal_limit;
+mod row;
+mod side;
+
+pub(crate) use breaks::Breaks;
+pub(crate) use cell::{Cell, Suprema};
+pub(crate) use columns::{Columns, Spread};
+pub(crate) use contract::Patch;
+pub use jet::SurfaceJet;
+pub(crate) use lines::{Lines, deviation_of, lines_within};
+pub(crate) use normal_limit::normal_limit;
+pub(crate) use row::Row;
+pub(crate) use side::Side;

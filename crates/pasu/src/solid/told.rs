@@ -1,0 +1,28 @@
+//! Places and lengths as messages have them.
+
+use glam::DVec3;
+
+use crate::design::plain;
+
+/// A point as people read it, to four digits of its largest coordinate.
+pub(crate) fn place(at: DVec3) -> String {
+    let largest = at.abs().max_element();
+    let [x, y, z] = at.to_array().map(|x| rounded(x, largest));
+    format!("({x}, {y}, {z})")
+}
+
+/// A length as people read it, to four digits.
+pub(crate) fn short(x: f64) -> String {
+    rounded(x, x.abs())
+}
+
+/// A number to the fourth digit of another.
+fn rounded(x: f64, size: f64) -> String {
+    if !(size > 0.0 && size.is_finite()) {
+        return plain(x);
+    }
+    let digits = 3.0 - libm::floor(libm::log10(size));
+    let power = libm::pow(10.0, digits.clamp(-300.0, 300.0));
+    // Dividing by a power of ten, and not multiplying by a tenth of one, gives the nearest double; adding 0 takes the sign of -0.
+    plain(libm::round(x * power) / power + 0.0)
+}

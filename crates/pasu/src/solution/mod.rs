@@ -1,0 +1,14 @@
+//! What a design has become: every part solved once and placed.
+
+mod columns;
+mod placed;
+mod solved;
+mod upright;
+mod whole;
+
+pub(crate) use columns::Columns;
+pub(crate) use placed::Placed;
+#[cfg(test)]
+pub(crate) use solved::Solved;
+pub(crate) use upright::{Upright, Walk};
+pub use whole::Solution;

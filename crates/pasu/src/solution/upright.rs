@@ -1,0 +1,138 @@
+//! A placed surface from foot to rim.
+
+use core::f64::consts::TAU;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::columns::Columns;
+use super::placed::Placed;
+use crate::patch::{Patch, Row, Side, SurfaceJet};
+
+/// `X(s, v)` of a placed surface between two ends: `s = 0` is the foot, the end whose mean height along the placed z axis is the lower one, and `v` is in [0, 2 pi].
+#[derive(Debug, Clone)]
+pub(crate) struct Upright {
+    placed: Arc<Placed>,
+    /// Whether the foot is at `u = 0`.
+    is_upward: bool,
+    /// 1 where `X_s x X_v` points out of the pot, otherwise -1.
+    outward: f64,
+    /// The highest harmonic round the axis.
+    waves: f64,
+    is_closed: bool,
+}
+
+/// Jets of one place after the other: shares with the place before what depends on `s` alone.
+pub(crate) struct Walk<'a> {
+    upright: &'a Upright,
+    row: Option<(f64, Box<dyn Row + 'a>)>,
+}
+
+impl Upright {
+    /// A part whose shape has two ends; `None` for any other.
+    pub(crate) fn new(placed: &Arc<Placed>) -> Option<Upright> {
+        let patch = placed.solved().wall()?;
+        let [_, round] = patch.breaks();
+        let is_closed = patch.sides()[2] == Side::Joined;
+        let outward = if placed.is_forwards() { 1.0 } else { -1.0 };
+        let mut upright =
+            Upright { placed: Arc::clone(placed), is_upward: true, outward, waves: round.waves, is_closed };
+        let axis = placed.axis();
+        let [start, end] = [0.0, 1.0].map(|s| axis.dot(upright.centre(s)));
+        if end < start {
+            upright.is_upward = false;
+            upright.outward = -upright.outward;
+        }
+        Some(upright)
+    }
+
+    fn patch(&self) -> Option<&dyn Patch> {
+        self.placed.solved().wall()
+    }
+
+    pub(crate) fn placed(&self) -> &Placed {
+        &self.placed
+    }
+
+    /// Whether `s` is `u`, not `1 - u`.
+    pub(crate) fn is_upward(&self) -> bool {
+        self.is_upward
+    }
+
+    /// 1 where `X_s x X_v` points out of the pot, otherwise -1.
+    pub(crate) fn outward(&self) -> f64 {
+        self.outward
+    }
+
+    /// Whether the surface meets itself round the axis.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    /// How many waves go round at most.
+    pub(crate) fn waves(&self) -> f64 {
+        self.waves
+    }
+
+    /// Where `u` of the shape is.
+    pub(crate) fn along(&self, u: f64) -> f64 {
+        if self.is_upward { u } else { 1.0 - u }
+    }
+
+    /// The mean of a row.
+    pub(crate) fn centre(&self, s: f64) -> DVec3 {
+        let n = 2 * self.waves.min(1e4) as usize + 5;
+        let mut walk = self.walk();
+        (0..n).map(|j| walk.at(s, TAU * j as f64 / n as f64).position).sum::<DVec3>() / n as f64
+    }
+
+    /// Position and derivatives up to the second.
+    pub(crate) fn at(&self, s: f64, v: f64) -> SurfaceJet {
+        self.walk().at(s, v)
+    }
+
+    /// One place after the other.
+    pub(crate) fn walk(&self) -> Walk<'_> {
+        Walk { upright: self, row: None }
+    }
+
+    /// Even columns of this surface.
+    pub(crate) fn even_columns(&self, n: usize) -> Columns {
+        self.patch().map(|patch| Columns::even(patch, n)).unwrap_or_default()
+    }
+
+    /// Columns at places of their own.
+    pub(crate) fn columns_at(&self, places: Vec<f64>) -> Columns {
+        self.patch().map(|patch| Columns::at(patch, places)).unwrap_or_default()
+    }
+
+    fn stand(&self, row: &dyn Row, jet: &SurfaceJet) -> SurfaceJet {
+        let (along, round) = (if self.is_upward { 1.0 } else { -1.0 }, row.length() / TAU);
+        self.placed.place(jet).stretched(along, round)
+    }
+}
+
+impl<'a> Walk<'a> {
+    fn jet(&mut self, s: f64, of: impl FnOnce(&dyn Row) -> SurfaceJet) -> SurfaceJet {
+        let row = match self.row.take().filter(|row| row.0 == s) {
+            Some((_, row)) => row,
+            None => match self.upright.patch() {
+                Some(patch) => patch.row(self.upright.along(s)),
+                None => return SurfaceJet::default(),
+            },
+        };
+        let jet = self.upright.stand(&*row, &of(&*row));
+        self.row = Some((s, row));
+        jet
+    }
+
+    /// Position and derivatives up to the second.
+    pub(crate) fn at(&mut self, s: f64, v: f64) -> SurfaceJet {
+        self.jet(s, |row| row.jet(v / TAU))
+    }
+
+    /// The same at a column.
+    pub(crate) fn at_column(&mut self, s: f64, columns: &Columns, column: usize) -> SurfaceJet {
+        self.jet(s, |row| row.jet_at(columns.of_patch(), column))
+    }
+}

@@ -1,0 +1,166 @@
+//! A design and its solution, part by part.
+
+use std::sync::{Arc, OnceLock};
+
+use super::placed::Placed;
+use crate::design::{Design, Part};
+use crate::error::{Code, Error, Result};
+
+/// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked.
+///
+/// Everything that can be asked of a [`Design`] can be asked of its solution, with the same answers: whoever asks several things of one design keeps this.
+///
+/// ```
+/// use pasu::{Design, MeshOptions, Solution};
+///
+/// let solution = Solution::of(&Design::parse("#1/bloor-wilson?n1=5")?);
+/// let mesh = solution.mesh(&MeshOptions::default())?;
+/// assert_eq!(solution.fingerprint()?, pasu::fingerprint(solution.design())?);
+/// assert!(mesh.n_triangles() > 0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Solution {
+    design: Design,
+    parts: Vec<Slot>,
+}
+
+/// What a part has become, once something was asked of it.
+type Slot = OnceLock<Result<Arc<Placed>>>;
+
+impl Solution {
+    /// The solution of a design, of which nothing is computed yet.
+    pub fn of(design: &Design) -> Solution {
+        Solution { design: design.clone(), parts: design.parts().iter().map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The design.
+    pub fn design(&self) -> &Design {
+        &self.design
+    }
+
+    /// One part, solved and placed.
+    ///
+    /// # Errors
+    /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses.
+    pub(crate) fn part(&self, index: usize) -> Result<&Arc<Placed>> {
+        let (slot, part) = self.existing(index)?;
+        slot.get_or_init(|| Placed::new(part, index).map(Arc::new)).as_ref().map_err(Error::clone)
+    }
+
+    /// A part and where its solution is kept.
+    ///
+    /// # Errors
+    /// `no-such-point`.
+    pub(crate) fn existing(&self, index: usize) -> Result<(&Slot, &Part)> {
+        self.parts.get(index).zip(self.design.parts().get(index)).ok_or_else(|| {
+            let message = format!("expected a part from 0 to {}, found {index}", self.parts.len() - 1);
+            let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
+            error.with("greatest", self.parts.len() - 1).with("found", index)
+        })
+    }
+
+    /// The number of parts.
+    pub(crate) fn n_parts(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Every part in order.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Result<&Arc<Placed>>> {
+        (0..self.parts.len()).map(|index| self.part(index))
+    }
+}
+
+#[cfg(test)]
+impl Solution {
+    /// The parts of a design with other shapes in their place.
+    pub(crate) fn with(design: &Design, solved: Vec<super::Solved>) -> Solution {
+        let solution = Solution::of(design);
+        for (index, solved) in solved.into_iter().enumerate() {
+            let placed = Placed::of(solved, &design.parts()[index].place, index);
+            assert!(solution.parts[index].set(Ok(Arc::new(placed))).is_ok());
+        }
+        solution
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export::Format;
+    use crate::make::{Making, Size};
+    use crate::measure::{Map, MeasureOptions};
+    use crate::mesh::MeshOptions;
+    use crate::solid::Product;
+    use crate::surface::SOLVED;
+
+    /// How many shapes were solved meanwhile.
+    fn solved(what: impl FnOnce()) -> usize {
+        let before = SOLVED.get();
+        what();
+        SOLVED.get() - before
+    }
+
+    fn two_pots() -> Design {
+        let pot = |x: f64| {
+            format!(
+                r#"{{ "shape": {{ "kind": "fourth-order", "r0": 0.4, "r1": 0.3, "rm": 0.8, "h1": 2, "eta": [0.5, 0.5], "dz": [6, 6], "s": [1, 1], "t": [3, 3], "w": [1, 1] }},
+                "place": {{ "shift": [{x}, 0, 0] }}, "wall": {{ "thickness": 0.08, "base": 0.1, "rim": "rounded" }} }}"#
+            )
+        };
+        Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, pot(0.0), pot(3.0))).unwrap()
+    }
+
+    #[test]
+    fn each_part_is_solved_once_whatever_is_asked() {
+        let design = two_pots();
+        let (mesh, measures) = (MeshOptions::default(), MeasureOptions::default());
+        let by_capacity = Making { size: Some(Size::Capacity(100.0)), ..Making::default() };
+        assert_eq!(solved(|| drop(crate::mesh::mesh(&design, &mesh).unwrap())), 2);
+        assert_eq!(solved(|| drop(crate::measure::measure(&design, &measures).unwrap())), 2);
+        assert_eq!(solved(|| drop(crate::make::check(&design, &by_capacity).unwrap())), 2);
+        for format in [Format::Stl, Format::Step, Format::Svg] {
+            assert_eq!(solved(|| drop(crate::export::write(&design, format, &by_capacity).unwrap())), 2);
+        }
+        assert_eq!(solved(|| drop(crate::evaluate::evaluate(&design, 1, &[0.5, 0.0]).unwrap())), 1);
+        let solution = Solution::of(&design);
+        let all = || {
+            solution.mesh(&mesh).unwrap();
+            solution.bound(&mesh).unwrap();
+            solution.measure(&measures).unwrap();
+            solution.check(&by_capacity).unwrap();
+            solution.write(Format::Step, &by_capacity).unwrap();
+            solution.drawn(&by_capacity).unwrap();
+            solution.water(0.5).unwrap();
+            solution.paint(Map::Thickness, &mesh).unwrap();
+            solution.pot(1, Product::Pot).unwrap();
+            solution.fingerprint().unwrap();
+            solution.evaluate(0, &[0.5, 0.0]).unwrap();
+        };
+        assert_eq!(solved(all), 2);
+        assert_eq!(solved(all), 0);
+    }
+
+    #[test]
+    fn a_part_that_cannot_be_solved_is_refused_again_without_being_tried_again() {
+        let text = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "t": [-0.25, 0.5] } }] }"#;
+        let solution = Solution::of(&Design::parse(text).unwrap());
+        let mut refused = Vec::new();
+        let ask = || refused.extend([solution.fingerprint().unwrap_err(), solution.fingerprint().unwrap_err()]);
+        assert_eq!(solved(ask), 1);
+        assert_eq!(refused[0], refused[1]);
+    }
+
+    #[test]
+    fn answers_do_not_depend_on_what_was_asked_before() {
+        let design = two_pots();
+        let (first, second) = (Solution::of(&design), Solution::of(&design));
+        let making = Making::default();
+        let report = first.check(&making).unwrap();
+        let measures = first.measure(&MeasureOptions::default()).unwrap();
+        let file = first.write(Format::Step, &making).unwrap();
+        assert_eq!(second.write(Format::Step, &making).unwrap(), file);
+        assert_eq!(second.measure(&MeasureOptions::default()).unwrap(), measures);
+        assert_eq!(second.check(&making).unwrap(), report);
+    }
+}
