@@ -24,6 +24,8 @@ pub(crate) fn thrown(error: &pasu::Error) -> JsValue {
 /// Makes a panic leave the module as an error with the code `bug` in place of a bare trap.
 pub(crate) fn install_panic_hook() {
     std::panic::set_hook(Box::new(|panic| {
+        // Beside the stack that led to it, which the error loses on its way through a worker.
+        web_sys::console::error_1(&panic.to_string().into());
         let message = format!("Pasu made a mistake of its own; please report it together with the design. ({panic})");
         wasm_bindgen::throw_val(js_error(Code::Bug, "", &message).into());
     }));

@@ -16,11 +16,11 @@ mod into;
 mod making;
 mod mesh;
 mod options;
+mod plain;
 mod points;
 #[cfg(feature = "making")]
 mod sketch;
 mod source;
-mod value;
 
 use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
@@ -48,7 +48,12 @@ pub fn start() {
 #[wasm_bindgen]
 pub fn parse(source: &JsValue) -> Result<JsValue, JsValue> {
     let design = source::design(source).map_err(|error| thrown(&error))?;
-    js_sys::JSON::parse(&design.to_json())
+    plain_object(&design)
+}
+
+/// What is made of structs, lists and numbers as plain objects, as `JSON.parse` would make them.
+fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
+    Ok(value.serialize(&serde_wasm_bindgen::Serializer::json_compatible())?)
 }
 
 /// The link of a design, without the leading `#`.

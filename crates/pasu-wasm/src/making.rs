@@ -1,12 +1,12 @@
 //! What it takes to make a design, besides drawing it: measures, checks, files.
 
-use js_sys::{Array, Float32Array, JSON, Object, Uint8Array, Uint32Array};
+use js_sys::{Array, Float32Array, Object, Uint8Array, Uint32Array};
 use pasu::{DrawnFace, Format, Map};
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::mesh::set;
-use crate::{fields, options, source};
+use crate::{fields, options, plain_object, source};
 
 /// What can be measured, as a plain object.
 ///
@@ -15,7 +15,7 @@ use crate::{fields, options, source};
 #[wasm_bindgen]
 pub fn measure(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
     let measured = || pasu::measure(&source::design(source)?, &fields::measuring(options)?);
-    JSON::parse(&measured().map_err(|error| thrown(&error))?.to_json())
+    plain_object(&measured().map_err(|error| thrown(&error))?)
 }
 
 /// Whether the design can be made, as a plain object.
@@ -25,7 +25,7 @@ pub fn measure(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> 
 #[wasm_bindgen]
 pub fn check(source: &JsValue, making: &JsValue) -> Result<JsValue, JsValue> {
     let checked = || pasu::check(&source::design(source)?, &fields::making(making)?);
-    JSON::parse(&checked().map_err(|error| thrown(&error))?.to_json())
+    plain_object(&checked().map_err(|error| thrown(&error))?)
 }
 
 /// The bytes of a file.

@@ -1,54 +1,70 @@
 //! The options of `mesh`.
 
-use pasu::{Code, Error, MeshOptions, Result, Value};
+use pasu::{MeshOptions, Result};
+use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
 use wasm_bindgen::JsValue;
 
-use crate::value;
+use crate::source;
 
-/// The largest number of rows or columns that is handed on; which grids are too fine is `pasu`'s to say.
-const LARGEST: f64 = u32::MAX as f64;
-
-/// Reads `{ tolerance, rows, columns }`; all of it may be left out.
-pub(crate) fn read(options: &JsValue) -> Result<MeshOptions> {
-    let mut read = MeshOptions::default();
-    let fields = match value::read(options)? {
-        Value::Null => return Ok(read),
-        Value::Record(fields) => fields,
-        _ => return Err(Error::new(Code::WrongType, "options", "expected an object of options")),
-    };
-    for (name, value) in fields {
-        let path = format!("options.{name}");
-        match (name.as_str(), value) {
-            ("tolerance" | "rows" | "columns", Value::Null) => {}
-            ("tolerance", Value::Number(tolerance)) => read.tolerance = Some(tolerance),
-            ("rows", Value::Number(rows)) => read.rows = Some(count(rows, path)?),
-            ("columns", Value::Number(columns)) => read.columns = Some(count(columns, path)?),
-            ("tolerance" | "rows" | "columns", _) => {
-                return Err(Error::new(Code::WrongType, path, "expected a number"));
-            }
-            _ => {
-                let message = "there is no such option; expected tolerance, rows or columns";
-                return Err(Error::new(Code::UnknownField, path, message));
-            }
-        }
-    }
-    Ok(read)
+/// `{ tolerance, rows, columns }`.
+#[derive(serde::Deserialize)]
+#[serde(expecting = "an object of options")]
+struct Options {
+    tolerance: Option<f64>,
+    rows: Option<Count>,
+    columns: Option<Count>,
 }
 
-fn count(number: f64, path: String) -> Result<usize> {
-    if !number.is_finite() {
-        return Err(Error::new(
-            Code::NotFinite,
-            path,
-            format!("expected a whole number, found {}", Value::Number(number).described()),
-        ));
+/// Reads the options; all of them may be left out.
+pub(crate) fn read(options: &JsValue) -> Result<MeshOptions> {
+    let given = source::argument(options, "").map_err(|error| {
+        let dot = if error.path().is_empty() { "" } else { "." };
+        let path = format!("options{dot}{}", error.path());
+        error.at(path)
+    })?;
+    let Some(Options { tolerance, rows, columns }) = given else { return Ok(MeshOptions::default()) };
+    let count = |Count(count)| count;
+    Ok(MeshOptions { tolerance, rows: rows.map(count), columns: columns.map(count) })
+}
+
+/// A number of rows or columns. Which grids are too fine is `pasu`'s to say.
+struct Count(usize);
+
+impl<'de> Deserialize<'de> for Count {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {
+        deserializer.deserialize_f64(CountVisitor)
     }
-    if !(0.0..=LARGEST).contains(&number) || number.fract() != 0.0 {
-        return Err(Error::new(
-            Code::OutOfRange,
-            path,
-            format!("expected a whole number, found {}", Value::Number(number).described()),
-        ));
+}
+
+struct CountVisitor;
+
+impl Visitor<'_> for CountVisitor {
+    type Value = Count;
+
+    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("a whole number")
     }
-    Ok(number as usize)
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> core::result::Result<Count, E> {
+        if (0.0..=f64::from(u32::MAX)).contains(&number) && number.fract() == 0.0 {
+            Ok(Count(number as usize))
+        } else {
+            Err(E::invalid_value(Unexpected::Float(number), &self))
+        }
+    }
+}
+
+/// A number that is one.
+#[cfg(feature = "making")]
+pub(crate) struct Finite(pub(crate) f64);
+
+#[cfg(feature = "making")]
+impl<'de> Deserialize<'de> for Finite {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {
+        let number = f64::deserialize(deserializer)?;
+        match number.is_finite() {
+            true => Ok(Finite(number)),
+            false => Err(D::Error::invalid_value(Unexpected::Float(number), &"a number")),
+        }
+    }
 }

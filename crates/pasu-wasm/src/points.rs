@@ -1,18 +1,16 @@
 //! The arguments that name a part and points on it.
 
 use js_sys::{Array, Float32Array, Float64Array};
-use pasu::{Code, Error, Result, Value};
+use pasu::{Code, Error, Result};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The index of a part. Whether the design has it is `pasu`'s to say.
 pub(crate) fn part(part: &JsValue) -> Result<usize> {
     match part.as_f64() {
         Some(index) if index >= 0.0 && index <= f64::from(u32::MAX) && index.fract() == 0.0 => Ok(index as usize),
-        Some(index) => Err(Error::new(
-            Code::NoSuchPoint,
-            "part",
-            format!("expected the index of a part, found {}", Value::Number(index).described()),
-        )),
+        Some(index) => {
+            Err(Error::new(Code::NoSuchPoint, "part", format!("expected the index of a part, found {index}")))
+        }
         None => Err(Error::new(Code::WrongType, "part", "expected the index of a part, a number")),
     }
 }

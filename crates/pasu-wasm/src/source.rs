@@ -1,14 +1,20 @@
-//! The first argument of every function: a design as an object, as JSON text or as a link.
+//! What JavaScript hands over: a design as an object, as JSON text or as a link, and options.
 
 use pasu::{Design, Result};
+use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 
-use crate::value;
+use crate::plain::Plain;
 
 /// Reads a design from whatever JavaScript has.
 pub(crate) fn design(source: &JsValue) -> Result<Design> {
     match source.as_string() {
         Some(text) => Design::parse(&text),
-        None => Design::from_value(&value::read(source)?),
+        None => Design::read(Plain(source.clone())),
     }
+}
+
+/// Reads an argument that is no design; `path` is what it is called.
+pub(crate) fn argument<T: DeserializeOwned>(value: &JsValue, path: &str) -> Result<T> {
+    pasu::read(Plain(value.clone())).map_err(|error| if error.path().is_empty() { error.at(path) } else { error })
 }

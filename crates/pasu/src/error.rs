@@ -209,7 +209,7 @@ impl Error {
     }
 
     /// The same error at another path.
-    pub(crate) fn at(self, path: impl Into<String>) -> Self {
+    pub fn at(self, path: impl Into<String>) -> Self {
         Error { path: path.into(), ..self }
     }
 

@@ -43,11 +43,12 @@ mod solid;
 mod solution;
 mod surface;
 
+pub use design::read;
 #[cfg(feature = "typescript")]
 pub use design::typescript;
 pub use design::{
     Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
-    Order, Part, Placement, RimForm, SecondOrder, Shape, Side, Span, Unit, Value, Wall,
+    Order, Part, Placement, RimForm, SecondOrder, Shape, Side, Span, Unit, Wall,
 };
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};

@@ -3,6 +3,8 @@
 #[path = "support/documents.rs"]
 mod documents;
 mod support;
+#[path = "support/value.rs"]
+mod value;
 
 use std::collections::BTreeMap;
 
@@ -346,7 +348,7 @@ proptest! {
         places in proptest::collection::vec((any::<Index>(), any::<Index>()), 20),
         garbage in "[A-Za-z0-9_-]{1,12}",
     ) {
-        let design = Design::from_value(&value).unwrap();
+        let design = value.design().unwrap();
         let link = design.link();
         prop_assume!(link.starts_with("1~"));
         for (place, letter) in places {

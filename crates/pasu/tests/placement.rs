@@ -1,11 +1,15 @@
 //! Placements: the unique form of ASB88 against the reference, and by its properties.
 
+#[path = "support/value.rs"]
+mod value;
+
 use std::f64::consts::{PI, TAU};
 
-use pasu::{Design, Placement, Value};
+use pasu::{Design, Placement};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
+use value::Value;
 
 fn record<const N: usize>(fields: [(&str, Value); N]) -> Value {
     Value::Record(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
@@ -19,14 +23,14 @@ fn parsed(place: Value) -> pasu::Result<Placement> {
     let shape = record([("kind", Value::Text("second-order".into())), ("r", list([1.0, 0.1, 0.6, 0.06]))]);
     let part = record([("shape", shape), ("place", place)]);
     let design = record([("pasu", Value::Number(1.0)), ("parts", Value::List(vec![part]))]);
-    Ok(Design::from_value(&design)?.parts()[0].place)
+    Ok(design.design()?.parts()[0].place)
 }
 
 fn canonical(place: Value) -> Placement {
     parsed(place).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn value(place: &Placement) -> Value {
+fn given(place: &Placement) -> Value {
     record([
         ("scale", list(place.scale)),
         ("axis", list(place.axis)),
@@ -94,7 +98,7 @@ fn bits(place: &Placement) -> Vec<u64> {
 #[test]
 fn every_reference_placement() {
     let text = include_str!("reference/placements.json");
-    let Value::List(cases) = serde_json::from_str(text).unwrap() else { panic!("a list of cases") };
+    let Value::List(cases) = Value::of_json(text) else { panic!("a list of cases") };
     assert!(cases.len() >= 25);
     for case in &cases {
         let given = field(case, "given").unwrap();
@@ -175,7 +179,7 @@ proptest! {
     #[test]
     fn canonical_form_moves_nothing_and_is_its_own(given in place()) {
         let once = canonical(given.clone());
-        prop_assert_eq!(bits(&canonical(value(&once))), bits(&once));
+        prop_assert_eq!(bits(&canonical(crate::given(&once))), bits(&once));
         let [sx, sy, sz] = once.scale;
         prop_assert!(sx > 0.0 && sy != 0.0 && sz > 0.0);
         let [h, k, _] = once.axis;

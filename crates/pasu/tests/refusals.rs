@@ -1,6 +1,10 @@
 //! Every refusal of a document: its code, its path, and a message that says what was found and what was expected.
 
-use pasu::{Arg, Code, Design, Format, Making, MeshOptions, VERTEX_LIMIT, Value, evaluate, mesh, write};
+#[path = "support/value.rs"]
+mod value;
+
+use pasu::{Arg, Code, Design, Format, Making, MeshOptions, VERTEX_LIMIT, evaluate, mesh, write};
+use value::Value;
 
 const SHAPE: &str = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06] }"#;
 const GENERAL: &str = r#"{ "kind": "boundary-value", "span": 1, "x": X,
@@ -209,7 +213,7 @@ fn documents() {
             with_part(r#""wall": { "thickness": 1 }"#),
             "missing-field",
             "parts[0].wall.base",
-            "expected a number, found nothing".into(),
+            "expected 0 or a number greater than 0, found nothing".into(),
         ),
         (
             with_part(r#""wall": { "thickness": 1, "base": 1, "side": "left" }"#),
@@ -386,14 +390,14 @@ fn limits_of_size() {
 
 #[test]
 fn values_from_javascript() {
-    let read = |text: &str| serde_json::from_str::<Value>(text).unwrap();
+    let read = Value::of_json;
     // Undefined fields arrive as null and are not there.
     let value = read(&with_part(r#""name": null, "wall": null, "look": { "clay": null }, "colour": null"#));
-    assert_eq!(Design::from_value(&value), Design::parse(&with_shape(SHAPE)));
+    assert_eq!(value.design(), Design::parse(&with_shape(SHAPE)));
     // What is required must be there all the same.
     let value = read(&with_shape(r#"{ "kind": "second-order", "r": null }"#));
     let expected = ("missing-field", "parts[0].shape.r", "expected a list of 4 numbers, found nothing");
-    check(Design::from_value(&value), "r: undefined", expected);
+    check(value.design(), "r: undefined", expected);
 
     fn put(value: &mut Value, number: f64) {
         match value {
@@ -418,10 +422,10 @@ fn values_from_javascript() {
             let mut value = read(&text);
             put(&mut value, number);
             let message = format!("expected {expected}, found {name}");
-            check(Design::from_value(&value), &text, ("not-finite", path, &message));
+            check(value.design(), &text, ("not-finite", path, &message));
         }
     }
-    check(Design::from_value(&Value::Number(3.0)), "3", ("wrong-type", "", "expected a design, found 3"));
+    check(Value::Number(3.0).design(), "3", ("wrong-type", "", "expected a design, found 3"));
 }
 
 /// What a message names is also there as data, in the order of [`pasu::Error::args`], so that it can be said in another language.
@@ -443,6 +447,18 @@ fn arguments() {
             vec![("least", number(0.0)), ("below", number(50.0)), ("found", number(50.0))],
         ),
         (Design::parse("{").unwrap_err(), vec![]),
+        (
+            Design::parse(&with_part(r#""wall": { "thickness": -3, "base": 0 }"#)).unwrap_err(),
+            vec![("found", number(-3.0))],
+        ),
+        (
+            Design::parse(&with_shape(r#"{ "kind": "second-order", "r": [1, "2", 3, 4] }"#)).unwrap_err(),
+            vec![("found", Arg::Text("2".into()))],
+        ),
+        (
+            Design::parse("1/second-order?unit=m").unwrap_err(),
+            vec![("words", Arg::from(["cm", "mm", "in"].as_slice())), ("found", Arg::Text("m".into()))],
+        ),
     ];
     for (error, args) in cases {
         assert_eq!(error.args(), args, "{error}");

@@ -3,6 +3,8 @@
 #[path = "support/documents.rs"]
 mod documents;
 mod support;
+#[path = "support/value.rs"]
+mod value;
 
 use std::collections::BTreeMap;
 
@@ -379,7 +381,7 @@ proptest! {
     /// Numbers of any size, and tolerances too: a grid with a finite bound, or a refusal.
     #[test]
     fn the_oddest_design_is_bounded_or_refused(value in documents::document(), tolerance in prop::option::of(-12.0..12.0f64)) {
-        let design = Design::from_value(&value).unwrap();
+        let design = value.design().unwrap();
         for (rows, columns) in [(None, None), (Some(7), None), (None, Some(9)), (Some(30), Some(40))] {
             let options = MeshOptions { rows, columns, tolerance: tolerance.map(|power| 10f64.powf(power)) };
             match bound(&design, &options) {

@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 
+use serde::de::{Deserialize, Deserializer, Error as _, Unexpected};
 use serde::ser::{Serialize, Serializer};
 
 use super::limits::{BYTES, MODES, PARTS, VERSION};
+use super::number::plain;
 use super::part::Part;
-use super::path::Path;
-use super::reader::{self, Record};
-use super::table::{self, Entry, optional, required};
+use super::quantity::{is_default, or_default, whole};
 use super::unit::Unit;
 use super::value::Value;
-use super::{json, limits, link};
-use crate::error::{Code, Result};
+use super::{label, limits, link, list, reader, refusal, text};
+use crate::error::{Code, Error, Result};
 
 /// A design: what a person has chosen, from which everything else is computed.
 ///
@@ -33,18 +33,21 @@ use crate::error::{Code, Result};
 /// # Ok::<(), pasu::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Design {
+pub struct Design(Document);
+
+/// The fields of a document.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(expecting = "a design")]
+struct Document {
+    #[serde(deserialize_with = "whole")]
+    pasu: u32,
+    #[serde(deserialize_with = "label::read", skip_serializing_if = "Option::is_none")]
     title: Option<String>,
+    #[serde(deserialize_with = "or_default", skip_serializing_if = "is_default")]
     unit: Unit,
+    #[serde(deserialize_with = "parts")]
     parts: Vec<Part>,
 }
-
-pub(crate) const DESIGN: &[Entry] = &[
-    required("pasu", "1", "The version of the format."),
-    optional("title", "string", "At most 200 characters of plain text."),
-    optional("unit", "Unit", "What 1 means; centimetres when left out."),
-    required("parts", "readonly Part[]", "1 to 500 parts."),
-];
 
 impl Design {
     /// Reads a design from text: a JSON document, or a link as people send it: with or without `#`, inside its
@@ -62,7 +65,7 @@ impl Design {
     /// ```
     ///
     /// # Errors
-    /// As [`Design::from_value`]; `not-json` when a text that begins with `{` is not JSON; `damaged-link` when any
+    /// As [`Design::read`]; `not-json` when a text that begins with `{` is not JSON; `damaged-link` when any
     /// other is no link, or was altered on its way; `unknown-version` for the link of a newer version.
     pub fn parse(text: &str) -> Result<Design> {
         // Some editors put a byte order mark at the start of a file.
@@ -71,10 +74,10 @@ impl Design {
     }
 
     /// Reads a JSON document. A null in it is refused: no field may be null, and `JSON.stringify` writes one for NaN.
-    pub(crate) fn from_json(text: &str) -> Result<Design> {
-        let value = json::read(text)?;
+    pub(crate) fn from_json(json: &str) -> Result<Design> {
+        let value = text::read(json)?;
         let design = Design::from_value(&value)?;
-        reader::without_null(&value, &Path::Start(""))?;
+        without_null(&value)?;
         Ok(design)
     }
 
@@ -91,28 +94,33 @@ impl Design {
         link::write(self)
     }
 
-    /// Reads a design from any tree of plain data. A field that is null counts as absent: that is how a JavaScript
-    /// field arrives that is `undefined`.
+    /// Reads a design from any plain data whose reader refuses with this crate's [`Error`]: JavaScript objects, for example. A field that is null counts as absent,
+    /// which is how a JavaScript field arrives that is `undefined`. From other readers, [`Deserialize`] says the same in their errors.
+    ///
+    /// ```
+    /// use pasu::{Design, Error};
+    /// use serde::de::value::MapDeserializer;
+    ///
+    /// let fields = MapDeserializer::<_, Error>::new([("pasu", 2)].into_iter());
+    /// assert_eq!(Design::read(fields).unwrap_err().path(), "pasu");
+    /// ```
     ///
     /// # Errors
     /// Every refusal names the path, the value and what was expected: `unknown-field`, `missing-field`, `duplicate`,
     /// `wrong-type`, `not-finite`, `out-of-range`, `unknown-name`, `unknown-version`, `unsupported-shape`,
     /// `too-large`, and `overflow` when parameters are so large that their products cannot be held.
-    pub fn from_value(value: &Value) -> Result<Design> {
-        let record = Record::open(value, Path::Start(""), "a design")?;
-        check_version(&record)?;
-        let record = record.only(&table::names(DESIGN))?;
-        let title = match record.get("title") {
-            Some(value) => reader::label(value, &record.path.field("title"))?,
-            None => None,
-        };
-        let unit = Unit::read(&record, "unit")?;
-        let parts = read_parts(&record)?;
-        let design = Design { title, unit, parts };
+    pub fn read<'de, D: Deserializer<'de, Error = Error>>(source: D) -> Result<Design> {
+        Design::from_value(&reader::buffered(source)?)
+    }
+
+    pub(crate) fn from_value(value: &Value) -> Result<Design> {
+        check_version(value)?;
+        let document: Document = reader::read(value)?;
+        let design = Design(Document { parts: canonical(document.parts)?, ..document });
         let length = design.to_json().len();
         if length > BYTES {
             let message = format!("expected a design of at most {BYTES} bytes of JSON, found {length}");
-            return Err(record.path.error(Code::TooLarge, message));
+            return Err(Error::new(Code::TooLarge, "", message));
         }
         Ok(design)
     }
@@ -125,18 +133,7 @@ impl Design {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn to_json(&self) -> String {
-        json::write(&self.to_value())
-    }
-
-    /// The canonical document as a tree.
-    pub fn to_value(&self) -> Value {
-        let mut into = vec![("pasu".to_owned(), Value::Number(f64::from(VERSION)))];
-        if let Some(title) = &self.title {
-            into.push(("title".to_owned(), Value::Text(title.clone())));
-        }
-        self.unit.write("unit", &mut into);
-        into.push(("parts".to_owned(), Value::List(self.parts.iter().map(Part::value).collect())));
-        Value::Record(into)
+        text::write(&self.0)
     }
 
     /// The title, if it has one.
@@ -147,7 +144,7 @@ impl Design {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn title(&self) -> Option<&str> {
-        self.title.as_deref()
+        self.0.title.as_deref()
     }
 
     /// What 1 means.
@@ -158,7 +155,7 @@ impl Design {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn unit(&self) -> Unit {
-        self.unit
+        self.0.unit
     }
 
     /// The parts, in the order of the document; at least one.
@@ -169,61 +166,86 @@ impl Design {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn parts(&self) -> &[Part] {
-        &self.parts
+        &self.0.parts
     }
 }
 
 /// As the canonical document.
 impl Serialize for Design {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        self.to_value().serialize(serializer)
+        self.0.serialize(serializer)
+    }
+}
+
+/// As [`Design::read`].
+impl<'de> Deserialize<'de> for Design {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        Design::from_value(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
     }
 }
 
 /// Comes before every other check: a newer document may differ in any way.
-fn check_version(record: &Record) -> Result<()> {
-    let path = record.path.field("pasu");
+fn check_version(value: &Value) -> Result<()> {
+    let Value::Record(fields) = value else { return Ok(()) };
+    let given = fields.iter().find(|(name, _)| name == "pasu").map_or(&Value::Null, |(_, value)| value);
     let current = f64::from(VERSION);
-    match record.require("pasu", &format!("{VERSION}, the version of the format"))? {
-        Value::Number(version) if *version == current => Ok(()),
+    let code = match given {
+        Value::Number(version) if *version == current => return Ok(()),
         Value::Number(version) if *version > current => {
-            Err(path.error(Code::UnknownVersion, limits::newer("design", &super::number::plain(*version))))
+            return Err(Error::new(Code::UnknownVersion, "pasu", limits::newer("design", &plain(*version))));
         }
-        value => {
-            let message = format!("expected {VERSION}, the version of the format, found {}", value.described());
-            Err(path.error(Code::UnknownVersion, message))
-        }
+        Value::Null => Code::MissingField,
+        _ => Code::UnknownVersion,
+    };
+    let expected = format!("{VERSION}, the version of the format");
+    Err(refusal::refused(code, &expected, &given.described()).at("pasu"))
+}
+
+fn parts<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Vec<Part>, D::Error> {
+    let (expected, most) = (format!("a list of 1 to {PARTS} parts"), format!("at most {PARTS} parts"));
+    let parts = list::read(deserializer, &expected, Some((PARTS, &most)))?;
+    match parts.is_empty() {
+        true => Err(D::Error::invalid_value(Unexpected::Other("an empty list"), &expected.as_str())),
+        false => Ok(parts),
     }
 }
 
-fn read_parts(record: &Record) -> Result<Vec<Part>> {
-    let list = record.path.field("parts");
-    let expected = format!("a list of 1 to {PARTS} parts");
-    let items = reader::list(record.require("parts", &expected)?, &list, &expected)?;
-    if items.is_empty() {
-        return Err(list.error(Code::OutOfRange, format!("expected {expected}, found an empty list")));
-    }
-    if items.len() > PARTS {
-        return Err(list.error(Code::TooLarge, format!("expected at most {PARTS} parts, found {}", items.len())));
-    }
-    let mut parts = Vec::with_capacity(items.len());
+/// The parts in canonical form, within the limits that all of them have together.
+fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
+    let mut parts = Vec::with_capacity(given.len());
     let mut names = BTreeMap::new();
-    let mut n_modes = 0;
-    for (index, item) in items.iter().enumerate() {
-        let path = list.item(index);
-        let part = Part::read(item, path)?;
-        n_modes += part.shape.problem().n_modes();
-        if n_modes > MODES {
+    let mut cost = 0;
+    for (index, part) in given.into_iter().enumerate() {
+        let refused = |error: Error| error.inside_item(index).inside_field("parts");
+        let part = Part { shape: part.shape.finite().map_err(|error| refused(error.inside_field("shape")))?, ..part };
+        cost += part.shape.cost();
+        if cost > MODES {
             let message = format!("expected at most {MODES} modes in the whole design; this part exceeds them");
-            return Err(path.field("shape").error(Code::TooLarge, message));
+            return Err(refused(Error::new(Code::TooLarge, "shape", message)));
         }
         if let Some(name) = &part.name
             && let Some(earlier) = names.insert(name.clone(), index)
         {
             let message = format!("expected a name of its own, found {name:?}, the name of parts[{earlier}]");
-            return Err(path.field("name").error(Code::Duplicate, message));
+            return Err(refused(Error::new(Code::Duplicate, "name", message)));
         }
-        parts.push(part.canonical(&path)?);
+        parts.push(part.canonical().map_err(refused)?);
     }
     Ok(parts)
+}
+
+/// Refuses a tree with a null in it.
+fn without_null(value: &Value) -> Result<()> {
+    match value {
+        Value::Null => Err(Error::new(Code::WrongType, "", "expected a value, found null")),
+        Value::List(items) => {
+            let mut items = items.iter().enumerate();
+            items.try_for_each(|(index, item)| without_null(item).map_err(|error| error.inside_item(index)))
+        }
+        Value::Record(fields) => {
+            let mut fields = fields.iter();
+            fields.try_for_each(|(name, value)| without_null(value).map_err(|error| error.inside_field(name)))
+        }
+        Value::Bool(_) | Value::Number(_) | Value::Text(_) => Ok(()),
+    }
 }

@@ -1,10 +1,12 @@
 //! Records made of numbers: one table of fields that reads, writes, rounds and describes them.
 
+use std::fmt;
+
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
+use serde::ser::{SerializeStruct, Serializer};
+
 use super::number::{rounded, shortest};
-use super::path::Path;
-use super::reader::{self, Range, Record};
-use super::value::Value;
-use crate::error::Result;
+use super::quantity::{Range, Size, Written, read_into};
 
 /// One field of a record of numbers.
 #[derive(Debug, Clone, Copy)]
@@ -19,13 +21,6 @@ pub(crate) struct Field {
     pub(crate) about: &'static [&'static str],
 }
 
-/// One number, or a list of so many.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Size {
-    One,
-    List(usize),
-}
-
 /// Whether a document may leave the field out; it then has the value of [`Fields::START`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Need {
@@ -34,6 +29,8 @@ pub(crate) enum Need {
 }
 
 /// A record all of whose fields are numbers or lists of numbers of fixed length.
+///
+/// `serde` reads and writes it by the table ([`read`], [`write`]) and not by a derive, which knows nothing of ranges and of what a link starts from.
 pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
     /// The fields in the order of the format.
     const FIELDS: &'static [Field];
@@ -45,35 +42,6 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
     fn numbers(&self) -> Vec<&[f64]>;
     /// The same, to be changed.
     fn numbers_mut(&mut self) -> Vec<&mut [f64]>;
-
-    /// Reads the fields from an object that may have others as well.
-    fn read(record: &Record) -> Result<Self> {
-        let mut read = Self::START;
-        for (field, numbers) in Self::FIELDS.iter().zip(read.numbers_mut()) {
-            let value = match field.need {
-                Need::Required => record.require(field.name, &field.size.words())?,
-                Need::Optional => match record.get(field.name) {
-                    Some(value) => value,
-                    None => continue,
-                },
-            };
-            let path = record.path.field(field.name);
-            match (field.size, numbers) {
-                (Size::One, [number]) => *number = reader::number(value, &path, field.range)?,
-                (_, numbers) => reader::numbers(value, &path, field.range, numbers)?,
-            }
-        }
-        Ok(read)
-    }
-
-    /// The fields of the canonical document: without those that may be left out and have their default.
-    fn write(&self, into: &mut Vec<(String, Value)>) {
-        for ((field, numbers), start) in Self::FIELDS.iter().zip(self.numbers()).zip(Self::START.numbers()) {
-            if field.need == Need::Required || numbers != start {
-                into.push((field.name.to_owned(), field.size.value(numbers)));
-            }
-        }
-    }
 
     /// The fields that differ from [`Fields::START`], as a link writes them: `r=1,.2,.1,.8`.
     fn link_fields(&self) -> Vec<String> {
@@ -98,70 +66,136 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
     }
 }
 
-impl Size {
-    fn words(self) -> String {
-        match self {
-            Size::One => "a number".into(),
-            Size::List(length) => format!("a list of {length} numbers"),
+/// What [`read`] and [`write`] have to know of a record besides its numbers.
+pub(crate) struct Table {
+    pub(crate) record: &'static str,
+    /// What it is, for a message.
+    pub(crate) what: &'static str,
+    pub(crate) names: &'static [&'static str],
+    pub(crate) fields: &'static [Field],
+}
+
+/// Reads the fields into the places of their numbers. What is left out and may be stays as it is.
+pub(crate) fn read<'de, D: Deserializer<'de>>(
+    deserializer: D,
+    table: &Table,
+    places: Vec<&mut [f64]>,
+) -> Result<(), D::Error> {
+    deserializer.deserialize_struct(table.record, table.names, Places { table, places })
+}
+
+/// Writes the fields of the canonical document: without those that may be left out and have their default.
+pub(crate) fn write<S: Serializer>(
+    serializer: S,
+    table: &Table,
+    numbers: &[&[f64]],
+    start: &[&[f64]],
+) -> Result<S::Ok, S::Error> {
+    let fields = || table.fields.iter().zip(numbers).zip(start);
+    let written = || fields().filter(|((field, numbers), start)| field.need == Need::Required || numbers != start);
+    let mut record = serializer.serialize_struct(table.record, written().count())?;
+    for ((field, numbers), _) in written() {
+        record.serialize_field(field.name, &Written(field.size, numbers))?;
+    }
+    record.end()
+}
+
+struct Places<'a, 'b> {
+    table: &'a Table,
+    places: Vec<&'b mut [f64]>,
+}
+
+impl<'de> Visitor<'de> for Places<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.table.what)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(mut self, mut given: A) -> Result<(), A::Error> {
+        let fields = self.table.fields;
+        let mut is_given = vec![false; fields.len()];
+        while let Some(index) = given.next_key_seed(Index(self.table))? {
+            if std::mem::replace(&mut is_given[index], true) {
+                return Err(A::Error::duplicate_field(fields[index].name));
+            }
+            given.next_value_seed(Place { field: &fields[index], numbers: self.places[index] })?;
+        }
+        match fields.iter().zip(is_given).find(|(field, is_given)| field.need == Need::Required && !is_given) {
+            Some((field, _)) => Err(A::Error::missing_field(field.name)),
+            None => Ok(()),
         }
     }
+}
 
-    fn value(self, numbers: &[f64]) -> Value {
-        match (self, numbers) {
-            (Size::One, [number]) => Value::Number(*number),
-            (_, numbers) => Value::List(numbers.iter().map(|x| Value::Number(*x)).collect()),
+/// Reads the name of a field as its index.
+struct Index<'a>(&'a Table);
+
+impl<'de> DeserializeSeed<'de> for Index<'_> {
+    type Value = usize;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<usize, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl Visitor<'_> for Index<'_> {
+    type Value = usize;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a field")
+    }
+
+    fn visit_str<E: Error>(self, name: &str) -> Result<usize, E> {
+        let index = self.0.names.iter().position(|known| *known == name);
+        index.ok_or_else(|| E::unknown_field(name, self.0.names))
+    }
+}
+
+/// Reads one field.
+struct Place<'a> {
+    field: &'static Field,
+    numbers: &'a mut [f64],
+}
+
+impl<'de> DeserializeSeed<'de> for Place<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        match self.field.need {
+            Need::Required => self.visit_some(deserializer),
+            Need::Optional => deserializer.deserialize_option(self),
         }
     }
 }
 
-/// The names of the fields, for [`Record::only`].
-pub(crate) fn names<T: Fields>() -> Vec<&'static str> {
-    T::FIELDS.iter().map(|field| field.name).collect()
-}
+impl<'de> Visitor<'de> for Place<'_> {
+    type Value = ();
 
-/// An object that has the fields of `T` and no others.
-pub(crate) fn read_record<T: Fields>(value: &Value, path: Path, what: &str) -> Result<T> {
-    T::read(&Record::open(value, path, what)?.only(&names::<T>())?)
-}
-
-/// One number or an array of them.
-pub(crate) trait Quantity {
-    const SIZE: Size;
-    fn as_numbers(&self) -> &[f64];
-    fn as_numbers_mut(&mut self) -> &mut [f64];
-}
-
-impl Quantity for f64 {
-    const SIZE: Size = Size::One;
-
-    fn as_numbers(&self) -> &[f64] {
-        std::slice::from_ref(self)
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.field.size.words())
     }
 
-    fn as_numbers_mut(&mut self) -> &mut [f64] {
-        std::slice::from_mut(self)
-    }
-}
-
-impl<const N: usize> Quantity for [f64; N] {
-    const SIZE: Size = Size::List(N);
-
-    fn as_numbers(&self) -> &[f64] {
-        self
+    fn visit_none<E>(self) -> Result<(), E> {
+        Ok(())
     }
 
-    fn as_numbers_mut(&mut self) -> &mut [f64] {
-        self
+    fn visit_unit<E>(self) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn visit_some<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        read_into(deserializer, self.field.size, self.field.range, self.numbers)
     }
 }
 
 /// Declares a struct of numbers together with its table of fields, so that the two cannot disagree.
 ///
-/// A field reads `name: type = start, Need, Range;`. The document knows it by the same name.
+/// After its name stands what it is, for a message. A field reads `name: type = start, Need, Range;`. The document knows it by the same name.
 macro_rules! fields {
     (
         $(#[$about:meta])*
-        pub struct $record:ident {
+        pub struct $record:ident, $what:literal {
             $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $start:expr, $need:ident, $range:ident; )+
         }
     ) => {
@@ -177,9 +211,9 @@ macro_rules! fields {
             const FIELDS: &'static [$crate::design::fields::Field] = &[
                 $( $crate::design::fields::Field {
                     name: stringify!($field),
-                    size: <$type as $crate::design::fields::Quantity>::SIZE,
+                    size: <$type as $crate::design::quantity::Quantity>::SIZE,
                     need: $crate::design::fields::Need::$need,
-                    range: $crate::design::reader::Range::$range,
+                    range: $crate::design::quantity::Range::$range,
                     #[cfg(feature = "typescript")]
                     about: &[$($doc),+],
                 }, )+
@@ -187,11 +221,36 @@ macro_rules! fields {
             const START: Self = $record { $( $field: $start, )+ };
 
             fn numbers(&self) -> Vec<&[f64]> {
-                vec![$( $crate::design::fields::Quantity::as_numbers(&self.$field), )+]
+                vec![$( $crate::design::quantity::Quantity::as_numbers(&self.$field), )+]
             }
 
             fn numbers_mut(&mut self) -> Vec<&mut [f64]> {
-                vec![$( $crate::design::fields::Quantity::as_numbers_mut(&mut self.$field), )+]
+                vec![$( $crate::design::quantity::Quantity::as_numbers_mut(&mut self.$field), )+]
+            }
+        }
+
+        impl $record {
+            const TABLE: $crate::design::fields::Table = $crate::design::fields::Table {
+                record: stringify!($record),
+                what: $what,
+                names: &[$( stringify!($field) ),+],
+                fields: <Self as $crate::design::fields::Fields>::FIELDS,
+            };
+        }
+
+        impl<'de> serde::Deserialize<'de> for $record {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> ::std::result::Result<Self, D::Error> {
+                use $crate::design::fields::{Fields, read};
+                let mut record = Self::START;
+                read(deserializer, &Self::TABLE, record.numbers_mut())?;
+                Ok(record)
+            }
+        }
+
+        impl serde::Serialize for $record {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> ::std::result::Result<S::Ok, S::Error> {
+                use $crate::design::fields::{Fields, write};
+                write(serializer, &Self::TABLE, &self.numbers(), &Self::START.numbers())
             }
         }
     };

@@ -1,19 +1,20 @@
 //! What a part is made of and covered with.
 
+use serde::{Deserialize, Serialize};
+
 use super::names::names;
-use super::path::Path;
-use super::reader::Record;
-use super::table::{self, Entry, optional};
-use super::value::Value;
-use crate::error::Result;
+use super::quantity::{is_default, or_default};
 
 /// The clay and the glaze of a part. They change no geometry.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(expecting = "a look with glaze and clay")]
 #[non_exhaustive]
 pub struct Look {
     /// What covers the part.
+    #[serde(deserialize_with = "or_default", skip_serializing_if = "is_default")]
     pub glaze: Glaze,
     /// What the part is made of.
+    #[serde(deserialize_with = "or_default", skip_serializing_if = "is_default")]
     pub clay: Clay,
 }
 
@@ -52,22 +53,5 @@ names! {
         Terracotta = "terracotta",
         /// Black.
         Black = "black",
-    }
-}
-
-pub(crate) const LOOK: &[Entry] = &[
-    optional("glaze", "GlazeName", "What covers the part; celadon when left out."),
-    optional("clay", "ClayName", "What the part is made of; stoneware when left out."),
-];
-
-impl Look {
-    pub(crate) fn read(value: &Value, path: Path) -> Result<Self> {
-        let record = Record::open(value, path, "a look with glaze and clay")?.only(&table::names(LOOK))?;
-        Ok(Look { glaze: Glaze::read(&record, "glaze")?, clay: Clay::read(&record, "clay")? })
-    }
-
-    pub(crate) fn write(self, into: &mut Vec<(String, Value)>) {
-        self.glaze.write("glaze", into);
-        self.clay.write("clay", into);
     }
 }

@@ -1,23 +1,27 @@
 //! The design document: what a person has chosen, as data.
 
 mod boundary_value;
-mod decimal;
+mod described;
 mod document;
 mod family;
 mod fields;
-mod json;
+mod label;
 mod limits;
 mod link;
+mod list;
 mod look;
 mod modes;
 mod names;
 mod number;
 mod part;
-mod path;
 mod placement;
+mod quantity;
 mod reader;
+mod refusal;
 mod shape;
-mod table;
+#[cfg(feature = "typescript")]
+mod tables;
+mod text;
 #[cfg(feature = "typescript")]
 mod typescript;
 mod unit;
@@ -27,15 +31,15 @@ mod wall;
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
-pub(crate) use json::write as to_json;
-pub(crate) use json::write as write_json;
 pub use look::{Clay, Glaze, Look};
 pub(crate) use number::{plain, rounded};
 pub use part::Part;
 pub use placement::Placement;
+pub use reader::read_from as read;
 pub use shape::Shape;
+pub(crate) use text::write as to_json;
 #[cfg(feature = "typescript")]
 pub use typescript::typescript;
 pub use unit::Unit;
-pub use value::Value;
+pub(crate) use value::Value;
 pub use wall::{RimForm, Side, Wall};

@@ -4,8 +4,7 @@ use std::f64::consts::PI;
 
 use super::fields::fields;
 use super::number::{rounded, rounded_in_unit};
-use super::path::Path;
-use crate::error::{Code, Result};
+use crate::error::{Code, Error, Result};
 
 fields! {
     /// The placement of a part: scale, then rotation, then shift.
@@ -13,7 +12,7 @@ fields! {
     /// In a [`Design`](crate::Design) it is canonical, so that equal placements have equal numbers: `scale` has
     /// `Sx, Sz > 0`, and the sign of `Sy` says whether the part is mirrored; `axis = (h, k, l)` is a unit vector with
     /// `k > 0`, or `k = 0` and `h > 0`, or (0, 0, 1); `angle` lies in [-pi, pi); a turn by 0 has the axis (0, 0, 1).
-    pub struct Placement {
+    pub struct Placement, "a placement" {
         /// Factors along x, y and z, before turning.
         scale: [f64; 3] = [1.0, 1.0, 1.0], Optional, NotZero;
         /// The direction of the axis of rotation.
@@ -60,10 +59,10 @@ impl Placement {
     ///
     /// # Errors
     /// `out-of-range` when the axis has no direction.
-    pub(crate) fn canonical(self, path: &Path) -> Result<Self> {
+    pub(crate) fn canonical(self) -> Result<Self> {
         let Some(axis) = direction(self.axis) else {
             let message = "expected the direction of an axis, found [0, 0, 0]";
-            return Err(path.field("axis").error(Code::OutOfRange, message));
+            return Err(Error::new(Code::OutOfRange, "axis", message));
         };
         let mut turn = Turn { axis, angle: principal(self.angle) };
         let mut scale = self.scale.map(rounded);
@@ -175,11 +174,10 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::design::fields::{self, Fields};
-    use crate::design::value::Value;
+    use crate::design::fields::Fields;
 
     fn canonical(place: Placement) -> Placement {
-        place.canonical(&Path::Start("place")).unwrap()
+        place.canonical().unwrap()
     }
 
     /// The largest distance between two placements' images of the corners of the unit cube.
@@ -196,26 +194,18 @@ mod tests {
         largest
     }
 
-    fn read(value: &Value) -> Placement {
-        fields::read_record(value, Path::Start("place"), "a placement").unwrap()
+    #[derive(serde::Deserialize)]
+    struct Case {
+        given: Placement,
+        canonical: Placement,
     }
 
     #[test]
     fn every_reference_placement() {
         let text = include_str!("../../tests/reference/placements.json");
-        let cases: Vec<Vec<(String, Value)>> = match serde_json::from_str(text).unwrap() {
-            Value::List(cases) => cases
-                .into_iter()
-                .map(|case| match case {
-                    Value::Record(fields) => fields,
-                    other => panic!("{other:?}"),
-                })
-                .collect(),
-            other => panic!("{other:?}"),
-        };
+        let cases: Vec<Case> = serde_json::from_str(text).unwrap();
         assert_eq!(cases.len(), 25);
-        for case in cases {
-            let (given, expected) = (read(&case[0].1), read(&case[1].1));
+        for Case { given, canonical: expected } in cases {
             let found = canonical(given);
             for (found, expected) in found.numbers().concat().iter().zip(expected.numbers().concat()) {
                 assert!((found - expected).abs() < 1e-9, "{given:?}\n{found:?}\n{expected:?}");
@@ -242,8 +232,8 @@ mod tests {
         assert_eq!(place([0.0, 1.0, 0.0], 3.14159265358).angle, 3.14159265358);
         assert_eq!(place([3e200, 0.0, -4e200], 1.0).axis, [0.6, 0.0, -0.8]);
         assert_eq!(place([5e-324, 0.0, 0.0], 1.0).axis, [1.0, 0.0, 0.0]);
-        let error = Placement { axis: [0.0; 3], ..Placement::default() }.canonical(&Path::Start("place")).unwrap_err();
-        assert_eq!(error.to_string(), "place.axis: expected the direction of an axis, found [0, 0, 0]");
+        let error = Placement { axis: [0.0; 3], ..Placement::default() }.canonical().unwrap_err();
+        assert_eq!(error.to_string(), "axis: expected the direction of an axis, found [0, 0, 0]");
     }
 
     /// Zeros of both signs, ones, multiples of right angles, noise beside them, tiny and huge numbers.

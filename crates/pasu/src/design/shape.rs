@@ -1,132 +1,138 @@
-//! The shape of one part: a named family, or the general boundary-value shape into which each family expands.
+//! The shape of one part: one of several kinds, each of which describes itself in its own room ([`Described`]).
 
 use std::borrow::Cow;
 
+use serde::{Deserialize, Serialize, Serializer};
+
 use super::boundary_value::BoundaryValue;
+use super::described::{Described, Family};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
-use super::fields::{self, Field, Fields};
-use super::modes;
-use super::path::Path;
-use super::reader::{self, Record};
-use super::table;
-use super::value::Value;
-use crate::error::{Code, Result};
+use super::{reader, text};
+use crate::error::Result;
 
-/// A surface as the document describes it.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum Shape {
+/// Declares the kinds of shapes, each by one line: a variant with its type, and the word in a document's `kind`.
+macro_rules! shapes {
+    ($( $(#[$about:meta])+ $kind:ident = $name:literal, )+) => {
+        /// A surface as the document describes it.
+        #[derive(Debug, Clone, PartialEq, Deserialize)]
+        // The reader of documents finds the variant of an enum of this name in the field `kind`.
+        #[serde(rename = "kind", expecting = "a shape")]
+        #[non_exhaustive]
+        pub enum Shape {
+            $( $(#[$about])+ #[serde(rename = $name)] $kind($kind), )+
+        }
+
+        /// All kinds, in the order of the format.
+        pub(crate) const KINDS: &[Kind] = &[$( Kind {
+            name: $name,
+            family: <$kind as Described>::FAMILY,
+            #[cfg(feature = "typescript")]
+            type_name: stringify!($kind),
+            #[cfg(feature = "typescript")]
+            typescript: <$kind as Described>::typescript,
+        }, )+];
+
+        impl Serialize for Shape {
+            fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+                #[derive(Serialize)]
+                #[serde(tag = "kind")]
+                enum Tagged<'a> {
+                    $( #[serde(rename = $name)] $kind(&'a $kind), )+
+                }
+                match self {
+                    $( Shape::$kind(shape) => Tagged::$kind(shape).serialize(serializer), )+
+                }
+            }
+        }
+
+        impl Shape {
+            /// The word in a document's `kind`.
+            pub(crate) fn kind(&self) -> &'static str {
+                match self {
+                    $( Shape::$kind(_) => $name, )+
+                }
+            }
+
+            /// The boundary-value problem without a copy of what stands in the document: the one place where families expand.
+            pub(crate) fn problem(&self) -> Cow<'_, BoundaryValue> {
+                match self {
+                    $( Shape::$kind(shape) => shape.problem(), )+
+                }
+            }
+
+            /// How many modes have to be solved.
+            pub(crate) fn cost(&self) -> usize {
+                match self {
+                    $( Shape::$kind(shape) => shape.cost(), )+
+                }
+            }
+
+            /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
+            pub(crate) fn link(&self) -> Option<Vec<String>> {
+                match self {
+                    $( Shape::$kind(shape) => shape.link(), )+
+                }
+            }
+
+            /// Refuses parameters within the range of numbers whose products leave it.
+            pub(crate) fn finite(self) -> Result<Shape> {
+                match self {
+                    $( Shape::$kind(shape) => shape.finite().map(Shape::$kind), )+
+                }
+            }
+
+            /// The one way of writing this surface to twelve significant digits.
+            pub(crate) fn canonical(self) -> Result<Shape> {
+                match self {
+                    $( Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+
+                }
+            }
+        }
+    };
+}
+
+shapes! {
     /// `second-order`, ZY01 eqs 1-8.
-    SecondOrder(SecondOrder),
+    SecondOrder = "second-order",
     /// `mixed-order`, ZY01 eqs 9-12.
-    MixedOrder(MixedOrder),
+    MixedOrder = "mixed-order",
     /// `fourth-order`, ZY01 eqs 13-17.
-    FourthOrder(FourthOrder),
+    FourthOrder = "fourth-order",
     /// `bloor-wilson`, IA eqs 15-18.
-    BloorWilson(BloorWilson),
+    BloorWilson = "bloor-wilson",
     /// `boundary-value`: any Fourier boundary data.
-    BoundaryValue(BoundaryValue),
+    BoundaryValue = "boundary-value",
 }
 
-/// The word in a document's `kind`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    SecondOrder,
-    MixedOrder,
-    FourthOrder,
-    BloorWilson,
-    BoundaryValue,
-}
-
-impl Kind {
-    /// In the order of [`Kind::NAMES`].
-    const ALL: [Kind; 5] =
-        [Kind::SecondOrder, Kind::MixedOrder, Kind::FourthOrder, Kind::BloorWilson, Kind::BoundaryValue];
-    const NAMES: [&str; 5] = ["second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value"];
-    /// Kinds of the format that this version cannot compute.
-    const LATER: [&str; 3] = ["vertex-frame", "blend", "octant"];
-
-    pub(crate) fn name(self) -> &'static str {
-        Kind::NAMES[self as usize]
-    }
-
-    fn read(record: &Record) -> Result<Self> {
-        let value = record.require("kind", &reader::alternatives(&Kind::NAMES))?;
-        Kind::among(value, &record.path.field("kind"), &Kind::NAMES)
-    }
-
-    /// Reads the kind of a readable link: a named family.
-    pub(crate) fn read_family(name: &str, path: &Path) -> Result<Self> {
-        let families = &Kind::NAMES[..Kind::BoundaryValue as usize];
-        Kind::among(&Value::Text(name.to_owned()), path, families)
-    }
-
-    fn among(value: &Value, path: &Path, names: &[&str]) -> Result<Self> {
-        if let Value::Text(text) = value
-            && let Some(later) = Kind::LATER.iter().find(|name| *name == text)
-        {
-            let known = reader::alternatives(names);
-            let message = format!("this version of Pasu cannot compute the shape {later:?} yet; expected {known}");
-            return Err(path.error(Code::UnsupportedShape, message));
-        }
-        Ok(Kind::ALL[reader::name(value, path, names)?])
-    }
-
-    /// The parameters of a named family.
-    pub(crate) fn fields(self) -> &'static [Field] {
-        match self {
-            Kind::SecondOrder => SecondOrder::FIELDS,
-            Kind::MixedOrder => MixedOrder::FIELDS,
-            Kind::FourthOrder => FourthOrder::FIELDS,
-            Kind::BloorWilson => BloorWilson::FIELDS,
-            Kind::BoundaryValue => &[],
-        }
-    }
-
-    /// The document fields of the shape that a link of this kind starts from.
-    pub(crate) fn start(self) -> Vec<(String, Value)> {
-        let shape = match self {
-            Kind::SecondOrder => Shape::SecondOrder(SecondOrder::START),
-            Kind::MixedOrder => Shape::MixedOrder(MixedOrder::START),
-            Kind::FourthOrder => Shape::FourthOrder(FourthOrder::START),
-            Kind::BloorWilson => Shape::BloorWilson(BloorWilson::START),
-            Kind::BoundaryValue => return Vec::new(),
-        };
-        shape.fields()
-    }
+/// A kind of shape.
+pub(crate) struct Kind {
+    /// The word in a document's `kind`.
+    pub(crate) name: &'static str,
+    pub(crate) family: Option<Family>,
+    /// Its type in TypeScript.
+    #[cfg(feature = "typescript")]
+    pub(crate) type_name: &'static str,
+    /// Writes its declarations.
+    #[cfg(feature = "typescript")]
+    pub(crate) typescript: fn(&str, &mut String),
 }
 
 impl Shape {
-    /// Reads and checks a bare shape; `path` is put before the path of an error.
+    /// Reads and checks a bare shape from JSON text.
     ///
     /// The shape is as given. Only a whole [`Design`](crate::Design) is brought into canonical form.
     ///
     /// ```
-    /// use pasu::{Shape, Value};
+    /// use pasu::Shape;
     ///
-    /// let value: Value = serde_json::from_str(r#"{ "kind": "second-order", "r": [1, 0.1, 0.6] }"#).unwrap();
-    /// let error = Shape::from_value(&value, "shape").unwrap_err();
-    /// assert_eq!(error.to_string(), "shape.r: expected a list of 4 numbers, found a list of 3");
+    /// let error = Shape::parse(r#"{ "kind": "second-order", "r": [1, 0.1, 0.6] }"#).unwrap_err();
+    /// assert_eq!(error.to_string(), "r: expected a list of 4 numbers, found a list of 3");
     /// ```
     ///
     /// # Errors
-    /// As [`Design::from_value`](crate::Design::from_value).
-    pub fn from_value(value: &Value, path: &str) -> Result<Shape> {
-        Shape::read(value, Path::Start(path))
-    }
-
-    pub(crate) fn read(value: &Value, path: Path) -> Result<Shape> {
-        let record = Record::open(value, path, "a shape")?;
-        let shape = match Kind::read(&record)? {
-            Kind::SecondOrder => Shape::SecondOrder(family(record)?),
-            Kind::MixedOrder => Shape::MixedOrder(family(record)?),
-            Kind::FourthOrder => Shape::FourthOrder(family(record)?),
-            Kind::BloorWilson => Shape::BloorWilson(family(record)?),
-            Kind::BoundaryValue => {
-                Shape::BoundaryValue(BoundaryValue::read(&record.only(&table::names(modes::BOUNDARY_VALUE))?)?)
-            }
-        };
-        shape.finite(&path)
+    /// As [`Design::parse`](crate::Design::parse), with paths that begin at the shape.
+    pub fn parse(text: &str) -> Result<Shape> {
+        reader::read::<Shape>(&text::read(text)?)?.finite()
     }
 
     /// The boundary-value problem of this shape.
@@ -141,81 +147,4 @@ impl Shape {
     pub fn boundary_value(&self) -> BoundaryValue {
         self.problem().into_owned()
     }
-
-    /// The same without a copy of what stands in the document: the one place where families expand.
-    pub(crate) fn problem(&self) -> Cow<'_, BoundaryValue> {
-        Cow::Owned(match self {
-            Shape::SecondOrder(family) => family.boundary_value(),
-            Shape::MixedOrder(family) => family.boundary_value(),
-            Shape::FourthOrder(family) => family.boundary_value(),
-            Shape::BloorWilson(family) => family.boundary_value(),
-            Shape::BoundaryValue(general) => return Cow::Borrowed(general),
-        })
-    }
-
-    pub(crate) fn kind(&self) -> Kind {
-        match self {
-            Shape::SecondOrder(_) => Kind::SecondOrder,
-            Shape::MixedOrder(_) => Kind::MixedOrder,
-            Shape::FourthOrder(_) => Kind::FourthOrder,
-            Shape::BloorWilson(_) => Kind::BloorWilson,
-            Shape::BoundaryValue(_) => Kind::BoundaryValue,
-        }
-    }
-
-    /// The one way of writing this surface to twelve significant digits.
-    pub(crate) fn canonical(mut self, path: &Path) -> Result<Shape> {
-        match &mut self {
-            Shape::SecondOrder(family) => family.round(),
-            Shape::MixedOrder(family) => family.round(),
-            Shape::FourthOrder(family) => family.round(),
-            Shape::BloorWilson(family) => family.round(),
-            Shape::BoundaryValue(_) => {}
-        }
-        match self {
-            Shape::BoundaryValue(general) => Ok(Shape::BoundaryValue(general.canonical(path)?)),
-            family => family.finite(path),
-        }
-    }
-
-    /// Parameters within the range of numbers may multiply beyond it.
-    fn finite(self, path: &Path) -> Result<Shape> {
-        if self.problem().is_finite() {
-            return Ok(self);
-        }
-        Err(path.error(Code::Overflow, "these numbers are so large that their products cannot be computed"))
-    }
-
-    pub(crate) fn value(&self) -> Value {
-        Value::Record(self.fields())
-    }
-
-    /// What differs from the shape that a link of this kind starts from; `None` when it is no named family.
-    pub(crate) fn write_link(&self) -> Option<Vec<String>> {
-        match self {
-            Shape::SecondOrder(family) => Some(family.link_fields()),
-            Shape::MixedOrder(family) => Some(family.link_fields()),
-            Shape::FourthOrder(family) => Some(family.link_fields()),
-            Shape::BloorWilson(family) => Some(family.link_fields()),
-            Shape::BoundaryValue(_) => None,
-        }
-    }
-
-    fn fields(&self) -> Vec<(String, Value)> {
-        let mut into = vec![("kind".to_owned(), Value::Text(self.kind().name().into()))];
-        match self {
-            Shape::SecondOrder(family) => family.write(&mut into),
-            Shape::MixedOrder(family) => family.write(&mut into),
-            Shape::FourthOrder(family) => family.write(&mut into),
-            Shape::BloorWilson(family) => family.write(&mut into),
-            Shape::BoundaryValue(general) => general.write(&mut into),
-        }
-        into
-    }
-}
-
-fn family<T: Fields>(record: Record) -> Result<T> {
-    let mut known = vec!["kind"];
-    known.extend(fields::names::<T>());
-    T::read(&record.only(&known)?)
 }

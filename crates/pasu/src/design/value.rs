@@ -1,19 +1,21 @@
-//! Any JSON or JavaScript value, kept as it came, so that one reader can refuse what is wrong and say where.
+//! Any JSON or JavaScript value, kept as it came, so that what is wrong with it can be said with its place.
+//!
+//! `serde` reads types with a tag, `kind` and `order` here, from a tree of its own, which forgets where it came from; `serde_json::Value` knows neither NaN nor repeated
+//! keys. Hence this one: text and JavaScript objects are both read into it, and the types of a document from it.
 
+use std::cell::Cell;
 use std::fmt;
 
 use serde::de::{self, Deserialize, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_path_to_error::{Segment, Track};
 
 use super::number::plain;
-use super::path::shortened;
+use super::refusal::{inside_field, inside_item, shortened};
 
 /// An owned tree of plain data.
-///
-/// JSON text and JavaScript objects are both turned into this tree first. It keeps what a stricter type would lose or
-/// refuse without a path: NaN, infinities, repeated keys.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+pub(crate) enum Value {
     /// `null`, and JavaScript's `undefined`.
     Null,
     /// `true` or `false`.
@@ -31,9 +33,28 @@ pub enum Value {
 /// How deep a value may nest. A design nests nine deep; a JavaScript object that contains itself has no bottom.
 pub(super) const DEEPEST: usize = 64;
 
+/// How many values a tree may have. A design of 1 MiB of JSON holds fewer: each takes two bytes at least.
+const MOST: usize = 1 << 19;
+
 impl Value {
+    /// Reads any plain data; where that fails, with the path of what could not be read.
+    pub(super) fn read<'de, D: Deserializer<'de>>(source: D) -> Result<Value, (String, D::Error)> {
+        let left = Cell::new(MOST);
+        let mut track = Track::new();
+        let value =
+            Nested { depth: 0, left: &left }.deserialize(serde_path_to_error::Deserializer::new(source, &mut track));
+        value.map_err(|error| {
+            let path = track.path().iter().rev().fold(String::new(), |path, segment| match segment {
+                Segment::Seq { index } => inside_item(*index, &path),
+                Segment::Map { key } => inside_field(key, &path),
+                Segment::Enum { .. } | Segment::Unknown => path,
+            });
+            (path, error)
+        })
+    }
+
     /// What was found, for a message: `-3`, `"abc"`, `a list of 2`.
-    pub fn described(&self) -> String {
+    pub(super) fn described(&self) -> String {
         match self {
             Value::Null => "nothing".into(),
             Value::Bool(b) => b.to_string(),
@@ -52,10 +73,7 @@ impl Serialize for Value {
         match self {
             Value::Null => serializer.serialize_unit(),
             Value::Bool(b) => serializer.serialize_bool(*b),
-            Value::Number(x) => match whole(*x) {
-                Some(integer) => serializer.serialize_i64(integer),
-                None => serializer.serialize_f64(*x),
-            },
+            Value::Number(x) => serializer.serialize_f64(*x),
             Value::Text(text) => serializer.serialize_str(text),
             Value::List(items) => serializer.collect_seq(items),
             Value::Record(fields) => {
@@ -69,45 +87,42 @@ impl Serialize for Value {
     }
 }
 
-/// A whole number that both `f64` and `i64` hold exactly, so that text formats write `1` and not `1.0`.
-fn whole(x: f64) -> Option<i64> {
-    const EXACT: f64 = 9_007_199_254_740_992.0; // 2^53
-    (x.abs() <= EXACT && x.floor() == x).then_some(x as i64)
-}
-
-impl<'de> Deserialize<'de> for Value {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Nested { depth: 0 }.deserialize(deserializer)
-    }
-}
-
+/// Reads a value within the limits of depth and number.
 #[derive(Clone, Copy)]
-struct Nested {
+struct Nested<'a> {
     depth: usize,
+    /// How many more values may come.
+    left: &'a Cell<usize>,
 }
 
-impl Nested {
-    fn inner<E: de::Error>(self) -> Result<Nested, E> {
+impl Nested<'_> {
+    fn inner<E: de::Error>(self) -> Result<Self, E> {
         if self.depth == DEEPEST {
-            return Err(E::custom(format_args!("nested more than {DEEPEST} levels deep")));
+            return Err(E::invalid_length(DEEPEST + 1, &"at most 64 levels (what contains itself has no end)"));
         }
-        Ok(Nested { depth: self.depth + 1 })
+        Ok(Nested { depth: self.depth + 1, ..self })
     }
 }
 
-impl<'de> DeserializeSeed<'de> for Nested {
+impl<'de> DeserializeSeed<'de> for Nested<'_> {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
-        deserializer.deserialize_any(self)
+        match self.left.get() {
+            0 => Err(de::Error::invalid_length(MOST + 1, &"at most 524288 values in one design")),
+            left => {
+                self.left.set(left - 1);
+                deserializer.deserialize_any(self)
+            }
+        }
     }
 }
 
-impl<'de> Visitor<'de> for Nested {
+impl<'de> Visitor<'de> for Nested<'_> {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number, a text, a list or an object")
+        f.write_str("plain data (numbers, texts, lists and objects of them)")
     }
 
     fn visit_bool<E>(self, b: bool) -> Result<Value, E> {
@@ -143,11 +158,11 @@ impl<'de> Visitor<'de> for Nested {
     }
 
     fn visit_some<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
-        self.deserialize(deserializer)
+        deserializer.deserialize_any(self)
     }
 
     fn visit_newtype_struct<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
-        self.deserialize(deserializer)
+        deserializer.deserialize_any(self)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
@@ -166,6 +181,12 @@ impl<'de> Visitor<'de> for Nested {
             fields.push((name, entries.next_value_seed(inner)?));
         }
         Ok(Value::Record(fields))
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Nested { depth: 0, left: &Cell::new(MOST) }.deserialize(deserializer)
     }
 }
 
@@ -199,17 +220,14 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_are_written_without_a_point() {
-        let text = serde_json::to_string(&read("[1.0, 0.5, -3, 1e300]")).unwrap();
-        assert_eq!(text, "[1,0.5,-3,1e+300]");
-    }
-
-    #[test]
-    fn nesting_has_a_bottom() {
+    fn nesting_and_number_have_an_end() {
         let deep = |n: usize| format!("{}{}", "[".repeat(n), "]".repeat(n));
         assert!(serde_json::from_str::<Value>(&deep(DEEPEST)).is_ok());
         let error = serde_json::from_str::<Value>(&deep(DEEPEST + 1)).unwrap_err();
-        assert!(error.to_string().starts_with("nested more than 64 levels deep"));
+        assert!(error.to_string().starts_with("invalid length 65, expected at most 64 levels"), "{error}");
+        let many = |n: usize| format!("[{}0]", "0,".repeat(n - 2));
+        assert!(serde_json::from_str::<Value>(&many(MOST)).is_ok());
+        assert!(serde_json::from_str::<Value>(&many(MOST + 1)).is_err());
     }
 
     #[test]

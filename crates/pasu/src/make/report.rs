@@ -1,5 +1,7 @@
 //! What the checks found, for a page, a file and a program.
 
+use serde::{Serialize, Serializer};
+
 use crate::design::{Value, to_json};
 use crate::solid::Product;
 
@@ -148,14 +150,25 @@ impl Report {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn to_json(&self) -> String {
-        to_json(&Value::Record(vec![
+        to_json(self)
+    }
+
+    fn value(&self) -> Value {
+        Value::Record(vec![
             entry("ok", Value::Bool(self.is_ok())),
             entry("product", text(self.product.name())),
             entry("triangles", count(self.triangles())),
             entry("vertices", count(self.vertices())),
             entry("findings", Value::List(self.findings.iter().map(Finding::value).collect())),
             entry("meshes", Value::List(self.meshes.iter().map(MeshReport::value).collect())),
-        ]))
+        ])
+    }
+}
+
+/// As [`Report::to_json`].
+impl Serialize for Report {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value().serialize(serializer)
     }
 }
 

@@ -1,23 +1,31 @@
 //! Measures as JSON.
 
+use serde::{Serialize, Serializer};
+
 use super::capacity::Capacity;
 use super::curvature::{CurvatureRange, Located};
 use super::measures::{Body, Centre, Measures, Overhang, PartMeasures, ThicknessRange};
 use super::quantity::Quantity;
 use super::standing::{Footprint, Tipping};
-use crate::design::{Value, write_json};
+use crate::design::{Value, to_json};
 use crate::face::FaceKind;
 
+/// `docs/measures.md` names every field with its unit.
+impl Serialize for Measures {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value().serialize(serializer)
+    }
+}
+
 impl Measures {
-    /// The measures as a tree of plain data; `docs/measures.md` names every field with its unit.
-    pub fn to_value(&self) -> Value {
+    fn value(&self) -> Value {
         let mut fields = vec![field("unit", text(self.unit.name())), field("product", text(self.product.name()))];
         fields.extend(body(&self.whole));
         fields.push(field("parts", Value::List(self.parts.iter().map(part).collect())));
         Value::Record(fields)
     }
 
-    /// The same as JSON text.
+    /// As JSON text; `docs/measures.md` names every field with its unit.
     ///
     /// ```
     /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -30,7 +38,7 @@ impl Measures {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn to_json(&self) -> String {
-        write_json(&self.to_value())
+        to_json(self)
     }
 }
 

@@ -3,8 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use pasu::Value;
 use proptest::prelude::*;
+
+use crate::value::Value;
 
 type Entry = (String, Value);
 

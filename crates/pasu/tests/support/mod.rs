@@ -1,8 +1,9 @@
 //! What several test files share: the reference corpus and designs written as JSON.
 #![allow(dead_code, unreachable_pub)] // Each test file is a crate of its own and uses a part.
 
-use pasu::{Design, Shape, Surface, Value};
+use pasu::{Design, Shape, Surface};
 use serde::Deserialize;
+use serde_json::Value;
 
 /// One case of `tests/reference/surfaces.json` or `digits.json`.
 #[derive(Deserialize)]
@@ -33,7 +34,7 @@ pub fn digits() -> Vec<Case> {
 }
 
 pub fn shape(value: &Value) -> Shape {
-    Shape::from_value(value, "shape").unwrap_or_else(|e| panic!("{e}"))
+    Shape::parse(&value.to_string()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 pub fn surface(value: &Value) -> Surface {

@@ -2,13 +2,14 @@
 
 use super::{cos, datum, fourth, sin};
 use crate::design::boundary_value::{BoundaryValue, Mode, Span};
+use crate::design::described::Expanded;
 use crate::design::fields::fields;
 
 fields! {
     /// The Bloor-Wilson vase of IA eqs 15-18, `(d2/du2 + a^2 d2/dv2)^2 X = 0`. `u = 0` is the rim, `u = 1` the foot.
     ///
     /// A link starts from figure 2 with one dint, `n1 = 1`.
-    pub struct BloorWilson {
+    pub struct BloorWilson, "a shape" {
         /// The smoothing parameter: how strongly the wall is drawn towards a round tube.
         a: f64 = 0.01, Required, Any;
         /// Radius of the rim, the two parts of its skew, radius of the foot: r1, r2, r3, r4.
@@ -24,8 +25,13 @@ fields! {
     }
 }
 
-impl BloorWilson {
-    pub(crate) fn boundary_value(&self) -> BoundaryValue {
+impl Expanded for BloorWilson {
+    #[cfg(feature = "typescript")]
+    const SOURCE: &'static str = "IA equations 15 to 18";
+    #[cfg(feature = "typescript")]
+    const NAME: &'static str = "BloorWilson";
+
+    fn boundary_value(&self) -> BoundaryValue {
         let (r, slope) = (self.r, self.R);
         let square = self.a * self.a;
         let equation = [1.0, 2.0 * square, square * square];

@@ -2,6 +2,7 @@
 
 use super::{cos, datum, fourth, sin};
 use crate::design::boundary_value::{BoundaryValue, Span};
+use crate::design::described::Expanded;
 use crate::design::fields::fields;
 
 fields! {
@@ -9,7 +10,7 @@ fields! {
     ///
     /// `x` is `q(u) cos v` with `q` going from `r0` to `r1` and slopes `eta_i (4 rm - r1 - 3 r0)`; `y` the same with
     /// `sin v`; `z` is the cubic from 0 to `h1` with slopes `dz`. A link starts from figure 5a.
-    pub struct FourthOrder {
+    pub struct FourthOrder, "a shape" {
         /// The radius of the foot.
         r0: f64 = 0.4, Required, Any;
         /// The radius of the rim.
@@ -31,8 +32,13 @@ fields! {
     }
 }
 
-impl FourthOrder {
-    pub(crate) fn boundary_value(&self) -> BoundaryValue {
+impl Expanded for FourthOrder {
+    #[cfg(feature = "typescript")]
+    const SOURCE: &'static str = "ZY01 equations 13 to 17";
+    #[cfg(feature = "typescript")]
+    const NAME: &'static str = "FourthOrder";
+
+    fn boundary_value(&self) -> BoundaryValue {
         let bend = 4.0 * self.rm - self.r1 - 3.0 * self.r0;
         let wall = datum((self.r0, self.eta[0] * bend), (self.r1, self.eta[1] * bend));
         BoundaryValue {

@@ -3,12 +3,13 @@
 use super::second_order::walls;
 use super::{cos, datum, fourth, second};
 use crate::design::boundary_value::{BoundaryValue, Span};
+use crate::design::described::Expanded;
 use crate::design::fields::fields;
 
 fields! {
     /// The mixed order vase of ZY01 eqs 9-12: as [`SecondOrder`](crate::SecondOrder), but `z` solves the fourth order
     /// equation with `z(0) = height`, `z_u(0) = rise`, `z(1) = 0`, `z_u(1) = 0`. A link starts from figure 4a.
-    pub struct MixedOrder {
+    pub struct MixedOrder, "a shape" {
         /// Radius and petals of the rim, radius and petals of the foot: r1, r2, r3, r4.
         r: [f64; 4] = [1.0, 0.1, 0.6, 0.06], Required, Any;
         /// How often the outline and its petals go round: n1, n2. The surface closes when both are whole.
@@ -26,8 +27,13 @@ fields! {
     }
 }
 
-impl MixedOrder {
-    pub(crate) fn boundary_value(&self) -> BoundaryValue {
+impl Expanded for MixedOrder {
+    #[cfg(feature = "typescript")]
+    const SOURCE: &'static str = "ZY01 equations 9 to 12";
+    #[cfg(feature = "typescript")]
+    const NAME: &'static str = "MixedOrder";
+
+    fn boundary_value(&self) -> BoundaryValue {
         let [x, y] = walls(self.r, self.n, self.force);
         BoundaryValue {
             span: Span::Length(1.0),

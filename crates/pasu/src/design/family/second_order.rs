@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{cos, datum, second, sin};
 use crate::design::boundary_value::{BoundaryValue, Datum, Mode, Span};
+use crate::design::described::Expanded;
 use crate::design::fields::fields;
 
 fields! {
@@ -11,7 +12,7 @@ fields! {
     ///
     /// `x(0, v) = r1 cos(a1 v) + r2 cos(a2 v)`, `x(1, v) = r3 cos(a1 v) + r4 cos(a2 v)`, `a_i = 2 pi n_i`; `y` the same
     /// with `sin`; `z` falls in a straight line from `height` to 0. A link starts from figure 1a.
-    pub struct SecondOrder {
+    pub struct SecondOrder, "a shape" {
         /// Radius and petals of the rim, radius and petals of the foot: r1, r2, r3, r4.
         r: [f64; 4] = [1.0, 0.1, 0.6, 0.06], Required, Any;
         /// How often the outline and its petals go round: n1, n2. The surface closes when both are whole.
@@ -27,8 +28,13 @@ fields! {
     }
 }
 
-impl SecondOrder {
-    pub(crate) fn boundary_value(&self) -> BoundaryValue {
+impl Expanded for SecondOrder {
+    #[cfg(feature = "typescript")]
+    const SOURCE: &'static str = "ZY01 equations 1 to 8";
+    #[cfg(feature = "typescript")]
+    const NAME: &'static str = "SecondOrder";
+
+    fn boundary_value(&self) -> BoundaryValue {
         let [x, y] = walls(self.r, self.n, self.force);
         BoundaryValue {
             span: Span::Length(1.0),

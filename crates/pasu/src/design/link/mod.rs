@@ -9,7 +9,7 @@ mod wrapping;
 
 use super::document::Design;
 use super::limits::{BYTES, VERSION, newer};
-use super::path::shortened;
+use super::refusal::shortened;
 use crate::error::{Code, Error, Result};
 
 /// The canonical link, without `#`.

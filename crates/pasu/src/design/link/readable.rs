@@ -2,18 +2,19 @@
 
 use super::damaged;
 use super::wrapping::encoded;
-use crate::design::decimal::parse;
+use crate::design::described::Family;
 use crate::design::document::Design;
-use crate::design::fields::{Field, Size};
+use crate::design::fields::{Field, Need};
 use crate::design::limits::VERSION;
 use crate::design::look::Look;
 use crate::design::part::Part;
-use crate::design::path::{Path, shortened};
 use crate::design::placement::Placement;
-use crate::design::shape::Kind;
+use crate::design::quantity::Size;
+use crate::design::refusal::{self, shortened};
+use crate::design::shape::KINDS;
 use crate::design::unit::Unit;
 use crate::design::value::Value;
-use crate::error::{Code, Result};
+use crate::error::Result;
 
 /// What a readable link may say beside the parameters of its shape.
 const TITLE: &str = "title";
@@ -26,7 +27,7 @@ pub(super) fn write(design: &Design) -> Option<String> {
     if *place != Placement::default() {
         return None;
     }
-    let mut query = shape.write_link()?;
+    let mut query = shape.link()?;
     if let Some(title) = design.title() {
         // A link may be decoded more than once on its way; these would not survive it.
         if title.contains(['%', '&', '#']) {
@@ -45,24 +46,25 @@ pub(super) fn write(design: &Design) -> Option<String> {
             query.push(format!("{field}={name}"));
         }
     }
-    let kind = shape.kind().name();
+    let kind = shape.kind();
     Some(if query.is_empty() { kind.to_owned() } else { format!("{kind}?{}", query.join("&")) })
 }
 
 /// Reads what follows `1/` by writing out the document that it stands for: its reader refuses what is wrong.
 pub(super) fn read(text: &str) -> Result<Design> {
     let (kind, query) = text.split_once('?').unwrap_or((text, ""));
-    let path = Path::Start("parts[0].shape");
-    let kind = Kind::read_family(kind.trim(), &path.field("kind"))?;
+    let kind = kind.trim();
+    let family = family(kind)?;
     let mut document = vec![("pasu".to_owned(), Value::Number(f64::from(VERSION)))];
-    let (mut shape, mut look) = (Vec::new(), Vec::new());
+    let mut shape = vec![("kind".to_owned(), Value::Text(kind.to_owned()))];
+    let mut look = Vec::new();
     for pair in query.split('&').filter(|_| !query.is_empty()) {
         let Some((name, text)) = pair.split_once('=') else {
             return Err(damaged(&format!("expected a name, = and a value, found {:?}", shortened(pair))));
         };
         let name = name.trim();
         let word = || Value::Text(text.trim().to_owned());
-        if let Some(field) = kind.fields().iter().find(|field| field.name == name) {
+        if let Some(field) = family.fields.iter().find(|field| field.name == name) {
             shape.push((name.to_owned(), value(field, text)));
         } else if name == TITLE {
             document.push((name.to_owned(), Value::Text(text.to_owned())));
@@ -71,15 +73,20 @@ pub(super) fn read(text: &str) -> Result<Design> {
         } else if LOOK.contains(&name) {
             look.push((name.to_owned(), word()));
         } else {
-            let known = kind.fields().iter().map(|field| field.name).chain([TITLE, UNIT]).chain(LOOK);
-            let known = known.collect::<Vec<_>>().join(", ");
-            let message = format!("unknown field {:?}; expected one of {known}", shortened(name));
-            return Err(path.field(name).error(Code::UnknownField, message));
+            let known = family.fields.iter().map(|field| field.name).chain([TITLE, UNIT]).chain(LOOK);
+            let error = refusal::unknown_field(name, None, &known.collect::<Vec<_>>());
+            return Err(error.inside_field("shape").inside_item(0).inside_field("parts"));
         }
     }
-    for (name, value) in kind.start() {
-        if !shape.iter().any(|(given, _)| *given == name) {
-            shape.push((name, value));
+    // What a document may leave out, a link may as well.
+    for (field, start) in family.fields.iter().zip((family.start)()) {
+        if field.need == Need::Required && !shape.iter().any(|(given, _)| *given == field.name) {
+            let mut start = start.into_iter().map(Value::Number);
+            let start = match field.size {
+                Size::One => start.next().unwrap_or(Value::Null),
+                Size::List(_) => Value::List(start.collect()),
+            };
+            shape.push((field.name.to_owned(), start));
         }
     }
     let part = vec![("shape".to_owned(), Value::Record(shape)), ("look".to_owned(), Value::Record(look))];
@@ -87,11 +94,20 @@ pub(super) fn read(text: &str) -> Result<Design> {
     Design::from_value(&Value::Record(document))
 }
 
+/// The family of this name.
+fn family(name: &str) -> Result<Family> {
+    let found = KINDS.iter().find(|kind| kind.name == name).and_then(|kind| kind.family);
+    found.ok_or_else(|| {
+        let families: Vec<&str> = KINDS.iter().filter(|kind| kind.family.is_some()).map(|kind| kind.name).collect();
+        refusal::unknown_name(name, &families).at("parts[0].shape.kind")
+    })
+}
+
 /// What is not a number stays a text: the reader refuses it and says where.
 fn value(field: &Field, text: &str) -> Value {
-    let number = |text: &str| match parse(text.trim()) {
-        Some(number) => Value::Number(number),
-        None => Value::Text(text.trim().to_owned()),
+    let number = |text: &str| match text.trim().parse() {
+        Ok(number) => Value::Number(number),
+        Err(_) => Value::Text(text.trim().to_owned()),
     };
     match field.size {
         Size::One => number(text),

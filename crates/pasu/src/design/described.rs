@@ -1,0 +1,97 @@
+//! What every kind of shape says of itself, in its own room.
+
+use std::borrow::Cow;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::boundary_value::BoundaryValue;
+use super::fields::{Field, Fields};
+#[cfg(feature = "typescript")]
+use super::typescript;
+use crate::error::{Code, Error, Result};
+
+/// A kind of shape: `serde` reads and writes the fields beside `kind`, and this is what else there is to know of them.
+pub(crate) trait Described: Serialize + DeserializeOwned {
+    /// What a readable link has to know of it, if it has one.
+    const FAMILY: Option<Family>;
+
+    /// The boundary-value problem that it stands for.
+    fn problem(&self) -> Cow<'_, BoundaryValue>;
+
+    /// The one way of writing this surface to twelve significant digits.
+    ///
+    /// # Errors
+    /// `overflow` when the numbers leave the range of numbers.
+    fn canonical(self) -> Result<Self>;
+
+    /// How many modes have to be solved.
+    fn cost(&self) -> usize {
+        self.problem().n_modes()
+    }
+
+    /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
+    fn link(&self) -> Option<Vec<String>>;
+
+    /// Refuses parameters within the range of numbers whose products leave it.
+    ///
+    /// # Errors
+    /// `overflow`.
+    fn finite(self) -> Result<Self> {
+        match self.problem().is_finite() {
+            true => Ok(self),
+            false => {
+                let message = "these numbers are so large that their products cannot be computed";
+                Err(Error::new(Code::Overflow, "", message))
+            }
+        }
+    }
+
+    /// Writes its TypeScript declarations.
+    #[cfg(feature = "typescript")]
+    fn typescript(kind: &str, into: &mut String);
+}
+
+/// The parameters of a named family, and what a link of it starts from: the numbers of each.
+#[derive(Clone, Copy)]
+pub(crate) struct Family {
+    pub(crate) fields: &'static [Field],
+    pub(crate) start: fn() -> Vec<Vec<f64>>,
+}
+
+/// A named family: a few numbers that expand into a boundary-value problem.
+pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
+    /// Where it comes from, for its declaration in TypeScript.
+    #[cfg(feature = "typescript")]
+    const SOURCE: &'static str;
+
+    /// The name of its type.
+    #[cfg(feature = "typescript")]
+    const NAME: &'static str;
+
+    /// The problem that these numbers stand for.
+    fn boundary_value(&self) -> BoundaryValue;
+}
+
+impl<T: Expanded> Described for T {
+    const FAMILY: Option<Family> =
+        Some(Family { fields: T::FIELDS, start: || T::START.numbers().into_iter().map(<[f64]>::to_vec).collect() });
+
+    fn problem(&self) -> Cow<'_, BoundaryValue> {
+        Cow::Owned(self.boundary_value())
+    }
+
+    fn canonical(mut self) -> Result<Self> {
+        self.round();
+        self.finite()
+    }
+
+    fn link(&self) -> Option<Vec<String>> {
+        Some(self.link_fields())
+    }
+
+    #[cfg(feature = "typescript")]
+    fn typescript(kind: &str, into: &mut String) {
+        typescript::numbers(into, T::NAME, &format!("The vase of {}.", T::SOURCE), Some(kind), T::FIELDS);
+    }
+}

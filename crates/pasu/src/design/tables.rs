@@ -1,0 +1,104 @@
+//! The tables of fields of what is not all numbers, as TypeScript is told of them; a test compares them with the types that are read.
+
+use super::fields::Need;
+
+/// One field.
+pub(super) struct Entry {
+    pub(super) name: &'static str,
+    pub(super) need: Need,
+    /// Its type as TypeScript writes it.
+    pub(super) typescript: &'static str,
+    /// What it means.
+    pub(super) about: &'static str,
+}
+
+const fn required(name: &'static str, typescript: &'static str, about: &'static str) -> Entry {
+    Entry { name, need: Need::Required, typescript, about }
+}
+
+const fn optional(name: &'static str, typescript: &'static str, about: &'static str) -> Entry {
+    Entry { name, need: Need::Optional, typescript, about }
+}
+
+pub(super) const DESIGN: &[Entry] = &[
+    required("pasu", "1", "The version of the format."),
+    optional("title", "string", "At most 200 characters of plain text."),
+    optional("unit", "Unit", "What 1 means; centimetres when left out."),
+    required("parts", "readonly Part[]", "1 to 500 parts."),
+];
+
+pub(super) const PART: &[Entry] = &[
+    optional("name", "string", "A name that no other part has."),
+    optional("object", "number", "The discrete object that it is glued into; 0 when left out."),
+    required("shape", "Shape", "Its surface, before placement."),
+    optional("place", "Placement", "Where it stands."),
+    optional("wall", "Wall", "The wall that makes its surface a pot."),
+    optional("look", "Look", "Its clay and glaze."),
+];
+
+pub(super) const BOUNDARY_VALUE: &[Entry] = &[
+    required("kind", "\"boundary-value\"", "Any Fourier boundary data."),
+    required("span", "number | \"2pi\"", "The length of the interval of v round the axis."),
+    required("x", "Component", "The equation and the data of x."),
+    required("y", "Component", "The equation and the data of y."),
+    required("z", "Component", "The equation and the data of z, the axis of a pot."),
+];
+
+const S: Entry = required("s", "number", "Shape control parameter of the highest u derivative; not 0.");
+const START: Entry = optional("start", "number", "Value at u = 0.");
+const END: Entry = optional("end", "number", "Value at u = 1.");
+const FORCE_ENTRY: Entry =
+    optional("force", "readonly number[]", "Sculpting force in ascending powers of u, at most 512 coefficients.");
+
+/// A component of order 2: `s X_uu + t X_vv = p`.
+pub(super) const SECOND: &[Entry] = &[
+    required("order", "2", "The order of the equation s X_uu + t X_vv = p."),
+    S,
+    required("t", "number", "Shape control parameter of the v derivative."),
+    required("modes", "readonly Mode<SecondOrderDatum>[]", "The Fourier sum of boundary data and force."),
+];
+
+/// A component of order 4: `s X_uuuu + t X_uuvv + w X_vvvv = p`.
+pub(super) const FOURTH: &[Entry] = &[
+    required("order", "4", "The order of the equation s X_uuuu + t X_uuvv + w X_vvvv = p."),
+    S,
+    required("t", "number", "Shape control parameter of the mixed derivative."),
+    required("w", "number", "Shape control parameter of the fourth v derivative."),
+    required("modes", "readonly Mode<FourthOrderDatum>[]", "The Fourier sum of boundary data and force."),
+];
+
+pub(super) const MODE: &[Entry] = &[
+    required("n", "number", "How often it goes round; the surface closes when it is whole."),
+    optional("cos", "Datum", "The data of cos(2 pi n v / span)."),
+    optional("sin", "Datum", "The data of sin(2 pi n v / span)."),
+];
+
+/// What a mode of order 2 is given; what is left out is 0.
+pub(super) const SECOND_DATUM: &[Entry] = &[START, END, FORCE_ENTRY];
+
+/// What a mode of order 4 is given; what is left out is 0.
+pub(super) const FOURTH_DATUM: &[Entry] = &[
+    START,
+    END,
+    optional("start_u", "number", "Slope in u at u = 0."),
+    optional("end_u", "number", "Slope in u at u = 1."),
+    FORCE_ENTRY,
+];
+
+pub(super) const WALL: &[Entry] = &[
+    required("thickness", "number", "The thickness of the wall along the normal. Greater than 0."),
+    required("base", "number", "The thickness of the base; 0 for a pot without one. Not less than 0."),
+    optional("side", "Side", "Which way the clay goes from the surface; inside when left out."),
+    optional("rim", "RimForm", "How the wall ends at an opening; flat when left out."),
+    optional(
+        "foot",
+        "readonly [number, number]",
+        "Width and height of a ring under the base; none when left out. Greater than 0.",
+    ),
+    optional("drain", "number", "The diameter of a round hole through the base; 0 when left out. Not less than 0."),
+];
+
+pub(super) const LOOK: &[Entry] = &[
+    optional("glaze", "GlazeName", "What covers the part; celadon when left out."),
+    optional("clay", "ClayName", "What the part is made of; stoneware when left out."),
+];

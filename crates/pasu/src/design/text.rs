@@ -1,0 +1,69 @@
+//! JSON text in and out.
+
+use std::io;
+
+use serde::Serialize;
+use serde_json::error::Category;
+use serde_json::ser::Formatter;
+
+use super::limits::BYTES;
+use super::number::plain;
+use super::value::{DEEPEST, Value};
+use crate::error::{Code, Error, Result};
+
+/// Reads JSON text, whose faults are told by their place.
+pub(crate) fn read(text: &str) -> Result<Value> {
+    if text.len() > BYTES {
+        let message = format!("expected a design of at most {BYTES} bytes of JSON, found {}", text.len());
+        return Err(Error::new(Code::TooLarge, "", message));
+    }
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let value = Value::read(&mut reader).map_err(|(path, error)| fault(text, &error).at(path))?;
+    match reader.end() {
+        Ok(()) => Ok(value),
+        Err(error) => Err(fault(text, &error)),
+    }
+}
+
+fn fault(text: &str, error: &serde_json::Error) -> Error {
+    let line = error.line();
+    // Counted in characters, as an editor does, and not in bytes.
+    let given = text.split('\n').nth(line.saturating_sub(1)).unwrap_or_default();
+    let column = given.char_indices().take_while(|(at, _)| *at < error.column()).count();
+    let said = error.to_string();
+    let what = said.strip_suffix(&format!(" at line {line} column {}", error.column())).unwrap_or(&said);
+    match error.classify() {
+        Category::Eof => {
+            let message =
+                format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?");
+            Error::new(Code::NotJson, "", message)
+        }
+        // The one refusal of the tree that text can meet: it is too short for too many values.
+        Category::Data => {
+            let message =
+                format!("This is not JSON: nested more than {DEEPEST} levels deep at line {line}, column {column}.");
+            Error::new(Code::NotJson, "", message)
+        }
+        _ if what == "number out of range" => {
+            Error::new(Code::NotFinite, "", "expected a number, found one too large to be computed with")
+        }
+        _ => Error::new(Code::NotJson, "", format!("This is not JSON: {what} at line {line}, column {column}.")),
+    }
+}
+
+/// Writes on one line, exactly as JavaScript's `JSON.stringify` would, so that a document saved by a page and one written by this crate are equal.
+pub(crate) fn write(document: &(impl Serialize + ?Sized)) -> String {
+    let mut text = Vec::new();
+    let written = document.serialize(&mut serde_json::Serializer::with_formatter(&mut text, AsJavaScript));
+    // Memory takes every byte, and no type of ours refuses to be written.
+    debug_assert!(written.is_ok(), "{written:?}");
+    String::from_utf8(text).unwrap_or_default()
+}
+
+struct AsJavaScript;
+
+impl Formatter for AsJavaScript {
+    fn write_f64<W: io::Write + ?Sized>(&mut self, writer: &mut W, x: f64) -> io::Result<()> {
+        writer.write_all(plain(x).as_bytes())
+    }
+}
