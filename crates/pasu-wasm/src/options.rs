@@ -1,7 +1,7 @@
 //! The options of `mesh`.
 
 use pasu::{MeshOptions, Result};
-use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, Unexpected, Visitor};
 use wasm_bindgen::JsValue;
 
 use crate::source;
@@ -45,7 +45,7 @@ impl Visitor<'_> for CountVisitor {
         f.write_str("a whole number")
     }
 
-    fn visit_f64<E: serde::de::Error>(self, number: f64) -> core::result::Result<Count, E> {
+    fn visit_f64<E: Error>(self, number: f64) -> core::result::Result<Count, E> {
         if (0.0..=f64::from(u32::MAX)).contains(&number) && number.fract() == 0.0 {
             Ok(Count(number as usize))
         } else {

@@ -6,9 +6,9 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::boundary_value::BoundaryValue;
-use super::fields::{Field, Fields};
 #[cfg(feature = "typescript")]
-use super::typescript;
+use super::declarations;
+use super::fields::{Field, Fields};
 use crate::error::{Code, Error, Result};
 
 /// A kind of shape: `serde` reads and writes the fields beside `kind`, and this is what else there is to know of them.
@@ -92,6 +92,6 @@ impl<T: Expanded> Described for T {
 
     #[cfg(feature = "typescript")]
     fn typescript(kind: &str, into: &mut String) {
-        typescript::numbers(into, T::NAME, &format!("The vase of {}.", T::SOURCE), Some(kind), T::FIELDS);
+        declarations::numbers(into, T::NAME, &format!("The vase of {}.", T::SOURCE), Some(kind), T::FIELDS);
     }
 }

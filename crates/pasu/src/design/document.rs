@@ -11,7 +11,7 @@ use super::part::Part;
 use super::quantity::{is_default, or_default, whole};
 use super::unit::Unit;
 use super::value::Value;
-use super::{label, limits, link, list, reader, refusal, text};
+use super::{label, limits, list, reader, refusal, text};
 use crate::error::{Code, Error, Result};
 
 /// A design: what a person has chosen, from which everything else is computed.
@@ -50,48 +50,13 @@ struct Document {
 }
 
 impl Design {
-    /// Reads a design from text: a JSON document, or a link as people send it: with or without `#`, inside its
-    /// address, percent-encoded, wrapped by a mail program, with the full stop of a sentence behind it.
-    ///
-    /// ```
-    /// use pasu::Design;
-    ///
-    /// let design = Design::parse("https://example.org/pots/#1/bloor-wilson?a=6&amp;n1=5.")?;
-    /// assert_eq!(design.link(), "1/bloor-wilson?a=6&n1=5");
-    ///
-    /// let error = Design::parse("#2/bloor-wilson?a=6").unwrap_err();
-    /// assert_eq!(error.code(), pasu::Code::UnknownVersion);
-    /// # Ok::<(), pasu::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`Design::read`]; `not-json` when a text that begins with `{` is not JSON; `damaged-link` when any
-    /// other is no link, or was altered on its way; `unknown-version` for the link of a newer version.
-    pub fn parse(text: &str) -> Result<Design> {
-        // Some editors put a byte order mark at the start of a file.
-        let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
-        if text.starts_with('{') { Design::from_json(text) } else { link::read(text) }
-    }
-
     /// Reads a JSON document. A null in it is refused: no field may be null, and `JSON.stringify` writes one for NaN.
+    #[inline]
     pub(crate) fn from_json(json: &str) -> Result<Design> {
         let value = text::read(json)?;
         let design = Design::from_value(&value)?;
         without_null(&value)?;
         Ok(design)
-    }
-
-    /// The canonical link, without `#`: readable when the design is one part of a named family, packed otherwise.
-    ///
-    /// Readable links leave out what the shape's kind starts from, which never changes within a format version.
-    ///
-    /// ```
-    /// let vase = pasu::Design::parse("https://example.org/#1/bloor-wilson?n1=5&a=.01")?;
-    /// assert_eq!(vase.link(), "1/bloor-wilson?n1=5");
-    /// # Ok::<(), pasu::Error>(())
-    /// ```
-    pub fn link(&self) -> String {
-        link::write(self)
     }
 
     /// Reads a design from any plain data whose reader refuses with this crate's [`Error`]: JavaScript objects, for example. A field that is null counts as absent,
@@ -113,6 +78,8 @@ impl Design {
         Design::from_value(&reader::buffered(source)?)
     }
 
+    // Compiled where it is called, as all that leads to `serde`: the bindings are compiled for size, this crate for speed.
+    #[inline]
     pub(crate) fn from_value(value: &Value) -> Result<Design> {
         check_version(value)?;
         let document: Document = reader::read(value)?;
@@ -132,6 +99,7 @@ impl Design {
     /// assert_eq!(vase.to_json(), r#"{"pasu":1,"parts":[{"shape":{"kind":"second-order","r":[1,0.1,0.6,0.06]}}]}"#);
     /// # Ok::<(), pasu::Error>(())
     /// ```
+    #[inline]
     pub fn to_json(&self) -> String {
         text::write(&self.0)
     }

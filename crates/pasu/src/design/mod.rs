@@ -1,6 +1,8 @@
 //! The design document: what a person has chosen, as data.
 
 mod boundary_value;
+#[cfg(feature = "typescript")]
+mod declarations;
 mod described;
 mod document;
 mod family;

@@ -4,10 +4,12 @@ use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use super::boundary_value::{BoundaryValue, Component, Datum, Mode, Span};
+#[cfg(feature = "typescript")]
+use super::declarations::interface;
 use super::described::{Described, Family};
 use super::number::{plain, rounded};
 #[cfg(feature = "typescript")]
-use super::typescript;
+use super::tables::{BOUNDARY_VALUE, FOURTH, FOURTH_DATUM, MODE, SECOND, SECOND_DATUM};
 use crate::error::{Code, Error, Result};
 
 impl Described for BoundaryValue {
@@ -36,8 +38,27 @@ impl Described for BoundaryValue {
     }
 
     #[cfg(feature = "typescript")]
-    fn typescript(_: &str, into: &mut String) {
-        typescript::boundary_value(into);
+    fn typescript(_: &str, text: &mut String) {
+        interface(text, "BoundaryValue", "Fourier boundary data written out, component by component.", BOUNDARY_VALUE);
+        text.push_str(
+            "\n/** The equation and the boundary data of one component. */\n\
+             export type Component = SecondOrderComponent | FourthOrderComponent;\n",
+        );
+        interface(text, "SecondOrderComponent", "A component of order 2.", SECOND);
+        interface(text, "FourthOrderComponent", "A component of order 4.", FOURTH);
+        interface(text, "Mode<Datum>", "One harmonic; data left out are 0.", MODE);
+        interface(
+            text,
+            "SecondOrderDatum",
+            "What a harmonic of order 2 is given; what is left out is 0.",
+            SECOND_DATUM,
+        );
+        interface(
+            text,
+            "FourthOrderDatum",
+            "What a harmonic of order 4 is given; what is left out is 0.",
+            FOURTH_DATUM,
+        );
     }
 }
 

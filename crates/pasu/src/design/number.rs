@@ -40,8 +40,40 @@ pub(crate) fn rounded_in_unit(x: f64) -> f64 {
 
 /// The number that was written, zero without a sign.
 fn reread(text: &str) -> f64 {
-    // What the standard library writes it can read.
-    text.parse().map_or(f64::NAN, |x| if x == 0.0 { 0.0 } else { x })
+    // What the standard library writes is JSON, but for what is not finite.
+    parse(text).map_or(f64::NAN, |x| if x == 0.0 { 0.0 } else { x })
+}
+
+/// Reads a number as people and programs write it: `12`, `+3`, `-.5`, `1.`, `2.5e-3`, and what is none but called so, `inf` and `NaN`.
+///
+/// The digits are read by `serde_json`, whose tables the module has anyway: those of the standard library would be 12 kB (gzip) more. So they are first brought into
+/// the form that JSON has for them, which wants a digit on either side of a point, and no sign or zero before the first that counts.
+pub(crate) fn parse(text: &str) -> Option<f64> {
+    let (is_negative, unsigned) = match text.strip_prefix(['-', '+']) {
+        Some(rest) => (text.starts_with('-'), rest),
+        None => (false, text),
+    };
+    let size = if ["inf", "infinity"].iter().any(|name| unsigned.eq_ignore_ascii_case(name)) {
+        f64::INFINITY
+    } else if unsigned.eq_ignore_ascii_case("nan") {
+        f64::NAN
+    } else {
+        let end = unsigned.find(['e', 'E']).unwrap_or(unsigned.len());
+        let (mantissa, exponent) = unsigned.split_at(end);
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        if whole.is_empty() && part.is_empty() || !are_digits(whole) || !are_digits(part) {
+            return None;
+        }
+        let json = format!("{:0>1}.{part:0<1}{exponent}", whole.trim_start_matches('0'));
+        match serde_json::from_str(&json) {
+            Ok(size) => size,
+            // Of what has the form of a number only one that is too large is refused.
+            Err(_) if serde_json::from_str::<f64>(&format!("0.0{exponent}")).is_ok() => f64::INFINITY,
+            Err(_) => return None,
+        }
+    };
+    Some(if is_negative { -size } else { size })
 }
 
 /// The shortest decimal digits that read back as `x`, and the power of ten of the last of them: `x = digits * 10^power`.
@@ -185,6 +217,39 @@ mod tests {
         assert_eq!(rounded_in_unit(-1e-17).to_bits(), 0.0f64.to_bits());
     }
 
+    #[test]
+    fn numbers_are_read_as_people_write_them() {
+        let texts = [
+            "0",
+            "12",
+            "-.5",
+            "+3",
+            "1.",
+            "007",
+            "00.50",
+            "2.5e-3",
+            "2.5E+3",
+            "1e999",
+            "-1e999",
+            "0e999",
+            "1e-999",
+            "9e99999999999999999999",
+            "inf",
+            "-Infinity",
+            "4.9406564584124654e-324",
+            "1.7976931348623159e308",
+            "0.1000000000000000055511151231257827021181583404541015626",
+        ];
+        for text in texts {
+            assert_eq!(parse(text).map(f64::to_bits), text.parse().ok().map(f64::to_bits), "{text}");
+        }
+        assert!(parse("NaN").is_some_and(f64::is_nan));
+        for text in ["", "-", ".", "e5", "1e", "1e+", "1,2", "1 2", "0x1", "1.2.3", "--1", "+-1", "1e5.0", "-.e1", "½"]
+        {
+            assert_eq!((parse(text), text.parse::<f64>().ok()), (None, None), "{text}");
+        }
+    }
+
     proptest! {
         #[test]
         fn every_number_reads_back(bits in any::<u64>()) {
@@ -196,6 +261,9 @@ mod tests {
             prop_assert_eq!(rounded(once).to_bits(), once.to_bits());
             prop_assert!((once - x).abs() <= 5.1e-12 * x.abs());
             prop_assert_eq!(serde_json::from_str::<f64>(&plain(x)).unwrap(), x);
+            for text in [format!("{x:e}"), format!("{x}"), format!("{x:.11e}"), format!("{x:.30e}"), format!("{x:.900e}")] {
+                prop_assert_eq!(parse(&text).map(f64::to_bits), text.parse().ok().map(f64::to_bits), "{}", text);
+            }
         }
     }
 }

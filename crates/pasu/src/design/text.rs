@@ -12,6 +12,7 @@ use super::value::{DEEPEST, Value};
 use crate::error::{Code, Error, Result};
 
 /// Reads JSON text, whose faults are told by their place.
+#[inline]
 pub(crate) fn read(text: &str) -> Result<Value> {
     if text.len() > BYTES {
         let message = format!("expected a design of at most {BYTES} bytes of JSON, found {}", text.len());

@@ -40,10 +40,6 @@ const ALONE: [(&str, &[&str]); 1] = [("check", &["mesh"])];
 /// What is known to breach a rule and waits to be mended: which file takes from which. Once it does not any more, or nothing is wrong with it any more, its line is to be deleted.
 const KNOWN: &[(&str, &str)] = &[
     // Circles of files.
-    ("design/document.rs", "design/link/mod.rs"),
-    ("design/link/packed.rs", "design/link/mod.rs"),
-    ("design/link/readable.rs", "design/link/mod.rs"),
-    ("design/link/wrapping.rs", "design/link/mod.rs"),
     ("export/template/section.rs", "export/template/mod.rs"),
     ("measure/panels.rs", "measure/integral.rs"),
 ];

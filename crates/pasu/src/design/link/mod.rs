@@ -3,6 +3,7 @@
 //! `1/bloor-wilson?a=6&n1=5` spells out one part of a named family; `1~` and base64url hold everything else. Both
 //! begin with the format version.
 
+mod damage;
 mod packed;
 mod readable;
 mod wrapping;
@@ -12,16 +13,53 @@ use super::limits::{BYTES, VERSION, newer};
 use super::refusal::shortened;
 use crate::error::{Code, Error, Result};
 
-/// The canonical link, without `#`.
-pub(crate) fn write(design: &Design) -> String {
-    match readable::write(design) {
-        Some(readable) => format!("{VERSION}/{readable}"),
-        None => format!("{VERSION}~{}", packed::write(design)),
+impl Design {
+    /// Reads a design from text: a JSON document, or a link as people send it: with or without `#`, inside its
+    /// address, percent-encoded, wrapped by a mail program, with the full stop of a sentence behind it.
+    ///
+    /// ```
+    /// use pasu::Design;
+    ///
+    /// let design = Design::parse("https://example.org/pots/#1/bloor-wilson?a=6&amp;n1=5.")?;
+    /// assert_eq!(design.link(), "1/bloor-wilson?a=6&n1=5");
+    ///
+    /// let error = Design::parse("#2/bloor-wilson?a=6").unwrap_err();
+    /// assert_eq!(error.code(), pasu::Code::UnknownVersion);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Design::read`]; `not-json` when a text that begins with `{` is not JSON; `damaged-link` when any
+    /// other is no link, or was altered on its way; `unknown-version` for the link of a newer version.
+    // Compiled where it is called, as all that leads to `serde`: the bindings are compiled for size, this crate for speed.
+    #[inline]
+    pub fn parse(text: &str) -> Result<Design> {
+        // Some editors put a byte order mark at the start of a file.
+        let text = text.trim_start_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+        if text.starts_with('{') { Design::from_json(text) } else { read(text) }
+    }
+
+    /// The canonical link, without `#`: readable when the design is one part of a named family, packed otherwise.
+    ///
+    /// Readable links leave out what the shape's kind starts from, which never changes within a format version.
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("https://example.org/#1/bloor-wilson?n1=5&a=.01")?;
+    /// assert_eq!(vase.link(), "1/bloor-wilson?n1=5");
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    #[inline]
+    pub fn link(&self) -> String {
+        match readable::write(self) {
+            Some(readable) => format!("{VERSION}/{readable}"),
+            None => format!("{VERSION}~{}", packed::write(self)),
+        }
     }
 }
 
 /// Reads a link as people send it: with its address, wrapped, quoted, percent-encoded.
-pub(crate) fn read(text: &str) -> Result<Design> {
+#[inline]
+fn read(text: &str) -> Result<Design> {
     // Damage cannot make a link longer than its packed form, and decoding an endless text takes long.
     if text.len() > 2 * BYTES {
         let message = format!("expected a link of at most {} characters, found {}", 2 * BYTES, text.len());
@@ -57,12 +95,5 @@ fn not_a_link(text: &str) -> Error {
             shortened(text)
         )
     };
-    Error::new(Code::DamagedLink, "", message)
-}
-
-/// A link that was one of Pasu's and has been altered on its way.
-fn damaged(what: &str) -> Error {
-    let message =
-        format!("This link is damaged or cut short ({what}); copy it once more, from its first to its last letter.");
     Error::new(Code::DamagedLink, "", message)
 }

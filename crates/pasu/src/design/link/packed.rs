@@ -6,7 +6,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::{DecompressorOxide, decompress, inflate_flags};
 
-use super::damaged;
+use super::damage::damaged;
 use crate::design::document::Design;
 use crate::design::limits::BYTES;
 use crate::error::{Code, Error, Result};
@@ -15,11 +15,13 @@ use crate::error::{Code, Error, Result};
 /// `miniz_oxide`; links made otherwise open all the same.
 const EFFORT: u8 = 9;
 
+#[inline]
 pub(super) fn write(design: &Design) -> String {
     URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(design.to_json().as_bytes(), EFFORT))
 }
 
 /// Reads what follows `1~`. The checksum of the zlib format (RFC 1950) tells every damage from a design.
+#[inline]
 pub(super) fn read(text: &str) -> Result<Design> {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let bytes = URL_SAFE_NO_PAD.decode(text).map_err(|_| damaged("its letters do not fit together"))?;

@@ -1,12 +1,13 @@
 //! The readable link: `bloor-wilson?a=6&n1=5`, which a teacher can type.
 
-use super::damaged;
+use super::damage::damaged;
 use super::wrapping::encoded;
 use crate::design::described::Family;
 use crate::design::document::Design;
 use crate::design::fields::{Field, Need};
 use crate::design::limits::VERSION;
 use crate::design::look::Look;
+use crate::design::number::parse;
 use crate::design::part::Part;
 use crate::design::placement::Placement;
 use crate::design::quantity::Size;
@@ -51,6 +52,7 @@ pub(super) fn write(design: &Design) -> Option<String> {
 }
 
 /// Reads what follows `1/` by writing out the document that it stands for: its reader refuses what is wrong.
+#[inline]
 pub(super) fn read(text: &str) -> Result<Design> {
     let (kind, query) = text.split_once('?').unwrap_or((text, ""));
     let kind = kind.trim();
@@ -105,9 +107,9 @@ fn family(name: &str) -> Result<Family> {
 
 /// What is not a number stays a text: the reader refuses it and says where.
 fn value(field: &Field, text: &str) -> Value {
-    let number = |text: &str| match text.trim().parse() {
-        Ok(number) => Value::Number(number),
-        Err(_) => Value::Text(text.trim().to_owned()),
+    let number = |text: &str| match parse(text.trim()) {
+        Some(number) => Value::Number(number),
+        None => Value::Text(text.trim().to_owned()),
     };
     match field.size {
         Size::One => number(text),

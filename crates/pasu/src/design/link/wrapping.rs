@@ -1,6 +1,6 @@
 //! What mail programs, messengers and people do to a link on its way, undone.
 
-use super::damaged;
+use super::damage::damaged;
 use crate::error::Result;
 
 /// The text after `#`, decoded, without what was put round it and into it.
