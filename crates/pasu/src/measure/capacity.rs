@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
+use super::accuracy::Accuracy;
 use super::bare::{Bare, Cap};
 use super::column::Inside;
 use super::fill::{Filling, Level};
-use super::integral::Accuracy;
 use super::quantity::Quantity;
 use crate::face::{Face, FaceKind};
 use crate::solid::Pot;

@@ -1,9 +1,9 @@
 //! Measuring a design, part by part.
 
+use super::accuracy::Accuracy;
 use super::capacity::Capacity;
 use super::curvature::{Curvature, curvature};
 use super::fill::Filling;
-use super::integral::Accuracy;
 use super::measures::{
     Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };

@@ -4,8 +4,9 @@ use core::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
+use super::accuracy::Accuracy;
 use super::column::{Column, Inside, LEVEL, Link, Wet};
-use super::integral::{Accuracy, between};
+use super::integral::between;
 use super::moments::{Moments, element};
 use super::outside::round;
 use super::panels;

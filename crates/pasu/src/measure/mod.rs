@@ -1,5 +1,6 @@
 //! What can be measured on a pot: by quadrature on the closed form, each with the error that it may have.
 
+mod accuracy;
 mod bare;
 mod capacity;
 mod column;

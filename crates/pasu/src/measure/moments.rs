@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-use super::integral::{Accuracy, over_face};
+use super::accuracy::Accuracy;
+use super::integral::over_face;
 use super::quantity::Quantity;
 use crate::face::{Face, FaceJet};
 use crate::numeric::integral::Integral;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::integral::Accuracy;
+use super::accuracy::Accuracy;
 use crate::face::{Face, FaceJet, Seams, ascending};
 use crate::numeric::gauss_legendre::{FOUR, Rule, THREE, TWO, spread};
 use crate::numeric::integral::{Integral, ROUNDING};

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::integral::Accuracy;
+use super::accuracy::Accuracy;
 use super::moments::area;
 use super::outside::{Outside, degrees, hull, polygon_area, round};
 use super::quantity::Quantity;

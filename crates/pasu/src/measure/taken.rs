@@ -1,9 +1,9 @@
 //! What the measures of one part are taken on.
 
+use super::accuracy::Accuracy;
 use super::bare::Bare;
 use super::capacity::Vessel;
 use super::folded::Folded;
-use super::integral::Accuracy;
 use super::outside::Outside;
 use crate::error::Result;
 use crate::face::{Face, FaceKind, PatchFace};

@@ -1,8 +1,8 @@
 //! Water standing in a design, to be drawn.
 
+use super::accuracy::Accuracy;
 use super::design::above_spill;
 use super::fill::Level;
-use super::integral::Accuracy;
 use super::pool::Pool;
 use super::quantity::Quantity;
 use super::taken::Taken;

@@ -1,11 +1,13 @@
 //! A template at true scale as SVG: the section of each part with its heights, the rim from above and unrolled.
 
 mod drawing;
+mod frame;
 mod section;
 
 use glam::{DVec2, DVec3};
 
 use self::drawing::{Anchor, Drawing, Pen, label, number};
+pub(super) use self::frame::Frame;
 use self::section::section;
 use super::contents::{Body, Notes, PROGRAM};
 use super::shading::point;
@@ -27,33 +29,6 @@ const HEIGHTS: f64 = 62.0;
 const STRIP: f64 = 20.0;
 /// How long the bar is by which a print is checked.
 const CHECK: f64 = 100.0;
-
-/// Where a part stands in space, in millimetres.
-pub(super) struct Frame {
-    /// A point of the axis.
-    pub(super) origin: DVec3,
-    /// The unit vector from the foot to the rim.
-    pub(super) axis: DVec3,
-    /// The unit vector across the axis that the section runs along.
-    pub(super) across: DVec3,
-}
-
-impl Frame {
-    /// Distance along [`Self::across`] and height.
-    fn plan(&self, point: DVec3) -> DVec2 {
-        DVec2::new((point - self.origin).dot(self.across), self.height(point))
-    }
-
-    fn height(&self, point: DVec3) -> f64 {
-        (point - self.origin).dot(self.axis)
-    }
-
-    /// As seen from above, the section's plane across.
-    fn above(&self, point: DVec3) -> DVec2 {
-        let from = point - self.origin;
-        DVec2::new(from.dot(self.across), from.dot(self.axis.cross(self.across)))
-    }
-}
 
 /// What a template shows of a part beside its body.
 pub(super) struct Stand {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::Frame;
+use super::frame::Frame;
 use crate::export::contents::Body;
 use crate::export::shading::point;
 
