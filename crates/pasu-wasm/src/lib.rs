@@ -12,6 +12,7 @@ mod error;
 #[cfg(feature = "making")]
 mod fields;
 mod into;
+mod last;
 #[cfg(feature = "making")]
 mod making;
 mod mesh;
@@ -72,7 +73,7 @@ pub fn link(source: &JsValue) -> Result<String, JsValue> {
 /// When the source is not a design, an option is not understood, or the design cannot be solved or meshed.
 #[wasm_bindgen]
 pub fn mesh(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Object, JsValue> {
-    let sampled = || mesh::sampled(&source::design(source)?, &options::read(options)?, into);
+    let sampled = || mesh::sampled(&*source::solution(source)?, &options::read(options)?, into);
     sampled().map_err(|error| thrown(&error))?
 }
 
@@ -82,7 +83,7 @@ pub fn mesh(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Objec
 /// As [`mesh`].
 #[wasm_bindgen]
 pub fn bound(source: &JsValue, options: &JsValue) -> Result<f64, JsValue> {
-    let bounded = || pasu::bound(&source::design(source)?, &options::read(options)?);
+    let bounded = || source::solution(source)?.bound(&options::read(options)?);
     bounded().map_err(|error| thrown(&error))
 }
 
@@ -92,7 +93,7 @@ pub fn bound(source: &JsValue, options: &JsValue) -> Result<f64, JsValue> {
 /// When the source is not a design, the part or a point does not exist, or the part cannot be solved.
 #[wasm_bindgen]
 pub fn evaluate(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Float64Array, JsValue> {
-    let solved = || pasu::evaluate(&source::design(source)?, points::part(part)?, &points::read(at)?);
+    let solved = || source::solution(source)?.evaluate(points::part(part)?, &points::read(at)?);
     let positions = solved().map_err(|error| thrown(&error))?;
     Ok(Float64Array::from(positions.as_slice()))
 }
@@ -103,7 +104,7 @@ pub fn evaluate(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Float6
 /// As [`evaluate`].
 #[wasm_bindgen]
 pub fn derivatives(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Object, JsValue> {
-    let solved = || pasu::derivatives(&source::design(source)?, points::part(part)?, &points::read(at)?);
+    let solved = || source::solution(source)?.derivatives(points::part(part)?, &points::read(at)?);
     let derivatives = solved().map_err(|error| thrown(&error))?;
     let object = Object::new();
     mesh::set(&object, "du", Float64Array::from(derivatives.du.as_slice()).into())?;
@@ -117,6 +118,6 @@ pub fn derivatives(source: &JsValue, part: &JsValue, at: &JsValue) -> Result<Obj
 /// When the source is not a design or cannot be solved.
 #[wasm_bindgen]
 pub fn fingerprint(source: &JsValue) -> Result<String, JsValue> {
-    let solved = || pasu::fingerprint(&source::design(source)?);
+    let solved = || source::solution(source)?.fingerprint();
     solved().map_err(|error| thrown(&error))
 }

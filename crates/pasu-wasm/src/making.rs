@@ -14,7 +14,7 @@ use crate::{fields, options, plain_object, source};
 /// When the source is not a design, an option is not understood, or the design cannot be solved.
 #[wasm_bindgen]
 pub fn measure(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
-    let measured = || pasu::measure(&source::design(source)?, &fields::measuring(options)?);
+    let measured = || source::solution(source)?.measure(&fields::measuring(options)?);
     plain_object(&measured().map_err(|error| thrown(&error))?)
 }
 
@@ -24,7 +24,7 @@ pub fn measure(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> 
 /// When the source is not a design or an option is not understood.
 #[wasm_bindgen]
 pub fn check(source: &JsValue, making: &JsValue) -> Result<JsValue, JsValue> {
-    let checked = || pasu::check(&source::design(source)?, &fields::making(making)?);
+    let checked = || source::solution(source)?.check(&fields::making(making)?);
     plain_object(&checked().map_err(|error| thrown(&error))?)
 }
 
@@ -36,7 +36,7 @@ pub fn check(source: &JsValue, making: &JsValue) -> Result<JsValue, JsValue> {
 pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uint8Array, JsValue> {
     let written = || {
         let format = fields::one_of(format, "format", &Format::ALL, Format::name)?;
-        pasu::write(&source::design(source)?, format, &fields::making(making)?)
+        source::solution(source)?.write(format, &fields::making(making)?)
     };
     Ok(Uint8Array::from(written().map_err(|error| thrown(&error))?.as_slice()))
 }
@@ -47,7 +47,7 @@ pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uin
 /// As [`write`].
 #[wasm_bindgen]
 pub fn solid(source: &JsValue, making: &JsValue) -> Result<Object, JsValue> {
-    let drawn = || pasu::drawn(&source::design(source)?, &fields::making(making)?);
+    let drawn = || source::solution(source)?.drawn(&fields::making(making)?);
     let drawn = drawn().map_err(|error| thrown(&error))?;
     let scale = Object::new();
     set(&scale, "size", drawn.scale.size.into())?;
@@ -84,7 +84,7 @@ pub(crate) fn faces(faces: &[DrawnFace]) -> Result<Array, JsValue> {
 pub fn paint(source: &JsValue, map: &JsValue, options: &JsValue) -> Result<Object, JsValue> {
     let painted = || {
         let map = fields::one_of(map, "map", &Map::ALL, Map::name)?;
-        pasu::paint(&source::design(source)?, map, &options::read(options)?)
+        source::solution(source)?.paint(map, &options::read(options)?)
     };
     let values = painted().map_err(|error| thrown(&error))?;
     let object = Object::new();
@@ -102,7 +102,7 @@ pub fn paint(source: &JsValue, map: &JsValue, options: &JsValue) -> Result<Objec
 /// When the source is not a design, the level is above what the design holds, or the design holds nothing.
 #[wasm_bindgen]
 pub fn water(source: &JsValue, level: &JsValue) -> Result<Object, JsValue> {
-    let filled = || pasu::water(&source::design(source)?, fields::argument(level, "level")?);
+    let filled = || source::solution(source)?.water(fields::argument(level, "level")?);
     let water = filled().map_err(|error| thrown(&error))?;
     let object = Object::new();
     set(&object, "volume", water.volume.into())?;

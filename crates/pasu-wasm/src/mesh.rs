@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use js_sys::{Object, Reflect};
-use pasu::{Design, Mesh, MeshOptions, Result, Sampler};
+use pasu::{Mesh, MeshOptions, Result, Sampler, Solution};
 use wasm_bindgen::JsValue;
 
 use crate::into::{Room, floats, integers};
@@ -21,14 +21,14 @@ thread_local! {
 
 /// Samples a design and writes the mesh into `into`, as [`object`] does.
 pub(crate) fn sampled(
-    design: &Design,
+    solution: &Solution,
     options: &MeshOptions,
     into: &JsValue,
 ) -> Result<core::result::Result<Object, JsValue>> {
     KEPT_SAMPLERS.with_borrow_mut(|kept| {
         let found = kept.iter().position(|(of, _)| of == options);
         let mut sampler = found.map_or_else(Sampler::new, |index| kept.remove(index).1);
-        let mesh = sampler.sample(design, options)?;
+        let mesh = sampler.sample_solution(solution, options)?;
         let object = object(mesh, into);
         if mesh.n_vertices() <= KEPT {
             kept.push((*options, sampler));

@@ -17,7 +17,7 @@ use crate::{fields, source};
 /// When the source is not a design, an option is not understood, or the design cannot be made.
 #[wasm_bindgen]
 pub fn sketch(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Object, JsValue> {
-    let sketched = || pasu::sketch(&source::design(source)?, &fields::sketching(options)?);
+    let sketched = || source::solution(source)?.sketch(&fields::sketching(options)?);
     let sketch = sketched().map_err(|error| thrown(&error))?;
     let object = Object::new();
     set(&object, "positions", floats(&sketch.positions, &field(into, "positions"), Room::Spare).into())?;

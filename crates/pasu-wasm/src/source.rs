@@ -1,9 +1,12 @@
 //! What JavaScript hands over: a design as an object, as JSON text or as a link, and options.
 
-use pasu::{Design, Result};
+use std::rc::Rc;
+
+use pasu::{Design, Result, Solution};
 use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 
+use crate::last;
 use crate::plain::Plain;
 
 /// Reads a design from whatever JavaScript has.
@@ -12,6 +15,11 @@ pub(crate) fn design(source: &JsValue) -> Result<Design> {
         Some(text) => Design::parse(&text),
         None => Design::read(Plain(source.clone())),
     }
+}
+
+/// Reads a design and solves it, unless that is what the last call did.
+pub(crate) fn solution(source: &JsValue) -> Result<Rc<Solution>> {
+    Ok(last::solution(&design(source)?))
 }
 
 /// Reads an argument that is no design; `path` is what it is called.

@@ -18,7 +18,7 @@ pub struct Derivatives {
 /// Positions, before placement, of part `part` at pairs `(u, v)`: `u` in [0, 1], `v` any number in the units of the shape's span.
 ///
 /// # Errors
-/// `no-such-point` for a part that does not exist, an odd number of coordinates, or a point outside the surface; what [`Surface::solve`] refuses; `overflow`.
+/// `no-such-point` for a part that does not exist, an odd number of coordinates, or a point outside the surface; what [`Surface::solve`](crate::Surface::solve) refuses; `overflow`.
 ///
 /// ```
 /// let vase = pasu::Design::parse("#1/second-order?height=9")?;

@@ -30,6 +30,8 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
                 Some(Size::Height(height)) => json!({ "height": height }),
                 Some(Size::Width(width)) => json!({ "width": width }),
                 Some(Size::Capacity(capacity)) => json!({ "capacity": capacity }),
+                // Sizes may come that this sheet does not know.
+                Some(_) => Value::Null,
                 None => Value::Null,
             },
             "product": making.product.name(),

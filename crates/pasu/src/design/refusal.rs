@@ -11,7 +11,7 @@ use crate::error::{Code, Error};
 const LATER: [&str; 3] = ["vertex-frame", "blend", "octant"];
 
 /// Every refusal that a type can make while it is read: what was expected, and what was found in its place. The path begins where the error was made; what reads a
-/// list or a group of fields puts its own part before it ([`Error::inside_field`], [`Error::inside_item`]).
+/// list or a group of fields puts its own part before it (`Error::inside_field`, `Error::inside_item`).
 impl de::Error for Error {
     fn custom<T: Display>(message: T) -> Self {
         Error::new(Code::WrongType, "", message.to_string())

@@ -53,10 +53,10 @@ pub fn write(design: &Design, format: Format, making: &Making) -> Result<Vec<u8>
 }
 
 impl Solution {
-    /// As [`write`].
+    /// As [`write()`].
     ///
     /// # Errors
-    /// As [`write`].
+    /// As [`write()`].
     pub fn write(&self, format: Format, making: &Making) -> Result<Vec<u8>> {
         written(self, format, making)
     }

@@ -52,7 +52,7 @@ impl Map {
 /// At poles and cusps the limit from within the surface, and 0 where there is none; values beyond single precision are its largest. Every value is finite.
 ///
 /// # Errors
-/// As [`mesh`](crate::mesh); for [`Map::Thickness`] also what [`Pot::new`] refuses.
+/// As [`mesh`](crate::mesh); for [`Map::Thickness`] also what [`Pot::new`](crate::Pot::new) refuses.
 ///
 /// ```
 /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.

@@ -86,6 +86,28 @@ impl Sampler {
         let parts = design.parts().iter().enumerate();
         let placed = parts.map(|(index, part)| Placed::new(part, index)).collect::<Result<Vec<Placed>>>()?;
         let grids = choose(placed.iter().map(Ok), options, false, &mut self.spare)?;
+        self.take(grids)
+    }
+
+    /// As [`Sampler::sample`], of a design that may have been solved already.
+    ///
+    /// # Errors
+    /// As [`mesh`].
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions, Sampler, Solution};
+    ///
+    /// let solution = Solution::of(&Design::parse("#1/bloor-wilson?n1=5")?);
+    /// let (mut sampler, options) = (Sampler::new(), MeshOptions::default());
+    /// assert_eq!(sampler.sample_solution(&solution, &options)?, &solution.mesh(&options)?);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    pub fn sample_solution(&mut self, solution: &Solution, options: &MeshOptions) -> Result<&Mesh> {
+        let grids = choose(solution.parts(), options, false, &mut self.spare)?;
+        self.take(grids)
+    }
+
+    fn take(&mut self, grids: Vec<Grids>) -> Result<&Mesh> {
         let filled = self.fill(&grids);
         self.spare.extend(grids.into_iter().filter_map(Grids::into_curves));
         filled?;
