@@ -2,15 +2,15 @@
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import init, { fingerprint, link } from "pasu";
+import init, { fingerprint, link, type Shape } from "pasu";
 import { beforeAll, expect, test } from "vitest";
 import { serve } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
 
 interface Case {
   readonly name: string;
-  readonly family?: object;
-  readonly shape: object;
+  readonly family?: Shape;
+  readonly shape: Shape;
 }
 
 const read = (path: string): unknown => JSON.parse(readFileSync(new URL(path, import.meta.url), "utf8"));
@@ -96,7 +96,7 @@ test.each([
   ["of a later version", (whole: string) => whole.replace("#1", "#2")],
   ["to something else", () => "#privacy"],
 ])("a link %s says so in words and leaves the pot alone", async (_, damage) => {
-  const address = `#${link({ pasu: 1, title: "A pot", parts: [{ shape: corpus[60]?.shape ?? {} }] })}`;
+  const address = `#${link({ pasu: 1, title: "A pot", parts: corpus.slice(60, 61).map(({ shape }) => ({ shape })) })}`;
   expect(address).toContain("#1~");
   const pot = await here.enter({ link: "#1/second-order?height=5" });
   const before = await pot.fingerprint();

@@ -54,9 +54,9 @@ impl<'de> SeqAccess<'de> for Items {
         if self.index == self.array.length() {
             return Ok(None);
         }
-        let item = Reflect::get_u32(&self.array, self.index).map_err(unreadable)?;
+        let item = Reflect::get_u32(&self.array, self.index);
         self.index += 1;
-        seed.deserialize(Plain(item)).map(Some)
+        within(item, seed).map(Some)
     }
 }
 
@@ -80,7 +80,31 @@ impl<'de> MapAccess<'de> for Fields {
     }
 
     fn next_value_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<T::Value> {
-        seed.deserialize(Plain(Reflect::get(&self.object, &self.key).map_err(unreadable)?))
+        within(Reflect::get(&self.object, &self.key), seed)
+    }
+}
+
+/// Reads an item or a field. One that cannot be had is refused as what is being read, so that its place is known, and not as the list or object that it is in.
+fn within<'de, T: DeserializeSeed<'de>>(found: core::result::Result<JsValue, JsValue>, seed: T) -> Result<T::Value> {
+    match found {
+        Ok(value) => seed.deserialize(Plain(value)),
+        Err(thrown) => seed.deserialize(Unreadable(thrown)),
+    }
+}
+
+/// In place of a value: what the caller threw when it was asked for.
+struct Unreadable(JsValue);
+
+impl<'de> Deserializer<'de> for Unreadable {
+    type Error = Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value> {
+        Err(unreadable(self.0))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+        newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
     }
 }
 

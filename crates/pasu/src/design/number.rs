@@ -46,7 +46,7 @@ fn reread(text: &str) -> f64 {
 
 /// Reads a number as people and programs write it: `12`, `+3`, `-.5`, `1.`, `2.5e-3`, and what is none but called so, `inf` and `NaN`.
 ///
-/// The digits are read by `serde_json`, whose tables the module has anyway: those of the standard library would be 12 kB (gzip) more. So they are first brought into
+/// The digits are read by `serde_json`, whose tables the module has anyway: those of the standard library would come on top. So they are first brought into
 /// the form that JSON has for them, which wants a digit on either side of a point, and no sign or zero before the first that counts.
 pub(crate) fn parse(text: &str) -> Option<f64> {
     let (is_negative, unsigned) = match text.strip_prefix(['-', '+']) {
