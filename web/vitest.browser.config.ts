@@ -29,9 +29,9 @@ export default defineConfig({
     environment: "node",
     passWithNoTests: true,
     fileParallelism: false,
-    testTimeout: 60_000,
-    hookTimeout: 60_000,
+    testTimeout: 300_000,
+    hookTimeout: 120_000,
     // As patient as a gesture: what is waited for comes late on a busy machine.
-    expect: { poll: { timeout: 30_000 } },
+    expect: { poll: { timeout: 120_000 } },
   },
 });

@@ -38,7 +38,7 @@ test.each<[string, VisitOptions]>([
   ["light", { colorScheme: "light" }],
   ["dark", { colorScheme: "dark" }],
   ["on a phone", PHONE],
-])("axe-core finds nothing, %s", { timeout: 120_000 }, async (_, options) => {
+])("axe-core finds nothing, %s", { timeout: 400_000 }, async (_, options) => {
   const pot = await here.enter({ link: "#1/second-order", ...options });
   const before = await pot.fingerprint();
   const check = async (where: string) => expect(await findings(pot), where).toEqual([]);

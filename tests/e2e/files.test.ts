@@ -45,7 +45,7 @@ const FILES: readonly (readonly [
   ["PLY", "ply", (bytes) => text(bytes, 4) === "ply\n", true],
 ];
 
-test("every format is saved, and dropped on the page opens the pot again", { timeout: 120_000 }, async () => {
+test("every format is saved, and dropped on the page opens the pot again", { timeout: 400_000 }, async () => {
   const { pot, fingerprint } = await exporting("#1/fourth-order");
   await pot.button("Cancel").click();
   await pot.page.getByRole("textbox", { name: "Title" }).fill("Jar");

@@ -27,8 +27,8 @@ export const SHARP: VisitOptions = { deviceScaleFactor: 1, grid: null };
 /** A picture that is quickly drawn in software, for all others: a quarter of the pixels, and a fourteenth of the vertices. */
 export const COARSE: VisitOptions = { deviceScaleFactor: 0.5, grid: { rows: 49, columns: 97 } };
 
-/** Longer than anything takes on a busy machine; then the gesture that failed is named, not the test as a whole. */
-const PATIENCE = 30_000;
+/** Longer than anything takes on a busy machine, measuring a wall that had to be thinned all round among it; then the gesture that failed is named, not the test as a whole. */
+const PATIENCE = 120_000;
 
 /** A phone held upright; its screen is coarser than that of any phone, for the same reason. */
 export const PHONE: BrowserContextOptions = {
