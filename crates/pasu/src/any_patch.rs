@@ -73,23 +73,12 @@ fn farthest(solution: &Solution, mesh: &Mesh) -> f64 {
     let placed = solution.part(0).unwrap();
     let patches = placed.solved().patches();
     let mut largest = 0.0f64;
-    // Which patch a triangle is of is told by its number: each has as many vertices as its grid.
-    let mut first = 0;
-    let mut bounds = Vec::new();
-    for sizes in mesh.topology.split_terminator(['+', '-']).map(|text| &text[text.find('x').map_or(0, |_| 0)..]) {
-        let digits = |text: &str| text.parse::<usize>().ok();
-        // Sixteen digits of a hash come before all but the first.
-        let sizes = if bounds.is_empty() { sizes } else { &sizes[16..] };
-        if let Some((rows, columns)) = sizes.split_once('x')
-            && let (Some(rows), Some(columns)) = (digits(rows), digits(columns))
-        {
-            first += rows * columns;
-            bounds.push(first);
-        }
-    }
-    assert_eq!(bounds.len(), patches.len());
+    // Each patch begins with its corner (0, 0), which no other vertex of it has.
+    let is_corner = |uv: &[f32]| uv[0] == 0.0 && uv[1] == 0.0;
+    let corners: Vec<usize> = (0..mesh.n_vertices()).filter(|i| is_corner(&mesh.uvs[2 * i..2 * i + 2])).collect();
+    assert_eq!(corners.len(), patches.len());
     for triangle in mesh.indices.chunks_exact(3) {
-        let patch = bounds.partition_point(|bound| *bound <= triangle[0] as usize);
+        let patch = corners.partition_point(|corner| *corner <= triangle[0] as usize) - 1;
         let at = |array: &[f32], n: usize, vertex: u32| {
             let from = n * vertex as usize;
             DVec3::new(
