@@ -190,6 +190,31 @@ test("arrays are the caller's own and survive later calls", async () => {
   });
 });
 
+test("meshes of one topology share no array", async () => {
+  await inFreshProject(async (project) => {
+    const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);
+    await pasu.default();
+    const grid = { rows: 9, columns: 17 };
+    const keys = ["groups", "indices", "normals", "positions", "topology", "uvs"];
+    const meshes = [0, 1, 2, 3].map(() => pasu.mesh(VASE, grid));
+    const { indices, uvs, groups } = pasu.mesh(VASE, { ...grid, into: {} });
+    for (const mesh of meshes) {
+      assert.deepEqual(Object.keys(mesh).sort(), keys);
+      assert.deepEqual([mesh.indices, mesh.uvs, mesh.groups], [indices, uvs, groups]);
+      assert.equal(mesh.indices, mesh.indices);
+      // Written over or given away, they are missing in no other mesh.
+      mesh.indices.fill(7);
+      const given = structuredClone(mesh, { transfer: [mesh.uvs.buffer, mesh.positions.buffer] });
+      assert.deepEqual([given.uvs, given.groups, mesh.uvs.length], [uvs, groups, 0]);
+      mesh.groups = undefined;
+      assert.equal(mesh.groups, undefined);
+    }
+    // Another topology, and the first one again.
+    assert.equal(pasu.mesh(VASE, { rows: 12, columns: 17 }).indices.length, 6 * 11 * 16);
+    for (let i = 0; i < 3; i++) assert.deepEqual(pasu.mesh(VASE, grid).indices, indices);
+  });
+});
+
 test("after a crash the next call works on a fresh instance", async () => {
   await inFreshProject(async (project) => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);

@@ -366,7 +366,11 @@ export function parse(source: DesignSource): Design;
 /** The link of a design, without the leading `#`. Equal designs have equal links. */
 export function link(source: DesignSource): string;
 
-/** The surface as triangles, placed. */
+/**
+ * The surface as triangles, placed.
+ *
+ * Where the grid is that of the mesh before, `uvs`, `indices` and `groups` are copied for you when you first read them.
+ */
 export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
 
 /**

@@ -52,6 +52,37 @@ const HAS_SIMD = WebAssembly.validate(
   ),
 );
 
+/** What depends on the topology of a mesh alone. */
+const TABLES = ["uvs", "indices", "groups"];
+
+/** Meshes of more vertices than this keep no tables: 34 MB. */
+const MOST_KEPT = 2 ** 20;
+
+/** The topology of the last mesh that had new arrays; with its tables, once two meshes in a row had it. */
+let tables;
+
+/**
+ * A mesh with new arrays. Tables of the topology of the one before are copied when they are first read: they are more than half of a mesh, and new memory is what takes longest.
+ *
+ * A module that is given `tables` leaves them out of a mesh of their topology.
+ */
+function ofTables(mesh) {
+  if (mesh.indices !== undefined) {
+    const { topology, uvs, indices, groups } = mesh;
+    const isAgain = topology === tables?.last && uvs.length <= 2 * MOST_KEPT;
+    tables = isAgain ? { last: topology, topology, kept: { uvs, indices, groups } } : { last: topology };
+    if (!isAgain) return mesh;
+  }
+  const { kept } = tables;
+  for (const key of TABLES) {
+    const hold = (value) =>
+      Object.defineProperty(mesh, key, { value, writable: true, enumerable: true, configurable: true });
+    const get = () => hold(new kept[key].constructor(kept[key]))[key];
+    Object.defineProperty(mesh, key, { get, set: hold, enumerable: true, configurable: true });
+  }
+  return mesh;
+}
+
 /**
  * An entry: `init`, `call`, which calls a binding by its name, and the functions that every entry has.
  *
@@ -104,9 +135,9 @@ export function entry(simd, scalar) {
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),
     mesh(source, options) {
-      if (typeof options !== "object" || options === null) return call("mesh", source, options);
+      if (typeof options !== "object" || options === null) return ofTables(call("mesh", source, options, tables));
       const { into, ...others } = options;
-      return call("mesh", source, others, into);
+      return into === undefined ? ofTables(call("mesh", source, others, tables)) : call("mesh", source, others, into);
     },
     bound: (source, options) => call("bound", source, options),
     evaluate: (source, part, at) => call("evaluate", source, part, at),
