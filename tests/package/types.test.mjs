@@ -54,7 +54,7 @@ const level: number | undefined = again.water?.level;
 const linings = drawn_solid.faces.filter(({ kind }) => kind === "lining");
 const colours: Float32Array = paint(design, "thickness", { rows: 3, columns: 5 }).values;
 const wet: Water = water(design, 2);
-const kept: string | undefined = open(new Uint8Array(8));
+const kept: string | null = open(new Uint8Array(8));
 void brim; void findings; void file; void linings; void level; void colours; void wet; void kept;
 await start();
 const same: Mesh = drawn(design) satisfies Drawn;

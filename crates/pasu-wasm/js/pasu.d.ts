@@ -1,7 +1,9 @@
-// The interface of the package. The types of the design document are in design.d.ts.
+// The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
+import type { Measures, Report } from "./answers.js";
 import type { Design } from "./design.js";
 
+export type * from "./answers.js";
 export type * from "./design.js";
 
 /** A design to read: a plain object, or as text its JSON, a link (with or without `#`) or an address with one. */
@@ -48,7 +50,7 @@ export declare class PasuError extends Error {
     code: PasuErrorCode,
     path: string,
     message: string,
-    options?: ErrorOptions & { args?: PasuErrorArgs; place?: Point | undefined },
+    options?: ErrorOptions & { args?: PasuErrorArgs; place?: Point | null | undefined },
   );
   override readonly name: "PasuError";
   readonly code: PasuErrorCode;
@@ -56,8 +58,8 @@ export declare class PasuError extends Error {
   readonly path: string;
   /** What the message names: with the code, what it takes to say it in another language. */
   readonly args: PasuErrorArgs;
-  /** Where in space, if it went wrong at a point of a pot. */
-  readonly place?: Point;
+  /** Where in space, if it went wrong at a point of a pot, or null. */
+  readonly place: Point | null;
 }
 
 /** Triangles, counter-clockwise from outside. The arrays are yours. */
@@ -75,10 +77,10 @@ export interface Mesh {
   /** Names the grids of the parts and their windings: meshes of equal topology have equal `uvs`, `indices` and `groups`. */
   topology: string;
   /**
-   * The largest distance between the triangles and the surface, in the unit of the design; rounding is in it. Left out where both `rows` and `columns`
+   * The largest distance between the triangles and the surface, in the unit of the design; rounding is in it. Null where both `rows` and `columns`
    * were given without a tolerance: {@link bound} finds it then.
    */
-  bound?: number;
+  bound: number | null;
 }
 
 /**
@@ -103,21 +105,8 @@ export interface Derivatives {
   dv: Float64Array;
 }
 
-/** A number and how far it may be off: the true one is within `error` of `value`. */
-export interface Quantity {
-  value: number;
-  error: number;
-}
-
 /** A point of the world, after placement, in the unit of the design; z is up. */
 export type Point = [x: number, y: number, z: number];
-
-/** A number, how far it may be off, and where it is reached. */
-export interface Located {
-  value: number;
-  error: number;
-  at: Point;
-}
 
 /** What is made of each part: a hollow pot with the part's wall, or the surface with its ends closed for the vase mode of a slicer. */
 export type Product = "pot" | "solid";
@@ -150,141 +139,6 @@ export interface MeasureOptions {
   density?: number | undefined;
 }
 
-/**
- * What can be said of one part and of several together. Lengths are in the unit of the design, areas and volumes in its square and cube, angles in degrees, masses in grams. What there is not is null.
- */
-export interface BodyMeasures {
-  /** From the lowest to the highest point. */
-  height: Quantity;
-  /** The lowest z. */
-  bottom: number;
-  /** The highest z. */
-  top: number;
-  /** Between two upright boards on either side, over all level directions; the directions are in degrees anticlockwise from x. */
-  width: { least: Quantity; greatest: Quantity; leastDirection: number; greatestDirection: number };
-  /** Of the design surface, one side. */
-  area: Quantity;
-  /** The whole boundary of the clay, and what is inside; `mass` in grams. */
-  clay: { area: Quantity; volume: Quantity; mass: Quantity } | null;
-  capacity: Capacity | null;
-  /** Centre of mass of the clay, and of clay and water to the brim. */
-  centre: { empty: { at: Point; error: number } | null; full: { at: Point; error: number } | null };
-  /** Of what touches the table: its area, and the area and corners of its convex hull, anticlockwise. */
-  footprint: { level: number; area: Quantity; hullArea: Quantity; hull: [x: number, y: number][] } | null;
-  /** How far it can be tilted until it falls, and in which direction, in degrees anticlockwise from x. */
-  tipping: { empty: Tipping | null; full: Tipping | null };
-}
-
-/** What a pot holds, in the unit of the design cubed. */
-export interface Capacity {
-  /** To the brim, in the position in which it is placed. */
-  brim: Quantity;
-  /** Where water first runs out. */
-  spill: { level: Quantity; at: Point };
-  /** The z of the lowest point inside. */
-  floor: number;
-  /** Up to the level that was asked for. */
-  fill: { level: number; volume: Quantity } | null;
-  /** Whether there is a drain hole, which is taken as stopped. */
-  stopped: boolean;
-}
-
-/** Degrees; `error` is how far `degrees` may be off. */
-export interface Tipping {
-  degrees: number;
-  error: number;
-  toward: number;
-}
-
-/** The measures of one part. */
-export interface PartMeasures extends BodyMeasures {
-  part: number;
-  name: string | null;
-  /** Whether it has a wall, and can have it. */
-  isPot: boolean;
-  /** Why it is no pot, in words. */
-  reason: string | null;
-  /** Why it holds nothing, in words. */
-  capacityReason: string | null;
-  /** Along the normal; `thinned` is the share of the surface, 0 to 1, where the wall is thinner than asked for. */
-  thickness: {
-    asked: number;
-    least: { value: number; error: number; at: Point | null };
-    greatest: number;
-    greatestError: number;
-    thinned: number;
-    thinnedError: number;
-  } | null;
-  /** Of the outside against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up. */
-  overhang: Overhang | null;
-  /** Of the lining. */
-  overhangInside: Overhang | null;
-  /** Of the design surface: mean in 1 / length, Gaussian in 1 / area; null where it has no bound. */
-  curvature: {
-    mean: { least: Located | null; greatest: Located | null };
-    gaussian: { least: Located | null; greatest: Located | null };
-  };
-}
-
-/** How far a wall leans over what is below. */
-export interface Overhang {
-  degrees: number;
-  /** How far `degrees` may be off. */
-  error: number;
-  at: Point;
-  face: "outer" | "rim" | "lining";
-}
-
-/** What can be measured on a design and on each of its parts. */
-export interface Measures extends BodyMeasures {
-  unit: "mm" | "cm" | "in";
-  product: Product;
-  parts: PartMeasures[];
-}
-
-/** One thing that a check found. */
-export interface Finding {
-  /** A stable kebab-case word: `thinned`, or the code of the refusal. */
-  code: string;
-  /** It cannot be made; it differs from what was asked for; worth knowing. */
-  severity: "error" | "warning" | "note";
-  part: number;
-  /** One sentence in a potter's words. */
-  message: string;
-  at?: Point;
-}
-
-/** What the checks counted on the mesh of one part, on the very coordinates that a file holds. */
-export interface MeshReport {
-  part: number;
-  vertices: number;
-  triangles: number;
-  /** Whether every edge is shared by two triangles that pass it in opposite directions. */
-  closed: boolean;
-  /** Handles: 0 for a cup, 1 for a tube or a pot with a drain. */
-  genus?: number;
-  /** Triangles without area. */
-  degenerate: number;
-  /** Pairs of triangles that cross. */
-  crossings: number;
-  /** The largest distance between the triangles and the true faces, in the unit of the design. */
-  bound: number;
-  /** The share of the surface, 0 to 1, where the wall is thinner than asked for. */
-  thinned: number;
-  /** The thinnest that the wall is, in the unit of the design. */
-  thinnest?: number;
-}
-
-/** Whether a design can be made, and what was found. */
-export interface Report {
-  ok: boolean;
-  product: Product;
-  triangles: number;
-  vertices: number;
-  findings: Finding[];
-  meshes: MeshReport[];
-}
-
 /** A kind of file: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale. */
 export type Format = "stl" | "3mf" | "glb" | "obj" | "ply" | "step" | "svg";
 
@@ -315,8 +169,8 @@ export interface SketchOptions {
 
 /** The faces of pots that the mesh of the design does not show. The arrays are views of the beginnings of longer ones, which are yours. */
 export interface Sketch extends Omit<Solid, "scale"> {
-  /** The water that was asked for; left out also where nothing holds any. */
-  water?: {
+  /** The water that was asked for; null without a fill, and where nothing holds any. */
+  water: {
     /** Its height, the `z` of the world. */
     level: number;
     /** The level of the lowest point inside, and that at which water runs out. */
@@ -325,7 +179,7 @@ export interface Sketch extends Omit<Solid, "scale"> {
     positions: Float32Array;
     /** Three indices for each triangle, counter-clockwise from above. */
     indices: Uint32Array;
-  };
+  } | null;
 }
 
 /** What can be painted on a surface. Curvatures are in 1 / length and 1 / area, the thickness in the unit of the design, the overhang in degrees: 0 on a vertical wall, 90 on a level ceiling. */
@@ -432,5 +286,5 @@ export function paint(source: DesignSource, map: MapName, options?: MeshOptions)
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;
 
-/** The link in a file that {@link write} wrote, without `#`; `undefined` for every other file. */
-export function open(bytes: Uint8Array): string | undefined;
+/** The link in a file that {@link write} wrote, without `#`; null for every other file. */
+export function open(bytes: Uint8Array): string | null;

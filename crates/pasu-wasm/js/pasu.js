@@ -18,7 +18,7 @@ const sketch = (source, options) => {
 };
 const paint = (source, map, options) => call("paint", source, map, options);
 const water = (source, level) => call("water", source, level);
-const open = (bytes) => call("open", bytes);
+const open = (bytes) => call("open", bytes) ?? null;
 
 export {
   bound,

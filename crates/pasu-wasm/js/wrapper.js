@@ -11,7 +11,7 @@ export class PasuError extends Error {
     this.code = code;
     this.path = path;
     this.args = args;
-    if (place) this.place = place;
+    this.place = place ?? null;
   }
 }
 

@@ -49,9 +49,7 @@ fn object(mesh: &Mesh, into: &JsValue) -> core::result::Result<Object, JsValue> 
         set(&object, key, floats(values, &field(into, key), Room::None).into())?;
     }
     set(&object, "topology", mesh.topology.as_str().into())?;
-    if let Some(bound) = mesh.bound {
-        set(&object, "bound", bound.into())?;
-    }
+    set(&object, "bound", mesh.bound.map_or(JsValue::NULL, JsValue::from))?;
     if field(into, "topology").as_string().is_some_and(|topology| topology == mesh.topology) {
         for key in ["uvs", "indices", "groups"] {
             let given = field(into, key);

@@ -24,6 +24,7 @@ pub fn sketch(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Obj
     set(&object, "normals", floats(&sketch.normals, &field(into, "normals"), Room::Spare).into())?;
     set(&object, "indices", integers(&sketch.indices, &field(into, "indices"), Room::Spare).into())?;
     set(&object, "faces", faces(&sketch.faces)?.into())?;
+    set(&object, "water", JsValue::NULL)?;
     if let Some(water) = &sketch.water {
         let surface = Object::new();
         set(&surface, "level", water.level.into())?;

@@ -138,7 +138,7 @@ fn a_sketch_is_written_over_an_earlier_one() {
     assert!(Object::is(&buffer(&first), &buffer(&second)));
     let lengths = [&first, &second].map(|of| at(of, "positions").unchecked_into::<Float32Array>().length());
     assert!(lengths[1] < lengths[0], "{lengths:?}");
-    assert!(at(&second, "water").is_undefined());
+    assert!(at(&second, "water").is_null());
     let fresh = sketch(&CUP.into(), &js(r#"{ "tolerance": 0.05 }"#), &JsValue::UNDEFINED).expect("a sketch");
     for key in ["positions", "normals"] {
         let numbers = [&second, &fresh].map(|of| at(of, key).unchecked_into::<Float32Array>().to_vec());

@@ -177,7 +177,7 @@ fn measures_are_those_of_the_formulas() {
         near("torus", torus.area.value, 4.0 * PI * PI * TORUS.radius * TORUS.tube);
         let clay = torus.clay.unwrap();
         near("torus", clay.volume.value, 2.0 * PI * PI * TORUS.radius * TORUS.tube * TORUS.tube);
-        let centre = torus.centre_empty.unwrap().at;
+        let centre = torus.centre.empty.unwrap().at;
         let expected = if place.is_empty() { [0.0; 3] } else { [3.0, -2.0, 5.0] };
         centre.iter().zip(expected).for_each(|(found, expected)| near("torus", *found, expected));
         let cube = &measured(cube(), place).parts[0].body;

@@ -26,6 +26,7 @@ mod readme {}
 
 #[cfg(test)]
 mod any_patch;
+mod answer;
 mod check;
 mod design;
 mod error;
@@ -57,10 +58,12 @@ pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
+#[cfg(feature = "typescript")]
+pub use make::typescript_of_answers;
 pub use make::{Finding, Making, MeshReport, Report, Scale, Severity, Size, SolidMesh, check, solid};
 pub use measure::{
-    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Footprint, Located, Map, MeasureOptions, Measures,
-    Overhang, PartMeasures, Quantity, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,
+    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located, Map, MeasureOptions, Measures,
+    Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};

@@ -128,7 +128,7 @@ fn water_stands_where_it_is_measured() {
         let options = SketchOptions { fill: Some(share), ..SketchOptions::default() };
         let found = sketch(&design, &options).expect("a sketch").water.expect("water");
         let [floor, spill] = found.range;
-        assert!((floor - capacity.floor).abs() < 1e-9 && (spill - capacity.spill_level.value).abs() < 1e-9);
+        assert!((floor - capacity.floor).abs() < 1e-9 && (spill - capacity.spill.level.value).abs() < 1e-9);
         assert!((found.level - (floor + share * (spill - floor))).abs() < 1e-9);
         let area: f64 = triangles(&found.positions, &found.indices, std::iter::once((0, found.indices.len())))
             .iter()

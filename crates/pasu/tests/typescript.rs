@@ -1,4 +1,4 @@
-//! The TypeScript declarations of the design document, and the file of the npm package that they are written to.
+//! The TypeScript declarations of documents and answers, and the files of the npm package that they are written to.
 #![cfg(feature = "typescript")]
 
 #[test]
@@ -22,14 +22,32 @@ fn every_field_is_declared() {
     assert_eq!(text.matches('{').count(), text.matches('}').count());
 }
 
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../pasu-wasm/js/design.d.ts");
+#[test]
+fn answers_leave_nothing_out() {
+    let text = pasu::typescript_of_answers();
+    for line in [
+        "export interface Measures extends BodyMeasures {",
+        "  readonly unit: Unit;",
+        "  readonly parts: readonly PartMeasures[];",
+        "  readonly centre: { readonly empty: Centre | null; readonly full: Centre | null };",
+        "  readonly hull: readonly (readonly [x: number, y: number])[];",
+        "  readonly capacityReason: string | null;",
+        "  readonly severity: \"error\" | \"warning\" | \"note\";",
+        "  readonly genus: number | null;",
+    ] {
+        assert!(text.lines().any(|found| found == line), "{line}");
+    }
+    assert!(!text.contains("?:"));
+}
 
-/// `PASU_BLESS=1 cargo test -p pasu --features typescript` writes the file anew.
+/// `PASU_BLESS=1 cargo test -p pasu --features typescript` writes the files anew.
 #[test]
 fn the_package_ships_what_is_generated() {
-    let generated = pasu::typescript();
-    if std::env::var_os("PASU_BLESS").is_some() {
-        std::fs::write(FILE, &generated).unwrap();
+    for (name, generated) in [("design.d.ts", pasu::typescript()), ("answers.d.ts", pasu::typescript_of_answers())] {
+        let file = format!("{}/../pasu-wasm/js/{name}", env!("CARGO_MANIFEST_DIR"));
+        if std::env::var_os("PASU_BLESS").is_some() {
+            std::fs::write(&file, &generated).unwrap();
+        }
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), generated, "{name}");
     }
-    assert_eq!(std::fs::read_to_string(FILE).unwrap(), generated);
 }

@@ -31,13 +31,14 @@ impl Care {
 }
 
 /// Files that are copied into the package as they are.
-const COPIED: [(&str, &str); 9] = [
+const COPIED: [(&str, &str); 10] = [
     ("crates/pasu-wasm/js/pasu.js", "pasu.js"),
     ("crates/pasu-wasm/js/drawing.js", "drawing.js"),
     ("crates/pasu-wasm/js/wrapper.js", "wrapper.js"),
     ("crates/pasu-wasm/js/pasu.d.ts", "pasu.d.ts"),
     ("crates/pasu-wasm/js/drawing.d.ts", "drawing.d.ts"),
     ("crates/pasu-wasm/js/design.d.ts", "design.d.ts"),
+    ("crates/pasu-wasm/js/answers.d.ts", "answers.d.ts"),
     ("crates/pasu-wasm/js/README.md", "README.md"),
     ("LICENSE-MIT", "LICENSE-MIT"),
     ("LICENSE-APACHE", "LICENSE-APACHE"),

@@ -31,10 +31,8 @@ const MEASURES = {
       thickness: {
         asked: 0.5,
         least: { value: 0.4, error: 0, at: null },
-        greatest: 0.5,
-        greatestError: 0,
-        thinned: 0.1,
-        thinnedError: 0,
+        greatest: { value: 0.5, error: 0 },
+        thinned: { value: 0.1, error: 0 },
       },
       overhang: { degrees: 31.2, error: 0, at: [0, 0, 0], face: "outer" },
       curvature: {

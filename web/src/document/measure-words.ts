@@ -152,11 +152,11 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
   const lines: Line[] = [];
   if (thickness) {
     const { least, greatest } = thickness;
-    const same = formatNumber(least.value, 4) === formatNumber(greatest, 4);
+    const same = formatNumber(least.value, 4) === formatNumber(greatest.value, 4);
     lines.push({
       name: "Thickness",
-      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest)}`,
-      error: errorWords(Math.max(least.error, thickness.greatestError)),
+      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest.value)}`,
+      error: errorWords(Math.max(least.error, greatest.error)),
       ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
     });
   }

@@ -88,7 +88,8 @@ export function asSentence(message: string): string {
 /** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
 function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
   const mesh = meshes.find((each) => each.part === part);
-  if (!mesh?.thinnest || !at) return findingWords({ code: THINNED, severity: "warning", part, message }, outline);
+  if (!mesh?.thinnest || !at)
+    return findingWords({ code: THINNED, severity: "warning", part, message, at: null }, outline);
   const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
   return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
 }
@@ -135,7 +136,7 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
   if (thickness) {
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
-    if (part.thickness?.thinned && !told) {
+    if (part.thickness?.thinned.value && !told) {
       say(
         "warning",
         `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,

@@ -47,7 +47,7 @@ function perform(ask: Ask): Answers[Kind] {
     case "write":
       return { bytes: write(ask.design as Sent, ask.format, ask.making) };
     case "open":
-      return open(ask.bytes) ?? null;
+      return open(ask.bytes);
   }
 }
 

@@ -28,3 +28,6 @@ impl Unit {
         }
     }
 }
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Unit, "Unit");

@@ -1,7 +1,8 @@
 //! The names of the pieces of which the boundary of a pot is made.
 
 /// What a piece of the boundary is to a potter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FaceKind {
     /// The wall seen from outside.
@@ -44,3 +45,6 @@ impl FaceKind {
         }
     }
 }
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(FaceKind, "FaceKind");

@@ -6,6 +6,8 @@ mod making;
 mod report;
 mod sketch;
 mod solid_mesh;
+#[cfg(feature = "typescript")]
+mod typescript;
 mod verdict;
 mod weave;
 
@@ -15,5 +17,7 @@ pub use making::{Making, Scale, Size};
 pub use report::{Finding, MeshReport, Report, Severity};
 pub(crate) use sketch::sketched;
 pub use solid_mesh::SolidMesh;
+#[cfg(feature = "typescript")]
+pub use typescript::typescript_of_answers;
 pub use verdict::check;
 pub(crate) use verdict::verdict;

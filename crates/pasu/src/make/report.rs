@@ -1,12 +1,17 @@
 //! What the checks found, for a page, a file and a program.
 
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::design::{Value, to_json};
+use crate::answer::answers;
+#[cfg(feature = "typescript")]
+use crate::answer::{Answer, Field, declare};
+use crate::design::to_json;
 use crate::solid::Product;
 
 /// How much a finding matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Severity {
     /// It cannot be made.
@@ -32,46 +37,45 @@ impl Severity {
     }
 }
 
-/// One thing that a check found.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Finding {
-    /// A stable kebab-case word: `thinned`, or the code of the [`Error`](crate::Error) that refuses the part.
-    pub code: &'static str,
-    /// How much it matters.
-    pub severity: Severity,
-    /// The part that it is about.
-    pub part: usize,
-    /// One sentence in a potter's words.
-    pub message: String,
-    /// Where, in model units after placement.
-    pub at: Option<[f64; 3]>,
-}
+answers! {
+    /// One thing that a check found.
+    pub struct Finding as "Finding" {
+        /// A stable kebab-case word: `thinned`, or the code of the error that refuses the part.
+        pub code: &'static str,
+        /// How much it matters.
+        pub severity: Severity,
+        /// The part that it is about.
+        pub part: usize,
+        /// One sentence in a potter's words.
+        pub message: String,
+        /// Where, in model units after placement.
+        pub at: Option<[f64; 3]>,
+    }
 
-/// What the checks counted on the mesh of one part, on the coordinates that a file holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct MeshReport {
-    /// The part.
-    pub part: usize,
-    /// Number of vertices.
-    pub vertices: usize,
-    /// Number of triangles.
-    pub triangles: usize,
-    /// Whether every edge is shared by two triangles that pass it in opposite directions, and the triangles at each vertex are one fan.
-    pub closed: bool,
-    /// Number of handles: 0 for a cup, 1 for a tube or a pot with a drain. `None` where the mesh is not closed.
-    pub genus: Option<usize>,
-    /// Number of triangles without area.
-    pub degenerate: usize,
-    /// Number of pairs of triangles that cross or touch where they should not.
-    pub crossings: usize,
-    /// The largest distance between the triangles and the true faces, in model units.
-    pub bound: f64,
-    /// The share of the design surface where the wall is thinner than asked for, from 0 to 1.
-    pub thinned: f64,
-    /// The thinnest the wall is, in model units; `None` for a solid.
-    pub thinnest: Option<f64>,
+    /// What the checks counted on the mesh of one part, on the coordinates that a file holds.
+    #[derive(Copy)]
+    pub struct MeshReport as "MeshReport" {
+        /// The part.
+        pub part: usize,
+        /// Number of vertices.
+        pub vertices: usize,
+        /// Number of triangles.
+        pub triangles: usize,
+        /// Whether every edge is shared by two triangles that pass it in opposite directions, and the triangles at each vertex are one fan.
+        pub closed: bool,
+        /// Number of handles: 0 for a cup, 1 for a tube or a pot with a drain. It is `None` where the mesh is not closed.
+        pub genus: Option<usize>,
+        /// Number of triangles without area.
+        pub degenerate: usize,
+        /// Number of pairs of triangles that cross or touch where they should not.
+        pub crossings: usize,
+        /// The largest distance between the triangles and the true faces, in model units.
+        pub bound: f64,
+        /// The share of the design surface where the wall is thinner than asked for, from 0 to 1.
+        pub thinned: f64,
+        /// The thinnest the wall is, in model units; `None` for a solid.
+        pub thinnest: Option<f64>,
+    }
 }
 
 /// The verdict on a design: can it be made, and what was found.
@@ -136,8 +140,7 @@ impl Report {
         self.meshes.iter().map(|mesh| mesh.vertices).sum()
     }
 
-    /// `{ ok, product, triangles, vertices, findings: [{ code, severity, part, message, at? }], meshes: [{ part, vertices, triangles, closed, genus?, degenerate, crossings,
-    /// bound, thinned, thinnest? }] }`, on one line.
+    /// `{ ok, product, triangles, vertices, findings, meshes }`, on one line. What there is not is null.
     ///
     /// ```
     /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -152,69 +155,41 @@ impl Report {
     pub fn to_json(&self) -> String {
         to_json(self)
     }
-
-    fn value(&self) -> Value {
-        Value::Record(vec![
-            entry("ok", Value::Bool(self.is_ok())),
-            entry("product", text(self.product.name())),
-            entry("triangles", count(self.triangles())),
-            entry("vertices", count(self.vertices())),
-            entry("findings", Value::List(self.findings.iter().map(Finding::value).collect())),
-            entry("meshes", Value::List(self.meshes.iter().map(MeshReport::value).collect())),
-        ])
-    }
 }
 
 /// As [`Report::to_json`].
 impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.value().serialize(serializer)
+        let mut report = serializer.serialize_struct("Report", 6)?;
+        report.serialize_field("ok", &self.is_ok())?;
+        report.serialize_field("product", &self.product)?;
+        report.serialize_field("triangles", &self.triangles())?;
+        report.serialize_field("vertices", &self.vertices())?;
+        report.serialize_field("findings", &self.findings)?;
+        report.serialize_field("meshes", &self.meshes)?;
+        report.end()
     }
 }
 
-impl Finding {
-    fn value(&self) -> Value {
-        let mut fields = vec![
-            entry("code", text(self.code)),
-            entry("severity", text(self.severity.name())),
-            entry("part", count(self.part)),
-            entry("message", text(&self.message)),
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Severity, r#""error" | "warning" | "note""#);
+
+#[cfg(feature = "typescript")]
+impl Answer for Report {
+    fn type_name() -> String {
+        "Report".to_owned()
+    }
+
+    fn declare(text: &mut String) {
+        let field = |name, about, type_name| Field { name, about, type_name, is_flat: false };
+        let fields = [
+            field("ok", &["Whether nothing was found that keeps the design from being made."][..], bool::type_name()),
+            field("product", &["What was to be made."], Product::type_name()),
+            field("triangles", &["The number of triangles of all parts."], usize::type_name()),
+            field("vertices", &["The number of vertices of all parts."], usize::type_name()),
+            field("findings", &["What was found, errors first."], Vec::<Finding>::type_name()),
+            field("meshes", &["One entry per part that could be meshed."], Vec::<MeshReport>::type_name()),
         ];
-        if let Some(at) = self.at {
-            fields.push(entry("at", Value::List(at.map(Value::Number).to_vec())));
-        }
-        Value::Record(fields)
+        declare(text, "Report", &["The verdict on a design: can it be made, and what was found."], &fields);
     }
-}
-
-impl MeshReport {
-    fn value(&self) -> Value {
-        let mut fields = vec![
-            entry("part", count(self.part)),
-            entry("vertices", count(self.vertices)),
-            entry("triangles", count(self.triangles)),
-            entry("closed", Value::Bool(self.closed)),
-        ];
-        fields.extend(self.genus.map(|genus| entry("genus", count(genus))));
-        fields.extend([
-            entry("degenerate", count(self.degenerate)),
-            entry("crossings", count(self.crossings)),
-            entry("bound", Value::Number(self.bound)),
-            entry("thinned", Value::Number(self.thinned)),
-        ]);
-        fields.extend(self.thinnest.map(|thinnest| entry("thinnest", Value::Number(thinnest))));
-        Value::Record(fields)
-    }
-}
-
-fn entry(name: &str, value: Value) -> (String, Value) {
-    (name.to_owned(), value)
-}
-
-fn text(text: &str) -> Value {
-    Value::Text(text.to_owned())
-}
-
-fn count(count: usize) -> Value {
-    Value::Number(count as f64)
 }

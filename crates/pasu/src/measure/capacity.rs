@@ -7,25 +7,43 @@ use super::bare::{Bare, Cap};
 use super::column::Inside;
 use super::fill::{Filling, Level};
 use super::quantity::Quantity;
+use crate::answer::answers;
 use crate::face::{Face, FaceKind};
 use crate::solid::Pot;
 
-/// What a pot holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Capacity {
-    /// To the brim, in the position in which it is placed.
-    pub brim: Quantity,
-    /// The `z` at which water first runs out.
-    pub spill_level: Quantity,
-    /// Where it runs out.
-    pub spill_at: [f64; 3],
-    /// The `z` of the lowest point inside.
-    pub floor: f64,
-    /// The level asked for and the volume up to it.
-    pub fill: Option<(f64, Quantity)>,
-    /// Whether there is a drain hole, taken as stopped.
-    pub is_stopped: bool,
+answers! {
+    /// What a pot holds.
+    #[derive(Copy)]
+    pub struct Capacity as "Capacity" {
+        /// To the brim, in the position in which it is placed.
+        pub brim: Quantity,
+        /// Where water first runs out.
+        pub spill: Spill,
+        /// The `z` of the lowest point inside.
+        pub floor: f64,
+        /// Up to the level that was asked for.
+        pub fill: Option<Fill>,
+        /// Whether there is a drain hole, which is taken as stopped.
+        pub stopped: bool,
+    }
+
+    /// Where water first runs out of a pot.
+    #[derive(Copy)]
+    pub struct Spill as "Spill" {
+        /// The `z` of the water then.
+        pub level: Quantity,
+        /// The point.
+        pub at: [f64; 3],
+    }
+
+    /// A pot that is filled to a level.
+    #[derive(Copy)]
+    pub struct Fill as "Fill" {
+        /// The `z` of the water.
+        pub level: f64,
+        /// Of the water, in the unit of the design cubed.
+        pub volume: Quantity,
+    }
 }
 
 /// Columns of a curve that is closed by a cone.
@@ -102,14 +120,13 @@ impl<'a> Vessel<'a> {
             if z > floor { Level::new(&inside, z, inside.n_columns()).filling(accuracy) } else { Filling::default() }
         };
         let full = water(level);
-        let fill = fill.map(|fill| fill.min(level)).map(|fill| (fill, water(fill).moments.volume));
+        let fill = fill.map(|fill| fill.min(level)).map(|level| Fill { level, volume: water(level).moments.volume });
         let capacity = Capacity {
             brim: full.moments.volume,
-            spill_level: Quantity::rounded(level, inside.size()),
-            spill_at: at.to_array(),
+            spill: Spill { level: Quantity::rounded(level, inside.size()), at: at.to_array() },
             floor,
             fill,
-            is_stopped: self.is_stopped,
+            stopped: self.is_stopped,
         };
         (capacity, full)
     }

@@ -6,42 +6,42 @@ use glam::DVec3;
 
 use super::bare::Bare;
 use super::outside::columns;
+use crate::answer::answers;
 use crate::face::Face;
 use crate::numeric::climb::Place;
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
 use crate::patch::SurfaceJet;
 
-/// A value and where it is.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct Located {
-    /// The value.
-    pub value: f64,
-    /// How far it may be off; never negative.
-    pub error: f64,
-    /// Where, in model units after placement.
-    pub at: [f64; 3],
-}
+answers! {
+    /// A value and where it is.
+    #[derive(Copy, Default)]
+    pub struct Located as "Located" {
+        /// The value.
+        pub value: f64,
+        /// How far it may be off; never negative.
+        pub error: f64,
+        /// Where, in model units after placement.
+        pub at: [f64; 3],
+    }
 
-/// The range of a curvature; a bound is `None` where the curvature grows without one.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct CurvatureRange {
-    /// The least.
-    pub least: Option<Located>,
-    /// The greatest.
-    pub greatest: Option<Located>,
-}
+    /// The range of a curvature; a bound is `None` where the curvature grows without one.
+    #[derive(Copy, Default)]
+    pub struct CurvatureRange as "CurvatureRange" {
+        /// The least.
+        pub least: Option<Located>,
+        /// The greatest.
+        pub greatest: Option<Located>,
+    }
 
-/// Ranges of mean and Gaussian curvature.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct Curvature {
-    /// Half the sum of the principal curvatures, positive where the surface bends like a ball seen from outside.
-    pub mean: CurvatureRange,
-    /// The product of the principal curvatures.
-    pub gaussian: CurvatureRange,
+    /// Ranges of mean and Gaussian curvature.
+    #[derive(Copy, Default)]
+    pub struct Curvature as "Curvature" {
+        /// Half the sum of the principal curvatures, positive where the surface bends like a ball seen from outside.
+        pub mean: CurvatureRange,
+        /// The product of the principal curvatures.
+        pub gaussian: CurvatureRange,
+    }
 }
 
 /// Which curvature.

@@ -1,11 +1,11 @@
 //! Measuring a design, part by part.
 
 use super::accuracy::Accuracy;
-use super::capacity::Capacity;
+use super::capacity::{Capacity, Fill};
 use super::curvature::{Curvature, curvature};
 use super::fill::Filling;
 use super::measures::{
-    Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
 use super::moments::{Moments, area, enclosed};
 use super::outside::{Outside, Spot, columns};
@@ -155,7 +155,7 @@ fn check(options: &MeasureOptions) -> Result<()> {
 }
 
 fn refuse_overflow(parts: &[PartMeasures], fill: f64) -> Result<()> {
-    let spills = parts.iter().filter_map(|part| part.body.capacity).map(|capacity| capacity.spill_level);
+    let spills = parts.iter().filter_map(|part| part.body.capacity).map(|capacity| capacity.spill.level);
     let highest = spills.max_by(|x, y| x.value.total_cmp(&y.value));
     match highest {
         Some(spill) if fill > spill.value + spill.error => Err(above_spill("fill", fill, spill.value)),
@@ -208,12 +208,12 @@ fn part_measures(
         if let (Some(wall), Product::Pot, Ok(pot)) = (&part.wall, options.product, &taken.pot) {
             let (least, greatest) = pot.thickness();
             let thinned = pot.thinned();
+            let [of_least, of_greatest, of_share] = pot.thickness_errors();
             thickness = Some(ThicknessRange {
                 asked: wall.thickness,
-                least: (least, thinned.map(|(_, at)| at.to_array())),
-                greatest,
-                thinned: thinned.map_or(0.0, |(share, _)| share),
-                errors: pot.thickness_errors(),
+                least: LeastThickness { value: least, error: of_least, at: thinned.map(|(_, at)| at.to_array()) },
+                greatest: Quantity::new(greatest, of_greatest),
+                thinned: Quantity::new(thinned.map_or(0.0, |(share, _)| share), of_share),
             });
         }
     }
@@ -237,6 +237,7 @@ fn part_measures(
             part: index,
             name: part.name.clone(),
             body,
+            is_pot: taken.pot.is_ok(),
             reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
             capacity_reason,
             thickness,
@@ -258,12 +259,12 @@ fn stand<'a>(body: &mut Body, share: &Share, standing: impl FnOnce() -> Standing
     body.footprint = Some(standing.footprint(accuracy));
     let full = share.water.as_ref().map(|water| clay.plus(water));
     if let Some((centre, error)) = clay.centre() {
-        body.centre_empty = Some(Centre { at: centre.to_array(), error });
-        body.tipping_empty = Some(standing.tipping(centre, error));
+        body.centre.empty = Some(Centre { at: centre.to_array(), error });
+        body.tipping.empty = Some(standing.tipping(centre, error));
     }
     if let Some((centre, error)) = full.and_then(|full| full.centre()) {
-        body.centre_full = Some(Centre { at: centre.to_array(), error });
-        body.tipping_full = Some(standing.tipping(centre, error));
+        body.centre.full = Some(Centre { at: centre.to_array(), error });
+        body.tipping.full = Some(standing.tipping(centre, error));
     }
 }
 
@@ -302,14 +303,16 @@ fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
     });
     let capacities = parts.iter().filter_map(|part| part.body.capacity);
     let capacity = capacities.reduce(|sum, next| {
-        let last = if next.spill_level.value > sum.spill_level.value { next } else { sum };
+        let last = if next.spill.level.value > sum.spill.level.value { next } else { sum };
         Capacity {
             brim: sum.brim + next.brim,
-            spill_level: last.spill_level,
-            spill_at: last.spill_at,
+            spill: last.spill,
             floor: sum.floor.min(next.floor),
-            fill: sum.fill.zip(next.fill).map(|(sum, next)| (sum.0.max(next.0), sum.1 + next.1)),
-            is_stopped: sum.is_stopped || next.is_stopped,
+            fill: sum.fill.zip(next.fill).map(|(sum, next)| Fill {
+                level: sum.level.max(next.level),
+                volume: sum.volume + next.volume,
+            }),
+            stopped: sum.stopped || next.stopped,
         }
     });
     let sum = |of: fn(&Share) -> Option<Moments>| shares.iter().filter_map(of).reduce(|sum, next| sum.plus(&next));

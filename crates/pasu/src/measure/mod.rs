@@ -10,7 +10,7 @@ mod fill;
 mod filled;
 mod folded;
 mod integral;
-mod json;
+mod loads;
 mod measures;
 mod moments;
 mod outside;
@@ -22,15 +22,16 @@ mod standing;
 mod taken;
 mod water;
 
-pub use capacity::Capacity;
+pub use capacity::{Capacity, Fill, Spill};
 pub use curvature::{Curvature, CurvatureRange, Located};
 pub use design::measure;
 pub(crate) use design::{Gauge, gauge};
 pub use filled::WaterSurface;
 pub(crate) use filled::filled;
 pub use measures::{
-    Body, Centre, ClayMeasures, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
+pub use loads::Loads;
 pub use paint::{Map, paint};
 pub use quantity::Quantity;
 pub use standing::{Footprint, Tipping};

@@ -2,15 +2,19 @@
 
 use core::ops::{Add, AddAssign, Mul};
 
-/// A value with a bound on its error, both in the same unit.
-///
-/// The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Quantity {
-    /// The value.
-    pub value: f64,
-    /// How far it may be off; never negative.
-    pub error: f64,
+use crate::answer::answers;
+
+answers! {
+    /// A value with a bound on its error, both in the same unit.
+    ///
+    /// The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay.
+    #[derive(Copy, Default)]
+    pub struct Quantity as "Quantity" {
+        /// The value.
+        pub value: f64,
+        /// How far it may be off; never negative.
+        pub error: f64,
+    }
 }
 
 impl Quantity {

@@ -8,6 +8,7 @@ use super::accuracy::Accuracy;
 use super::moments::area;
 use super::outside::{Outside, degrees, hull, polygon_area, round};
 use super::quantity::Quantity;
+use crate::answer::answers;
 use crate::face::Face;
 use crate::numeric::{brent, minima, romberg};
 
@@ -20,30 +21,29 @@ const EDGE_POINTS: usize = 1024;
 /// Points of the hull that are told.
 const TOLD: usize = 128;
 
-/// What a pot stands on.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Footprint {
-    /// The `z` of the table.
-    pub level: f64,
-    /// The area that touches the table: 0 where the pot stands on points or edges.
-    pub area: Quantity,
-    /// The area of the convex hull of what touches.
-    pub hull_area: Quantity,
-    /// The hull, anticlockwise: all its corners, or a polygon of up to 128 where it is round.
-    pub hull: Vec<[f64; 2]>,
-}
+answers! {
+    /// What a pot stands on.
+    pub struct Footprint as "Footprint" {
+        /// The `z` of the table.
+        pub level: f64,
+        /// The area that touches the table: 0 where the pot stands on points or edges.
+        pub area: Quantity,
+        /// The area of the convex hull of what touches.
+        pub hull_area: Quantity,
+        /// The hull, anticlockwise: all its corners, or a polygon of up to 128 where it is round.
+        pub hull: Vec<[f64; 2]>,
+    }
 
-/// How far a pot can be tilted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Tipping {
-    /// The smallest tilt, in degrees, at which the centre of mass is above an edge of the footprint's hull; 0 where it never was above the hull.
-    pub degrees: f64,
-    /// How far that may be off.
-    pub error: f64,
-    /// The direction in which it then falls, in degrees anticlockwise from `x`.
-    pub toward: f64,
+    /// How far a pot can be tilted.
+    #[derive(Copy)]
+    pub struct Tipping as "Tipping" {
+        /// The smallest tilt, in degrees, at which the centre of mass is above an edge of the footprint's hull; 0 where it never was above the hull.
+        pub degrees: f64,
+        /// How far that may be off.
+        pub error: f64,
+        /// The direction in which it then falls, in degrees anticlockwise from `x`.
+        pub toward: f64,
+    }
 }
 
 /// Where a pot touches the table.

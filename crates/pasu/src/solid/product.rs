@@ -1,7 +1,8 @@
 //! What can be made of a surface.
 
 /// What is made of each part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Product {
     /// A hollow pot with the part's wall.
@@ -24,3 +25,6 @@ impl Product {
         }
     }
 }
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Product, "Product");

@@ -11,6 +11,7 @@ use super::modules::{Sources, modules};
 /// The rooms from the ground up. Each takes from those above it in this list, which are below it in the house, and from no other.
 const FLOORS: [&str; 22] = [
     "error",
+    "answer",
     "numeric",
     "mode",
     "design",
@@ -30,7 +31,6 @@ const FLOORS: [&str; 22] = [
     "make",
     "scene",
     "export",
-    "sketch",
     "lib",
 ];
 

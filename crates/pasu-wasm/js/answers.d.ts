@@ -1,0 +1,263 @@
+// Generated from the structures of the Rust crate `pasu`. Do not edit.
+
+import type { FaceKind, Point, Product, Unit } from "./pasu.js";
+
+/** A value with a bound on its error, both in the same unit. The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay. */
+export interface Quantity {
+  /** The value. */
+  readonly value: number;
+  /** How far it may be off; never negative. */
+  readonly error: number;
+}
+
+/** A value and where it is. */
+export interface Located {
+  /** The value. */
+  readonly value: number;
+  /** How far it may be off; never negative. */
+  readonly error: number;
+  /** Where, in model units after placement. */
+  readonly at: Point;
+}
+
+/** The measures of a design and of its parts. `docs/measures.md` defines every one. Lengths are in the unit of the design, areas and volumes in its square and cube, angles in degrees, masses in grams; `z` of the world is up. */
+export interface Measures extends BodyMeasures {
+  /** The unit of length. */
+  readonly unit: Unit;
+  /** What was measured. */
+  readonly product: Product;
+  /** Of each part. */
+  readonly parts: readonly PartMeasures[];
+}
+
+/** What can be said of one part and of several together. */
+export interface BodyMeasures {
+  /** From the lowest to the highest point. */
+  readonly height: Quantity;
+  /** The lowest `z`. */
+  readonly bottom: number;
+  /** The highest `z`. */
+  readonly top: number;
+  /** Caliper widths of the silhouette from above. */
+  readonly width: Width;
+  /** Area of the design surface, one side. */
+  readonly area: Quantity;
+  /** The clay; null without a wall. */
+  readonly clay: ClayMeasures | null;
+  /** What it holds; null where it holds nothing. */
+  readonly capacity: Capacity | null;
+  /** Centre of mass of the clay, and of clay and water to the brim. */
+  readonly centre: { readonly empty: Centre | null; readonly full: Centre | null };
+  /** What it stands on; null without a wall. */
+  readonly footprint: Footprint | null;
+  /** How far it can be tilted. Water is taken as it lies upright. */
+  readonly tipping: { readonly empty: Tipping | null; readonly full: Tipping | null };
+}
+
+/** The least and the greatest distance of two parallel upright boards on either side of a pot. */
+export interface Width {
+  /** The least. */
+  readonly least: Quantity;
+  /** The greatest. */
+  readonly greatest: Quantity;
+  /** The direction across the boards of the least width, in degrees anticlockwise from `x`, 0 to 180. */
+  readonly leastDirection: number;
+  /** The same of the greatest width. */
+  readonly greatestDirection: number;
+}
+
+/** The clay of a pot. */
+export interface ClayMeasures {
+  /** Of its whole boundary. */
+  readonly area: Quantity;
+  /** Its volume. */
+  readonly volume: Quantity;
+  /** Its mass in grams. */
+  readonly mass: Quantity;
+}
+
+/** What a pot holds. */
+export interface Capacity {
+  /** To the brim, in the position in which it is placed. */
+  readonly brim: Quantity;
+  /** Where water first runs out. */
+  readonly spill: Spill;
+  /** The `z` of the lowest point inside. */
+  readonly floor: number;
+  /** Up to the level that was asked for. */
+  readonly fill: Fill | null;
+  /** Whether there is a drain hole, which is taken as stopped. */
+  readonly stopped: boolean;
+}
+
+/** Where water first runs out of a pot. */
+export interface Spill {
+  /** The `z` of the water then. */
+  readonly level: Quantity;
+  /** The point. */
+  readonly at: Point;
+}
+
+/** A pot that is filled to a level. */
+export interface Fill {
+  /** The `z` of the water. */
+  readonly level: number;
+  /** Of the water, in the unit of the design cubed. */
+  readonly volume: Quantity;
+}
+
+/** A centre of mass. */
+export interface Centre {
+  /** Where it is. */
+  readonly at: Point;
+  /** How far each coordinate may be off. */
+  readonly error: number;
+}
+
+/** What a pot stands on. */
+export interface Footprint {
+  /** The `z` of the table. */
+  readonly level: number;
+  /** The area that touches the table: 0 where the pot stands on points or edges. */
+  readonly area: Quantity;
+  /** The area of the convex hull of what touches. */
+  readonly hullArea: Quantity;
+  /** The hull, anticlockwise: all its corners, or a polygon of up to 128 where it is round. */
+  readonly hull: readonly (readonly [x: number, y: number])[];
+}
+
+/** How far a pot can be tilted. */
+export interface Tipping {
+  /** The smallest tilt, in degrees, at which the centre of mass is above an edge of the footprint's hull; 0 where it never was above the hull. */
+  readonly degrees: number;
+  /** How far that may be off. */
+  readonly error: number;
+  /** The direction in which it then falls, in degrees anticlockwise from `x`. */
+  readonly toward: number;
+}
+
+/** The measures of one part. */
+export interface PartMeasures extends BodyMeasures {
+  /** Its number. */
+  readonly part: number;
+  /** Its name. */
+  readonly name: string | null;
+  /** Whether it has a wall, and can have it. */
+  readonly isPot: boolean;
+  /** Why it is no pot, in words; null where it is one. */
+  readonly reason: string | null;
+  /** Why it holds nothing, in words; null where it holds something. */
+  readonly capacityReason: string | null;
+  /** The thickness of the wall along the normal. */
+  readonly thickness: ThicknessRange | null;
+  /** The largest overhang of the outside. */
+  readonly overhang: Overhang | null;
+  /** The largest overhang of the lining. */
+  readonly overhangInside: Overhang | null;
+  /** Curvature of the design surface. */
+  readonly curvature: Curvature;
+}
+
+/** How thick a wall is. */
+export interface ThicknessRange {
+  /** The thickness asked for. */
+  readonly asked: number;
+  /** The least. */
+  readonly least: LeastThickness;
+  /** The greatest. */
+  readonly greatest: Quantity;
+  /** The share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  readonly thinned: Quantity;
+}
+
+/** The least thickness of a wall. */
+export interface LeastThickness {
+  /** The value. */
+  readonly value: number;
+  /** How far it may be off; never negative. */
+  readonly error: number;
+  /** Where, if it is less than asked for. */
+  readonly at: Point | null;
+}
+
+/** How far a wall leans over what is below. */
+export interface Overhang {
+  /** The angle against the vertical, in degrees: 0 is a vertical wall, 90 a level ceiling, less than 0 a wall that faces up. */
+  readonly degrees: number;
+  /** How far that may be off. */
+  readonly error: number;
+  /** Where. */
+  readonly at: Point;
+  /** What overhangs. */
+  readonly face: FaceKind;
+}
+
+/** Ranges of mean and Gaussian curvature. */
+export interface Curvature {
+  /** Half the sum of the principal curvatures, positive where the surface bends like a ball seen from outside. */
+  readonly mean: CurvatureRange;
+  /** The product of the principal curvatures. */
+  readonly gaussian: CurvatureRange;
+}
+
+/** The range of a curvature; a bound is null where the curvature grows without one. */
+export interface CurvatureRange {
+  /** The least. */
+  readonly least: Located | null;
+  /** The greatest. */
+  readonly greatest: Located | null;
+}
+
+/** The verdict on a design: can it be made, and what was found. */
+export interface Report {
+  /** Whether nothing was found that keeps the design from being made. */
+  readonly ok: boolean;
+  /** What was to be made. */
+  readonly product: Product;
+  /** The number of triangles of all parts. */
+  readonly triangles: number;
+  /** The number of vertices of all parts. */
+  readonly vertices: number;
+  /** What was found, errors first. */
+  readonly findings: readonly Finding[];
+  /** One entry per part that could be meshed. */
+  readonly meshes: readonly MeshReport[];
+}
+
+/** One thing that a check found. */
+export interface Finding {
+  /** A stable kebab-case word: `thinned`, or the code of the error that refuses the part. */
+  readonly code: string;
+  /** How much it matters. */
+  readonly severity: "error" | "warning" | "note";
+  /** The part that it is about. */
+  readonly part: number;
+  /** One sentence in a potter's words. */
+  readonly message: string;
+  /** Where, in model units after placement. */
+  readonly at: Point | null;
+}
+
+/** What the checks counted on the mesh of one part, on the coordinates that a file holds. */
+export interface MeshReport {
+  /** The part. */
+  readonly part: number;
+  /** Number of vertices. */
+  readonly vertices: number;
+  /** Number of triangles. */
+  readonly triangles: number;
+  /** Whether every edge is shared by two triangles that pass it in opposite directions, and the triangles at each vertex are one fan. */
+  readonly closed: boolean;
+  /** Number of handles: 0 for a cup, 1 for a tube or a pot with a drain. It is null where the mesh is not closed. */
+  readonly genus: number | null;
+  /** Number of triangles without area. */
+  readonly degenerate: number;
+  /** Number of pairs of triangles that cross or touch where they should not. */
+  readonly crossings: number;
+  /** The largest distance between the triangles and the true faces, in model units. */
+  readonly bound: number;
+  /** The share of the design surface where the wall is thinner than asked for, from 0 to 1. */
+  readonly thinned: number;
+  /** The thinnest the wall is, in model units; null for a solid. */
+  readonly thinnest: number | null;
+}

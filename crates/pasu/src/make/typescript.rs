@@ -1,0 +1,43 @@
+//! The TypeScript declarations of what is answered in numbers and words.
+
+use super::report::{Finding, MeshReport, Report};
+use crate::answer::Answer;
+use crate::measure::{
+    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located, Measures,
+    Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
+};
+
+/// The declarations of measures and reports, as the text of a `.d.ts` module beside the package's own.
+///
+/// ```
+/// assert!(pasu::typescript_of_answers().contains("export interface Measures extends BodyMeasures {"));
+/// ```
+pub fn typescript_of_answers() -> String {
+    let mut text = String::from("// Generated from the structures of the Rust crate `pasu`. Do not edit.\n\n");
+    text.push_str("import type { FaceKind, Point, Product, Unit } from \"./pasu.js\";\n");
+    let all = [
+        Quantity::declare,
+        Located::declare,
+        Measures::declare,
+        Body::declare,
+        Width::declare,
+        ClayMeasures::declare,
+        Capacity::declare,
+        Spill::declare,
+        Fill::declare,
+        Centre::declare,
+        Footprint::declare,
+        Tipping::declare,
+        PartMeasures::declare,
+        ThicknessRange::declare,
+        LeastThickness::declare,
+        Overhang::declare,
+        Curvature::declare,
+        CurvatureRange::declare,
+        Report::declare,
+        Finding::declare,
+        MeshReport::declare,
+    ];
+    all.into_iter().for_each(|declare| declare(&mut text));
+    text
+}
