@@ -1,4 +1,6 @@
 // For everyone: with a keyboard alone, with a screen reader, in light and in dark.
+//
+// What its time buys: axe looks at every state of the page at two sizes and in two themes.
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";

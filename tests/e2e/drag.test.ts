@@ -1,4 +1,6 @@
 // Under the hand: the pot keeps up with the pointer, on a slow machine too, and does not jump when it is let go.
+//
+// What its time buys: frames are counted on a machine that is slowed down six times, which takes six times as long.
 
 import { expect, test } from "vitest";
 import { fineWall, movements, slowDown, walls, watchDrags } from "../support/drag.ts";

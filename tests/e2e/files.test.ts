@@ -1,4 +1,6 @@
 // Files to make a pot from: chosen, told beforehand, saved, stopped, and dropped back on the page.
+//
+// What its time buys: files of every kind are written at the size at which people print, and read again.
 
 import { expect, test } from "vitest";
 import { stay } from "../support/stay.ts";

@@ -1,4 +1,6 @@
 // The gallery: every exhibit has a picture that was rendered, and opens as what it says.
+//
+// What its time buys: every exhibit is drawn twice at full resolution in software, and its picture is compared with the pot that it opens.
 
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";

@@ -1,4 +1,6 @@
 // A pot with a wall: seen, measured, filled, coloured, and told whether it can be made.
+//
+// What its time buys: walls are made, checked and measured as they are for people, with nothing left out, while the page draws in software.
 
 import { expect, test } from "vitest";
 import { difference, stagePicture } from "../support/sight.ts";

@@ -17,11 +17,7 @@ struct Options {
 
 /// Reads the options; all of them may be left out.
 pub(crate) fn read(options: &JsValue) -> Result<MeshOptions> {
-    let given = source::argument(options, "").map_err(|error| {
-        let dot = if error.path().is_empty() { "" } else { "." };
-        let path = format!("options{dot}{}", error.path());
-        error.at(path)
-    })?;
+    let given = source::argument(options, "options")?;
     let Some(Options { tolerance, rows, columns }) = given else { return Ok(MeshOptions::default()) };
     let count = |Count(count)| count;
     Ok(MeshOptions { tolerance, rows: rows.map(count), columns: columns.map(count) })

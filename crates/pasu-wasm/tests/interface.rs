@@ -128,9 +128,9 @@ fn refusals_carry_code_and_path() {
 fn wrong_arguments_are_refused_by_name() {
     let vase = JsValue::from(DINT_VASE);
     let options = |text: &str| mesh(&vase, &js(text), &JsValue::UNDEFINED);
-    expect(options(r#"{ "rows": 2.5 }"#), "out-of-range", "options.rows");
-    expect(options(r#"{ "columns": -1 }"#), "out-of-range", "options.columns");
-    expect(options(r#"{ "rows": "many" }"#), "wrong-type", "options.rows");
+    expect(options(r#"{ "rows": 2.5 }"#), "out-of-range", "rows");
+    expect(options(r#"{ "columns": -1 }"#), "out-of-range", "columns");
+    expect(options(r#"{ "rows": "many" }"#), "wrong-type", "rows");
     expect(options(r#"{ "row": 5 }"#), "unknown-field", "options.row");
     expect(mesh(&vase, &5.into(), &JsValue::UNDEFINED), "wrong-type", "options");
 

@@ -249,7 +249,7 @@ fn wrong_arguments_are_refused_by_name() {
     expect(write(&cup, &"doc".into(), &JsValue::UNDEFINED), "unknown-name", "format");
     expect(write(&cup, &JsValue::UNDEFINED, &JsValue::UNDEFINED), "wrong-type", "format");
     expect(paint(&cup, &"heat".into(), &JsValue::UNDEFINED), "unknown-name", "map");
-    expect(paint(&cup, &"overhang".into(), &js(r#"{ "rows": 0.5 }"#)), "out-of-range", "options.rows");
+    expect(paint(&cup, &"overhang".into(), &js(r#"{ "rows": 0.5 }"#)), "out-of-range", "rows");
     expect(water(&cup, &"full".into()), "wrong-type", "level");
     expect(water(&cup, &f64::NAN.into()), "not-finite", "level");
     expect(water(&cup, &100.into()), "out-of-range", "level");

@@ -24,9 +24,9 @@
 #[doc = include_str!("../README.md")]
 mod readme {}
 
+mod answer;
 #[cfg(test)]
 mod any_patch;
-mod answer;
 mod check;
 mod design;
 mod error;
@@ -62,8 +62,9 @@ pub use glam;
 pub use make::typescript_of_answers;
 pub use make::{Finding, Making, MeshReport, Report, Scale, Severity, Size, SolidMesh, check, solid};
 pub use measure::{
-    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located, Map, MeasureOptions, Measures,
-    Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water, WaterSurface, Width, measure, paint, water,
+    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located,
+    Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,
+    WaterSurface, Width, measure, paint, water,
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};

@@ -1,4 +1,6 @@
 //! A thousand random designs: each is made and passes every check, or is refused with a reason and a place in the document.
+//!
+//! What its time buys: designs that nobody has thought of. What went wrong on pots went wrong on random ones.
 
 #[path = "support/mod.rs"]
 mod support;

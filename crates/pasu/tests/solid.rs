@@ -1,4 +1,6 @@
 //! Pots and solids: volumes and walls against formulas, closed meshes, and refusals.
+//!
+//! What its time buys: the crossings of all triangles of closed meshes, counted exactly, for walls of every form.
 
 #[path = "support/mod.rs"]
 mod support;

@@ -1,4 +1,6 @@
 //! The promise of a tolerance: measured distances against the bound, and how many vertices it takes.
+//!
+//! What its time buys: distances sampled between the vertices of meshes of every reference design, which only many points can contradict a bound by.
 
 #[path = "support/documents.rs"]
 mod documents;

@@ -87,7 +87,8 @@ impl Design {
         let length = design.to_json().len();
         if length > BYTES {
             let message = format!("expected a design of at most {BYTES} bytes of JSON, found {length}");
-            return Err(Error::new(Code::TooLarge, "", message));
+            let error = Error::new(Code::TooLarge, "", message);
+            return Err(error.with("greatest", BYTES as f64).with("found", length as f64));
         }
         Ok(design)
     }
@@ -189,7 +190,7 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
         cost += part.shape.cost();
         if cost > MODES {
             let message = format!("expected at most {MODES} modes in the whole design; this part exceeds them");
-            return Err(refused(Error::new(Code::TooLarge, "shape", message)));
+            return Err(refused(Error::new(Code::TooLarge, "shape", message).with("greatest", MODES as f64)));
         }
         if let Some(name) = &part.name
             && let Some(earlier) = names.insert(name.clone(), index)

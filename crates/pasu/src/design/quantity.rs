@@ -35,6 +35,21 @@ impl Range {
             Range::NotNegative => "0 or a number greater than 0",
         }
     }
+
+    /// The range that such words tell of: all that `serde` hands on of what was expected are its words.
+    pub(super) fn told(words: &str) -> Option<Range> {
+        [Range::NotZero, Range::Positive, Range::NotNegative].into_iter().find(|range| range.words() == words)
+    }
+
+    /// What an error that expected this names: the bound, and whether it is one of those allowed.
+    pub(super) fn argument(self) -> Option<(&'static str, f64)> {
+        match self {
+            Range::Any => None,
+            Range::NotZero => Some(("not", 0.0)),
+            Range::Positive => Some(("above", 0.0)),
+            Range::NotNegative => Some(("least", 0.0)),
+        }
+    }
 }
 
 /// One number, or a list of so many.

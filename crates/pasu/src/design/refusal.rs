@@ -5,6 +5,7 @@ use std::fmt::Display;
 use serde::de::{self, Expected, Unexpected};
 
 use super::number::plain;
+use super::quantity::Range;
 use crate::error::{Code, Error};
 
 /// Kinds of shapes that the format has and this version cannot compute.
@@ -30,11 +31,22 @@ impl de::Error for Error {
             Unexpected::Float(x) if !x.is_finite() => Code::NotFinite,
             _ => Code::OutOfRange,
         };
-        with_found(refused(code, &expected, &described(found)), found)
+        let error = with_found(refused(code, &expected, &described(found)), found);
+        match Range::told(&expected.to_string()).and_then(Range::argument) {
+            Some((name, bound)) => error.with(name, bound),
+            None => error,
+        }
     }
 
     fn invalid_length(found: usize, expected: &dyn Expected) -> Self {
-        refused(Code::TooLarge, &expected, &found).with("found", found)
+        let error = refused(Code::TooLarge, &expected, &found).with("found", found);
+        // "at most 500 parts"
+        let words = expected.to_string();
+        let most = words.strip_prefix("at most ").and_then(|rest| rest.split(' ').next());
+        match most.and_then(|most| most.parse::<f64>().ok()) {
+            Some(most) => error.with("greatest", most),
+            None => error,
+        }
     }
 
     fn unknown_variant(found: &str, known: &'static [&'static str]) -> Self {

@@ -16,7 +16,8 @@ use crate::error::{Code, Error, Result};
 pub(crate) fn read(text: &str) -> Result<Value> {
     if text.len() > BYTES {
         let message = format!("expected a design of at most {BYTES} bytes of JSON, found {}", text.len());
-        return Err(Error::new(Code::TooLarge, "", message));
+        let error = Error::new(Code::TooLarge, "", message);
+        return Err(error.with("greatest", BYTES as f64).with("found", text.len() as f64));
     }
     let mut reader = serde_json::Deserializer::from_str(text);
     let value = Value::read(&mut reader).map_err(|(path, error)| fault(text, &error).at(path))?;

@@ -10,7 +10,7 @@ use super::step::{Boundary, Part};
 use super::template::{Frame, Stand};
 use super::{glb, obj, open, ply, step, stl, template, three_mf};
 use crate::design::Look;
-use crate::face::{Face, FaceJet, FaceKind};
+use crate::face::{Face, FaceJet, FaceKind, Sealed};
 
 const COLUMNS: u32 = 24;
 
@@ -66,6 +66,8 @@ impl Cup {
 
 /// A face of the cup, in model units of 10 mm.
 struct Turned(usize);
+
+impl Sealed for Turned {}
 
 impl Face for Turned {
     fn kind(&self) -> FaceKind {

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::kind::FaceKind;
+use super::sealed::Sealed;
 use super::seams::Seams;
 use crate::solution::Columns;
 
@@ -18,7 +19,9 @@ pub struct FaceJet {
 }
 
 /// Jets of one place of a face after the other: places of one row share what depends on it alone.
-pub trait FaceWalk {
+///
+/// Sealed: only Pasu has such.
+pub trait FaceWalk: Sealed {
     /// The jet at a place.
     fn jet(&mut self, a: f64, v: f64) -> FaceJet;
 
@@ -27,6 +30,8 @@ pub trait FaceWalk {
         self.jet(a, columns.v(column))
     }
 }
+
+impl<F: FnMut(f64, f64) -> FaceJet> Sealed for F {}
 
 /// A walk over a face of whose places nothing is shared.
 impl<F: FnMut(f64, f64) -> FaceJet> FaceWalk for F {
@@ -39,7 +44,9 @@ impl<F: FnMut(f64, f64) -> FaceJet> FaceWalk for F {
 /// a boundary may shrink to a point.
 ///
 /// A level face whose outline is not star-shaped may fold over itself as a map; its signed area and moments hold all the same.
-pub trait Face: Send + Sync {
+///
+/// Sealed: what a face must be may grow, so that only Pasu implements it.
+pub trait Face: Sealed + Send + Sync {
     /// What it is.
     fn kind(&self) -> FaceKind;
 

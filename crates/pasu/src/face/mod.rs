@@ -3,9 +3,11 @@
 mod contract;
 mod kind;
 mod patch_face;
+mod sealed;
 mod seams;
 
 pub use contract::{Face, FaceJet, FaceWalk};
 pub use kind::FaceKind;
 pub(crate) use patch_face::PatchFace;
+pub(crate) use sealed::Sealed;
 pub(crate) use seams::{Seams, ascending};

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::contract::{Face, FaceJet, FaceWalk};
 use super::kind::FaceKind;
+use super::sealed::Sealed;
 use super::seams::Seams;
 use crate::patch::{Patch, Row, Side};
 use crate::solution::Placed;
@@ -35,6 +36,8 @@ struct Walk<'a> {
     row: Option<(f64, Box<dyn Row + 'a>)>,
 }
 
+impl Sealed for Walk<'_> {}
+
 impl FaceWalk for Walk<'_> {
     fn jet(&mut self, a: f64, v: f64) -> FaceJet {
         let row = match self.row.take().filter(|row| row.0 == a) {
@@ -46,6 +49,8 @@ impl FaceWalk for Walk<'_> {
         FaceJet { position: jet.position, da: jet.du, dv: jet.dv }
     }
 }
+
+impl Sealed for PatchFace {}
 
 impl Face for PatchFace {
     fn kind(&self) -> FaceKind {

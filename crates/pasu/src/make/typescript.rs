@@ -3,8 +3,8 @@
 use super::report::{Finding, MeshReport, Report};
 use crate::answer::Answer;
 use crate::measure::{
-    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located, Measures,
-    Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
+    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
+    Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
 };
 
 /// The declarations of measures and reports, as the text of a `.d.ts` module beside the package's own.

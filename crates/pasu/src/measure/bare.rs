@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
+use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Sealed, Seams};
 use crate::patch::SurfaceJet;
 use crate::solution::{Placed, Upright, Walk};
 
@@ -67,6 +67,8 @@ impl Bare {
     }
 }
 
+impl Sealed for Bare {}
+
 impl Face for Bare {
     fn kind(&self) -> FaceKind {
         self.kind
@@ -109,6 +111,8 @@ impl<'a> Cap<'a> {
         Cap { face, a, tip, outward }
     }
 }
+
+impl Sealed for Cap<'_> {}
 
 impl Face for Cap<'_> {
     fn kind(&self) -> FaceKind {

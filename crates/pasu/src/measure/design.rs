@@ -308,10 +308,10 @@ fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
             brim: sum.brim + next.brim,
             spill: last.spill,
             floor: sum.floor.min(next.floor),
-            fill: sum.fill.zip(next.fill).map(|(sum, next)| Fill {
-                level: sum.level.max(next.level),
-                volume: sum.volume + next.volume,
-            }),
+            fill: sum
+                .fill
+                .zip(next.fill)
+                .map(|(sum, next)| Fill { level: sum.level.max(next.level), volume: sum.volume + next.volume }),
             stopped: sum.stopped || next.stopped,
         }
     });

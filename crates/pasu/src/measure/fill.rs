@@ -334,13 +334,15 @@ mod tests {
     use super::super::bare::Cap;
     use super::super::pool::Pool;
     use super::*;
-    use crate::face::{Face, FaceJet, FaceKind};
+    use crate::face::{Face, FaceJet, FaceKind, Sealed};
 
     /// The lining of a tilted round cup, `r(a)` and `z(a)` with their derivatives.
     struct Cup {
         profile: fn(f64) -> [[f64; 2]; 2],
         turn: DMat3,
     }
+
+    impl Sealed for Cup {}
 
     impl Face for Cup {
         fn kind(&self) -> FaceKind {

@@ -2,12 +2,14 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::face::{Face, FaceJet, FaceKind, PatchFace};
+use crate::face::{Face, FaceJet, FaceKind, PatchFace, Sealed};
 
 /// A patch whose `v = 0` and `v = 1` are two curves, run through from the one to the other and back while `v` goes once round: what is searched for extremes round a closed face can be searched for them on it. It is
 /// no face to be integrated over, which would count everything twice; tangents keep the sense that they have on the way there.
 #[derive(Debug, Clone)]
 pub(super) struct Folded(pub(super) PatchFace);
+
+impl Sealed for Folded {}
 
 impl Face for Folded {
     fn kind(&self) -> FaceKind {

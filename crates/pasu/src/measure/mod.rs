@@ -28,10 +28,10 @@ pub use design::measure;
 pub(crate) use design::{Gauge, gauge};
 pub use filled::WaterSurface;
 pub(crate) use filled::filled;
+pub use loads::Loads;
 pub use measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
-pub use loads::Loads;
 pub use paint::{Map, paint};
 pub use quantity::Quantity;
 pub use standing::{Footprint, Tipping};

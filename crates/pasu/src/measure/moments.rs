@@ -83,10 +83,12 @@ mod tests {
     use core::f64::consts::{PI, TAU};
 
     use super::*;
-    use crate::face::FaceKind;
+    use crate::face::{FaceKind, Sealed};
 
     /// A face from a function of `(a, v)`.
     struct Patch<F>(F);
+
+    impl<F> Sealed for Patch<F> {}
 
     impl<F: Fn(f64, f64) -> [DVec3; 3] + Send + Sync> Face for Patch<F> {
         fn kind(&self) -> FaceKind {

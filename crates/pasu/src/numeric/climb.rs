@@ -50,8 +50,8 @@ pub(crate) fn climb(start: Place, step_a: f64, step_v: f64, mut of: impl FnMut(f
             let step = if bend < 0.0 { -gradient / bend } else { gradient * 1e300 };
             if step.is_finite() { step.clamp(-3.0, 3.0) } else { 0.0 }
         };
-        let step = top(&gradient, &hessian)
-            .unwrap_or_else(|| Vector2::new(alone(gradient.x, haa), alone(gradient.y, hvv)));
+        let step =
+            top(&gradient, &hessian).unwrap_or_else(|| Vector2::new(alone(gradient.x, haa), alone(gradient.y, hvv)));
         let (sa, sv) = (step.x, step.y);
         let mut candidates = vec![(centre + sa * p, before.v + sv * q)];
         if !(0.0..=1.0).contains(&candidates[0].0) {

@@ -9,7 +9,7 @@ use super::curve::Curve;
 use super::sheet::{Sheet, SheetJet, SheetWalk, Start, WallSide};
 use super::skin::Skin;
 use super::thickness::Thickness;
-use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Seams};
+use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Sealed, Seams};
 use crate::solution::Columns;
 
 /// One smooth face of the boundary of a pot. Those of a pot follow on from each other: where one ends (`a = 1`) the next begins (`a = 0`).
@@ -118,6 +118,8 @@ impl Piece {
     }
 }
 
+impl Sealed for Piece {}
+
 impl Face for Piece {
     fn kind(&self) -> FaceKind {
         self.kind
@@ -211,6 +213,8 @@ impl StraightWalk<'_> {
         FaceJet { position: jet.position, da: if self.is_back { -jet.ds } else { jet.ds }, dv: jet.dv }
     }
 }
+
+impl Sealed for StraightWalk<'_> {}
 
 impl FaceWalk for StraightWalk<'_> {
     fn jet(&mut self, s: f64, v: f64) -> FaceJet {
