@@ -127,6 +127,11 @@ export interface Making {
   shrinkage?: number | undefined;
   /** The largest distance between triangles and the true faces, in the unit of the design, before scaling; one two-thousandth of each part's size when left out. */
   tolerance?: number | undefined;
+  /**
+   * By what craft it is made, which says how thin a wall may be and how far it may lean: printed, of at least 0.4 mm and better 0.8, leaning by no more than 45 degrees; or of clay, of at least
+   * 1 mm and better 2. `"print"` when left out, and then nothing that is found of it is an error.
+   */
+  craft?: "print" | "clay" | undefined;
 }
 
 /** What to measure. */

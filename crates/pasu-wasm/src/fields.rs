@@ -1,6 +1,6 @@
 //! Options of what makes a design, as JavaScript names them.
 
-use pasu::{Code, Error, Making, MeasureOptions, Product, Result, Size, SketchOptions};
+use pasu::{Code, Craft, Error, Making, MeasureOptions, Product, Result, Size, SketchOptions};
 use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
@@ -14,6 +14,14 @@ struct MakingFields {
     size: Option<SizeFields>,
     shrinkage: Option<Finite>,
     tolerance: Option<Finite>,
+    craft: Option<CraftName>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum CraftName {
+    Print,
+    Clay,
 }
 
 #[derive(Deserialize)]
@@ -46,7 +54,7 @@ struct SketchFields {
     fill: Option<Finite>,
 }
 
-/// Reads `{ product, size, shrinkage, tolerance }`; all of it may be left out.
+/// Reads `{ product, size, shrinkage, tolerance, craft }`; all of it may be left out.
 pub(crate) fn making(options: &JsValue) -> Result<Making> {
     let given: Option<MakingFields> = source::argument(options, "making")?;
     let given = given.unwrap_or_default();
@@ -55,6 +63,10 @@ pub(crate) fn making(options: &JsValue) -> Result<Making> {
         size: given.size.map(size).transpose()?,
         shrinkage: number(given.shrinkage).unwrap_or_default(),
         tolerance: number(given.tolerance),
+        craft: given.craft.map(|craft| match craft {
+            CraftName::Print => Craft::Print,
+            CraftName::Clay => Craft::Clay,
+        }),
     })
 }
 

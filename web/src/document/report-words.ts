@@ -24,6 +24,9 @@ const STEADY_DEGREES = 10;
 /** The code of a finding of the checks. */
 const THINNED = "thinned";
 
+/** Codes of findings that the page says by itself, from the measures and in the unit of the design. */
+const MEASURED: readonly string[] = ["too-thin", "overhang"];
+
 const ORDER: readonly Severity[] = ["error", "warning", "note", "good"];
 
 /** The worst comes first. */
@@ -60,10 +63,12 @@ function worstFirst(a: Sentence, b: Sentence): number {
 
 /** What the checks say of the very triangles that a file holds. */
 export function checked(report: Report, outline: Outline, unit: Unit): readonly Sentence[] {
-  const sentences = report.findings.map((finding) => ({
-    severity: finding.severity,
-    text: finding.code === THINNED ? thinnedWords(finding, report, outline, unit) : findingWords(finding, outline),
-  }));
+  const sentences = report.findings
+    .filter(({ code }) => !MEASURED.includes(code))
+    .map((finding) => ({
+      severity: finding.severity,
+      text: finding.code === THINNED ? thinnedWords(finding, report, outline, unit) : findingWords(finding, outline),
+    }));
   const closed: Sentence = {
     severity: "good",
     text: "The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",

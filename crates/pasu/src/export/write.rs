@@ -84,7 +84,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         title: design.title().map_or_else(|| format!("Pasu {}", making.product.name()), str::to_owned),
         link: design.link(),
         fingerprint: solution.fingerprint()?,
-        verdict: told(&verdict(making, made.iter().map(Ok))),
+        verdict: told(&verdict(design, making, millimetres, Vec::new(), &made)),
         scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
     };
     let bodies: Vec<Body> = made.iter().map(|made| body(design, &notes.title, &made.mesh)).collect();
@@ -165,13 +165,20 @@ fn size(body: &Body) -> f64 {
 
 /// `passed`, `passed with warnings: thinned`. What is made has no errors, or it would have been refused.
 fn told(report: &Report) -> String {
-    let mut codes: Vec<&str> = Vec::new();
-    for finding in report.findings.iter().filter(|finding| finding.severity == Severity::Warning) {
-        if !codes.contains(&finding.code) {
-            codes.push(finding.code);
+    let codes = |severity: Severity| {
+        let mut codes: Vec<&str> = Vec::new();
+        for finding in report.findings.iter().filter(|finding| finding.severity == severity) {
+            if !codes.contains(&finding.code) {
+                codes.push(finding.code);
+            }
         }
+        codes.join(", ")
+    };
+    match (codes(Severity::Error), codes(Severity::Warning)) {
+        (errors, _) if !errors.is_empty() => format!("failed: {errors}"),
+        (_, warnings) if !warnings.is_empty() => format!("passed with warnings: {warnings}"),
+        _ => "passed".to_owned(),
     }
-    if codes.is_empty() { "passed".to_owned() } else { format!("passed with warnings: {}", codes.join(", ")) }
 }
 
 /// The axis of a pot and the upper edge of its outside.

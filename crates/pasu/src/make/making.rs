@@ -1,5 +1,6 @@
 //! What is made of a design, and how large.
 
+use super::craft::Craft;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::measure::{Gauge, gauge};
@@ -32,6 +33,8 @@ pub struct Making {
     pub shrinkage: f64,
     /// The largest distance between triangles and the true faces, in model units, before scaling; one two-thousandth of each part's size when left out.
     pub tolerance: Option<f64>,
+    /// By what craft it is made, which says how thin a wall may be and how far it may lean; by printing when left out, and then nothing that is found of it is an error.
+    pub craft: Option<Craft>,
 }
 
 /// The factors between a design and what is made of it.

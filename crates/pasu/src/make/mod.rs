@@ -1,16 +1,19 @@
 //! Closed meshes that pass every check, or the reason why there is none.
 
+mod craft;
 mod disc;
 mod made;
 mod making;
 mod report;
 mod sketch;
 mod solid_mesh;
+mod together;
 #[cfg(feature = "typescript")]
 mod typescript;
 mod verdict;
 mod weave;
 
+pub use craft::Craft;
 pub use made::solid;
 pub(crate) use made::{Made, make};
 pub use making::{Making, Scale, Size};

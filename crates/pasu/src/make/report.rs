@@ -40,7 +40,7 @@ impl Severity {
 answers! {
     /// One thing that a check found.
     pub struct Finding as "Finding" {
-        /// A stable kebab-case word: `thinned`, or the code of the error that refuses the part.
+        /// A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, or the code of the error that refuses the part.
         pub code: &'static str,
         /// How much it matters.
         pub severity: Severity,

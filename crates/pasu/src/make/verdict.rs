@@ -1,10 +1,11 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
-use std::borrow::Borrow;
-
+use super::craft;
 use super::made::{Made, make};
 use super::making::Making;
 use super::report::{Finding, MeshReport, Report, Severity};
+use super::solid_mesh::SolidMesh;
+use super::together;
 use crate::design::Design;
 use crate::error::Result;
 use crate::solid::{place, short};
@@ -36,30 +37,46 @@ impl Solution {
     /// As [`check`].
     pub fn check(&self, making: &Making) -> Result<Report> {
         let scale = making.scale_of(self)?.millimetres;
-        Ok(verdict(making, (0..self.n_parts()).map(|part| make(self, part, making, scale))))
+        let parts: Vec<Result<Made>> = (0..self.n_parts()).map(|part| make(self, part, making, scale)).collect();
+        let mut refused = Vec::new();
+        let mut made = Vec::new();
+        for (part, outcome) in parts.into_iter().enumerate() {
+            match outcome {
+                Ok(one) => made.push(one),
+                Err(error) => refused.push(Finding {
+                    code: error.code().as_str(),
+                    severity: Severity::Error,
+                    part,
+                    message: error.message().to_owned(),
+                    at: error.place(),
+                }),
+            }
+        }
+        Ok(verdict(self.design(), making, scale, refused, &made))
     }
 }
 
-/// What there is to say of parts that were made, or refused, in their order.
-pub(crate) fn verdict(making: &Making, parts: impl Iterator<Item = Result<impl Borrow<Made>>>) -> Report {
-    let mut report = Report { product: making.product, findings: Vec::new(), meshes: Vec::new() };
-    for (part, made) in parts.enumerate() {
-        match made {
-            Ok(made) => {
-                report.findings.extend(findings(made.borrow()));
-                report.meshes.push(counted(made.borrow()));
-            }
-            Err(error) => report.findings.push(Finding {
-                code: error.code().as_str(),
-                severity: Severity::Error,
-                part,
-                message: error.message().to_owned(),
-                at: error.place(),
-            }),
-        }
+/// What there is to say of the parts of a design that were made, besides what was said of those that were refused; `millimetres` is how many a model unit has.
+pub(crate) fn verdict(
+    design: &Design,
+    making: &Making,
+    millimetres: f64,
+    refused: Vec<Finding>,
+    made: &[Made],
+) -> Report {
+    let mut findings = refused;
+    for one in made {
+        findings.extend(thinned(one));
+        findings.extend(craft::findings(one, making.craft, millimetres));
     }
-    report.findings.sort_by_key(|finding| finding.severity);
-    report
+    let meshes: Vec<&SolidMesh> = made.iter().map(|made| &made.mesh).collect();
+    let name = |part: usize| {
+        let name = design.parts().get(part).and_then(|part| part.name.as_deref());
+        name.map_or_else(|| format!("part {}", part + 1), |name| format!("{name:?}"))
+    };
+    findings.extend(together::findings(&meshes, name, millimetres));
+    findings.sort_by_key(|finding| finding.severity);
+    Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
 }
 
 fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
@@ -77,7 +94,7 @@ fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
     }
 }
 
-fn findings(made: &Made) -> Option<Finding> {
+fn thinned(made: &Made) -> Option<Finding> {
     let pot = &made.pot;
     let (share, at) = pot.thinned()?;
     let message = format!(
