@@ -112,6 +112,14 @@ impl<'a> Cap<'a> {
     }
 }
 
+impl Cap<'_> {
+    /// On the way from the tip to a place of the curve.
+    fn over(&self, FaceJet { position, dv, .. }: FaceJet, a: f64) -> FaceJet {
+        let arm = position - self.tip;
+        FaceJet { position: self.tip + arm * a, da: arm, dv: dv * a }
+    }
+}
+
 impl Sealed for Cap<'_> {}
 
 impl Face for Cap<'_> {
@@ -120,9 +128,12 @@ impl Face for Cap<'_> {
     }
 
     fn jet(&self, a: f64, v: f64) -> FaceJet {
-        let FaceJet { position, dv, .. } = self.face.jet(self.a, v);
-        let arm = position - self.tip;
-        FaceJet { position: self.tip + arm * a, da: arm, dv: dv * a }
+        self.over(self.face.jet(self.a, v), a)
+    }
+
+    fn walk(&self) -> Box<dyn FaceWalk + '_> {
+        let mut walk = self.face.walk();
+        Box::new(move |a: f64, v: f64| self.over(walk.jet(self.a, v), a))
     }
 
     fn outward(&self) -> f64 {

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::exchange::settled;
 use super::spline::{Ends, basis, control_points};
-use crate::face::Face;
+use crate::face::{Face, FaceWalk};
 
 /// The rows that a face begins with, and the columns of all faces.
 const FIRST_ROWS: usize = 2;
@@ -88,11 +88,28 @@ pub(super) struct Scaled<'a> {
 
 impl Scaled<'_> {
     pub(super) fn position(&self, a: f64, v: f64) -> DVec3 {
-        self.millimetres * self.face.jet(a, around(v)).position
+        self.walk().position(a, v)
     }
 
-    fn slope(&self, a: f64, v: f64) -> DVec3 {
-        self.millimetres * self.face.jet(a, around(v)).da
+    /// One place after the other.
+    fn walk(&self) -> ScaledWalk<'_> {
+        ScaledWalk { walk: self.face.walk(), millimetres: self.millimetres }
+    }
+}
+
+/// Places of one row after the other, which share what depends on it alone.
+struct ScaledWalk<'a> {
+    walk: Box<dyn FaceWalk + 'a>,
+    millimetres: f64,
+}
+
+impl ScaledWalk<'_> {
+    fn position(&mut self, a: f64, v: f64) -> DVec3 {
+        self.millimetres * self.walk.jet(a, around(v)).position
+    }
+
+    fn slope(&mut self, a: f64, v: f64) -> DVec3 {
+        self.millimetres * self.walk.jet(a, around(v)).da
     }
 }
 
@@ -113,13 +130,17 @@ pub(super) enum Boundary {
 fn boundary_points(faces: &[Scaled], boundary: Boundary, columns: &[f64]) -> Vec<DVec3> {
     let rounded = |point: DVec3| DVec3::from_array(point.to_array().map(settled));
     match boundary {
-        Boundary::Curve { face, end } => columns.iter().map(|v| faces[face].position(end as f64, *v)).collect(),
+        Boundary::Curve { face, end } => {
+            let mut walk = faces[face].walk();
+            columns.iter().map(|v| walk.position(end as f64, *v)).collect()
+        }
         Boundary::Pole { face, end } => vec![rounded(faces[face].position(end as f64, 0.0)); columns.len()],
     }
 }
 
 fn net(face: &Scaled, rows: &[f64], columns: &[f64], edges: &[Vec<DVec3>; 2]) -> Net {
     let last = rows.len() - 1;
+    let mut walk = face.walk();
     let along_v = |points: &[DVec3]| control_points(columns, points, &Ends::Closed);
     let points: Vec<Vec<DVec3>> = rows
         .iter()
@@ -127,10 +148,10 @@ fn net(face: &Scaled, rows: &[f64], columns: &[f64], edges: &[Vec<DVec3>; 2]) ->
         .map(|(i, a)| match i {
             0 => along_v(&edges[0]),
             i if i == last => along_v(&edges[1]),
-            _ => along_v(&columns.iter().map(|v| face.position(*a, *v)).collect::<Vec<_>>()),
+            _ => along_v(&columns.iter().map(|v| walk.position(*a, *v)).collect::<Vec<_>>()),
         })
         .collect();
-    let slopes = [0.0, 1.0].map(|a| along_v(&columns.iter().map(|v| face.slope(a, *v)).collect::<Vec<_>>()));
+    let slopes = [0.0, 1.0].map(|a| along_v(&columns.iter().map(|v| walk.slope(a, *v)).collect::<Vec<_>>()));
     let mut control = vec![Vec::with_capacity(columns.len() + 2); rows.len() + 2];
     for j in 0..columns.len() + 2 {
         let column: Vec<DVec3> = points.iter().map(|row| row[j]).collect();
@@ -144,6 +165,7 @@ fn net(face: &Scaled, rows: &[f64], columns: &[f64], edges: &[Vec<DVec3>; 2]) ->
 
 /// Which intervals of rows are off by more than their share, along the columns.
 fn rough_rows(face: &Scaled, net: &Net, columns: &[f64], share: f64) -> Vec<bool> {
+    let mut walk = face.walk();
     (0..net.rows.len() - 1)
         .map(|interval| {
             PROBES.iter().any(|part| {
@@ -151,7 +173,7 @@ fn rough_rows(face: &Scaled, net: &Net, columns: &[f64], share: f64) -> Vec<bool
                 let row = net.row(interval, a);
                 (0..columns.len() - 1).any(|j| {
                     let (found, _) = point(&row.0, columns, j, columns[j]);
-                    !((found - face.position(a, columns[j])).length() <= share)
+                    !((found - walk.position(a, columns[j])).length() <= share)
                 })
             })
         })
@@ -160,13 +182,14 @@ fn rough_rows(face: &Scaled, net: &Net, columns: &[f64], share: f64) -> Vec<bool
 
 /// Which intervals of columns are off by more than their share, along the rows.
 fn mark_rough_columns(face: &Scaled, net: &Net, columns: &[f64], share: f64, rough: &mut [bool]) {
+    let mut walk = face.walk();
     for (i, a) in net.rows.iter().enumerate() {
         let row = net.row(i.min(net.rows.len() - 2), *a);
         for (j, rough) in rough.iter_mut().enumerate().filter(|(_, rough)| !**rough) {
             *rough = PROBES.iter().any(|part| {
                 let v = between(columns, j, *part);
                 let (found, _) = point(&row.0, columns, j, v);
-                !((found - face.position(*a, v)).length() <= share)
+                !((found - walk.position(*a, v)).length() <= share)
             });
         }
     }
@@ -175,6 +198,7 @@ fn mark_rough_columns(face: &Scaled, net: &Net, columns: &[f64], share: f64, rou
 fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Fitted {
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for (face, net) in faces.iter().zip(&nets) {
+        let mut walk = face.face.walk();
         let samples = SAMPLES[usize::from((net.rows.len() - 1) * (columns.len() - 1) > MANY)];
         for i in 0..net.rows.len() - 1 {
             let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * samples) as f64;
@@ -187,7 +211,7 @@ fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Fitted {
                         let v = between(&columns, j, (q as f64 + 0.5) / samples as f64);
                         let (found, found_dv) = point(&row, &columns, j, v);
                         let (found_da, _) = point(&row_slopes, &columns, j, v);
-                        let jet = face.face.jet(a, v);
+                        let jet = walk.jet(a, v);
                         let off = (found - face.millimetres * jet.position).length();
                         let along_a = (found_da - face.millimetres * jet.da).length() * half_a;
                         let along_v = (found_dv - face.millimetres * jet.dv).length() * half_v;
