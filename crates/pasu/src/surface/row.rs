@@ -88,22 +88,29 @@ impl Row {
         self.terms
     }
 
-    /// The sums at one block of the columns of the same surface.
+    /// The sums at one block of the columns of the same surface: all three in one run, because each circle is then read once.
     pub(crate) fn sums(&self, circles: &[[Block; 2]]) -> Sums {
-        let [du, dv] = self.tangents(circles);
-        let mut position = [Block::ZERO; 3];
-        for (position, strands) in position.iter_mut().zip(&self.strands) {
-            for (wave, strands) in strands.iter().enumerate() {
-                for strand in strands {
-                    let Some(circle) = circles.get(strand.column) else { continue };
-                    *position += circle[wave] * strand.value;
-                }
+        let mut sums = Sums::default();
+        for (axis, [cosines, sines]) in self.strands.iter().enumerate() {
+            let (mut position, mut du, mut dv) = (Block::ZERO, Block::ZERO, Block::ZERO);
+            for strand in cosines {
+                let Some([cos, sin]) = circles.get(strand.column) else { continue };
+                position += *cos * strand.value;
+                du += *cos * strand.slope;
+                dv += *sin * strand.turned;
             }
+            for strand in sines {
+                let Some([cos, sin]) = circles.get(strand.column) else { continue };
+                position += *sin * strand.value;
+                du += *sin * strand.slope;
+                dv += *cos * strand.turned;
+            }
+            (sums.position[axis], sums.du[axis], sums.dv[axis]) = (position, du, dv);
         }
-        Sums { position, du, dv }
+        sums
     }
 
-    /// Of these, `X_u` and `X_v`.
+    /// Of these, `X_u` and `X_v` alone.
     pub(crate) fn tangents(&self, circles: &[[Block; 2]]) -> [[Block; 3]; 2] {
         let mut tangents = [[Block::ZERO; 3]; 2];
         for (axis, [cosines, sines]) in self.strands.iter().enumerate() {
