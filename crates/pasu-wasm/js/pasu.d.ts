@@ -206,7 +206,7 @@ export interface PartMeasures extends BodyMeasures {
   reason: string | null;
   /** Why it holds nothing, in words. */
   capacityReason: string | null;
-  /** Along the normal; `thinned` is the share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  /** Along the normal; `thinned` is the share of the wall, 0 to 1, that is thinner than asked for. */
   thickness: {
     asked: number;
     least: { value: number; error: number; at: Point | null };
@@ -244,7 +244,7 @@ export interface Measures extends BodyMeasures {
 
 /** One thing that a check found. */
 export interface Finding {
-  /** A stable kebab-case word: `thinned`, or the code of the refusal. */
+  /** A stable kebab-case word: `thinned`, `tolerance-too-fine` where the triangles do not keep the tolerance that was asked for, or the code of the refusal. */
   code: string;
   /** It cannot be made; it differs from what was asked for; worth knowing. */
   severity: "error" | "warning" | "note";
@@ -267,9 +267,9 @@ export interface MeshReport {
   degenerate: number;
   /** Pairs of triangles that cross. */
   crossings: number;
-  /** The largest distance between the triangles and the true faces, in the unit of the design. */
+  /** The largest distance between the triangles and the true faces, in the unit of the design: a bound for the surface of the design, an estimate for the other faces. */
   bound: number;
-  /** The share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  /** The share of the wall, 0 to 1, that is thinner than asked for. */
   thinned: number;
   /** The thinnest that the wall is, in the unit of the design. */
   thinnest?: number;

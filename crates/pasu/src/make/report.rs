@@ -36,7 +36,7 @@ impl Severity {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Finding {
-    /// A stable kebab-case word: `thinned`, or the code of the [`Error`](crate::Error) that refuses the part.
+    /// A stable kebab-case word: `thinned`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the [`Error`](crate::Error) that refuses the part.
     pub code: &'static str,
     /// How much it matters.
     pub severity: Severity,
@@ -66,9 +66,9 @@ pub struct MeshReport {
     pub degenerate: usize,
     /// Number of pairs of triangles that cross or touch where they should not.
     pub crossings: usize,
-    /// The largest distance between the triangles and the true faces, in model units.
+    /// The largest distance between the triangles and the true faces, in model units: an estimate, as [`SolidMesh::bound`](crate::SolidMesh).
     pub bound: f64,
-    /// The share of the design surface where the wall is thinner than asked for, from 0 to 1.
+    /// The share of the wall that is thinner than asked for, from 0 to 1.
     pub thinned: f64,
     /// The thinnest the wall is, in model units; `None` for a solid.
     pub thinnest: Option<f64>,

@@ -6,7 +6,7 @@ use super::made::{Made, make};
 use super::making::Making;
 use super::report::{Finding, MeshReport, Report, Severity};
 use crate::design::Design;
-use crate::error::Result;
+use crate::error::{Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
 
@@ -62,7 +62,7 @@ pub(crate) fn verdict(making: &Making, parts: impl Iterator<Item = Result<impl B
     report
 }
 
-fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
+fn counted(Made { mesh, pot, topology, .. }: &Made) -> MeshReport {
     MeshReport {
         part: mesh.part,
         vertices: mesh.n_vertices(),
@@ -77,7 +77,11 @@ fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
     }
 }
 
-fn findings(made: &Made) -> Option<Finding> {
+fn findings(made: &Made) -> impl Iterator<Item = Finding> {
+    [thinned(made), unkept(made)].into_iter().flatten()
+}
+
+fn thinned(made: &Made) -> Option<Finding> {
     let pot = &made.pot;
     let (share, at) = pot.thinned()?;
     let message = format!(
@@ -88,4 +92,16 @@ fn findings(made: &Made) -> Option<Finding> {
     );
     let severity = Severity::Warning;
     Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()) })
+}
+
+/// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
+fn unkept(made: &Made) -> Option<Finding> {
+    let asked = made.unkept?;
+    let message = format!(
+        "the triangles come within {} of the wall, not within {} as asked for: its other side bends too sharply for that",
+        short(made.mesh.bound),
+        short(asked)
+    );
+    let code = Code::ToleranceTooFine.as_str();
+    Some(Finding { code, severity: Severity::Warning, part: made.pot.part(), message, at: None })
 }
