@@ -18,8 +18,8 @@ use crate::solution::Solution;
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
 
-/// How many times as finely the thickness is looked into, and a part is meshed, in turn, before it is refused.
-const FINENESS: [(usize, f64); 3] = [(1, 1.0), (3, 1.0), (3, 3.0)];
+/// How many times as finely as asked for a part is meshed, in turn, before it is refused.
+const FINENESS: [f64; 2] = [1.0, 3.0];
 
 /// A wall that is somewhere thinner than this part of what was asked for cannot be made if it was not meshed at once.
 const THINNEST: f64 = 0.05;
@@ -79,6 +79,8 @@ pub(crate) struct Made {
     pub(crate) mesh: SolidMesh,
     pub(crate) pot: Pot,
     pub(crate) topology: Topology,
+    /// The tolerance that was asked for, where the mesh does not keep it.
+    pub(crate) unkept: Option<f64>,
 }
 
 /// One part of [`solid`]; `scale` is from model units to millimetres.
@@ -91,14 +93,15 @@ pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64
         return Err(error);
     }
     let mut refusal = None;
-    for (attempt, (of_thickness, of_mesh)) in FINENESS.into_iter().enumerate() {
-        let pot = Pot::of(&skin, solution.wall(part, making.product)?, of_thickness)?;
-        let made = woven(&pot, making, of_mesh, scale).and_then(|mut woven| {
+    let pot = Pot::of(&skin, solution.wall(part, making.product)?)?;
+    for (attempt, fineness) in FINENESS.into_iter().enumerate() {
+        let made = woven(&pot, making, fineness, scale).and_then(|mut woven| {
             compact(&mut woven);
-            Ok((verdict(&pot, &woven, scale)?, finished(&woven, part, scale)))
+            let unkept = making.tolerance.filter(|asked| woven.bound > *asked);
+            Ok((verdict(&pot, &woven, scale)?, finished(&woven, part, scale), unkept))
         });
         match made {
-            Ok((topology, mesh)) => return Ok(Made { mesh, pot, topology }),
+            Ok((topology, mesh, unkept)) => return Ok(Made { mesh, pot, topology, unkept }),
             // Looking more closely does not make a pot smaller.
             Err(error) if matches!(error.code(), Code::Overflow | Code::TooLarge | Code::ToleranceTooFine) => {
                 return Err(error);

@@ -40,7 +40,7 @@ impl Severity {
 answers! {
     /// One thing that a check found.
     pub struct Finding as "Finding" {
-        /// A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, or the code of the error that refuses the part.
+        /// A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
         pub code: &'static str,
         /// How much it matters.
         pub severity: Severity,
@@ -69,9 +69,9 @@ answers! {
         pub degenerate: usize,
         /// Number of pairs of triangles that cross or touch where they should not.
         pub crossings: usize,
-        /// The largest distance between the triangles and the true faces, in model units.
+        /// The largest distance between the triangles and the true faces, in model units: a bound for the surface of the design, an estimate for the other faces.
         pub bound: f64,
-        /// The share of the design surface where the wall is thinner than asked for, from 0 to 1.
+        /// The share of the wall that is thinner than asked for, from 0 to 1.
         pub thinned: f64,
         /// The thinnest the wall is, in model units; `None` for a solid.
         pub thinnest: Option<f64>,

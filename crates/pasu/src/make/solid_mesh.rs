@@ -18,7 +18,8 @@ pub struct SolidMesh {
     pub faces: Vec<(FaceKind, u32, u32)>,
     /// The part of the design.
     pub part: usize,
-    /// The largest distance between triangles and true faces, in model units: before size, shrinkage and millimetres.
+    /// The largest distance between triangles and true faces, in model units: before size, shrinkage and millimetres. Of the surface of the design it is a bound. Of the other side of the wall, the rim and the
+    /// base it is an estimate on the safe side, by how the faces bend at the vertices. Where it is more than the tolerance that was asked for, that could not be kept; [`check`](crate::check()) says so.
     pub bound: f64,
 }
 

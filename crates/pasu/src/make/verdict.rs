@@ -7,7 +7,7 @@ use super::report::{Finding, MeshReport, Report, Severity};
 use super::solid_mesh::SolidMesh;
 use super::together;
 use crate::design::Design;
-use crate::error::Result;
+use crate::error::{Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
 
@@ -67,6 +67,7 @@ pub(crate) fn verdict(
     let mut findings = refused;
     for one in made {
         findings.extend(thinned(one));
+        findings.extend(unkept(one));
         findings.extend(craft::findings(one, making.craft, millimetres));
     }
     let meshes: Vec<&SolidMesh> = made.iter().map(|made| &made.mesh).collect();
@@ -79,7 +80,7 @@ pub(crate) fn verdict(
     Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
 }
 
-fn counted(Made { mesh, pot, topology }: &Made) -> MeshReport {
+fn counted(Made { mesh, pot, topology, .. }: &Made) -> MeshReport {
     MeshReport {
         part: mesh.part,
         vertices: mesh.n_vertices(),
@@ -105,4 +106,16 @@ fn thinned(made: &Made) -> Option<Finding> {
     );
     let severity = Severity::Warning;
     Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()) })
+}
+
+/// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
+fn unkept(made: &Made) -> Option<Finding> {
+    let asked = made.unkept?;
+    let message = format!(
+        "the triangles come within {} of the wall, not within {} as asked for: its other side bends too sharply for that",
+        short(made.mesh.bound),
+        short(asked)
+    );
+    let code = Code::ToleranceTooFine.as_str();
+    Some(Finding { code, severity: Severity::Warning, part: made.pot.part(), message, at: None })
 }

@@ -34,5 +34,5 @@ impl Accuracy {
     }
 }
 
-/// What is asked at most of an integral over a face with seams.
-const SEAMED: f64 = 1e-7;
+/// What is asked at most of an integral over a face with seams: what is found is far better than that as a rule, because the longer of two rules counts and their difference is the error.
+const SEAMED: f64 = 1e-5;

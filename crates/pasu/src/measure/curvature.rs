@@ -166,7 +166,12 @@ fn range(bare: &Bare, [grid, other]: &[Grid<SurfaceJet>; 2], kind: Kind) -> Curv
         let largest = mean.abs() + libm::sqrt((mean * mean - gaussian).max(0.0));
         let error = error + ROUNDING * if kind == Kind::Mean { largest } else { largest * largest };
         let at: DVec3 = bare.jet(best.a, best.v).position;
-        Some(Located { value: sign * best.value, error, at: at.to_array() })
+        // What leaves the range of numbers has no bound that could be told.
+        (best.value.is_finite() && error.is_finite()).then_some(Located {
+            value: sign * best.value,
+            error,
+            at: at.to_array(),
+        })
     };
     CurvatureRange { least: extreme(-1.0), greatest: extreme(1.0) }
 }

@@ -14,7 +14,7 @@ use super::standing::Standing;
 use super::taken::{ACCURACY, Naked, Taken};
 use crate::design::{Clay, Design, plain, rounded};
 use crate::error::{Code, Error, Result};
-use crate::face::{Face, FaceKind};
+use crate::face::FaceKind;
 use crate::solid::Product;
 use crate::solution::Solution;
 
@@ -116,7 +116,7 @@ pub(crate) enum Gauge {
 /// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
 pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Result<f64> {
     let taken = Taken::all(solution, product)?;
-    let outside = || Outside::new(taken.iter().flat_map(Taken::outer_faces), waves(&taken));
+    let outside = || Outside::new(taken.iter().flat_map(Taken::faces), waves(&taken));
     match gauge {
         Gauge::Height => Ok(outside().height().value),
         Gauge::Width => Ok(outside().widths().greatest.value),
@@ -185,12 +185,16 @@ fn part_measures(
     let [bottom, top] = outside.heights();
     let naked = taken.naked_faces();
     let surface = naked.iter().map(|face| area(*face, &accuracy)).reduce(|sum, area| sum + area).unwrap_or_default();
-    if !(bottom.is_finite() && top.is_finite() && surface.value.is_finite()) {
+    let (height, width) = (outside.height(), width(outside));
+    let is_finite = |quantity: Quantity| quantity.value.is_finite() && quantity.error.is_finite();
+    if !(bottom.is_finite()
+        && top.is_finite()
+        && [height, width.least, width.greatest, surface].map(is_finite) == [true; 4])
+    {
         let message = "the surface leaves the range of numbers";
         return Err(Error::new(Code::Overflow, format!("parts[{index}]"), message));
     }
-    let mut body =
-        Body { height: outside.height(), bottom, top, width: width(outside), area: surface, ..Body::default() };
+    let mut body = Body { height, bottom, top, width, area: surface, ..Body::default() };
     let centimetres = design.unit().millimetres() / 10.0;
     let cubic_centimetre = centimetres * centimetres * centimetres;
     let mut share = Share { clay: None, water: None };
@@ -199,12 +203,11 @@ fn part_measures(
         let (areas, clay) = enclosed(&faces, &accuracy);
         let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
         let mass = clay.scaled(density);
-        body.clay = Some(ClayMeasures {
-            area: areas.into_iter().fold(Quantity::default(), |sum, area| sum + area),
-            volume: clay.volume,
-            mass: mass.volume,
-        });
-        share.clay = Some(mass);
+        let area = areas.into_iter().fold(Quantity::default(), |sum, area| sum + area);
+        if [area, clay.volume, mass.volume].map(is_finite) == [true; 3] {
+            body.clay = Some(ClayMeasures { area, volume: clay.volume, mass: mass.volume });
+            share.clay = Some(mass);
+        }
         if let (Some(wall), Product::Pot, Ok(pot)) = (&part.wall, options.product, &taken.pot) {
             let (least, greatest) = pot.thickness();
             let thinned = pot.thinned();
@@ -228,10 +231,7 @@ fn part_measures(
     }
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
-    let lining = taken.pot.as_ref().ok().and_then(|pot| {
-        let lining = pot.faces().iter().filter(|face| face.kind() == FaceKind::Lining).map(|face| face as &dyn Face);
-        Outside::new(lining, taken.waves()).overhang(|_| true)
-    });
+    let lining = outside.overhang(|kind| kind == FaceKind::Lining);
     Ok((
         PartMeasures {
             part: index,
@@ -241,8 +241,8 @@ fn part_measures(
             reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
             capacity_reason,
             thickness,
-            overhang: outside.overhang(is_wall).map(overhang),
-            overhang_inside: lining.map(overhang),
+            overhang: outside.overhang(is_wall).and_then(overhang),
+            overhang_inside: lining.and_then(overhang),
             curvature: match &taken.surface {
                 Naked::Upright { bare, .. } => curvature(bare),
                 Naked::Patches { .. } => Curvature::default(),
@@ -278,13 +278,14 @@ fn width(outside: &Outside) -> Width {
     }
 }
 
-fn overhang(spot: Spot) -> Overhang {
-    Overhang {
-        degrees: spot.value.to_degrees(),
-        error: spot.error.to_degrees(),
-        at: spot.at.to_array(),
-        face: spot.face,
-    }
+/// `None` where the face is too large or too small for its normal to be known.
+fn overhang(Spot { value, error, at, face }: Spot) -> Option<Overhang> {
+    (value.is_finite() && error.is_finite()).then_some(Overhang {
+        degrees: value.to_degrees(),
+        error: error.to_degrees(),
+        at: at.to_array(),
+        face,
+    })
 }
 
 /// The measures of several parts together.
@@ -317,7 +318,7 @@ fn whole(taken: &[Taken], parts: &[PartMeasures], shares: &[Share]) -> Body {
     });
     let sum = |of: fn(&Share) -> Option<Moments>| shares.iter().filter_map(of).reduce(|sum, next| sum.plus(&next));
     let share = Share { clay: sum(|share| share.clay), water: sum(|share| share.water) };
-    let faces = taken.iter().flat_map(Taken::outer_faces);
+    let faces = taken.iter().flat_map(Taken::faces);
     let mut body = Body {
         height: Quantity::new(top - bottom, error),
         bottom,

@@ -129,7 +129,7 @@ answers! {
         pub least: LeastThickness,
         /// The greatest.
         pub greatest: Quantity,
-        /// The share of the surface, 0 to 1, where the wall is thinner than asked for.
+        /// The share of the wall, 0 to 1, that is thinner than asked for.
         pub thinned: Quantity,
     }
 

@@ -21,6 +21,7 @@ mod quantity;
 mod standing;
 mod taken;
 mod water;
+mod widths;
 
 pub use capacity::{Capacity, Fill, Spill};
 pub use curvature::{Curvature, CurvatureRange, Located};

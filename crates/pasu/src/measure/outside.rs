@@ -5,25 +5,20 @@ use core::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 
 use super::moments::element;
-use super::quantity::{Quantity, ROUNDING};
+use super::quantity::Quantity;
+use super::widths::{self, Contact, Widths};
 use crate::face::{Face, FaceJet, FaceKind};
-use crate::numeric::brent;
 use crate::numeric::climb::Place;
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
-use crate::numeric::minima;
 
 /// Faces seen from outside, each sampled on a grid from which searches begin.
 pub(crate) struct Outside<'a> {
     faces: Vec<(&'a dyn Face, Grid<FaceJet>)>,
     size: f64,
+    /// The highest harmonic.
+    highest: f64,
 }
-
-/// Directions in which widths are compared before the least and the greatest are refined.
-const DIRECTIONS: usize = 360;
-
-/// How closely the direction of the least width is found, in radians. A width has a kink there as soon as one board touches two petals; the greatest is smooth.
-const KINK: f64 = 1e-12;
 
 /// How far a face may reach beyond the points of its grid, as a part of the size.
 const BETWEEN: f64 = 0.01;
@@ -38,23 +33,14 @@ pub(crate) struct Spot {
     pub(crate) face: FaceKind,
 }
 
-/// Caliper widths of a silhouette, and the directions in which they are measured, in radians.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Widths {
-    pub(crate) least: Quantity,
-    pub(crate) greatest: Quantity,
-    pub(crate) least_direction: f64,
-    pub(crate) greatest_direction: f64,
-}
-
 /// How far from an end the places are from which a limit is taken.
 const BESIDE: f64 = 1e-4;
 
 /// The rounding of a normal's angle, in radians.
 const LEAN_ROUNDING: f64 = 1e-12;
 
-/// The most columns of a grid over a wall that had to be thinned.
-const MOST_COLUMNS: usize = 601;
+/// The most rows and columns of a grid over a wall that had to be thinned.
+const MOST_SEAMED: (usize, usize) = (401, 301);
 
 /// Columns of a grid that meets every petal.
 pub(crate) fn columns(highest: f64) -> usize {
@@ -77,7 +63,7 @@ impl<'a> Outside<'a> {
         let faces: Vec<_> = faces.into_iter().map(sampled).collect();
         let points = faces.iter().flat_map(|(_, grid)| grid.points());
         let size = points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()));
-        Outside { faces, size }
+        Outside { faces, size, highest }
     }
 
     /// The greatest extent in a direction, and where.
@@ -127,93 +113,27 @@ impl<'a> Outside<'a> {
 
     /// Least and greatest caliper width from above.
     pub(crate) fn widths(&self) -> Widths {
-        let rim = self.silhouette();
-        let step = PI / DIRECTIONS as f64;
-        let coarse = |i: usize| {
-            let direction = level_direction(step * i as f64).truncate();
-            self.reach_of_grid(&rim, direction) + self.reach_of_grid(&rim, -direction)
-        };
-        let widths: Vec<f64> = (0..DIRECTIONS).map(coarse).collect();
-        // The best extremes of the table, refined: petals repeat one, and the table is a little off.
-        let refine = |sign: f64, tolerance: f64, most: usize| {
-            let values: Vec<f64> = widths.iter().map(|width| sign * width).collect();
-            let mut best = (0.0, f64::INFINITY);
-            for i in minima::round(&values).into_iter().take(most) {
-                let middle = step * i as f64;
-                let of = |angle: f64| sign * self.width(angle);
-                let (angle, width) = brent::least(middle - 1.5 * step, middle + 1.5 * step, tolerance, of);
-                for (angle, width) in [(middle, of(middle)), (angle, width)] {
-                    if width < best.1 {
-                        best = (angle, width);
-                    }
-                }
-            }
-            (best.0, sign * best.1)
-        };
-        let (least_direction, smallest) = refine(1.0, KINK, 2);
-        let (greatest_direction, largest) = refine(-1.0, 1e-8, 2);
-        let turn = |angle: f64| {
-            if angle < 0.0 {
-                angle + PI
-            } else if angle >= PI {
-                angle - PI
-            } else {
-                angle
-            }
-        };
-        Widths {
-            least: Quantity::new(smallest, 2.0 * (KINK + ROUNDING) * self.size),
-            greatest: Quantity::rounded(largest, 2.0 * self.size),
-            least_direction: turn(least_direction),
-            greatest_direction: turn(greatest_direction),
-        }
+        widths::widths(self.highest, self.size, |angle| self.contact(level_direction(angle)))
     }
 
-    /// The points of the grids on the convex hull seen from above: face and number.
-    fn silhouette(&self) -> Vec<(usize, usize)> {
-        let ids: Vec<(usize, usize)> = (0..self.faces.len())
-            .flat_map(|face| (0..self.faces[face].1.points().len()).map(move |point| (face, point)))
-            .collect();
-        let points: Vec<DVec2> = ids.iter().map(|&(face, point)| self.seen(face, point)).collect();
-        hull_of(&points).into_iter().map(|index| ids[index]).collect()
-    }
-
-    fn seen(&self, face: usize, point: usize) -> DVec2 {
-        self.faces[face].1.points()[point].position.truncate()
-    }
-
-    /// How far the grids reach in a direction, with parabolas between their points.
-    fn reach_of_grid(&self, rim: &[(usize, usize)], direction: DVec2) -> f64 {
-        let far = rim.iter().map(|&(face, point)| (self.seen(face, point).dot(direction), face, point));
-        let Some((most, face, point)) = far.max_by(|x, y| x.0.total_cmp(&y.0)) else { return 0.0 };
-        let neighbours = self.faces[face].1.neighbours(point);
-        let above = neighbours.into_iter().flatten().map(|pair| {
-            let [before, after] = pair.map(|point| self.seen(face, point).dot(direction) - most);
-            let bend = -(before + after);
-            if bend > 0.0 { (after - before) * (after - before) / (8.0 * bend) } else { 0.0 }
-        });
-        most + above.sum::<f64>()
-    }
-
-    /// The caliper width in one direction: from the best points of the grids, climbed.
-    fn width(&self, angle: f64) -> f64 {
-        let direction = level_direction(angle);
-        [direction, -direction].into_iter().map(|direction| self.reach(direction)).sum()
-    }
-
-    fn reach(&self, direction: DVec3) -> f64 {
+    /// How far it reaches in a level direction: from the best points of the grids, climbed.
+    fn contact(&self, direction: DVec3) -> Contact {
         let of = |jet: &FaceJet| jet.position.dot(direction);
         let ends: Vec<f64> =
             self.faces.iter().map(|(_, grid)| grid.points().iter().map(of).fold(f64::MIN, f64::max)).collect();
         let most = ends.iter().copied().fold(f64::MIN, f64::max);
         // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
         let near = most - BETWEEN * self.size;
-        let tops = self.faces.iter().zip(ends).filter(|(_, end)| *end >= near);
-        let tops = tops.flat_map(|((face, grid), _)| {
+        let mut best = Contact { reach: f64::MIN, point: DVec2::ZERO };
+        for ((face, grid), _) in self.faces.iter().zip(ends).filter(|(_, end)| *end >= near) {
             let mut walk = face.walk();
-            grid.tops(of, near, |a, v| walk.jet(a, v))
-        });
-        tops.fold(most, |most, top| most.max(top.value))
+            for Place { a, v, value } in grid.tops(of, near, |a, v| walk.jet(a, v)) {
+                if value > best.reach {
+                    best = Contact { reach: value, point: walk.jet(a, v).position.truncate() };
+                }
+            }
+        }
+        best
     }
 
     /// The largest angle below the horizontal of the outward normal of faces of some kinds, in radians: how far they overhang.
@@ -228,7 +148,10 @@ impl<'a> Outside<'a> {
             let mut at = |a: f64, v: f64| walk.jet(if is_kept_from(a) { off_the_end(a) } else { a }, v);
             // A wall that had to be thinned has bumps between its knots.
             let (rows, columns) = match face.seams() {
-                Some(seams) => (2 * seams.along.len() + 1, (2 * seams.round.len() + 1).min(MOST_COLUMNS)),
+                Some(seams) => {
+                    let [rows, columns] = [seams.along.len(), seams.round.len()].map(|n| 2 * n + 1);
+                    (rows.min(MOST_SEAMED.0), columns.min(MOST_SEAMED.1.max(grid.columns() + grid.columns() / 3)))
+                }
                 None => (grid.rows() - grid.rows() / 4, grid.columns() + grid.columns() / 3),
             };
             let other = Grid::new(rows, columns, &mut at);

@@ -6,7 +6,7 @@ use super::capacity::Vessel;
 use super::folded::Folded;
 use super::outside::Outside;
 use crate::error::Result;
-use crate::face::{Face, FaceKind, PatchFace};
+use crate::face::{Face, PatchFace};
 use crate::solid::{Pot, Product};
 use crate::solution::Solution;
 
@@ -70,18 +70,15 @@ impl Taken {
         }
     }
 
-    /// Faces seen from outside.
-    pub(super) fn outer_faces(&self) -> Vec<&dyn Face> {
-        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Lining | FaceKind::Floor | FaceKind::Drain);
-        let mut faces = match (&self.pot, &self.surface) {
+    /// The faces between which heights and widths are: all of a body, because a lining may be higher and wider than the outside.
+    pub(super) fn faces(&self) -> Vec<&dyn Face> {
+        match (&self.pot, &self.surface) {
             (Err(_), Naked::Patches { patches, folded, .. }) => {
                 let closed = patches.iter().filter(|patch| patch.is_closed()).map(|patch| patch as &dyn Face);
                 closed.chain(folded.iter().map(|folded| folded as &dyn Face)).collect()
             }
             _ => self.body().unwrap_or_else(|| self.naked_faces()),
-        };
-        faces.retain(|face| !is_inside(face.kind()));
-        faces
+        }
     }
 
     /// How many waves go round at most.
@@ -96,7 +93,7 @@ impl Taken {
     }
 
     pub(super) fn outside(&self) -> Outside<'_> {
-        Outside::new(self.outer_faces(), self.waves())
+        Outside::new(self.faces(), self.waves())
     }
 
     pub(super) fn accuracy(&self) -> Accuracy {

@@ -39,14 +39,6 @@ impl<T> Grid<T> {
         (row as f64 / (self.rows - 1) as f64, TAU * column as f64 / self.columns as f64)
     }
 
-    /// The neighbours of a point on either side: along `a`, where it has both, and round `v`.
-    pub(crate) fn neighbours(&self, index: usize) -> [Option<[usize; 2]>; 2] {
-        let (row, column, n) = (index / self.columns, index % self.columns, self.columns);
-        let along = (row > 0 && row + 1 < self.rows).then(|| [index - n, index + n]);
-        let round = [(column + n - 1) % n, (column + 1) % n].map(|column| row * n + column);
-        [along, Some(round)]
-    }
-
     pub(crate) fn rows(&self) -> usize {
         self.rows
     }

@@ -60,7 +60,7 @@ pub(crate) fn root(from: (f64, f64), to: (f64, f64), mut of: impl FnMut(f64) -> 
 /// The root of a function that is negative at `low` and not at `high`, `0 <= low < high`, to rounding.
 ///
 /// `high`, or where it has moved to, once it is a root or within four units in its last place of the other end; where no double is left between the two, the better of them.
-pub(crate) fn rise(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn rise(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let (mut low, mut high) = (low, high);
     let (mut f_low, mut f_high) = (f(low), f(high));
     for step in 0..MOST_STEPS_OF_RISE {

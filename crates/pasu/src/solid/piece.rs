@@ -1,6 +1,7 @@
 //! One face of a pot.
 
 use core::f64::consts::PI;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -46,18 +47,74 @@ pub(crate) struct Bead {
     pub(crate) at: f64,
 }
 
+/// What a face between two curves is at one `v`, whatever `a` is.
+#[derive(Debug, Clone, Copy)]
+enum Across {
+    /// Straight from `(P, P_v)` to `(Q, Q_v)`.
+    Ruled { from: (DVec3, DVec3), to: (DVec3, DVec3) },
+    /// A half circle: its middle, the arm to where it begins and the outward bulge, each with its derivative.
+    Bead { middle: DVec3, arm: DVec3, out: DVec3, dmiddle: DVec3, darm: DVec3, dout: DVec3 },
+}
+
+impl Across {
+    fn jet(&self, a: f64) -> FaceJet {
+        match *self {
+            Across::Ruled { from: (p, dp), to: (q, dq) } => {
+                FaceJet { position: p + (q - p) * a, da: q - p, dv: dp + (dq - dp) * a }
+            }
+            Across::Bead { middle, arm, out, dmiddle, darm, dout } => {
+                let (c, s) = (libm::cos(PI * a), libm::sin(PI * a));
+                FaceJet {
+                    position: middle + arm * c + out * s,
+                    da: (out * c - arm * s) * PI,
+                    dv: dmiddle + darm * c + dout * s,
+                }
+            }
+        }
+    }
+}
+
+/// The most columns that a walk remembers.
+const REMEMBERED: usize = 1 << 14;
+
+/// A walk over a face between two curves, which remembers what it has met at each `v`.
+struct AcrossWalk<'a> {
+    piece: &'a Piece,
+    known: BTreeMap<u64, Across>,
+}
+
+impl Sealed for AcrossWalk<'_> {}
+
+impl FaceWalk for AcrossWalk<'_> {
+    fn jet(&mut self, a: f64, v: f64) -> FaceJet {
+        if let Some(across) = self.known.get(&v.to_bits()) {
+            return across.jet(a);
+        }
+        let Some(across) = self.piece.form.across(v) else { return self.piece.jet(a, v) };
+        if self.known.len() < REMEMBERED {
+            self.known.insert(v.to_bits(), across);
+        }
+        across.jet(a)
+    }
+}
+
+impl Form {
+    /// What it is at one `v`; `None` for a side of the wall.
+    fn across(&self, v: f64) -> Option<Across> {
+        match self {
+            Form::Sheet { .. } => None,
+            Form::Ruled { from, to } => Some(Across::Ruled { from: from.at(v), to: to.at(v) }),
+            Form::Bead(bead) => Some(bead.across(v)),
+        }
+    }
+}
+
 impl Bead {
-    fn jet(&self, a: f64, v: f64) -> FaceJet {
+    fn across(&self, v: f64) -> Across {
         let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v));
         let (middle, arm) = ((from.position + to.position) * 0.5, (from.position - to.position) * 0.5);
         let (dmiddle, darm) = ((from.dv + to.dv) * 0.5, (from.dv - to.dv) * 0.5);
-        let (out, dout) = (self.bulge(v), self.bulge_v(v));
-        let (c, s) = (libm::cos(PI * a), libm::sin(PI * a));
-        FaceJet {
-            position: middle + arm * c + out * s,
-            da: (out * c - arm * s) * PI,
-            dv: dmiddle + darm * c + dout * s,
-        }
+        Across::Bead { middle, arm, out: self.bulge(v), dmiddle, darm, dout: self.bulge_v(v) }
     }
 
     /// The outward conormal times half the thickness.
@@ -128,16 +185,14 @@ impl Face for Piece {
     fn jet(&self, a: f64, v: f64) -> FaceJet {
         match &self.form {
             Form::Sheet { sheet, is_back } => on_sheet(sheet, *is_back, a, v, |s, v| sheet.jet(s, v)),
-            Form::Ruled { from, to } => {
-                let ((p, dp), (q, dq)) = (from.at(v), to.at(v));
-                FaceJet { position: p + (q - p) * a, da: q - p, dv: dp + (dq - dp) * a }
-            }
-            Form::Bead(bead) => bead.jet(a, v),
+            form => form.across(v).map(|across| across.jet(a)).unwrap_or_default(),
         }
     }
 
     fn walk(&self) -> Box<dyn FaceWalk + '_> {
-        let Form::Sheet { sheet, is_back } = &self.form else { return Box::new(|a: f64, v: f64| self.jet(a, v)) };
+        let Form::Sheet { sheet, is_back } = &self.form else {
+            return Box::new(AcrossWalk { piece: self, known: BTreeMap::new() });
+        };
         let mut walk = sheet.walk();
         Box::new(move |a: f64, v: f64| on_sheet(sheet, *is_back, a, v, |s, v| walk.jet(s, v)))
     }
@@ -150,7 +205,7 @@ impl Face for Piece {
         match &self.form {
             Form::Sheet { sheet, .. } => {
                 let (along, round) = sheet.knots()?;
-                Some(Seams { along, round, crossings: sheet.crossings().to_vec() })
+                Some(Seams { along, round, crossings: sheet.crossings().to_vec(), rough: sheet.rough() })
             }
             Form::Ruled { from, to } => {
                 let ends = [from.seamed(), to.seamed()];

@@ -10,7 +10,7 @@ use super::piece::{Bead, Form, Piece};
 use super::product::Product;
 use super::sheet::{Sheet, Trim, WallSide};
 use super::skin::{Skin, middle_of};
-use super::thickness::Thickness;
+use super::thickness::{Thickness, Told};
 use super::told::{place, short};
 use crate::design::{Design, RimForm, Side, Wall, plain};
 use crate::error::{Code, Error, Result};
@@ -23,6 +23,15 @@ const LEVEL: f64 = 1e-9;
 
 /// Golden sections by which the highest place between two columns is found: they leave 4e-9 of the gap, by which a height differs by less than rounding.
 const SECTIONS: usize = 40;
+
+/// A wall that somewhere takes up more than this part of the radius at which the surface bends is looked into more closely; it is to take up no more than 0.8.
+const CROWDED: f64 = 0.9;
+
+/// So many times as closely.
+const CLOSER: usize = 3;
+
+/// Columns that begin no further apart than this begin at the same place.
+const SAME: f64 = 1e-9;
 
 /// A curve no wider than this part of the size is a point.
 const POINT: f64 = 1e-6;
@@ -48,6 +57,8 @@ pub struct Pot {
     is_ring: bool,
     skin: Arc<Skin>,
     thickness: Arc<Thickness>,
+    /// By how much the wall is thinned where there is one.
+    told: Option<Told>,
     foot_level: f64,
     wall: Option<Wall>,
 }
@@ -75,21 +86,52 @@ impl Pot {
         Solution::of(design).pot(part, product)
     }
 
-    /// The faces of a part whose skin is known, with a thickness that is looked into so many times as finely.
-    pub(crate) fn of(skin: &Arc<Skin>, wall: Option<Wall>, fineness: usize) -> Result<Pot> {
-        let thickness = Arc::new(match wall {
-            Some(wall) => {
-                let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
-                Thickness::of(skin, &wall, direction, fineness)?
+    /// The faces of a part whose skin is known: the one body that is measured, checked, meshed and written.
+    ///
+    /// The thickness is sought at the places of a mesh, and once more at closer ones where the surface bends between these so sharply that the wall would all but fold.
+    pub(crate) fn of(skin: &Arc<Skin>, wall: Option<Wall>) -> Result<Pot> {
+        let Some(wall) = wall else { return Pot::with(skin, None, Thickness::Even(0.0)) };
+        let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
+        let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
+        let mut pot = Pot::with(skin, Some(wall), thickness)?;
+        let mut starts = pot.starts(sought.columns);
+        if pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
+            let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((CLOSER, &sought)))?;
+            sought = closer;
+            pot = Pot::with(skin, Some(wall), thickness)?;
+            starts = pot.starts(sought.columns);
+        }
+        pot.told = pot.thickness.told(skin, &sought, &starts);
+        if pot.told.is_none() && !pot.thickness.is_even() {
+            // Thinned only where there is no wall, beneath the floor: then it is as asked for all over.
+            let even = Pot::with(skin, Some(wall), Thickness::Even(wall.thickness))?;
+            let is_same = even.starts(sought.columns).iter().zip(&starts).all(|(s, start)| (s - start).abs() <= SAME);
+            if is_same {
+                return Ok(even);
             }
-            None => Thickness::Even(0.0),
-        });
+        }
+        Ok(pot)
+    }
+
+    /// The faces with a wall of a thickness that is known.
+    fn with(skin: &Arc<Skin>, wall: Option<Wall>, thickness: Thickness) -> Result<Pot> {
+        let thickness = Arc::new(thickness);
         let builder = Builder { skin, thickness: &thickness, pieces: Vec::new() };
         let (pieces, is_ring, foot_level) = match wall {
             Some(wall) => builder.pot(&wall)?,
             None => builder.solid()?,
         };
-        Ok(Pot { part: skin.placed().index(), pieces, is_ring, skin: Arc::clone(skin), thickness, foot_level, wall })
+        let (part, skin) = (skin.placed().index(), Arc::clone(skin));
+        Ok(Pot { part, pieces, is_ring, skin, thickness, told: None, foot_level, wall })
+    }
+
+    /// Where the wall begins at even columns: its other side does, not the surface.
+    fn starts(&self, columns: usize) -> Vec<f64> {
+        let sheet = self.pieces.iter().find_map(|piece| match &piece.form {
+            Form::Sheet { sheet, .. } if sheet.is_offset() => Some(sheet),
+            _ => None,
+        });
+        (0..columns).map(|j| sheet.map_or(0.0, |sheet| sheet.start(TAU * j as f64 / columns as f64).s)).collect()
     }
 
     /// The number of the part.
@@ -161,13 +203,14 @@ impl Pot {
 
     /// The least and the greatest thickness of the wall; zeros for a solid.
     pub fn thickness(&self) -> (f64, f64) {
-        match &*self.thickness {
-            Thickness::Even(thickness) => (*thickness, *thickness),
-            Thickness::Thinned(thinned) => (thinned.thinnest.0, thinned.thickest()),
+        match (self.told, self.wall) {
+            (Some(told), _) => (told.thinnest.0, told.thickest),
+            (None, Some(wall)) => (wall.thickness, wall.thickness),
+            (None, None) => (0.0, 0.0),
         }
     }
 
-    /// The share of the surface where the wall is thinner than asked for, from 0 to 1, and the place where it is thinnest; `None` where it is as asked for everywhere.
+    /// The share of the wall that is thinner than asked for, from 0 to 1, and the place where it is thinnest; `None` where it is as asked for everywhere.
     ///
     /// ```
     /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -180,18 +223,12 @@ impl Pot {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn thinned(&self) -> Option<(f64, DVec3)> {
-        match &*self.thickness {
-            Thickness::Even(_) => None,
-            Thickness::Thinned(thinned) => Some((thinned.share, thinned.thinnest.1)),
-        }
+        self.told.map(|told| (told.share, told.thinnest.1))
     }
 
     /// How far the least and the greatest thickness and the share that is thinned may be off.
     pub(crate) fn thickness_errors(&self) -> [f64; 3] {
-        match &*self.thickness {
-            Thickness::Even(_) => [0.0; 3],
-            Thickness::Thinned(thinned) => thinned.errors,
-        }
+        self.told.map_or([0.0; 3], |told| told.errors)
     }
 
     /// What the surface of the design is.
@@ -225,7 +262,7 @@ impl Solution {
     pub fn pot(&self, part: usize, product: Product) -> Result<Pot> {
         let placed = self.part(part)?;
         let wall = self.wall(part, product)?;
-        Pot::of(&Arc::new(Skin::new(placed)?), wall, 1)
+        Pot::of(&Arc::new(Skin::new(placed)?), wall)
     }
 
     /// The wall that a product of a part takes; `None` for a solid, which has none.

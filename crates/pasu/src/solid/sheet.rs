@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use glam::DVec3;
 
 use super::skin::{Skin, SkinJet, SkinWalk};
-use super::thickness::Thickness;
+use super::thickness::{SplineRow, Thickness};
 use crate::numeric::{bisection, illinois};
 use crate::patch::SurfaceJet;
 use crate::solution::Columns;
@@ -39,6 +39,7 @@ pub(crate) struct SheetJet {
 pub(crate) struct SheetWalk<'a> {
     sheet: &'a Sheet,
     walk: SkinWalk<'a>,
+    row: Option<SplineRow>,
 }
 
 /// Which side of the wall.
@@ -142,6 +143,11 @@ impl Sheet {
         self.face == WallSide::Design && self.trim == Trim::Foot
     }
 
+    /// Whether this is the side at a distance from the surface of the design.
+    pub(crate) fn is_offset(&self) -> bool {
+        matches!(self.face, WallSide::Offset { .. })
+    }
+
     /// Whether any column is all above the level.
     pub(crate) fn has_column_above(&self) -> bool {
         matches!(self.trim, Trim::Level(_)) && self.brackets.contains(&None)
@@ -159,7 +165,7 @@ impl Sheet {
 
     /// One place after the other.
     pub(crate) fn walk(&self) -> SheetWalk<'_> {
-        SheetWalk { sheet: self, walk: self.skin.walk() }
+        SheetWalk { sheet: self, walk: self.skin.walk(), row: None }
     }
 
     fn offset(&self, jet: &SkinJet, [t, t_s, t_v]: [f64; 3]) -> SheetJet {
@@ -173,6 +179,11 @@ impl Sheet {
     /// The knots of a thickness that is interpolated: along, from 0 to 1, and round.
     pub(crate) fn knots(&self) -> Option<(Vec<f64>, Vec<f64>)> {
         if self.is_exact() { None } else { self.thickness.knots() }
+    }
+
+    /// Between which knots the thickness bends unevenly.
+    pub(crate) fn rough(&self) -> Vec<bool> {
+        if self.is_exact() { Vec::new() } else { self.thickness.rough() }
     }
 
     /// The values of `v` at which the beginning of a column passes a knot, in ascending order; none where all begin together or there are no knots.
@@ -247,8 +258,9 @@ impl Sheet {
     }
 
     fn find(&self, v: f64) -> Start {
-        let Some((low, high)) = self.bracket(v) else { return Start::default() };
-        let s = illinois::rise(low, high, |s| self.above(s, v));
+        let mut walk = self.walk();
+        let Some((low, high)) = self.bracket(&mut walk, v) else { return Start::default() };
+        let s = illinois::rise(low, high, |s| self.above(&mut walk, s, v));
         // The root is where g = 0: by implicit differentiation s' = -g_v / g_s.
         let jet = self.jet(s, v);
         let frame = self.skin.frame();
@@ -265,7 +277,7 @@ impl Sheet {
     }
 
     /// Between which `s` the column at `v` begins; `None` where it is all above.
-    fn bracket(&self, v: f64) -> Option<(f64, f64)> {
+    fn bracket(&self, walk: &mut SheetWalk, v: f64) -> Option<(f64, f64)> {
         let n = self.brackets.len();
         let at = v / TAU * n as f64;
         let (left, right) = (libm::floor(at) as usize % n, libm::ceil(at) as usize % n);
@@ -276,19 +288,19 @@ impl Sheet {
             let mut row = high;
             while row > low {
                 let (below, above) = ((row - 1) as f64 / ROWS as f64, row as f64 / ROWS as f64);
-                if self.above(below, v) < 0.0 && self.above(above, v) >= 0.0 {
+                if self.above(walk, below, v) < 0.0 && self.above(walk, above, v) >= 0.0 {
                     return Some((below, above));
                 }
                 row -= 1;
             }
         }
-        let row = (0..=ROWS).rev().find(|&i| self.above(i as f64 / ROWS as f64, v) < 0.0)?;
+        let row = (0..=ROWS).rev().find(|&i| self.above(walk, i as f64 / ROWS as f64, v) < 0.0)?;
         Some((row as f64 / ROWS as f64, (row + 1).min(ROWS) as f64 / ROWS as f64))
     }
 
     /// How far a point is above the level, or outside the cylinder.
-    fn above(&self, s: f64, v: f64) -> f64 {
-        self.height(self.jet(s, v).position)
+    fn above(&self, walk: &mut SheetWalk, s: f64, v: f64) -> f64 {
+        self.height(walk.jet(s, v).position)
     }
 
     fn height(&self, position: DVec3) -> f64 {
@@ -306,7 +318,7 @@ impl SheetWalk<'_> {
         let WallSide::Offset { direction } = self.sheet.face else {
             return whole(&self.walk.second(s, v));
         };
-        let thickness = self.sheet.thickness.at(s, v).map(|t| t * direction);
+        let thickness = self.sheet.thickness.on_row(&mut self.row, s, v).map(|t| t * direction);
         self.sheet.offset(&self.walk.jet(s, v), thickness)
     }
 
@@ -315,7 +327,7 @@ impl SheetWalk<'_> {
         let WallSide::Offset { direction } = self.sheet.face else {
             return whole(&self.walk.second_at(s, columns, column));
         };
-        let thickness = self.sheet.thickness.at(s, columns.v(column)).map(|t| t * direction);
+        let thickness = self.sheet.thickness.on_row(&mut self.row, s, columns.v(column)).map(|t| t * direction);
         self.sheet.offset(&self.walk.jet_at(s, columns, column), thickness)
     }
 
@@ -325,7 +337,7 @@ impl SheetWalk<'_> {
             return self.walk.second_at(s, columns, column).position;
         };
         let jet = self.walk.jet_at(s, columns, column);
-        let [t, ..] = self.sheet.thickness.at(s, columns.v(column));
+        let [t, ..] = self.sheet.thickness.on_row(&mut self.row, s, columns.v(column));
         jet.position + jet.normal * (t * direction)
     }
 }

@@ -28,6 +28,15 @@ const COLUMNS: usize = 64;
 /// A ball is shrunk at once when it can be by this factor.
 const SHRUNK: f64 = 0.7;
 
+/// Between places it is looked at closer where the wall takes up more than this part of the radius at which the surface bends.
+const NEAR: f64 = 0.4;
+
+/// So many times as closely.
+const CLOSER: usize = 3;
+
+/// A third difference of the thickness that is more than this part of what was asked for shows in an integral.
+const ROUGH: f64 = 2e-4;
+
 /// What is thinner by less than this part is not thinned.
 const ROUNDING: f64 = 1e-12;
 
@@ -54,12 +63,32 @@ pub(crate) struct Thinned {
     /// Row by row, without the column that would repeat the first.
     values: Vec<f64>,
     n_columns: usize,
-    /// The least, and where.
+    asked: f64,
+}
+
+/// By how much a wall is thinned where there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Told {
+    /// The least thickness, and where.
     pub(crate) thinnest: (f64, DVec3),
-    /// The share of the area that is thinner than asked for.
+    /// The greatest.
+    pub(crate) thickest: f64,
+    /// The share of the wall's area that is thinner than asked for.
     pub(crate) share: f64,
     /// How far the least, the greatest and the share may be off.
     pub(crate) errors: [f64; 3],
+}
+
+/// The places at which the ball was sought.
+pub(crate) struct Sought {
+    /// From 0 to 1.
+    rows: Vec<f64>,
+    /// Without one that repeats the first.
+    pub(crate) columns: usize,
+    /// Row by row.
+    samples: Vec<Sample>,
+    /// 1 for a wall outwards, -1 for one inwards.
+    direction: f64,
 }
 
 /// One place at which the ball is sought.
@@ -73,59 +102,34 @@ struct Sample {
 }
 
 impl Thickness {
-    /// The thickness of a wall on one side of a surface; `direction` is 1 for outwards and -1 for inwards.
+    /// The thickness of a wall on one side of a surface, and where it was sought; `direction` is 1 for outwards and -1 for inwards. With places that are `closer` together by some factor than those at which it
+    /// was sought before: what the ball must not hold are still the points of before, how the surface bends is known everywhere.
     ///
     /// # Errors
     /// What [`places`] refuses.
-    pub(crate) fn of(skin: &Skin, wall: &Wall, direction: f64, fineness: usize) -> Result<Thickness> {
-        let (rows, columns) = rows_and_columns(skin, fineness)?;
+    pub(crate) fn of(
+        skin: &Skin,
+        wall: &Wall,
+        direction: f64,
+        closer: Option<(usize, &Sought)>,
+    ) -> Result<(Thickness, Sought)> {
+        let (rows, columns) = rows_and_columns(skin, closer.map_or(1, |(factor, _)| factor))?;
         let samples = samples(skin, &rows, columns, direction);
         let asked = wall.thickness;
         let most = asked / SHARE;
-        let positions: Vec<DVec3> = samples.iter().map(|sample| sample.position).collect();
+        let points = closer.map_or(&samples, |(_, before)| &before.samples);
+        let positions: Vec<DVec3> = points.iter().map(|sample| sample.position).collect();
         let cells = Cells::new(&positions, most / 2.0);
         let values: Vec<f64> = samples.iter().map(|sample| asked.min(SHARE * radius(sample, &cells, most))).collect();
-        if values.iter().all(|t| *t >= asked) {
-            return Ok(Thickness::Even(asked));
-        }
+        let sought = |rows: Vec<f64>| Sought { rows, columns, samples, direction };
         let mut values = least_nearby(&values, columns);
         // What is thinner by rounding alone is not thinned.
         values.iter_mut().filter(|t| **t > asked * (1.0 - ROUNDING)).for_each(|t| *t = asked);
-        let mut thinned =
-            Thinned { rows, values, n_columns: columns, thinnest: (asked, DVec3::ZERO), share: 0.0, errors: [0.0; 3] };
-        let mut thinnest = (f64::INFINITY, DVec3::ZERO);
-        let mut thickest = 0.0f64;
-        let mut is_thinned = Vec::with_capacity(samples.len());
-        let (mut thinned_area, mut area) = (0.0, 0.0);
-        for (number, sample) in samples.iter().enumerate() {
-            let (row, column) = (number / columns, number % columns);
-            let [t, ..] = thinned.at(thinned.rows[row], TAU * column as f64 / columns as f64);
-            if t < thinnest.0 {
-                thinnest = (t, sample.position);
-            }
-            thickest = thickest.max(t);
-            is_thinned.push(t < asked);
-            area += sample.area;
-            if t < asked {
-                thinned_area += sample.area;
-            }
+        if values.iter().all(|t| *t >= asked) {
+            return Ok((Thickness::Even(asked), sought(rows)));
         }
-        thinned.thinnest = thinnest;
-        thinned.share = if area > 0.0 { thinned_area / area } else { 0.0 };
-        // The spline is between its least and its greatest coefficient; the edge of what is thinned lies within the gaps beside places of both kinds.
-        let least = thinned.values.iter().fold(thinnest.0, |least, t| least.min(*t));
-        let edge: f64 = (0..samples.len())
-            .filter(|&k| has_other_neighbour(&is_thinned, columns, k))
-            .filter_map(|k| samples.get(k))
-            .map(|sample| sample.area)
-            .sum();
-        let rounding = 4.0 * f64::EPSILON;
-        thinned.errors = [
-            thinnest.0 - least + rounding * asked,
-            thinned.thickest() - thickest + rounding * asked,
-            if area > 0.0 { edge / area + 1e3 * rounding } else { 0.0 },
-        ];
-        Ok(Thickness::Thinned(thinned))
+        let thinned = Thinned { rows: rows.clone(), values, n_columns: columns, asked };
+        Ok((Thickness::Thinned(thinned), sought(rows)))
     }
 
     /// Whether it is as asked for everywhere.
@@ -141,11 +145,125 @@ impl Thickness {
         }
     }
 
+    /// Whether the wall takes up more than a share of the radius at which the surface bends, looked at between the places at which it was sought: it does nowhere where these are close enough
+    /// together, and where the share is 1 its other side folds. Columns of the wall begin at `starts`.
+    pub(crate) fn is_crowded(&self, skin: &Skin, sought: &Sought, starts: &[f64], limit: f64) -> bool {
+        let Sought { rows, columns, samples, direction } = sought;
+        let n = *columns;
+        let is_near = |k: usize| samples.get(k).is_some_and(|sample| self.thickest() > NEAR * sample.bend);
+        let mut walk = skin.walk();
+        let shares: Vec<f64> = (0..=CLOSER).map(|i| i as f64 / CLOSER as f64).collect();
+        for (i, pair) in rows.windows(2).enumerate() {
+            let row = |i: usize, j: usize| i * n + j % n;
+            let exists = |j: usize| pair[1] >= starts[j % n].min(starts[(j + 1) % n]);
+            let corners = |j: usize| [row(i, j), row(i, j + 1), row(i + 1, j), row(i + 1, j + 1)];
+            let cells: Vec<usize> = (0..n).filter(|&j| exists(j) && corners(j).into_iter().any(is_near)).collect();
+            for share in shares.iter().filter(|_| !cells.is_empty()) {
+                let s = pair[0] + share * (pair[1] - pair[0]);
+                for &j in &cells {
+                    for part in &shares[..CLOSER] {
+                        let v = TAU * (j as f64 + part) / n as f64;
+                        let start = starts[j] + part * (starts[(j + 1) % n] - starts[j]);
+                        if s >= start && self.at(s, v)[0] > limit * bend(&walk.jet(s, v), *direction) {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+        false
+    }
+
+    fn thickest(&self) -> f64 {
+        match self {
+            Thickness::Even(thickness) => *thickness,
+            Thickness::Thinned(thinned) => thinned.thickest(),
+        }
+    }
+
+    /// By how much the wall is thinned where there is one, from where its columns begin; `None` where it is as asked for all over.
+    pub(crate) fn told(&self, skin: &Skin, sought: &Sought, starts: &[f64]) -> Option<Told> {
+        let Thickness::Thinned(thinned) = self else { return None };
+        let Sought { rows, columns: n, samples, .. } = sought;
+        let (n, asked) = (*n, thinned.asked);
+        // What stands at a place counts for the wall if the wall is there or at a neighbour.
+        let counts = |i: usize, j: usize| {
+            let above = rows[(i + 1).min(rows.len() - 1)];
+            [n - 1, 0, 1].iter().any(|step| above >= starts[(j + step) % n])
+        };
+        let coefficients = (0..samples.len()).filter(|k| counts(k / n, k % n)).map(|k| thinned.values[k]);
+        let (least, most) = coefficients.fold((f64::INFINITY, 0.0f64), |(least, most), t| (least.min(t), most.max(t)));
+        if !(least < asked) {
+            return None;
+        }
+        let (mut thinnest, mut thickest) = ((f64::INFINITY, DVec3::ZERO), 0.0f64);
+        let (mut thinned_area, mut area, mut edge) = (0.0, 0.0, 0.0);
+        let mut kinds = Vec::with_capacity(samples.len());
+        for (k, sample) in samples.iter().enumerate() {
+            let (s, v) = (rows[k / n], TAU * (k % n) as f64 / n as f64);
+            let [t, ..] = self.at(s, v);
+            kinds.push(t < asked);
+            if s < starts[k % n] {
+                continue;
+            }
+            if t < thinnest.0 {
+                thinnest = (t, sample.position);
+            }
+            thickest = thickest.max(t);
+            area += sample.area;
+            if t < asked {
+                thinned_area += sample.area;
+            }
+        }
+        // And where it begins, between two rows.
+        for (j, start) in starts.iter().enumerate() {
+            let v = TAU * j as f64 / n as f64;
+            let [t, ..] = self.at(*start, v);
+            if t < thinnest.0 {
+                thinnest = (t, skin.second(*start, v).position);
+            }
+        }
+        for (k, sample) in samples.iter().enumerate().filter(|(k, _)| rows[k / n] >= starts[k % n]) {
+            if has_other_neighbour(&kinds, n, k) {
+                edge += sample.area;
+            }
+        }
+        // The spline is between its least and its greatest coefficient; the edge of what is thinned lies within the gaps beside places of both kinds.
+        let rounding = 4.0 * f64::EPSILON;
+        let [share, edge] = [thinned_area, edge].map(|part| if area > 0.0 { part / area } else { 0.0 });
+        let errors = [
+            (thinnest.0 - least).max(0.0) + rounding * asked,
+            (most - thickest).max(0.0) + rounding * asked,
+            edge + if area > 0.0 { 1e3 * rounding } else { 0.0 },
+        ];
+        Some(Told { thinnest, thickest: thickest.max(thinnest.0), share, errors })
+    }
+
+    /// For each cell between [`Thickness::knots`], row by row, whether second derivatives jump there by more than a little.
+    pub(crate) fn rough(&self) -> Vec<bool> {
+        match self {
+            Thickness::Even(_) => Vec::new(),
+            Thickness::Thinned(thinned) => thinned.rough(),
+        }
+    }
+
     /// `t`, `t_s`, `t_v`.
     pub(crate) fn at(&self, s: f64, v: f64) -> [f64; 3] {
         match self {
             Thickness::Even(thickness) => [*thickness, 0.0, 0.0],
-            Thickness::Thinned(thinned) => thinned.at(s, v),
+            Thickness::Thinned(thinned) => thinned.at(&thinned.row(s), v),
+        }
+    }
+
+    /// The same, with what is kept of the row before if it is the same.
+    pub(crate) fn on_row(&self, kept: &mut Option<SplineRow>, s: f64, v: f64) -> [f64; 3] {
+        match self {
+            Thickness::Even(thickness) => [*thickness, 0.0, 0.0],
+            Thickness::Thinned(thinned) => {
+                let row = kept.filter(|row| row.s == s).unwrap_or_else(|| thinned.row(s));
+                *kept = Some(row);
+                thinned.at(&row, v)
+            }
         }
     }
 }
@@ -154,6 +272,26 @@ impl Thinned {
     /// The greatest thickness.
     pub(crate) fn thickest(&self) -> f64 {
         self.values.iter().fold(0.0, |most, t| most.max(*t))
+    }
+
+    /// A jump of a second derivative is a third difference of the coefficients.
+    fn rough(&self) -> Vec<bool> {
+        let (n, last) = (self.n_columns, self.rows.len() - 1);
+        let third = |[a, b, c, d]: [f64; 4]| (d - a - 3.0 * (c - b)).abs() > ROUGH * self.asked;
+        let at = |i: usize, j: usize| self.values[i.min(last) * n + j % n];
+        // Number j is of the four columns from j on.
+        let round: Vec<bool> =
+            (0..=last).flat_map(|i| (0..n).map(move |j| [0, 1, 2, 3].map(|k| at(i, j + k))).map(third)).collect();
+        let along: Vec<bool> = (0..=last)
+            .flat_map(|i| (0..n).map(move |j| [0, 1, 2, 3].map(|k: usize| at((i + k).saturating_sub(1), j))).map(third))
+            .collect();
+        // The cell after knot number j is about column j + 1.
+        let is_rough = |i: usize, j: usize| {
+            let column = j + 1;
+            [1, 2, 3].iter().any(|back| round[i * n + (column + n - back) % n])
+                || [0, 1, 2].iter().any(|back| i >= *back && along[(i - back) * n + column % n])
+        };
+        (0..=last).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| is_rough(i, j)).collect()
     }
 
     /// Where the spline's second derivatives jump: along the surface, with both ends, and round it.
@@ -165,8 +303,8 @@ impl Thinned {
         (along, (0..n).map(|j| TAU * (j as f64 + 0.5) / n as f64).collect())
     }
 
-    /// A quadratic spline whose knots lie half-way between the places, so that its slopes have no jumps: near a place it is a mean of what stands there and at its eight neighbours.
-    fn at(&self, s: f64, v: f64) -> [f64; 3] {
+    /// The part of [`Thinned::at`] that goes by `s` alone.
+    fn row(&self, s: f64) -> SplineRow {
         let last = self.rows.len() as isize - 1;
         // Beyond the ends the rows are mirrored.
         let place = |k: isize| {
@@ -184,9 +322,16 @@ impl Thinned {
         let row = if after > 0 && s < knot(after - 1) { after - 1 } else { after.min(last) };
         let [a, b, c, d] = [knot(row - 2), knot(row - 1), knot(row), knot(row + 1)];
         let (before, behind) = (s - b, c - s);
-        let along = [behind * behind / ((c - b) * (c - a)), before * before / ((c - b) * (d - b))];
-        let along_s = [-2.0 * behind / ((c - b) * (c - a)), 2.0 * before / ((c - b) * (d - b))];
+        SplineRow {
+            s,
+            first: [row - 1, row, row + 1].map(|k| k.clamp(0, last) as usize * self.n_columns),
+            along: [behind * behind / ((c - b) * (c - a)), before * before / ((c - b) * (d - b))],
+            along_s: [-2.0 * behind / ((c - b) * (c - a)), 2.0 * before / ((c - b) * (d - b))],
+        }
+    }
 
+    /// A quadratic spline whose knots lie half-way between the places, so that its slopes have no jumps: near a place it is a mean of what stands there and at its eight neighbours.
+    fn at(&self, &SplineRow { first, along, along_s, .. }: &SplineRow, v: f64) -> [f64; 3] {
         let n = self.n_columns;
         let turns = v / TAU * n as f64;
         let nearest = libm::floor(turns + 0.5);
@@ -197,20 +342,26 @@ impl Thinned {
         // Differences, so that equal numbers have themselves as mean.
         let mixed =
             |[left, middle, right]: [f64; 3], [l, r]: [f64; 2]| (l * (left - middle), r * (right - middle), middle);
-        let at_row = |k: isize| {
-            let values = [-1, 0, 1].map(|step| {
-                let column = (column + step).rem_euclid(n as isize) as usize;
-                self.values[k.clamp(0, last) as usize * n + column]
-            });
+        let columns = [-1, 0, 1].map(|step| (column + step).rem_euclid(n as isize) as usize);
+        let [above, here, below] = first.map(|first| {
+            let values = columns.map(|column| self.values[first + column]);
             let ((l, r, middle), (l_v, r_v, _)) = (mixed(values, round), mixed(values, round_v));
             [middle + (l + r), l_v + r_v]
-        };
-        let [above, here, below] = [at_row(row - 1), at_row(row), at_row(row + 1)];
+        });
         let ((l, r, t), (l_s, r_s, _)) =
             (mixed([above[0], here[0], below[0]], along), mixed([above[0], here[0], below[0]], along_s));
         let (l_v, r_v, t_v) = mixed([above[1], here[1], below[1]], along);
         [t + (l + r), l_s + r_s, t_v + (l_v + r_v)]
     }
+}
+
+/// What a spline of the thickness has in common along a row: where the values of three rows begin, and by how much those before and behind count, with the derivatives of that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SplineRow {
+    s: f64,
+    first: [usize; 3],
+    along: [f64; 2],
+    along_s: [f64; 2],
 }
 
 /// Whether one of the eight neighbours of a place is of the other kind.

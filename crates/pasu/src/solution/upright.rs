@@ -22,10 +22,12 @@ pub(crate) struct Upright {
     is_closed: bool,
 }
 
-/// Jets of one place after the other: shares with the place before what depends on `s` alone.
+/// Jets of one place after the other: shares with the place before what depends on `s` alone, or on `v` alone.
 pub(crate) struct Walk<'a> {
     upright: &'a Upright,
     row: Option<(f64, Box<dyn Row + 'a>)>,
+    /// The column of the place before, once it was asked for twice.
+    column: (f64, Option<Columns>),
 }
 
 impl Upright {
@@ -93,7 +95,7 @@ impl Upright {
 
     /// One place after the other.
     pub(crate) fn walk(&self) -> Walk<'_> {
-        Walk { upright: self, row: None }
+        Walk { upright: self, row: None, column: (f64::NAN, None) }
     }
 
     /// Even columns of this surface.
@@ -128,7 +130,14 @@ impl<'a> Walk<'a> {
 
     /// Position and derivatives up to the second.
     pub(crate) fn at(&mut self, s: f64, v: f64) -> SurfaceJet {
-        self.jet(s, |row| row.jet(v / TAU))
+        if self.column.0 != v {
+            self.column = (v, None);
+            return self.jet(s, |row| row.jet(v / TAU));
+        }
+        let columns = self.column.1.take().unwrap_or_else(|| self.upright.columns_at(vec![v]));
+        let jet = self.at_column(s, &columns, 0);
+        self.column.1 = Some(columns);
+        jet
     }
 
     /// The same at a column.
