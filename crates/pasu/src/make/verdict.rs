@@ -35,6 +35,7 @@ impl Solution {
     /// # Errors
     /// As [`check`].
     pub fn check(&self, making: &Making) -> Result<Report> {
+        self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
         Ok(verdict(making, (0..self.n_parts()).map(|part| make(self, part, making, scale))))
     }
