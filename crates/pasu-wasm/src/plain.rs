@@ -23,8 +23,10 @@ impl<'de> Deserializer<'de> for Plain {
             return leaf.deserialize_any(visitor).map_err(|_| not_plain(&value));
         }
         if let Some(array) = value.dyn_ref::<Float64Array>() {
+            no_longer_than_text(array.length())?;
             visitor.visit_seq(SeqDeserializer::new(array.to_vec().into_iter()))
         } else if let Some(array) = value.dyn_ref::<Float32Array>() {
+            no_longer_than_text(array.length())?;
             visitor.visit_seq(SeqDeserializer::new(array.to_vec().into_iter()))
         } else if Array::is_array(&value) {
             visitor.visit_seq(Items { array: value.unchecked_into(), index: 0 })
@@ -40,6 +42,18 @@ impl<'de> Deserializer<'de> for Plain {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
         newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
     }
+}
+
+/// As many numbers as the longest JSON text could hold: a typed array is copied into the memory of the module as a whole, before anybody looks at it.
+const MOST_NUMBERS: u32 = 1 << 20;
+
+fn no_longer_than_text(length: u32) -> Result<()> {
+    if length <= MOST_NUMBERS {
+        return Ok(());
+    }
+    let message = format!("expected at most {MOST_NUMBERS} numbers in a list, found {length}");
+    let error = Error::new(Code::TooLarge, "", message).with("greatest", f64::from(MOST_NUMBERS));
+    Err(error.with("found", f64::from(length)))
 }
 
 struct Items {

@@ -113,7 +113,7 @@ pub enum Code {
     UnknownVersion,
     /// A kind of shape that the format knows and this release cannot yet compute.
     UnsupportedShape,
-    /// More parts, modes, characters or vertices than the stated limit.
+    /// More parts, modes, characters, vertices or waves than the stated limit, a surface that changes faster, a file that is larger.
     TooLarge,
     /// A link that is not one of Pasu's, damaged, or cut short.
     DamagedLink,

@@ -9,6 +9,7 @@ use super::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use super::declarations;
 use super::fields::{Field, Fields};
+use super::quantity::Size;
 use crate::error::{Code, Error, Result};
 
 /// A kind of shape: `serde` reads and writes the fields beside `kind`, and this is what else there is to know of them.
@@ -29,6 +30,9 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     fn cost(&self) -> usize {
         self.problem().n_modes()
     }
+
+    /// Every number of waves that the document gives, with where it stands within the shape.
+    fn waves(&self) -> Vec<(String, f64)>;
 
     /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
     fn link(&self) -> Option<Vec<String>>;
@@ -73,6 +77,9 @@ pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
     fn boundary_value(&self) -> BoundaryValue;
 }
 
+/// The fields of families that count waves.
+const WAVES: [&str; 2] = ["n", "n1"];
+
 impl<T: Expanded> Described for T {
     const FAMILY: Option<Family> =
         Some(Family { fields: T::FIELDS, start: || T::START.numbers().into_iter().map(<[f64]>::to_vec).collect() });
@@ -84,6 +91,18 @@ impl<T: Expanded> Described for T {
     fn canonical(mut self) -> Result<Self> {
         self.round();
         self.finite()
+    }
+
+    fn waves(&self) -> Vec<(String, f64)> {
+        let mut waves = Vec::with_capacity(2);
+        for (field, numbers) in T::FIELDS.iter().zip(self.numbers()).filter(|(field, _)| WAVES.contains(&field.name)) {
+            let place = |index: usize| match field.size {
+                Size::One => field.name.to_owned(),
+                Size::List(_) => format!("{}[{index}]", field.name),
+            };
+            waves.extend(numbers.iter().enumerate().map(|(index, n)| (place(index), *n)));
+        }
+        waves
     }
 
     fn link(&self) -> Option<Vec<String>> {

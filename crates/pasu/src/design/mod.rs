@@ -33,6 +33,7 @@ mod wall;
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+pub(crate) use limits::{RATE, SWING, WAVES};
 pub use look::{Clay, Glaze, Look};
 pub(crate) use number::{plain, rounded};
 pub use part::Part;

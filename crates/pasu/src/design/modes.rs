@@ -33,6 +33,13 @@ impl Described for BoundaryValue {
         })
     }
 
+    fn waves(&self) -> Vec<(String, f64)> {
+        let components = ["x", "y", "z"].into_iter().zip(self.components());
+        let modes =
+            components.flat_map(|(name, component)| component.modes.iter().enumerate().map(move |mode| (name, mode)));
+        modes.map(|(name, (index, mode))| (format!("{name}.modes[{index}].n"), mode.n)).collect()
+    }
+
     fn link(&self) -> Option<Vec<String>> {
         None
     }

@@ -67,6 +67,13 @@ macro_rules! shapes {
                 }
             }
 
+            /// Every number of waves that the document gives, with where it stands within the shape.
+            pub(crate) fn waves(&self) -> Vec<(String, f64)> {
+                match self {
+                    $( Shape::$kind(shape) => shape.waves(), )+
+                }
+            }
+
             /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
             pub(crate) fn link(&self) -> Option<Vec<String>> {
                 match self {

@@ -10,7 +10,7 @@ use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::face::{Face, FaceKind};
-use crate::make::{Made, Making, SolidMesh, make};
+use crate::make::{Made, Making, Size, SolidMesh, make};
 use crate::make::{Report, Severity, verdict};
 use crate::solid::Pot;
 use crate::solution::{Placed, Solution};
@@ -32,7 +32,7 @@ const MOST_TRIANGLES: usize = 20_000_000;
 /// - SVG is a template at true scale.
 ///
 /// # Errors
-/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles. A design with warnings is written all the same; the verdict is in the file.
+/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles, and for a template that reaches further than 10 m. A design with warnings is written all the same; the verdict is in the file.
 ///
 /// ```
 /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -64,6 +64,7 @@ impl Solution {
 
 fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u8>> {
     let design = solution.design();
+    solution.all_workable()?;
     let millimetres = making.scale_of(solution)?.millimetres;
     let mut made = Vec::with_capacity(solution.n_parts());
     for part in 0..solution.n_parts() {
@@ -118,9 +119,31 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         }
         Format::Svg => {
             let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, millimetres)).collect();
+            for ((body, stand), made) in bodies.iter().zip(&stands).zip(&made) {
+                on_paper(making, made.mesh.part, template::reach(body, stand))?;
+            }
             Ok(template::write(&notes, &bodies, &stands))
         }
     }
+}
+
+/// Refuses a template that is larger than paper comes.
+fn on_paper(making: &Making, part: usize, reach: f64) -> Result<()> {
+    if reach <= template::LARGEST {
+        return Ok(());
+    }
+    let path = match making.size {
+        Some(Size::Height(_)) => "size.height".to_owned(),
+        Some(Size::Width(_)) => "size.width".to_owned(),
+        Some(Size::Capacity(_)) => "size.capacity".to_owned(),
+        None => format!("parts[{part}]"),
+    };
+    let message = format!(
+        "a template is drawn at true scale: expected a part that reaches no more than {} mm from its foot, found {}",
+        plain(template::LARGEST),
+        plain(libm::round(reach))
+    );
+    Err(Error::new(Code::TooLarge, path, message).with("greatest", template::LARGEST).with("found", reach))
 }
 
 /// One part as files have it.

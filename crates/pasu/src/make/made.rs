@@ -69,6 +69,7 @@ impl Solution {
     /// # Errors
     /// As [`solid`].
     pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
+        self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
         (0..self.n_parts()).map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
     }
@@ -88,7 +89,7 @@ pub(crate) struct Made {
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Made> {
-    let skin = Arc::new(Skin::new(solution.part(part)?)?);
+    let skin = Arc::new(Skin::new(solution.workable(part)?)?);
     if let Some(error) = surface_crossing(&skin, making, scale)? {
         return Err(error);
     }

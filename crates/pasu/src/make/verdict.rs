@@ -36,6 +36,7 @@ impl Solution {
     /// # Errors
     /// As [`check`].
     pub fn check(&self, making: &Making) -> Result<Report> {
+        self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
         let parts: Vec<Result<Made>> = (0..self.n_parts()).map(|part| make(self, part, making, scale)).collect();
         let mut refused = Vec::new();

@@ -17,6 +17,8 @@ pub(crate) struct Accuracy {
     pub(crate) seamed: f64,
     /// The highest harmonic.
     pub(crate) highest: f64,
+    /// How fast a face may change next to its ends, as `exp(-rate a)`.
+    pub(crate) rate: f64,
 }
 
 impl Accuracy {
@@ -30,9 +32,39 @@ impl Accuracy {
             most_intervals: 32,
             seamed: relative.max(SEAMED),
             highest: highest as f64,
+            rate: 0.0,
         }
     }
+
+    /// The same for a face that changes as fast as this next to its ends.
+    pub(crate) fn falling(self, rate: f64) -> Self {
+        Accuracy { rate, ..self }
+    }
+
+    /// Intervals by which an integral along a face begins: where a face changes so fast next to its ends that no node of a rule over the whole would see it, the ends are stepped towards.
+    pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let layer = LAYER / self.rate;
+        let mut breaks = vec![from];
+        if layer < NARROW {
+            let steps =
+                || core::iter::successors(Some(layer), |step| Some(step * STEP)).take_while(|step| *step < 0.25);
+            let rising: Vec<f64> = steps().collect();
+            breaks.extend(rising.iter().map(|step| from + step * (to - from)));
+            breaks.extend(rising.iter().rev().map(|step| to - step * (to - from)));
+        }
+        breaks.push(to);
+        breaks
+    }
 }
+
+/// What falls off as `exp(-x)` is down to rounding of a sum's other terms, and is integrated by one rule, up to here.
+const LAYER: f64 = 12.0;
+
+/// A layer narrower than this is stepped towards: a rule over the whole has two nodes within it.
+const NARROW: f64 = 0.02;
+
+/// By how much a step is longer than the one before.
+const STEP: f64 = 4.0;
 
 /// What is asked at most of an integral over a face with seams: what is found is far better than that as a rule, because the longer of two rules counts and their difference is the error.
 const SEAMED: f64 = 1e-5;

@@ -46,6 +46,11 @@ impl Bare {
         self.upright.waves()
     }
 
+    /// How fast it may change next to its ends, as `exp(-rate a)`.
+    pub(crate) fn rate(&self) -> f64 {
+        self.upright.rate()
+    }
+
     /// Where `u` of the shape is along the face.
     pub(crate) fn along(&self, u: f64) -> f64 {
         self.upright.along(u)

@@ -6,6 +6,7 @@ use super::accuracy::Accuracy;
 use super::bare::{Bare, Cap};
 use super::column::Inside;
 use super::fill::{Filling, Level};
+use super::pond::{Pond, ponds};
 use super::quantity::Quantity;
 use crate::answer::answers;
 use crate::face::{Face, FaceKind};
@@ -46,15 +47,20 @@ answers! {
     }
 }
 
+/// A body whose axis rises by more than this stands upright.
+const UPRIGHT: f64 = 0.5;
+
 /// Columns of a curve that is closed by a cone.
 fn closing_columns(highest: f64) -> usize {
     4 * highest.clamp(1.0, 1e4) as usize + 13
 }
 
-/// The faces that water touches, from the middle of the floor to the rim.
+/// The faces that water touches, from the middle of the floor to the rim, and the others of the body, from the rim to the middle of the foot.
 pub(crate) struct Vessel<'a> {
     faces: Vec<&'a dyn Face>,
-    cap: Option<Cap<'a>>,
+    outside: Vec<&'a dyn Face>,
+    /// What closes the first of the faces, and the last of those outside.
+    caps: [Option<Cap<'a>>; 2],
     is_stopped: bool,
     axis: glam::DVec3,
     highest: f64,
@@ -63,27 +69,27 @@ pub(crate) struct Vessel<'a> {
 impl<'a> Vessel<'a> {
     /// The inside of a pot; the reason in words where it holds nothing.
     pub(crate) fn of_pot(pot: &'a Pot, highest: f64) -> Result<Vessel<'a>, String> {
-        let faces: Vec<&dyn Face> = pot
-            .faces()
-            .iter()
-            .rev()
-            .map(|piece| piece as &dyn Face)
-            .filter(|face| matches!(face.kind(), FaceKind::Floor | FaceKind::Lining | FaceKind::Rim))
-            .collect();
-        let is_stopped = pot.faces().iter().any(|face| face.kind() == FaceKind::Drain);
+        let pieces = || pot.faces().iter().rev().map(|piece| piece as &dyn Face);
+        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Floor | FaceKind::Lining | FaceKind::Rim);
+        let faces: Vec<&dyn Face> = pieces().filter(|face| is_inside(face.kind())).collect();
+        let is_stopped = pieces().any(|face| face.kind() == FaceKind::Drain);
         if pot.is_ring() && !is_stopped {
             return Err("a tube has no bottom to hold anything: give the wall a base greater than 0".to_owned());
         }
         if !faces.iter().any(|face| face.kind() == FaceKind::Lining) {
             return Err("a solid has no inside".to_owned());
         }
-        let first = faces.first().copied();
-        let cap = first.filter(|_| is_stopped).map(|face| Cap::new(face, 1.0, closing_columns(highest)));
-        Ok(Vessel { faces, cap, is_stopped, axis: pot.axis(), highest })
+        let outside: Vec<&dyn Face> =
+            pieces().filter(|face| !is_inside(face.kind()) && face.kind() != FaceKind::Drain).collect();
+        let columns = closing_columns(highest);
+        // A hole is stopped at both ends.
+        let ends = [faces.first().map(|face| (*face, 1.0)), outside.last().map(|face| (*face, 0.0))];
+        let caps = ends.map(|end| end.filter(|_| is_stopped).map(|(face, a)| Cap::new(face, a, columns)));
+        Ok(Vessel { faces, outside, caps, is_stopped, axis: pot.axis(), highest })
     }
 
-    /// A surface taken as a wall of zero thickness, closed at the foot by a cone; the reason in words where it holds nothing. The surface must be one seen from [inside](Bare::inside).
-    pub(crate) fn of_bare(bare: &'a Bare) -> Result<Vessel<'a>, String> {
+    /// A surface taken as a wall of zero thickness, closed at the foot by a cone; the reason in words where it holds nothing. The first is the surface seen from [inside](Bare::inside), the second the same from outside.
+    pub(crate) fn of_bare(bare: &'a Bare, outside: &'a Bare) -> Result<Vessel<'a>, String> {
         if !bare.is_closed() {
             return Err("the surface does not close round the axis, so it holds nothing".to_owned());
         }
@@ -100,34 +106,65 @@ impl<'a> Vessel<'a> {
                 "the surface closes to a point where the opening of a pot is, so nothing can be filled in".to_owned()
             );
         }
-        let cap = (width(0.0) > 1e-9 * widest).then(|| Cap::new(bare, 0.0, closing_columns(highest)));
-        Ok(Vessel { faces: vec![bare], cap, is_stopped: false, axis: bare.axis(), highest })
+        let is_open = width(0.0) > 1e-9 * widest;
+        let caps = [bare, outside].map(|bare| is_open.then(|| Cap::new(bare, 0.0, closing_columns(highest))));
+        Ok(Vessel { faces: vec![bare], outside: vec![outside], caps, is_stopped: false, axis: bare.axis(), highest })
     }
 
     /// The chain of faces for columns.
-    pub(crate) fn inside(&self) -> Inside<'_> {
-        let cap = self.cap.iter().map(|cap| cap as &dyn Face);
+    fn inside(&self) -> Inside<'_> {
+        let cap = self.caps[0].iter().map(|cap| cap as &dyn Face);
         let faces: Vec<&dyn Face> = cap.chain(self.faces.iter().copied()).collect();
         Inside::new(&faces, self.axis, self.highest)
     }
 
-    /// What it holds, and the water at the brim.
-    pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> (Capacity, Filling) {
-        let inside = self.inside();
-        let (level, at) = inside.spill();
-        let floor = inside.floor();
-        let water = |z: f64| {
-            if z > floor { Level::new(&inside, z, inside.n_columns()).filling(accuracy) } else { Filling::default() }
+    /// The chain of all faces.
+    fn whole(&self) -> Inside<'_> {
+        let [first, last] = self.caps.each_ref().map(|cap| cap.iter().map(|cap| cap as &dyn Face));
+        let faces: Vec<&dyn Face> =
+            first.chain(self.faces.iter().copied()).chain(self.outside.iter().copied()).chain(last).collect();
+        Inside::new(&faces, self.axis, self.highest)
+    }
+
+    /// The waters that stand in it, that which holds most first; the reason in words where there are none.
+    pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, String> {
+        let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT);
+        if found.is_empty() { Err("in this position no water stays in it".to_owned()) } else { Ok(found) }
+    }
+
+    /// What it holds, and the water at the brim; the reason in words where that is nothing.
+    pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), String> {
+        let ponds = self.ponds()?;
+        let Some(main) = ponds.first() else { return Err(String::new()) };
+        let water = |pond: &Pond, z: f64| {
+            let level = z.min(pond.spill.value);
+            if !(level > pond.floor) {
+                return Filling::default();
+            }
+            let mut water = Level::new(&pond.inside, level, pond.inside.n_columns()).filling(accuracy);
+            // What the level is off by more than rounding is there or is missing all over the water.
+            let rounding = Quantity::rounded(pond.spill.value, pond.inside.size()).error;
+            if level == pond.spill.value {
+                water.moments.volume.error += (pond.spill.error - rounding).max(0.0) * water.area.value.abs();
+            }
+            water
         };
-        let full = water(level);
-        let fill = fill.map(|fill| fill.min(level)).map(|level| Fill { level, volume: water(level).moments.volume });
+        let filled = |z: f64| {
+            let all = ponds.iter().map(|pond| water(pond, z));
+            all.reduce(|sum, next| Filling { moments: sum.moments.plus(&next.moments), area: sum.area + next.area })
+                .unwrap_or_default()
+        };
+        let full = filled(f64::INFINITY);
+        let fill = fill
+            .map(|fill| fill.min(main.spill.value))
+            .map(|level| Fill { level, volume: filled(level).moments.volume });
         let capacity = Capacity {
             brim: full.moments.volume,
-            spill: Spill { level: Quantity::rounded(level, inside.size()), at: at.to_array() },
-            floor,
+            spill: Spill { level: main.spill, at: main.at.to_array() },
+            floor: main.floor,
             fill,
             stopped: self.is_stopped,
         };
-        (capacity, full)
+        Ok((capacity, full))
     }
 }

@@ -46,6 +46,11 @@ impl<'a> Link<'a> {
         LinkWalk { walk: self.face.walk(), is_reversed: self.is_reversed }
     }
 
+    /// 1 where the sense of the chain times that round the axis points out of the clay, otherwise -1.
+    pub(crate) fn outward(&self) -> f64 {
+        if self.is_reversed { -self.face.outward() } else { self.face.outward() }
+    }
+
     pub(crate) fn face(&self) -> &dyn Face {
         self.face
     }
@@ -67,10 +72,10 @@ impl<'a> Link<'a> {
     }
 
     /// Cells in which at most one extreme of the height is looked for.
-    fn cells(&self) -> usize {
+    pub(crate) fn cells(&self) -> usize {
         match self.face.kind() {
             // Straight.
-            FaceKind::Floor => 2,
+            FaceKind::Floor | FaceKind::Underside | FaceKind::FootRing | FaceKind::Recess | FaceKind::Lid => 2,
             FaceKind::Rim => 8,
             _ => 40,
         }
@@ -88,7 +93,14 @@ pub(crate) struct Inside<'a> {
     size: f64,
     /// Columns from which searches begin.
     columns: usize,
+    /// Where not all that is below a level up to the crest is wet, but what belongs to a basin: then columns go on beyond their crests.
+    chosen: Option<Chosen<'a>>,
+    /// The numbers of the links that columns run through.
+    looked_at: Vec<usize>,
 }
+
+/// Whether a stretch of a column that is below a level holds water, given with all of its pieces, face by face, `v` and the level.
+pub(crate) type Chosen<'a> = Box<dyn Fn(&[Wet], f64, f64) -> bool + 'a>;
 
 /// A point of a column.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,7 +176,24 @@ impl<'a> Inside<'a> {
             }
         }
         let seams = links.iter().map(|link| link.face.seams()).collect();
-        Inside { links, seams, rim: (middle, axis), size, columns }
+        let looked_at = (0..links.len()).collect();
+        Inside { links, seams, rim: (middle, axis), size, columns, chosen: None, looked_at }
+    }
+
+    /// The same, of which only some is wet, and that on no other links.
+    pub(crate) fn only(mut self, links: &[usize], chosen: Chosen<'a>) -> Inside<'a> {
+        for (number, seams) in self.seams.iter_mut().enumerate() {
+            if !links.contains(&number) {
+                *seams = None;
+            }
+        }
+        self.looked_at.retain(|number| links.contains(number));
+        Inside { chosen: Some(chosen), ..self }
+    }
+
+    /// The links that may be wet.
+    fn looked_at(&self) -> impl Iterator<Item = (usize, &Link<'a>)> {
+        self.looked_at.iter().filter_map(|&number| Some((number, self.links.get(number)?)))
     }
 
     pub(crate) fn links(&self) -> &[Link<'a>] {
@@ -192,7 +221,7 @@ impl<'a> Inside<'a> {
 
     /// The column at `v`.
     pub(crate) fn column(&self, v: f64) -> Column {
-        let samples = self.links.iter().enumerate().flat_map(|(link, face)| {
+        let samples = self.looked_at().flat_map(|(link, face)| {
             let cells = face.cells();
             let mut walk = face.walk();
             (0..=cells).map(move |k| walk.sample(link, k as f64 / cells as f64, v))
@@ -203,7 +232,7 @@ impl<'a> Inside<'a> {
     /// The columns at several `v`: as [`Self::column`], and faster, because row by row.
     pub(crate) fn columns(&self, places: &[f64]) -> Vec<Column> {
         let mut samples: Vec<Vec<Sample>> = places.iter().map(|_| Vec::with_capacity(64)).collect();
-        for (link, face) in self.links.iter().enumerate() {
+        for (link, face) in self.looked_at() {
             let cells = face.cells();
             let mut walk = face.walk();
             for k in 0..=cells {
@@ -218,6 +247,9 @@ impl<'a> Inside<'a> {
 
     /// Finds the crest of a column.
     fn column_of(&self, v: f64, mut samples: Vec<Sample>) -> Column {
+        if self.chosen.is_some() {
+            return Column { v, samples, brim: f64::INFINITY, at: (0, 0.0) };
+        }
         let eps = LEVEL * self.size;
         let mut lowest = 0;
         for (index, sample) in samples.iter().enumerate() {
@@ -231,17 +263,28 @@ impl<'a> Inside<'a> {
                 crest = index;
             }
         }
-        // The crest itself lies between samples of the same link.
+        // The crest itself lies between samples of one link: that of the highest sample or, where it goes on rising beyond the end of that, the next.
         let top = samples[crest];
-        let beside = |other: usize| samples.get(other).copied().filter(|other| other.link == top.link);
-        let neighbour = if top.slope > 0.0 { beside(crest + 1) } else { crest.checked_sub(1).and_then(beside) };
-        let refined =
-            neighbour.filter(|other| (other.slope > 0.0) != (top.slope > 0.0) && top.slope != 0.0).map(|other| {
-                let link = &self.links[top.link];
-                let s = illinois::root((top.s, top.slope), (other.s, other.slope), |s| link.height(s, v).1);
+        let beside = |of: Sample, other: usize| {
+            samples.get(other).copied().filter(|other| other.link == of.link).map(|other| (of, other))
+        };
+        let onwards = || {
+            let next = samples.get(crest + 1).copied().filter(|next| next.link != top.link && next.slope > 0.0)?;
+            beside(next, crest + 2)
+        };
+        let between = if top.slope > 0.0 {
+            beside(top, crest + 1).or_else(onwards)
+        } else {
+            crest.checked_sub(1).and_then(|before| beside(top, before))
+        };
+        let refined = between.filter(|(one, other)| (other.slope > 0.0) != (one.slope > 0.0) && one.slope != 0.0).map(
+            |(one, other)| {
+                let link = &self.links[one.link];
+                let s = illinois::root((one.s, one.slope), (other.s, other.slope), |s| link.height(s, v).1);
                 let (z, slope) = link.height(s, v);
-                Sample { link: top.link, s, z, slope }
-            });
+                Sample { link: one.link, s, z, slope }
+            },
+        );
         let end = samples.iter().rfind(|sample| self.links[sample.link].face.kind() != FaceKind::Rim).copied();
         match refined.filter(|refined| refined.z >= top.z) {
             Some(refined) => {
@@ -274,11 +317,17 @@ impl<'a> Inside<'a> {
         lowest.fold(f64::INFINITY, f64::min)
     }
 
-    /// The level at which water first runs out, and where: the lowest brim of all columns.
-    pub(crate) fn spill(&self) -> (f64, DVec3) {
+    /// The columns from which searches begin.
+    pub(crate) fn even_columns(&self) -> Vec<Column> {
         let step = TAU / self.columns as f64;
         let places: Vec<f64> = (0..self.columns).map(|j| step * j as f64).collect();
-        let brims: Vec<f64> = self.columns(&places).iter().map(|column| column.brim).collect();
+        self.columns(&places)
+    }
+
+    /// The level at which water first runs out, and where, if it does so over one crest: the lowest brim of all columns.
+    pub(crate) fn spill(&self, even: &[Column]) -> (f64, DVec3) {
+        let step = TAU / self.columns as f64;
+        let brims: Vec<f64> = even.iter().map(|column| column.brim).collect();
         let mut best = (f64::INFINITY, 0.0);
         for j in minima::round(&brims).into_iter().take(LOWS) {
             let v = step * j as f64;
@@ -343,13 +392,29 @@ impl<'a> Inside<'a> {
                 put(sample.link, from, sample.s, false);
             }
         }
-        wet
+        match &self.chosen {
+            Some(chosen) => self.kept(wet, |whole| chosen(whole, v, level)),
+            None => wet,
+        }
+    }
+
+    /// The stretches that are kept: what goes on from one face to the next is judged as a whole.
+    fn kept(&self, wet: Vec<Wet>, is_kept: impl Fn(&[Wet]) -> bool) -> Vec<Wet> {
+        let goes_on = |one: &Wet, next: &Wet| {
+            next.link == one.link + 1 && one.to == 1.0 && next.from == 0.0 && !one.is_cut[1] && !next.is_cut[0]
+        };
+        wet.chunk_by(goes_on).filter(|whole| is_kept(whole)).flatten().copied().collect()
     }
 }
 
 impl Column {
     pub(crate) fn v(&self) -> f64 {
         self.v
+    }
+
+    /// Where the column ends: number of the link and `s`.
+    pub(crate) fn crest(&self) -> (usize, f64) {
+        self.samples.last().map_or((0, 0.0), |sample| (sample.link, sample.s))
     }
 
     /// The same column one turn further.

@@ -4,6 +4,7 @@ use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
 use super::curvature::{Curvature, curvature};
 use super::fill::Filling;
+use super::finite::refuse_infinite;
 use super::measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
@@ -86,6 +87,7 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     let mut shares = Vec::with_capacity(taken.len());
     for (index, (taken, outside)) in taken.iter().zip(&outsides).enumerate() {
         let (part, share) = part_measures(design, index, taken, outside, options)?;
+        refuse_infinite(&part)?;
         parts.push(part);
         shares.push(share);
     }
@@ -123,10 +125,9 @@ pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Resu
         Gauge::Capacity => {
             let (mut sum, mut reason) = (None, None);
             for (taken, part) in taken.iter().zip(solution.design().parts()) {
-                match taken.vessel(part.wall.is_some(), product) {
-                    Ok(vessel) => {
-                        *sum.get_or_insert(0.0) += vessel.capacity(&taken.accuracy(), None).0.brim.value;
-                    }
+                let vessel = taken.vessel(part.wall.is_some(), product);
+                match vessel.and_then(|vessel| vessel.capacity(&taken.accuracy(), None)) {
+                    Ok((capacity, _)) => *sum.get_or_insert(0.0) += capacity.brim.value,
                     Err(why) => {
                         reason.get_or_insert(why);
                     }
@@ -221,9 +222,9 @@ fn part_measures(
         }
     }
     let mut capacity_reason = None;
-    match taken.vessel(part.wall.is_some(), options.product) {
-        Ok(vessel) => {
-            let (capacity, Filling { moments, .. }) = vessel.capacity(&accuracy, options.fill);
+    let vessel = taken.vessel(part.wall.is_some(), options.product);
+    match vessel.and_then(|vessel| vessel.capacity(&accuracy, options.fill)) {
+        Ok((capacity, Filling { moments, .. })) => {
             body.capacity = Some(capacity);
             share.water = Some(moments.scaled(WATER * cubic_centimetre));
         }

@@ -2,8 +2,8 @@
 
 use super::bare::Bare;
 use super::capacity::Vessel;
-use super::column::Inside;
 use super::fill::Level;
+use super::pond::Pond;
 use super::pool::Pool;
 use crate::error::Result;
 use crate::solid::Pot;
@@ -32,34 +32,31 @@ const COLUMNS: usize = 96;
 /// # Errors
 /// What [`Surface::solve`](crate::Surface::solve) refuses.
 pub(crate) fn filled(solution: &Solution, pots: &[Option<Pot>], share: f64) -> Result<Option<WaterSurface>> {
-    let bares = solution.parts().map(|placed| Ok(Bare::new(placed?))).collect::<Result<Vec<Option<Bare>>>>()?;
+    let bares = (0..solution.n_parts())
+        .map(|part| Ok(Bare::new(solution.workable(part)?)))
+        .collect::<Result<Vec<Option<Bare>>>>()?;
     let insides: Vec<Option<Bare>> = bares.iter().map(|bare| bare.as_ref().map(Bare::inside)).collect();
     let vessels: Vec<Vessel> = insides
         .iter()
+        .zip(&bares)
         .zip(pots)
-        .filter_map(|(inside, pot)| match (inside, pot) {
-            (Some(inside), Some(pot)) => Vessel::of_pot(pot, inside.waves()).ok(),
-            (Some(inside), None) => Vessel::of_bare(inside).ok(),
-            (None, _) => None,
+        .filter_map(|((inside, bare), pot)| match (inside, bare, pot) {
+            (Some(inside), _, Some(pot)) => Vessel::of_pot(pot, inside.waves()).ok(),
+            (Some(inside), Some(bare), None) => Vessel::of_bare(inside, bare).ok(),
+            _ => None,
         })
         .collect();
-    let insides: Vec<(Inside, f64, f64)> = vessels
-        .iter()
-        .map(Vessel::inside)
-        .map(|inside| {
-            let (floor, (spill, _)) = (inside.floor(), inside.spill());
-            (inside, floor, spill)
-        })
-        .collect();
-    let floor = insides.iter().fold(f64::INFINITY, |least, (_, floor, _)| least.min(*floor));
-    let spill = insides.iter().fold(f64::NEG_INFINITY, |most, (.., spill)| most.max(*spill));
+    let ponds: Vec<Vec<Pond>> = vessels.iter().filter_map(|vessel| vessel.ponds().ok()).collect();
+    let main = || ponds.iter().filter_map(|ponds| ponds.first());
+    let floor = main().fold(f64::INFINITY, |least, pond| least.min(pond.floor));
+    let spill = main().fold(f64::NEG_INFINITY, |most, pond| most.max(pond.spill.value));
     if !(spill > floor) {
         return Ok(None);
     }
     let level = (floor + share * (spill - floor)).min(spill);
     let mut surface = WaterSurface { level, range: [floor, spill], ..WaterSurface::default() };
-    for (inside, floor, spill) in &insides {
-        let level = level.min(*spill);
+    for Pond { inside, spill, floor, .. } in ponds.iter().flatten() {
+        let level = level.min(spill.value);
         if level > *floor {
             let edge = Level::new(inside, level, COLUMNS.max(inside.n_columns()));
             let pool = Pool::new(&edge);

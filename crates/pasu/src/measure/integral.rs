@@ -57,7 +57,7 @@ pub(crate) fn between<const N: usize>(
     integrand: impl FnMut(f64, f64) -> [f64; N],
 ) -> Integral<N> {
     let mut row = Round::new(accuracy, integrand);
-    adaptive::integrate(&[from, to], accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
+    adaptive::integrate(&accuracy.breaks(from, to), accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
 }
 
 /// Integrals round one row, with as many columns as it takes.

@@ -83,10 +83,11 @@ impl Solution {
 }
 
 fn painted(solution: &Solution, map: Map, options: &MeshOptions) -> Result<Vec<f32>> {
+    solution.all_workable()?;
     let grids = grid_places(solution, options)?;
     let mut values = Vec::new();
     for (index, places) in grids.iter().enumerate() {
-        let placed = solution.part(index)?;
+        let placed = solution.workable(index)?;
         let pot = if map == Map::Thickness { Some(solution.pot(index, Product::Pot)?) } else { None };
         match (places, Bare::new(placed)) {
             (Places::Fourier { rows, columns }, Some(bare)) => {

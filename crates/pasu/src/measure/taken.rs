@@ -32,7 +32,7 @@ impl Taken {
     /// # Errors
     /// What [`Surface::solve`](crate::Surface::solve) refuses.
     pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Taken> {
-        let placed = solution.part(index)?;
+        let placed = solution.workable(index)?;
         let surface = match Bare::new(placed) {
             Some(bare) => Naked::Upright { inside: bare.inside(), bare },
             None => {
@@ -96,8 +96,16 @@ impl Taken {
         Outside::new(self.faces(), self.waves())
     }
 
+    /// How fast the surface may change next to its ends.
+    fn rate(&self) -> f64 {
+        match &self.surface {
+            Naked::Upright { bare, .. } => bare.rate(),
+            Naked::Patches { .. } => 0.0,
+        }
+    }
+
     pub(super) fn accuracy(&self) -> Accuracy {
-        Accuracy::new(ACCURACY, self.waves())
+        Accuracy::new(ACCURACY, self.waves()).falling(self.rate())
     }
 
     /// What holds water: the pot, or the bare surface where no wall is asked for; the reason in words where nothing does.
@@ -106,7 +114,7 @@ impl Taken {
             _ if product == Product::Solid => Err("a solid has no inside".to_owned()),
             (Ok(pot), _) => Vessel::of_pot(pot, self.waves()),
             (Err(why), _) if has_wall => Err(why.message().to_owned()),
-            (Err(_), Naked::Upright { inside, .. }) => Vessel::of_bare(inside),
+            (Err(_), Naked::Upright { inside, bare }) => Vessel::of_bare(inside, bare),
             (Err(_), Naked::Patches { .. }) => Err("the shape has no foot and no rim, so it holds nothing".to_owned()),
         }
     }

@@ -3,8 +3,8 @@
 use super::accuracy::Accuracy;
 use super::design::above_spill;
 use super::fill::Level;
+use super::pond::Pond;
 use super::pool::Pool;
-use super::quantity::Quantity;
 use super::taken::Taken;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
@@ -77,32 +77,48 @@ fn standing(solution: &Solution, level: f64) -> Result<Water> {
     let mut refusal = None;
     for (index, part) in solution.design().parts().iter().enumerate() {
         let taken = Taken::new(solution, index, Product::Pot)?;
-        let vessel = taken.vessel(part.wall.is_some(), Product::Pot);
-        let vessel = match vessel {
+        let mut refused = |reason| {
+            refusal.get_or_insert(Error::new(Code::NoRoom, format!("parts[{index}]"), reason));
+        };
+        let vessel = match taken.vessel(part.wall.is_some(), Product::Pot) {
             Ok(vessel) => vessel,
             Err(reason) => {
-                refusal.get_or_insert(Error::new(Code::NoRoom, format!("parts[{index}]"), reason));
+                refused(reason);
                 continue;
             }
         };
-        let inside = vessel.inside();
-        let (spill, _) = inside.spill();
-        let slack = Quantity::rounded(spill, inside.size()).error;
-        if highest.is_none_or(|highest| spill > highest.0) {
-            highest = Some((spill, slack));
+        let ponds = match vessel.ponds() {
+            Ok(ponds) => ponds,
+            Err(reason) => {
+                refused(reason);
+                continue;
+            }
+        };
+        if let Some(Pond { spill, .. }) = ponds.first()
+            && highest.is_none_or(|highest| spill.value > highest.0)
+        {
+            highest = Some((spill.value, spill.error));
         }
-        let level = level.min(spill);
-        if !(level > inside.floor()) {
-            continue;
+        let accuracy = Accuracy {
+            relative: ACCURACY,
+            seamed: ACCURACY,
+            most_columns: 4096,
+            most_intervals: 16,
+            ..taken.accuracy()
+        };
+        for Pond { inside, spill, floor, .. } in &ponds {
+            let level = level.min(spill.value);
+            if !(level > *floor) {
+                continue;
+            }
+            let edge = Level::new(inside, level, COLUMNS.max(inside.n_columns()));
+            let filling = edge.filling(&accuracy);
+            water.volume += filling.moments.volume.value;
+            water.error += filling.moments.volume.error;
+            water.area += filling.area.value;
+            let pool = Pool::new(&edge);
+            pool.add(level, &mut water.positions, &mut water.indices);
         }
-        let accuracy = Accuracy { most_columns: 4096, most_intervals: 16, ..Accuracy::new(ACCURACY, taken.waves()) };
-        let edge = Level::new(&inside, level, COLUMNS.max(inside.n_columns()));
-        let filling = edge.filling(&accuracy);
-        water.volume += filling.moments.volume.value;
-        water.error += filling.moments.volume.error;
-        water.area += filling.area.value;
-        let pool = Pool::new(&edge);
-        pool.add(level, &mut water.positions, &mut water.indices);
     }
     match (highest, refusal) {
         (Some((spill, slack)), _) if level > spill + slack => Err(above_spill("level", level, spill)),

@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::order::Order;
 use super::pair::Pair;
-use super::roots::largest_rate;
+use super::roots::{largest_rate, squared_roots};
 use super::unsolvable::Unsolvable;
 
 /// The operator of one mode divided by `s`: `q'' - b q` for order 2 (`c` is 0), `q'''' - b q'' + c q` for order 4,
@@ -64,6 +64,15 @@ impl Equation {
     /// ```
     pub fn largest_rate(&self) -> f64 {
         largest_rate(self.order, self.b, self.c)
+    }
+
+    /// The rate of the fastest solution that swings without falling off, in radians from `u = 0` to 1; 0 where none does.
+    pub(crate) fn swing(&self) -> f64 {
+        let least = match self.order {
+            Order::Second => self.b,
+            Order::Fourth => squared_roots(self.b, self.c).map_or(0.0, |(one, other)| one.min(other)),
+        };
+        (-least).max(0.0).sqrt()
     }
 }
 

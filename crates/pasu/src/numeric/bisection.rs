@@ -27,11 +27,14 @@ pub(crate) fn change<T>(
 
 /// The least whole number above `too_few` that `is_enough`, of which `enough` is one: for a predicate that holds from some number on. Where it does not, one that holds and whose predecessor does not.
 ///
-/// Takes the logarithm of the gap to base 2. Whole numbers are exact as doubles up to 2^53.
+/// Takes the logarithm of the gap to base 2. Whole numbers are exact as doubles up to 2^53; beyond that the gap is closed as far as doubles go.
 pub(crate) fn least_whole(too_few: f64, enough: f64, mut is_enough: impl FnMut(f64) -> bool) -> f64 {
     let (mut too_few, mut enough) = (too_few, enough);
     while enough - too_few > 1.0 {
         let middle = (0.5 * (too_few + enough)).floor();
+        if !(too_few < middle && middle < enough) {
+            break;
+        }
         if is_enough(middle) { enough = middle } else { too_few = middle }
     }
     enough
@@ -40,6 +43,12 @@ pub(crate) fn least_whole(too_few: f64, enough: f64, mut is_enough: impl FnMut(f
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_beyond_whole_ones_come_to_an_end() {
+        assert_eq!(least_whole(1e16, 1e16 + 2.0, |_| true), 1e16 + 2.0);
+        assert!(least_whole(1e300, 3e300, |x| x >= 2e300) >= 2e300);
+    }
 
     #[test]
     fn a_change_is_between_what_comes_back() {

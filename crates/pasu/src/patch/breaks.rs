@@ -7,12 +7,14 @@ pub(crate) struct Breaks {
     pub(crate) knots: Vec<f64>,
     /// How many waves there are at most from 0 to 1: the highest harmonic of a Fourier series, half the degree of a polynomial. Eight samples for each wave miss none.
     pub(crate) waves: f64,
+    /// How fast the patch may change next to its ends, where it may do so faster than anywhere else: as `exp(-rate u)`. 0 where nothing is known.
+    pub(crate) rate: f64,
 }
 
 impl Breaks {
     /// Of a patch that is smooth all the way.
     pub(crate) fn smooth(waves: f64) -> Breaks {
-        Breaks { knots: Vec::new(), waves }
+        Breaks { knots: Vec::new(), waves, rate: 0.0 }
     }
 
     /// The knots with both ends.

@@ -260,7 +260,7 @@ impl Solution {
     /// # Errors
     /// As [`Pot::new`].
     pub fn pot(&self, part: usize, product: Product) -> Result<Pot> {
-        let placed = self.part(part)?;
+        let placed = self.workable(part)?;
         let wall = self.wall(part, product)?;
         Pot::of(&Arc::new(Skin::new(placed)?), wall)
     }

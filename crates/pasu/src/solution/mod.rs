@@ -5,6 +5,7 @@ mod placed;
 mod solved;
 mod upright;
 mod whole;
+mod workable;
 
 pub(crate) use columns::Columns;
 pub(crate) use placed::Placed;

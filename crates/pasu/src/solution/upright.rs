@@ -19,6 +19,8 @@ pub(crate) struct Upright {
     outward: f64,
     /// The highest harmonic round the axis.
     waves: f64,
+    /// How fast it may change next to its ends.
+    rate: f64,
     is_closed: bool,
 }
 
@@ -34,11 +36,17 @@ impl Upright {
     /// A part whose shape has two ends; `None` for any other.
     pub(crate) fn new(placed: &Arc<Placed>) -> Option<Upright> {
         let patch = placed.solved().wall()?;
-        let [_, round] = patch.breaks();
+        let [along, round] = patch.breaks();
         let is_closed = patch.sides()[2] == Side::Joined;
         let outward = if placed.is_forwards() { 1.0 } else { -1.0 };
-        let mut upright =
-            Upright { placed: Arc::clone(placed), is_upward: true, outward, waves: round.waves, is_closed };
+        let mut upright = Upright {
+            placed: Arc::clone(placed),
+            is_upward: true,
+            outward,
+            waves: round.waves,
+            rate: along.rate,
+            is_closed,
+        };
         let axis = placed.axis();
         let [start, end] = [0.0, 1.0].map(|s| axis.dot(upright.centre(s)));
         if end < start {
@@ -74,6 +82,11 @@ impl Upright {
     /// How many waves go round at most.
     pub(crate) fn waves(&self) -> f64 {
         self.waves
+    }
+
+    /// How fast it may change next to its ends, as `exp(-rate s)` and `exp(-rate (1 - s))`.
+    pub(crate) fn rate(&self) -> f64 {
+        self.rate
     }
 
     /// Where `u` of the shape is.

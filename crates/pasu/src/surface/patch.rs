@@ -76,7 +76,9 @@ impl Patch for Surface {
 
     fn breaks(&self) -> [Breaks; 2] {
         let waves = self.distinct().iter().fold(0.0f64, |highest, n| highest.max(n.abs()));
-        [Breaks::smooth(1.0), Breaks::smooth(waves)]
+        let terms = self.components().iter().flatten();
+        let rate = terms.fold(0.0f64, |fastest, term| fastest.max(term.equation.largest_rate()));
+        [Breaks { rate, ..Breaks::smooth(1.0) }, Breaks::smooth(waves)]
     }
 
     fn sides(&self) -> [Side; 4] {

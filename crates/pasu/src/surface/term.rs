@@ -5,9 +5,9 @@ use crate::mode::{Equation, ModeSolution};
 /// One `n` of one component.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Term {
-    pub(super) n: f64,
+    pub(crate) n: f64,
     pub(super) k: f64,
-    pub(super) equation: Equation,
+    pub(crate) equation: Equation,
     pub(super) cos: ModeSolution,
     pub(super) sin: ModeSolution,
 }

@@ -93,10 +93,10 @@ fn boundaries(faces: &[Scaled], path: &str) -> Result<Vec<[Boundary; 2]>> {
             .find(|other| found[*other].is_none() && apart(&curves[index], &curves[*other]) <= MEETS * size);
         let Some(other) = other else {
             let message = format!(
-                "The {:?} face of this part ends where no other begins; this is a mistake of Pasu's own.",
-                faces[face].face.kind()
+                "the {} of this part and the faces beside it are told apart too little in numbers of this size to be joined in a STEP file: expected a part that is less narrow somewhere for its size, or another format",
+                faces[face].face.kind().name()
             );
-            return Err(Error::new(Code::Bug, path, message));
+            return Err(Error::new(Code::NoRoom, path, message));
         };
         let curve = Some(Boundary::Curve { face, end });
         (found[index], found[other]) = (curve, curve);

@@ -30,11 +30,23 @@ const STRIP: f64 = 20.0;
 /// How long the bar is by which a print is checked.
 const CHECK: f64 = 100.0;
 
+/// The largest distance, along a side of the paper, of anything that a template shows from where its part stands, in millimetres: beyond ten metres nobody prints at true scale, and the lines of the grid alone would be a large file.
+pub(super) const LARGEST: f64 = 10_000.0;
+
 /// What a template shows of a part beside its body.
 pub(super) struct Stand {
     pub(super) frame: Frame,
     /// The edge of the rim once round, in millimetres, the first point not repeated; empty if it is a point.
     pub(super) rim: Vec<DVec3>,
+}
+
+/// How far what is shown of a part reaches from where it stands, along a side of the paper.
+pub(super) fn reach(body: &Body, stand: &Stand) -> f64 {
+    let seen = points(body).chain(stand.rim.iter().copied());
+    seen.fold(0.0, |most: f64, point| {
+        let (above, height) = (stand.frame.above(point).abs(), stand.frame.height(point).abs());
+        most.max(above.x).max(above.y).max(height)
+    })
 }
 
 /// A page as large as the drawing, one unit a millimetre. Heights are counted from the lowest point of each part along its axis.

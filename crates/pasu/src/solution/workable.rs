@@ -1,0 +1,81 @@
+//! What is too fine to be measured or made, though it can be drawn.
+
+use std::sync::Arc;
+
+use super::placed::Placed;
+use super::whole::Solution;
+use crate::design::{Part, RATE, SWING, Shape, WAVES, plain};
+use crate::error::{Code, Error, Result};
+use crate::surface::Surface;
+
+impl Solution {
+    /// One part, solved, placed, and no finer than what is measured and made: searches and sums look at every wave of it several times.
+    ///
+    /// # Errors
+    /// As [`Solution::part`]; `too-large` where a number of waves, or the rate at which a mode changes along the profile, is beyond its limit.
+    pub(crate) fn workable(&self, index: usize) -> Result<&Arc<Placed>> {
+        let placed = self.part(index)?;
+        if let (Some(surface), (_, part)) = (placed.solved().fourier(), self.existing(index)?) {
+            few_waves(part, surface, index)?;
+            slow_enough(part, surface, index)?;
+        }
+        Ok(placed)
+    }
+
+    /// Refuses a design of which a part is not [workable](Solution::workable).
+    ///
+    /// # Errors
+    /// As [`Solution::workable`].
+    pub(crate) fn all_workable(&self) -> Result<()> {
+        (0..self.n_parts()).try_for_each(|index| self.workable(index).map(drop))
+    }
+}
+
+fn few_waves(part: &Part, surface: &Surface, index: usize) -> Result<()> {
+    // What a document gives and the surface does not have, petals of no depth, does no harm.
+    let is_used = |n: f64| surface.distinct().contains(&n);
+    match part.shape.waves().into_iter().find(|(_, n)| n.abs() > WAVES && is_used(*n)) {
+        None => Ok(()),
+        Some((place, n)) => {
+            let message = format!(
+                "expected at most {} waves round a pot that is measured or made, found {}; it can only be drawn",
+                plain(WAVES),
+                plain(n)
+            );
+            let error = Error::new(Code::TooLarge, format!("parts[{index}].shape.{place}"), message);
+            Err(error.with("greatest", WAVES).with("found", n))
+        }
+    }
+}
+
+fn slow_enough(part: &Part, surface: &Surface, index: usize) -> Result<()> {
+    let problem = part.shape.problem();
+    for ((name, component), terms) in ["x", "y", "z"].into_iter().zip(problem.components()).zip(surface.components()) {
+        for term in terms {
+            let (rate, swing) = (term.equation.largest_rate(), term.equation.swing());
+            let (found, greatest, what) = if !(swing <= SWING) {
+                (swing, SWING, "swings")
+            } else if !(rate <= RATE) {
+                (rate, RATE, "changes")
+            } else {
+                continue;
+            };
+            let told = [("n", term.n), ("s", component.s), ("t", component.t), ("w", component.w)];
+            let [n, s, t, w] = told.map(|(_, number)| plain(number));
+            let message = format!(
+                "component {name}, mode n = {n} {what} too fast along the profile to be measured or made: with s = {s}, t = {t}, w = {w} its rate is {}, \
+                 expected at most {}; it can only be drawn",
+                plain(libm::round(found)),
+                plain(greatest)
+            );
+            let path = match &part.shape {
+                Shape::BoundaryValue(_) => format!("parts[{index}].shape.{name}"),
+                _ => format!("parts[{index}].shape"),
+            };
+            let error = Error::new(Code::TooLarge, path, message).with("component", name);
+            let error = told.into_iter().fold(error, |error, (name, number)| error.with(name, number));
+            return Err(error.with("greatest", greatest).with("found", found));
+        }
+    }
+    Ok(())
+}

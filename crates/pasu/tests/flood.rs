@@ -1,0 +1,229 @@
+//! Random pots in random attitudes, flooded from above: what stays in the triangles of `solid`, column by column of a fine grid, is what `measure` says they hold.
+//!
+//! `FLOODS=2000 cargo test -p pasu --release --test flood` floods as many.
+
+#[path = "support/mod.rs"]
+mod support;
+
+#[path = "support/random.rs"]
+mod random;
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::f64::consts::PI;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+use pasu::{Code, Making, MeasureOptions, Pot, Product, Size, SolidMesh, measure, solid};
+use random::Random;
+use serde_json::{Value, json};
+use support::design;
+
+/// How many pots are flooded when nobody says otherwise.
+const FLOODS: u64 = 40;
+
+/// Every so many are measured as a whole.
+const EVERY: u64 = 10;
+
+/// Lines of the grid along the longer side of a pot.
+const LINES: f64 = 90.0;
+
+/// Models are in centimetres, meshes in millimetres.
+const MILLIMETRES: f64 = 10.0;
+
+/// The air along one upright line: from what it stands on to what is above it.
+#[derive(Clone, Copy)]
+struct Air {
+    floor: f64,
+    ceiling: f64,
+}
+
+/// Upright lines through a closed mesh at even places.
+struct Lines {
+    cell: f64,
+    n: [usize; 2],
+    /// The air of each line, from below; the first has no floor and the last no ceiling.
+    air: Vec<Vec<Air>>,
+}
+
+impl Lines {
+    fn new(mesh: &SolidMesh) -> Lines {
+        let points: Vec<DVec3> = mesh
+            .positions
+            .chunks_exact(3)
+            .map(|p| DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])) / MILLIMETRES)
+            .collect();
+        let (low, high) =
+            points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+        let size = high - low;
+        let cell = size.x.max(size.y) / LINES;
+        // Off the round, so that no line passes through a corner.
+        let origin = low - DVec3::splat(1.37 * cell);
+        let n = [size.x, size.y].map(|extent| (extent / cell) as usize + 4);
+        let mut crossings: Vec<Vec<f64>> = vec![Vec::new(); n[0] * n[1]];
+        for corners in mesh.indices.chunks_exact(3) {
+            let [p, q, r] = [0, 1, 2].map(|k| points[corners[k] as usize] - origin);
+            let (from, to) = (p.min(q).min(r) / cell, p.max(q).max(r) / cell);
+            for i in from.x.ceil() as usize..=to.x.floor() as usize {
+                for j in from.y.ceil() as usize..=to.y.floor() as usize {
+                    let at = DVec3::new(i as f64, j as f64, 0.0) * cell;
+                    let side = |a: DVec3, b: DVec3| (b - a).truncate().perp_dot((at - a).truncate());
+                    let sides = [side(q, r), side(r, p), side(p, q)];
+                    let sum: f64 = sides.iter().sum();
+                    if sides.iter().all(|side| *side > 0.0) || sides.iter().all(|side| *side < 0.0) {
+                        let z = (sides[0] * p.z + sides[1] * q.z + sides[2] * r.z) / sum;
+                        crossings[i * n[1] + j].push(z + origin.z);
+                    }
+                }
+            }
+        }
+        let air = crossings
+            .into_iter()
+            .map(|mut crossings| {
+                crossings.sort_by(f64::total_cmp);
+                let mut ends = vec![f64::NEG_INFINITY];
+                ends.extend(crossings);
+                ends.push(f64::INFINITY);
+                ends.chunks_exact(2).map(|ends| Air { floor: ends[0], ceiling: ends[1] }).collect()
+            })
+            .collect();
+        Lines { cell, n, air }
+    }
+
+    /// What stays when everything has been under water: each air is filled to the lowest level over which it is connected with the outside, whose air has no floor.
+    fn held(&self) -> f64 {
+        let [n, m] = self.n;
+        let mut first = vec![0];
+        for air in &self.air {
+            first.push(first[first.len() - 1] + air.len());
+        }
+        let mut levels = vec![f64::INFINITY; first[n * m]];
+        // The lowest first. Finite numbers of one sign keep their order as bits; heights are made positive.
+        let lift = 1e6;
+        let key = |z: f64| (z.max(-0.5 * lift) + lift).to_bits();
+        let mut queue = BinaryHeap::new();
+        for (line, first) in first.iter().enumerate().take(n * m) {
+            levels[*first] = f64::NEG_INFINITY;
+            queue.push(Reverse((key(f64::NEG_INFINITY), line, 0usize)));
+        }
+        let mut is_done = vec![false; levels.len()];
+        while let Some(Reverse((_, line, index))) = queue.pop() {
+            if std::mem::replace(&mut is_done[first[line] + index], true) {
+                continue;
+            }
+            let (here, level) = (self.air[line][index], levels[first[line] + index]);
+            let (i, j) = (line / m, line % m);
+            let around = [
+                (i > 0).then(|| line - m),
+                (i + 1 < n).then_some(line + m),
+                (j > 0).then(|| line - 1),
+                (j + 1 < m).then_some(line + 1),
+            ];
+            for other in around.into_iter().flatten() {
+                for (k, there) in self.air[other].iter().enumerate() {
+                    if there.floor < here.ceiling && here.floor < there.ceiling {
+                        let over = level.max(here.floor).max(there.floor);
+                        if over < levels[first[other] + k] {
+                            levels[first[other] + k] = over;
+                            queue.push(Reverse((key(over), other, k)));
+                        }
+                    }
+                }
+            }
+        }
+        let mut sum = 0.0;
+        for (line, air) in self.air.iter().enumerate() {
+            for (k, air) in air.iter().enumerate().filter(|(_, air)| air.floor.is_finite()) {
+                let level = levels[first[line] + k];
+                // In a narrow corner of the air one line may have no other beside it.
+                if !level.is_finite() {
+                    continue;
+                }
+                sum += (level.min(air.ceiling) - air.floor).max(0.0);
+            }
+        }
+        sum * self.cell * self.cell
+    }
+}
+
+/// A random pot without a hole, turned any way: its document.
+fn turned(seed: u64) -> Option<String> {
+    let mut random = Random::new(seed);
+    let mut document: Value = serde_json::from_str(&random.design()).unwrap();
+    let part = &mut document["parts"][0];
+    if part["wall"]["base"] == json!(0.0) {
+        return None;
+    }
+    part["wall"].as_object_mut().unwrap().remove("drain");
+    let angle = match random.whole(0, 5) {
+        0 => 0.0,
+        1 => PI,
+        2 => random.between(0.0, 0.6),
+        _ => random.between(0.0, PI),
+    };
+    let [x, y] = [0; 2].map(|_| random.between(-1.0, 1.0));
+    part["place"] = json!({ "axis": [x, y, 0.001], "angle": angle, "shift": [x, y, 0.3] });
+    Some(document.to_string())
+}
+
+/// One pot: what is held by lines and by what pots are scaled by, and the difference that the grid accounts for; `None` for a pot that cannot be made or is too thin for the grid.
+fn flooded(json: &str) -> Option<(f64, f64, f64)> {
+    let design = design(json);
+    let tolerance = 0.04;
+    let meshes =
+        solid(&design, &Making { product: Product::Pot, tolerance: Some(tolerance), ..Making::default() }).ok()?;
+    let lines = Lines::new(&meshes[0]);
+    // A step from one line to the next must not pass through a wall.
+    if Pot::new(&design, 0, Product::Pot).unwrap().thickness().0 < 1.2 * lines.cell {
+        return None;
+    }
+    let found = match (Making { size: Some(Size::Capacity(1.0)), ..Making::default() }).scale(&design) {
+        Ok(scale) => 1.0 / scale.size.powi(3),
+        Err(error) => {
+            assert_eq!((error.code(), error.path()), (Code::NoRoom, "size.capacity"), "{error}\n{json}");
+            0.0
+        }
+    };
+    let [width, depth] = lines.n.map(|n| lines.cell * n as f64);
+    // The lines meet a crest beside its top, and a wide water is off by as much all over; the triangles of the outside and of the lining are off by the tolerance.
+    let off = width * depth * (tolerance + 0.2 * lines.cell) + 0.01 * found;
+    Some((lines.held(), found, off))
+}
+
+#[test]
+fn a_flood_leaves_what_is_measured() {
+    let floods = std::env::var("FLOODS").ok().and_then(|count| count.parse().ok()).unwrap_or(FLOODS);
+    let next = AtomicU64::new(1);
+    let n_flooded = AtomicU64::new(0);
+    let wrong: Mutex<Vec<String>> = Mutex::default();
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed > floods {
+                        break;
+                    }
+                    let Some(json) = turned(seed) else { continue };
+                    let Some((held, found, off)) = flooded(&json) else { continue };
+                    n_flooded.fetch_add(1, Ordering::Relaxed);
+                    let told = || format!("seed {seed}: {held} flooded, {found} measured, {off} expected\n{json}");
+                    if !((held - found).abs() <= off) {
+                        wrong.lock().unwrap().push(told());
+                    }
+                    // Which is what `measure` says.
+                    if seed.is_multiple_of(EVERY) {
+                        let capacity = measure(&design(&json), &MeasureOptions::default()).unwrap().whole.capacity;
+                        let brim = capacity.map_or(0.0, |capacity| capacity.brim.value);
+                        assert!((brim - found).abs() <= 1e-9 * brim, "{brim}, {}", told());
+                    }
+                }
+            });
+        }
+    });
+    let (wrong, n_flooded) = (wrong.into_inner().unwrap(), n_flooded.into_inner());
+    println!("{n_flooded} of {floods} were flooded");
+    assert!(wrong.is_empty(), "{} of {n_flooded} are wrong:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(2 * n_flooded > floods, "only {n_flooded}");
+}
