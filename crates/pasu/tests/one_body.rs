@@ -112,11 +112,11 @@ fn widths_agree(name: &str, found: &Measures, corners: &[[f64; 3]], bound: f64) 
 #[test]
 fn measures_and_meshes_of_random_pots_are_of_one_body() {
     let mut n_made = 0;
-    for seed in 2000..2120 {
+    for seed in 2000..2060 {
         let json = Random::new(seed).design();
         n_made += usize::from(agree(&format!("seed {seed}: {json}"), &parsed(&json), Some(0.03)));
     }
-    assert!(n_made > 100, "only {n_made} were made");
+    assert!(n_made > 50, "only {n_made} were made");
 }
 
 #[test]

@@ -95,7 +95,8 @@ impl Pot {
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
         let mut pot = Pot::with(skin, Some(wall), thickness)?;
         let mut starts = pot.starts(sought.columns);
-        if pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
+        // What is thicker than the pot is wide is thinned everywhere, however closely it is looked at.
+        if wall.thickness < skin.size() && pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
             let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((CLOSER, &sought)))?;
             sought = closer;
             pot = Pot::with(skin, Some(wall), thickness)?;
