@@ -52,8 +52,9 @@ impl Ground {
     /// The faces of a chain that is the whole boundary of a body, seen on the grid by which its columns are searched.
     pub(super) fn new(whole: &Inside) -> Ground {
         let columns = whole.n_columns();
-        let (mut rows, mut of_link, mut signs): (Vec<(usize, f64)>, Vec<Vec<usize>>, Vec<f64>) =
-            (Vec::new(), Vec::new(), Vec::new());
+        let mut rows: Vec<(usize, f64)> = Vec::new();
+        let mut of_link: Vec<Vec<usize>> = Vec::new();
+        let mut signs: Vec<f64> = Vec::new();
         let mut points = Vec::new();
         for (number, link) in whole.links().iter().enumerate() {
             let cells = link.cells();

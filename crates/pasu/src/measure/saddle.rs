@@ -195,8 +195,8 @@ fn lowest_way(heights: &[[f64; WIDTH]; WIDTH], known: &Banks) -> Option<(usize, 
     order.retain(|&(i, j)| heights[i][j].is_finite());
     order.sort_by(|&(i, j), &(k, l)| heights[i][j].total_cmp(&heights[k][l]).then((i, j).cmp(&(k, l))));
     let mut parent: Vec<usize> = (0..WIDTH * WIDTH).collect();
-    let mut banks = vec![[false; 2]; WIDTH * WIDTH];
-    let mut is_done = vec![false; WIDTH * WIDTH];
+    let mut banks = [[false; 2]; WIDTH * WIDTH];
+    let mut is_done = [false; WIDTH * WIDTH];
     let find = |parent: &[usize], mut at: usize| {
         while parent[at] != at {
             at = parent[at];
