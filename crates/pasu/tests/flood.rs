@@ -227,3 +227,16 @@ fn a_flood_leaves_what_is_measured() {
     assert!(wrong.is_empty(), "{} of {n_flooded} are wrong:\n{}", wrong.len(), wrong.join("\n"));
     assert!(2 * n_flooded > floods, "only {n_flooded}");
 }
+
+/// Upside down, tilted by 95 degrees, and with a rim that turns in and down below a funnel.
+#[test]
+fn attitudes_that_were_measured_wrongly() {
+    for link in [
+        "#1~eNo9jtEOgjAMRf-lz4WswFT2K4aHCdMRJpBtBCPZv9sZ41PPbXvbe8CqwwaKkMHHAOp6QLB6NaAOmMZ5AAX3ZfPRFosfjAcEL0A1XAhUzeUJSiJYVlQhmKj5higlirLpEIY3Sx5QxSKfJySm-Kf9R4kTON1__-rXmFcFEgpe0fPDcb-oS2pIttVJ1vLSntuaPbt2LluiHftpNoF9ouRYNx1MxialLn0AQ4pAQQ",
+        "#1~eNo9jtEOgjAMRf-lz3XZEBD2K4aHCtMRJpBtBCPZv9sZ41PPbW_be8BKYQOtkMHHAPp6QLC0GtAHTOM8gIb7svloT4sfjAcEL0GXXBToM5cn6ArBslIFgonEN6SoUIqyQxjeLHmgChb5vELFFP-0_yhxAkf99y-9xmyVqFCyheaH474SddXIurg07bll-07OZXe0Yz_NJvCKFJzoRsFkLFPq0gcdpj9E",
+        "#1~eNqVj9EOwiAMRf-lz2hQF7PwK8YYNkhGNoFQ5pzL_t0WHzS-7QXK7e25ZYGocQR1EFSkjKAuC2CnowW1QO-8AQVNGL3Rad499DBaEIBRe9KP0dHjyc6QjE2gKuoVWAYlBUzlvAdjP2Bfem1AHsFMgaBOAiyn0F2UG29TFZHLXb2u11XAvDUFnd-e8tqUIv__Uv_S5Zd-ZjrhJz0MbM-da3tvkWblnlZqNFouK_a9Afw5eF4",
+    ] {
+        let (held, found, off) = flooded(link).expect("a pot that can be made");
+        assert!((held - found).abs() <= off, "{held} flooded, {found} measured, {off} expected: {link}");
+    }
+}

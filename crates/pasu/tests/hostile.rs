@@ -144,6 +144,8 @@ fn waves_are_drawn_beyond_what_is_measured() {
         assert_eq!((error.code(), error.path()), (Code::TooLarge, "parts[0].shape.n[1]"));
         assert!(error.message().starts_with("expected at most 128 waves"), "{error}");
     }
+    // A grid for so many is larger than a mesh can be, and is not looked for without end.
+    assert_eq!(mesh(&parse("1e15"), &MeshOptions::default()).unwrap_err().code(), Code::TooLarge);
     assert!(measure(&parse("128"), &MeasureOptions::default()).is_ok());
     // Petals of no depth are none.
     assert!(measure(&Design::parse("#1/second-order?n=1,1e6&r=1,0,.6,0").unwrap(), &MeasureOptions::default()).is_ok());

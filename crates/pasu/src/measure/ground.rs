@@ -54,7 +54,8 @@ impl Ground {
         let columns = whole.n_columns();
         let mut rows: Vec<(usize, f64)> = Vec::new();
         let mut of_link: Vec<Vec<usize>> = Vec::new();
-        let (mut signs, mut points) = (Vec::new(), Vec::new());
+        let mut signs: Vec<f64> = Vec::new();
+        let mut points = Vec::new();
         for (number, link) in whole.links().iter().enumerate() {
             let cells = link.cells();
             let mut walk = link.walk();
