@@ -166,7 +166,7 @@ export interface ThicknessRange {
   readonly least: LeastThickness;
   /** The greatest. */
   readonly greatest: Quantity;
-  /** The share of the surface, 0 to 1, where the wall is thinner than asked for. */
+  /** The share of the wall, 0 to 1, that is thinner than asked for. */
   readonly thinned: Quantity;
 }
 
@@ -226,7 +226,7 @@ export interface Report {
 
 /** One thing that a check found. */
 export interface Finding {
-  /** A stable kebab-case word: `thinned`, or the code of the error that refuses the part. */
+  /** A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
   readonly code: string;
   /** How much it matters. */
   readonly severity: "error" | "warning" | "note";
@@ -254,9 +254,9 @@ export interface MeshReport {
   readonly degenerate: number;
   /** Number of pairs of triangles that cross or touch where they should not. */
   readonly crossings: number;
-  /** The largest distance between the triangles and the true faces, in model units. */
+  /** The largest distance between the triangles and the true faces, in model units: a bound for the surface of the design, an estimate for the other faces. */
   readonly bound: number;
-  /** The share of the design surface where the wall is thinner than asked for, from 0 to 1. */
+  /** The share of the wall that is thinner than asked for, from 0 to 1. */
   readonly thinned: number;
   /** The thinnest the wall is, in model units; null for a solid. */
   readonly thinnest: number | null;

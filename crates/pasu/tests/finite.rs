@@ -54,7 +54,8 @@ fn numbers_are_finite_or_absent() {
                 not_finite("", &json, &mut found);
                 assert!(found.is_empty(), "{name}: {found:?}");
             }
-            Err(error) => assert_eq!(error.code(), Code::Overflow, "{name}: {error}"),
+            // What changes too fast to be measured is refused beforehand.
+            Err(error) => assert!(matches!(error.code(), Code::Overflow | Code::TooLarge), "{name}: {error}"),
         }
     }
 }

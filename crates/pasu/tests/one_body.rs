@@ -149,7 +149,8 @@ fn thinning_is_told_only_where_there_is_a_wall() {
     for (name, link) in [("beneath", BENEATH), ("rounded", ROUNDED)] {
         let design = parsed(link);
         let report = check(&design, &Making::default()).expect("a report");
-        assert!(report.is_ok() && report.findings.is_empty(), "{name}: {:?}", report.findings);
+        let is_told = report.findings.iter().any(|finding| finding.code == "thinned");
+        assert!(report.is_ok() && !is_told, "{name}: {:?}", report.findings);
         let thickness = measured(&design).parts[0].thickness.expect("a wall");
         assert_eq!(
             (thickness.least.value, thickness.least.at, thickness.thinned.value),

@@ -449,7 +449,7 @@ fn arguments() {
         (Design::parse("{").unwrap_err(), vec![]),
         (
             Design::parse(&with_part(r#""wall": { "thickness": -3, "base": 0 }"#)).unwrap_err(),
-            vec![("found", number(-3.0))],
+            vec![("found", number(-3.0)), ("above", number(0.0))],
         ),
         (
             Design::parse(&with_shape(r#"{ "kind": "second-order", "r": [1, "2", 3, 4] }"#)).unwrap_err(),
