@@ -3,6 +3,7 @@
 mod craft;
 mod disc;
 mod made;
+mod makeable;
 mod making;
 mod report;
 mod sketch;

@@ -4,7 +4,7 @@ use super::made::{compact, finished, grid, verdict};
 use super::solid_mesh::SolidMesh;
 use super::weave::{Woven, weave};
 use crate::error::Result;
-use crate::solid::{Pot, Product};
+use crate::solid::Pot;
 use crate::solution::Solution;
 
 /// Crossings are looked for on a mesh that keeps this part of the size, or the tolerance where that is coarser.
@@ -18,7 +18,7 @@ const FINER: f64 = 3.0;
 /// # Errors
 /// What [`Pot::new`] and [`solid`](super::made::solid) refuse, as far as it is seen on the coarse mesh.
 pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
-    let pot = solution.pot(part, Product::Pot)?;
+    let pot = solution.quick_pot(part)?;
     let coarse = COARSE * pot.skin().size();
     let checked = tolerance.map_or(coarse, |tolerance| tolerance.max(coarse));
     let at = |tolerance: Option<f64>| -> Result<Woven> {

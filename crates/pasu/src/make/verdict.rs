@@ -1,7 +1,7 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
-use super::craft;
 use super::made::{Made, make};
+use super::makeable;
 use super::making::Making;
 use super::report::{Finding, MeshReport, Report, Severity};
 use super::solid_mesh::SolidMesh;
@@ -69,7 +69,7 @@ pub(crate) fn verdict(
     for one in made {
         findings.extend(thinned(one));
         findings.extend(unkept(one));
-        findings.extend(craft::findings(one, making.craft, millimetres));
+        findings.extend(makeable::findings(one, making.craft, millimetres));
     }
     let meshes: Vec<&SolidMesh> = made.iter().map(|made| &made.mesh).collect();
     let name = |part: usize| {
