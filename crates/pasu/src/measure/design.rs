@@ -4,7 +4,7 @@ use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
 use super::curvature::{Curvature, curvature};
 use super::fill::Filling;
-use super::finite::refuse_infinite;
+use super::finite::{refuse_infinite, refuse_infinite_part};
 use super::measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
@@ -87,7 +87,7 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     let mut shares = Vec::with_capacity(taken.len());
     for (index, (taken, outside)) in taken.iter().zip(&outsides).enumerate() {
         let (part, share) = part_measures(design, index, taken, outside, options)?;
-        refuse_infinite(&part)?;
+        refuse_infinite_part(&part)?;
         parts.push(part);
         shares.push(share);
     }
@@ -98,6 +98,8 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
         [part] => part.body.clone(),
         _ => whole(&taken, &parts, &shares),
     };
+    // A sum of finite numbers need not be one.
+    refuse_infinite(&whole, "parts")?;
     Ok(Measures { unit: design.unit(), product: options.product, whole, parts })
 }
 
@@ -187,15 +189,9 @@ fn part_measures(
     let naked = taken.naked_faces();
     let surface = naked.iter().map(|face| area(*face, &accuracy)).reduce(|sum, area| sum + area).unwrap_or_default();
     let (height, width) = (outside.height(), width(outside));
-    let is_finite = |quantity: Quantity| quantity.value.is_finite() && quantity.error.is_finite();
-    if !(bottom.is_finite()
-        && top.is_finite()
-        && [height, width.least, width.greatest, surface].map(is_finite) == [true; 4])
-    {
-        let message = "the surface leaves the range of numbers";
-        return Err(Error::new(Code::Overflow, format!("parts[{index}]"), message));
-    }
     let mut body = Body { height, bottom, top, width, area: surface, ..Body::default() };
+    // Before all that would take long on a surface without an end.
+    refuse_infinite(&body, &format!("parts[{index}]"))?;
     let centimetres = design.unit().millimetres() / 10.0;
     let cubic_centimetre = centimetres * centimetres * centimetres;
     let mut share = Share { clay: None, water: None };
@@ -205,10 +201,8 @@ fn part_measures(
         let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
         let mass = clay.scaled(density);
         let area = areas.into_iter().fold(Quantity::default(), |sum, area| sum + area);
-        if [area, clay.volume, mass.volume].map(is_finite) == [true; 3] {
-            body.clay = Some(ClayMeasures { area, volume: clay.volume, mass: mass.volume });
-            share.clay = Some(mass);
-        }
+        body.clay = Some(ClayMeasures { area, volume: clay.volume, mass: mass.volume });
+        share.clay = Some(mass);
         if let (Some(wall), Product::Pot, Ok(pot)) = (&part.wall, options.product, &taken.pot) {
             let (least, greatest) = pot.thickness();
             let thinned = pot.thinned();

@@ -3,50 +3,61 @@
 use super::curvature::{CurvatureRange, Located};
 use super::measures::{Body, Overhang, PartMeasures};
 use super::quantity::Quantity;
+use super::standing::Tipping;
 use crate::error::{Code, Error, Result};
 
-/// Refuses a part of which something is so large, or so small beside something else, that it has no finite value or error.
+/// Refuses a body of which something is so large, or so small beside something else, that it has no finite value or error; `path` is where it is in the design.
 ///
 /// # Errors
 /// `overflow`, which says what cannot be measured.
-pub(super) fn refuse_infinite(part: &PartMeasures) -> Result<()> {
-    match infinite(part) {
+pub(super) fn refuse_infinite(body: &Body, path: &str) -> Result<()> {
+    let is_tip_finite = |tip: &Tipping| tip.degrees.is_finite() && tip.error.is_finite();
+    refuse(
+        path,
+        [
+            ("height", is_finite(&body.height) && body.bottom.is_finite() && body.top.is_finite()),
+            ("width", is_finite(&body.width.least) && is_finite(&body.width.greatest)),
+            ("area", is_finite(&body.area)),
+            ("clay", body.clay.is_none_or(|clay| [clay.area, clay.volume, clay.mass].iter().all(is_finite))),
+            ("water", is_water_finite(body)),
+            (
+                "footprint",
+                body.footprint.as_ref().is_none_or(|foot| is_finite(&foot.area) && is_finite(&foot.hull_area)),
+            ),
+            ("tipping angle", [body.tipping.empty, body.tipping.full].iter().flatten().all(is_tip_finite)),
+        ],
+    )
+}
+
+/// As [`refuse_infinite`], of a part and all that is measured of it alone.
+///
+/// # Errors
+/// As [`refuse_infinite`].
+pub(super) fn refuse_infinite_part(part: &PartMeasures) -> Result<()> {
+    let path = format!("parts[{}]", part.part);
+    refuse_infinite(&part.body, &path)?;
+    let is_steep = |Overhang { degrees, error, .. }: &Overhang| degrees.is_finite() && error.is_finite();
+    let curvatures = [part.curvature.mean, part.curvature.gaussian];
+    refuse(
+        &path,
+        [
+            ("overhang", [part.overhang, part.overhang_inside].iter().flatten().all(is_steep)),
+            ("curvature", curvatures.iter().all(is_range_finite)),
+        ],
+    )
+}
+
+/// Refuses the first of some quantities that is not finite.
+fn refuse<const N: usize>(path: &str, told: [(&str, bool); N]) -> Result<()> {
+    match told.into_iter().find(|(_, is_finite)| !is_finite) {
         None => Ok(()),
-        Some(what) => {
+        Some((what, _)) => {
             let message = format!(
                 "the {what} leaves the range of numbers: expected a surface whose lengths are more alike in size"
             );
-            Err(Error::new(Code::Overflow, format!("parts[{}]", part.part), message))
+            Err(Error::new(Code::Overflow, path, message))
         }
     }
-}
-
-/// What of a part is not finite.
-fn infinite(part: &PartMeasures) -> Option<&'static str> {
-    let body = &part.body;
-    let overhangs = [part.overhang, part.overhang_inside];
-    let curvatures = [part.curvature.mean, part.curvature.gaussian];
-    let told = [
-        ("height", is_finite(&body.height) && body.bottom.is_finite() && body.top.is_finite()),
-        ("width", is_finite(&body.width.least) && is_finite(&body.width.greatest)),
-        ("area", is_finite(&body.area)),
-        ("clay", body.clay.is_none_or(|clay| [clay.area, clay.volume, clay.mass].iter().all(is_finite))),
-        ("water", is_water_finite(body)),
-        ("footprint", body.footprint.as_ref().is_none_or(|foot| is_finite(&foot.area) && is_finite(&foot.hull_area))),
-        (
-            "tipping angle",
-            [body.tipping.empty, body.tipping.full]
-                .iter()
-                .flatten()
-                .all(|tip| tip.degrees.is_finite() && tip.error.is_finite()),
-        ),
-        (
-            "overhang",
-            overhangs.iter().flatten().all(|Overhang { degrees, error, .. }| degrees.is_finite() && error.is_finite()),
-        ),
-        ("curvature", curvatures.iter().all(is_range_finite)),
-    ];
-    told.into_iter().find(|(_, is_finite)| !is_finite).map(|(what, _)| what)
 }
 
 fn is_finite(quantity: &Quantity) -> bool {

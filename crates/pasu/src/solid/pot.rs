@@ -93,7 +93,7 @@ impl Pot {
         Pot::looked_at(skin, wall, true)
     }
 
-    /// As [`Pot::of`]; not `is_closely` never with the closer look, which takes five times as long as all else: a wall that would all but fold between the places is thinner than that of the body.
+    /// As [`Pot::of`]; without the closer look unless `is_closely`. It takes five times as long as all else, and without it a wall that would all but fold between the places is thinner than that of the body.
     fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
         let Some(wall) = wall else { return Pot::with(skin, None, Thickness::Even(0.0)) };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
