@@ -10,6 +10,10 @@ import { SHARP, type Visit } from "../support/visit.ts";
 const here = stay();
 const JAR = "#1/fourth-order";
 
+/** A pot that goes inwards above its foot, where its ring would come out of it. */
+const RINGED =
+  "#1~eNoljkEOgyAQRe8y65HAiBK4inFBKy1EqwZs2sRw947pZvKSefn_n7D78gankCEfBdxwQol-D-BOmNM6gYNX-oap2fIUMiBkdjphWoVStJawE5p6ZqVoRFj5q9AwxZCe8eDoXnTKIjAOUpC9XL5s5FS4piEprGorwscvy1V7xHSf11B4DVf0BuHmL1MKLQnhsW3_LK0NZ2kyY61j_QHEszf6";
+
 /** The number at the beginning of a text, such as that of “13.1 ml”. */
 const numberOf = (text: string) => Number(text.replaceAll("\u2212", "-").match(/-?[\d.]+/)?.[0]);
 
@@ -169,4 +173,18 @@ test("colours show a map with its legend, and the glaze comes back", async () =>
   await expect
     .poll(async () => difference(glazed, await stagePicture(pot)).share, { timeout: 20_000 })
     .toBeLessThan(0.001);
+});
+
+test("a ring that has no room comes with a button for one that has", async () => {
+  const pot = await here.enter({ ...SHARP, link: RINGED });
+  await pot.fingerprint();
+  await pot.tab("Wall");
+  await pot.page.getByText(/foot ring has no room/).waitFor();
+  const remedy = pot.page.getByRole("button", { name: /^Make it with a ring .* wide and .* high$/ });
+  await remedy.click();
+  await pot.page.getByText(/^Holds/).waitFor();
+  expect(await remedy.count()).toBe(0);
+  // One step back it is refused again.
+  await pot.undo();
+  await pot.page.getByText(/foot ring has no room/).waitFor();
 });

@@ -1,6 +1,6 @@
 // Generated from the structures of the Rust crate `pasu`. Do not edit.
 
-import type { FaceKind, Point, Product, Unit } from "./pasu.js";
+import type { FaceKind, Point, Product, Unit, Wall } from "./pasu.js";
 
 /** A value with a bound on its error, both in the same unit. The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay. */
 export interface Quantity {
@@ -226,7 +226,7 @@ export interface Report {
 
 /** One thing that a check found. */
 export interface Finding {
-  /** A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
+  /** A stable kebab-case word: `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
   readonly code: string;
   /** How much it matters. */
   readonly severity: "error" | "warning" | "note";
@@ -236,6 +236,18 @@ export interface Finding {
   readonly message: string;
   /** Where, in model units after placement. */
   readonly at: Point | null;
+  /** The nearest change of the wall that was found to help; null where none was, and where nothing is refused. */
+  readonly remedy: Remedy | null;
+}
+
+/** The nearest wall that was found to make a pot of a part that is refused. */
+export interface Remedy {
+  /** Where it belongs in the design, such as `parts[0].wall`. */
+  readonly path: string;
+  /** The whole wall, to be put there. */
+  readonly wall: Wall;
+  /** What is different of it, in words. */
+  readonly message: string;
 }
 
 /** What the checks counted on the mesh of one part, on the coordinates that a file holds. */

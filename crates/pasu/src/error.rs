@@ -213,6 +213,11 @@ impl Error {
         Error { path: path.into(), ..self }
     }
 
+    /// The same error in other words.
+    pub(crate) fn saying(self, message: impl Into<String>) -> Self {
+        Error { message: message.into(), ..self }
+    }
+
     /// The same error at a point of space.
     pub(crate) fn near(self, point: [f64; 3]) -> Self {
         Error { place: Some(point.map(f64::to_bits)), ..self }

@@ -60,7 +60,7 @@ pub use fingerprint::fingerprint;
 pub use glam;
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;
-pub use make::{Craft, Finding, Making, MeshReport, Report, Scale, Severity, Size, SolidMesh, check, solid};
+pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, SolidMesh, check, solid};
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located,
     Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,

@@ -8,6 +8,7 @@ import { asSentence, verdict } from "../document/report-words";
 import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./map-choice";
+import { remedies, remedyStyles } from "./remedies";
 import { sentenceStyles, sentences } from "./sentences";
 import { base, buttons } from "./styles";
 import "./water-control";
@@ -45,6 +46,7 @@ export class PasuMeasures extends DesignerElement {
             ? sentences(found)
             : html`<p class="wait">Measuring…</p>`
       }
+      ${remedies(designer)}
     </section>`;
   }
 
@@ -102,6 +104,7 @@ export class PasuMeasures extends DesignerElement {
     base,
     buttons,
     sentenceStyles,
+    remedyStyles,
     css`
       :host {
         display: grid;

@@ -15,6 +15,7 @@ import { DesignerElement } from "./element";
 import { icon } from "./icons";
 import "./number-field";
 import type { NumberChangeEvent } from "./number-field";
+import { remedies, remedyStyles } from "./remedies";
 import { base, buttons } from "./styles";
 
 const SIDES = [
@@ -84,10 +85,12 @@ export class PasuWall extends DesignerElement {
 
   /** Why it is no pot, in the solver's words; or how much it holds. */
   private verdict() {
-    const { workshop } = this.designer;
+    const { designer } = this;
+    const { workshop } = designer;
     const problem = workshop?.solid.problem;
     if (problem)
-      return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>`;
+      return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
+        ${remedies(designer)}`;
     const held = workshop?.holds;
     return html`<p class="holds" role="status">${held ?? nothing}</p>`;
   }
@@ -127,6 +130,7 @@ export class PasuWall extends DesignerElement {
     base,
     buttons,
     choiceStyles,
+    remedyStyles,
     css`
       :host {
         display: block;

@@ -135,7 +135,9 @@ export class Workshop {
       this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
     }
     if (rests) {
-      const checked = session.tab === "measures" && walled;
+      // Beside the wall's numbers only what would help a wall that is refused.
+      const helped = session.tab === "wall" && this.solid.problem !== null;
+      const checked = walled && (session.tab === "measures" || helped);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
       const { map } = session;
       const { rows, columns } = this.#designer.grid(design);

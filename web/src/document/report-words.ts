@@ -94,7 +94,7 @@ export function asSentence(message: string): string {
 function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
   const mesh = meshes.find((each) => each.part === part);
   if (!mesh?.thinnest || !at)
-    return findingWords({ code: THINNED, severity: "warning", part, message, at: null }, outline);
+    return findingWords({ code: THINNED, severity: "warning", part, message, at: null, remedy: null }, outline);
   const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
   return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
 }

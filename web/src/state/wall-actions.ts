@@ -12,6 +12,12 @@ export function setPot(state: State, pot: boolean, size: number): Change {
   return rewall(state, () => (pot ? firstWall(size) : undefined), { undo: "step" });
 }
 
+/** Puts another wall in the place of that of a part. */
+export function setWall(state: State, part: number, wall: Wall): Change {
+  if (!state.design.parts[part]) return NOTHING;
+  return { design: setPath(state.design, ["parts", part, "wall"], wall), undo: "step" };
+}
+
 /** Sets one number. `gesture` joins the steps of one drag. */
 export function setWallNumber(state: State, field: WallField, value: number, gesture: boolean): Change {
   const key = `wall:${field.path.join(".")}`;

@@ -67,7 +67,8 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     solution.all_workable()?;
     let millimetres = making.scale_of(solution)?.millimetres;
     let mut made = Vec::with_capacity(solution.n_parts());
-    for part in 0..solution.n_parts() {
+    let wanted = solution.parts_of(making.product);
+    for &part in &wanted {
         // A shape without foot and rim has no wall; STEP takes its patches as they are.
         if format != Format::Step || solution.part(part)?.solved().wall().is_some() {
             made.push(make(solution, part, making, millimetres)?);
@@ -98,7 +99,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         Format::Step => {
             let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
             let mut parts = Vec::with_capacity(solution.n_parts());
-            for part in 0..solution.n_parts() {
+            for &part in &wanted {
                 let placed = solution.part(part)?;
                 let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
                     Some((Made { pot, .. }, body)) => {

@@ -4,9 +4,9 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Craft {
-    /// Printed layer by layer: walls of 0.8 mm, two lines of the usual nozzle of 0.4 mm, and overhangs of at most 45 degrees.
+    /// Printed layer by layer: walls of 0.8 mm, two lines of the usual nozzle of 0.4 mm, bases of three layers of 0.2 mm, and overhangs of at most 45 degrees.
     Print,
-    /// Formed of clay by hand, on the wheel or by casting: walls of 2 mm.
+    /// Formed of clay by hand, on the wheel or by casting: walls and bases of 2 mm.
     Clay,
 }
 
@@ -34,6 +34,18 @@ impl Craft {
     pub fn thinnest(self) -> [f64; 2] {
         match self {
             Craft::Print => [0.4, 0.8],
+            Craft::Clay => [1.0, 2.0],
+        }
+    }
+
+    /// The same of a base, which a printer lays as layers of the usual 0.2 mm: one at all, three to hold.
+    ///
+    /// ```
+    /// assert_eq!(pasu::Craft::Print.thinnest_base(), [0.2, 0.6]);
+    /// ```
+    pub fn thinnest_base(self) -> [f64; 2] {
+        match self {
+            Craft::Print => [0.2, 0.6],
             Craft::Clay => [1.0, 2.0],
         }
     }

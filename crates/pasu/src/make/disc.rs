@@ -21,8 +21,9 @@ impl HasPosition for Corner {
 /// The triangles, anti-clockwise in the plan, between closed outlines: the constrained Delaunay triangulation, of which that is kept which an odd number of
 /// outlines goes round. Every vertex is used and no edge is split, so that neighbours fit.
 ///
-/// `None` where outlines cross or touch.
-pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Option<Vec<[u32; 3]>> {
+/// # Errors
+/// Where outlines cross or touch: the number of a vertex beside that place.
+pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Result<Vec<[u32; 3]>, u32> {
     let mut corners = Vec::new();
     let mut edges = Vec::new();
     for outline in outlines {
@@ -31,12 +32,19 @@ pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Option<Vec<[u32; 3]>>
         edges.extend((0..outline.len()).map(|i| [first + i, first + (i + 1) % outline.len()]));
     }
     let (n_corners, n_edges) = (corners.len(), edges.len());
-    let mut conflicts = 0;
-    let plan =
-        ConstrainedDelaunayTriangulation::<Corner>::try_bulk_load_cdt(corners, edges, |_| conflicts += 1).ok()?;
-    if conflicts > 0 || plan.num_vertices() != n_corners || plan.num_constraints() != n_edges {
-        return None;
-    }
+    let numbers: Vec<u32> = corners.iter().map(|corner| corner.vertex).collect();
+    let touching = touching(&corners);
+    let mut conflict = None;
+    let plan = ConstrainedDelaunayTriangulation::<Corner>::try_bulk_load_cdt(corners, edges, |[from, _]| {
+        conflict.get_or_insert(from);
+    });
+    let anywhere = touching.or(conflict.map(|corner| numbers[corner])).or(numbers.first().copied()).unwrap_or(0);
+    let Some(plan) = plan
+        .ok()
+        .filter(|plan| conflict.is_none() && plan.num_vertices() == n_corners && plan.num_constraints() == n_edges)
+    else {
+        return Err(anywhere);
+    };
     // From outside inwards, counting the outlines that are crossed.
     let mut depth = vec![None; plan.num_all_faces()];
     let outer = plan.outer_face().fix();
@@ -50,7 +58,7 @@ pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Option<Vec<[u32; 3]>>
         neighbours[b.index()].push((a, step));
     }
     while let Some(face) = queue.pop_front() {
-        let here = depth[face.index()]?;
+        let Some(here) = depth[face.index()] else { return Err(anywhere) };
         for &(other, step) in &neighbours[face.index()] {
             if depth[other.index()].is_none() {
                 depth[other.index()] = Some(here + step);
@@ -67,7 +75,15 @@ pub(crate) fn triangles(outlines: &[Vec<(DVec2, u32)>]) -> Option<Vec<[u32; 3]>>
         }
     }
     triangles.sort_unstable();
-    Some(triangles)
+    Ok(triangles)
+}
+
+/// A vertex at whose place there is another.
+fn touching(corners: &[Corner]) -> Option<u32> {
+    let mut places: Vec<([f64; 2], u32)> =
+        corners.iter().map(|corner| ([corner.at.x, corner.at.y], corner.vertex)).collect();
+    places.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    places.array_windows().find(|[(a, _), (b, _)]| a == b).map(|[(_, vertex), _]| *vertex)
 }
 
 #[cfg(test)]
@@ -113,6 +129,21 @@ mod tests {
         let eight = [(0, 0), (2, 2), (2, 0), (0, 2)];
         let eight: Vec<_> =
             eight.iter().zip(0..).map(|((x, y), v)| (DVec2::new(f64::from(*x), f64::from(*y)), v)).collect();
-        assert_eq!(triangles(&[eight]), None);
+        // Near the middle of the eight.
+        assert!(triangles(&[eight]).is_err_and(|vertex| vertex < 4));
+    }
+
+    #[test]
+    fn outlines_that_touch_are_refused_where_they_touch() {
+        let two = [[(0, 0), (2, 0), (1, 1)], [(1, 1), (2, 2), (0, 2)]];
+        let mut number = 0..;
+        let two = two.map(|outline| {
+            outline
+                .iter()
+                .zip(number.by_ref())
+                .map(|((x, y), v)| (DVec2::new(f64::from(*x), f64::from(*y)), v))
+                .collect()
+        });
+        assert!(triangles(&two).is_err_and(|vertex| vertex == 2 || vertex == 3));
     }
 }

@@ -8,11 +8,11 @@ use super::making::Making;
 use super::solid_mesh::SolidMesh;
 use super::weave::{Grid, Woven, field, name, weave, weave_surface};
 use crate::check::{self, Topology};
-use crate::design::Design;
+use crate::design::{Design, Wall};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::mesh::places;
-use crate::solid::{Pot, Skin, place, short};
+use crate::solid::{Pot, Product, Skin, place, short};
 use crate::solution::Solution;
 
 /// The most triangles of one part.
@@ -28,7 +28,7 @@ const THINNEST: f64 = 0.05;
 const ROUNDS: usize = 3;
 
 /// The part of the size that the first, coarse mesh keeps.
-const COARSE: f64 = 1.0 / 250.0;
+pub(super) const COARSE: f64 = 1.0 / 250.0;
 
 /// The most crossings that are looked at for a reason.
 const CROSSINGS: usize = 200;
@@ -36,7 +36,7 @@ const CROSSINGS: usize = 200;
 /// A mesh is made finer by no more than this factor at a time.
 const LEAST_STEP: f64 = 0.4;
 
-/// The closed mesh of each part, in millimetres, after size and shrinkage.
+/// The closed mesh of each part that the product is made of, in millimetres, after size and shrinkage.
 ///
 /// What is returned has passed every check of [`SolidMesh`]; what does not is refused, never written.
 ///
@@ -71,7 +71,18 @@ impl Solution {
     pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
         self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
-        (0..self.n_parts()).map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
+        self.parts_of(making.product).into_iter().map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
+    }
+
+    /// The parts that a product is made of: all, but for pots those with a wall if any has one.
+    pub(crate) fn parts_of(&self, product: Product) -> Vec<usize> {
+        let all = 0..self.n_parts();
+        let has_wall = |part: &usize| self.design().parts().get(*part).is_some_and(|part| part.wall.is_some());
+        if product == Product::Pot && all.clone().any(|part| has_wall(&part)) {
+            all.filter(has_wall).collect()
+        } else {
+            all.collect()
+        }
     }
 }
 
@@ -86,23 +97,48 @@ pub(crate) struct Made {
 
 /// One part of [`solid`]; `scale` is from model units to millimetres.
 ///
+/// A coarse mesh may step over what a finer one runs into: what is made more coarsely than without a tolerance has to be made without one too, and what is refused only because it is finer says so.
+///
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Made> {
     let skin = Arc::new(Skin::new(solution.workable(part)?)?);
-    if let Some(error) = surface_crossing(&skin, making, scale)? {
-        return Err(error);
+    let usual = grid(&skin, None, None)?.bound;
+    if making.tolerance.is_some_and(|asked| asked > usual) {
+        refuse_crossing(&skin, None, scale)?;
     }
+    refuse_crossing(&skin, making.tolerance, scale)?;
+    fitted(&skin, solution.wall(part, making.product)?, making, scale)
+}
+
+/// As [`make`], with a wall of one's own on a surface that does not cross itself.
+///
+/// # Errors
+/// As [`solid`].
+pub(super) fn fitted(skin: &Arc<Skin>, wall: Option<Wall>, making: &Making, scale: f64) -> Result<Made> {
+    let pot = Pot::of(skin, wall)?;
+    let usual = grid(skin, None, None)?.bound;
+    if making.tolerance.is_some_and(|asked| asked > usual) {
+        meshed(&pot, None, scale)?;
+    }
+    let is_fine = making.tolerance.is_some_and(|asked| asked < usual);
+    let made = meshed(&pot, making.tolerance, scale).map_err(|error| match error.code() {
+        Code::CrossesItself | Code::NoRoom | Code::PinchedSurface if is_fine && meshed(&pot, None, scale).is_ok() => {
+            let message = format!("{}, where triangles within {} step over it", error.message(), short(usual));
+            error.saying(message)
+        }
+        _ => error,
+    });
+    made.map(|(topology, mesh, unkept)| Made { mesh, pot, topology, unkept })
+}
+
+/// The mesh of a pot within a tolerance, or within the usual one; with the tolerance where it is not kept.
+fn meshed(pot: &Pot, tolerance: Option<f64>, scale: f64) -> Result<(Topology, SolidMesh, Option<f64>)> {
+    let part = pot.part();
     let mut refusal = None;
-    let pot = Pot::of(&skin, solution.wall(part, making.product)?)?;
     for (attempt, fineness) in FINENESS.into_iter().enumerate() {
-        let made = woven(&pot, making, fineness, scale).and_then(|mut woven| {
-            compact(&mut woven);
-            let unkept = making.tolerance.filter(|asked| woven.bound > *asked);
-            Ok((verdict(&pot, &woven, scale)?, finished(&woven, part, scale), unkept))
-        });
-        match made {
-            Ok((topology, mesh, unkept)) => return Ok(Made { mesh, pot, topology, unkept }),
+        match meshed_once(pot, tolerance, fineness, scale) {
+            Ok(made) => return Ok(made),
             // Looking more closely does not make a pot smaller.
             Err(error) if matches!(error.code(), Code::Overflow | Code::TooLarge | Code::ToleranceTooFine) => {
                 return Err(error);
@@ -110,7 +146,7 @@ pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64
             Err(error) => refusal = Some(error),
         }
         if attempt == 0
-            && let Some(error) = too_thin(&pot, making)
+            && let Some(error) = too_thin(pot, tolerance)
         {
             return Err(error);
         }
@@ -118,13 +154,29 @@ pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
 }
 
+/// As [`meshed`], so many times as finely as asked for.
+///
+/// # Errors
+/// As [`solid`].
+pub(super) fn meshed_once(
+    pot: &Pot,
+    tolerance: Option<f64>,
+    fineness: f64,
+    scale: f64,
+) -> Result<(Topology, SolidMesh, Option<f64>)> {
+    let mut woven = woven(pot, tolerance, fineness, scale)?;
+    compact(&mut woven);
+    let unkept = tolerance.filter(|asked| woven.bound > *asked);
+    Ok((verdict(pot, &woven, scale)?, finished(&woven, pot.part(), scale), unkept))
+}
+
 fn pot_path(part: usize) -> String {
     format!("parts[{part}]")
 }
 
 /// A mesh that keeps the tolerance.
-fn woven(pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven> {
-    let mut promised = making.tolerance.map(|tolerance| tolerance / fineness);
+fn woven(pot: &Pot, tolerance: Option<f64>, fineness: f64, scale: f64) -> Result<Woven> {
+    let mut promised = tolerance.map(|tolerance| tolerance / fineness);
     let mut asked = promised;
     let mut round = 1;
     loop {
@@ -140,10 +192,10 @@ fn woven(pot: &Pot, making: &Making, fineness: f64, scale: f64) -> Result<Woven>
 }
 
 /// That the wall is nearly nothing somewhere, if it is.
-fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
+fn too_thin(pot: &Pot, tolerance: Option<f64>) -> Option<Error> {
     let (_, at) = pot.thinned()?;
     let (thinnest, thickest) = pot.thickness();
-    let is_too_thin = thinnest < THINNEST * thickest || making.tolerance.is_some_and(|tolerance| thinnest < tolerance);
+    let is_too_thin = thinnest < THINNEST * thickest || tolerance.is_some_and(|tolerance| thinnest < tolerance);
     is_too_thin.then(|| {
         let message = format!(
             "the surface bends so sharply at {}, or comes so close to itself, that a wall there would be only {} thick: expected a smoother surface",
@@ -154,11 +206,11 @@ fn too_thin(pot: &Pot, making: &Making) -> Option<Error> {
     })
 }
 
-/// Where the surface of the design itself crosses itself: seen on a coarse mesh, and again on one that keeps the tolerance.
-fn surface_crossing(skin: &Arc<Skin>, making: &Making, scale: f64) -> Result<Option<Error>> {
+/// Refuses a surface that crosses itself: seen on a coarse mesh, and again on one that keeps the tolerance.
+fn refuse_crossing(skin: &Arc<Skin>, tolerance: Option<f64>, scale: f64) -> Result<()> {
     let coarse = COARSE * skin.size();
-    let mut steps = vec![making.tolerance];
-    if making.tolerance.is_none_or(|tolerance| tolerance < coarse) {
+    let mut steps = vec![tolerance];
+    if tolerance.is_none_or(|tolerance| tolerance < coarse) {
         steps.insert(0, Some(coarse));
     }
     let mut found = None;
@@ -166,11 +218,11 @@ fn surface_crossing(skin: &Arc<Skin>, making: &Making, scale: f64) -> Result<Opt
         let grid = grid(skin, asked, asked)?;
         let woven = weave_surface(skin, &grid, scale)?;
         let Some(pair) = check::crossings(&woven.positions, &woven.triangles, |_| None, 1).first().copied() else {
-            return Ok(None);
+            return Ok(());
         };
         found = Some(surface_crosses(skin, woven.middle(pair[0]) / scale));
     }
-    Ok(found)
+    found.map_or(Ok(()), Err)
 }
 
 /// The rows and columns that keep a tolerance of the surface of the design; `promised` is what is aimed at for the other faces.

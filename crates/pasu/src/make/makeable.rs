@@ -20,6 +20,7 @@ pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> V
     let by = craft.unwrap_or(Craft::Print);
     let mut found = Vec::new();
     found.extend(too_thin(made, by, craft.is_some(), millimetres));
+    found.extend(too_thin_base(made, by, craft.is_some(), millimetres));
     if by == Craft::Print {
         let faces = [(FaceKind::Outer, "outside"), (FaceKind::Lining, "inside")];
         found.extend(faces.into_iter().filter_map(|(kind, side)| overhang(made, kind, side, millimetres)));
@@ -46,10 +47,31 @@ fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Opti
         (Craft::Clay, true) => format!("clay of less than {least} mm does not stand"),
         (Craft::Clay, false) => format!("clay of less than {safe} mm warps and breaks"),
     };
-    let severity = if is_asked && thinnest < least { Severity::Error } else { Severity::Warning };
+    let severity = severity(is_asked && thinnest < least);
     let message = format!("the wall is only {} mm thick{somewhere}: {why}", short(thinnest));
     let part = made.pot.part();
-    Some(Finding { code: "too-thin", severity, part, message, at: at.map(|at| at.to_array()) })
+    Some(Finding { code: "too-thin", severity, part, message, at: at.map(|at| at.to_array()), remedy: None })
+}
+
+fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
+    let thickness = made.pot.base()? * millimetres;
+    let [least, safe] = craft.thinnest_base();
+    if !(thickness < safe) {
+        return None;
+    }
+    let why = match (craft, thickness < least) {
+        (Craft::Print, true) => format!("a layer is usually {least} mm, and what is thinner is not printed"),
+        (Craft::Print, false) => format!("three layers are usually {safe} mm, and fewer leak and break"),
+        (Craft::Clay, true) => format!("clay of less than {least} mm does not hold"),
+        (Craft::Clay, false) => format!("clay of less than {safe} mm warps and breaks"),
+    };
+    let severity = severity(is_asked && thickness < least);
+    let message = format!("the base is only {} mm thick: {why}", short(thickness));
+    Some(Finding { code: "thin-base", severity, part: made.pot.part(), message, at: None, remedy: None })
+}
+
+fn severity(is_impossible: bool) -> Severity {
+    if is_impossible { Severity::Error } else { Severity::Warning }
 }
 
 /// The steepest of the triangles of one kind of face that lean out further than can be printed.
@@ -85,5 +107,76 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
         place(at)
     );
     let part = made.pot.part();
-    Some(Finding { code: "overhang", severity: Severity::Note, part, message, at: Some(at.to_array()) })
+    Some(Finding { code: "overhang", severity: Severity::Note, part, message, at: Some(at.to_array()), remedy: None })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+    use crate::make::{Making, check};
+
+    /// What is said of a cup of radius 30 mm and height 40 mm, whose rim is wider by `flare` millimetres.
+    fn said(thickness: f64, base: f64, flare: f64, craft: Option<Craft>) -> Vec<(&'static str, Severity, String)> {
+        let rim = 3.0 + flare / 10.0;
+        let document = serde_json::json!({ "pasu": 1, "parts": [{
+            "shape": { "kind": "second-order", "r": [rim, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+            "wall": { "thickness": thickness / 10.0, "base": base / 10.0 }
+        }] });
+        let design = Design::parse(&document.to_string()).unwrap();
+        let report = check(&design, &Making { craft, ..Making::default() }).unwrap();
+        report.findings.into_iter().map(|found| (found.code, found.severity, found.message)).collect()
+    }
+
+    #[test]
+    fn walls_and_bases_are_held_against_both_thresholds_of_a_craft() {
+        use Severity::{Error, Warning};
+        // By craft: what there can be at all and what holds, for the wall and for the base.
+        for (craft, [[wall, firm], [base, sound]]) in
+            [(Craft::Print, [[0.4, 0.8], [0.2, 0.6]]), (Craft::Clay, [[1.0, 2.0], [1.0, 2.0]])]
+        {
+            for (thickness, bottom, expected) in [
+                (firm + 1e-6, sound + 1e-6, None),
+                (firm - 1e-6, 5.0, Some(("wall", Warning))),
+                (wall + 1e-6, 5.0, Some(("wall", Warning))),
+                (wall - 1e-6, 5.0, Some(("wall", Error))),
+                (5.0, sound - 1e-6, Some(("base", Warning))),
+                (5.0, base + 1e-6, Some(("base", Warning))),
+                (5.0, base - 1e-6, Some(("base", Error))),
+            ] {
+                let found = said(thickness, bottom, 0.0, Some(craft));
+                let told = found.iter().map(|(code, severity, message)| {
+                    assert!(
+                        message.starts_with(if *code == "too-thin" { "the wall" } else { "the base" }),
+                        "{message}"
+                    );
+                    (if *code == "too-thin" { "wall" } else { "base" }, *severity)
+                });
+                assert_eq!(
+                    told.collect::<Vec<_>>(),
+                    expected.into_iter().collect::<Vec<_>>(),
+                    "{craft:?} {thickness} {bottom}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_to_be_printed_is_only_warned_of() {
+        let found = said(0.3, 0.1, 0.0, None);
+        assert!(found.len() == 2 && found.iter().all(|found| found.1 == Severity::Warning), "{found:?}");
+    }
+
+    #[test]
+    fn a_tube_has_no_base_to_be_too_thin() {
+        assert_eq!(said(5.0, 0.0, 0.0, Some(Craft::Print)), []);
+    }
+
+    /// The flank of a straight cup leans out by the angle whose tangent is its flare over its height: 38 mm of flare over 40 are 43.5 degrees, 42 are 46.4.
+    #[test]
+    fn overhangs_beyond_45_degrees_are_told_to_who_prints() {
+        let hangs = |flare, craft| said(5.0, 5.0, flare, craft).iter().any(|found| found.0 == "overhang");
+        assert!(!hangs(38.0, Some(Craft::Print)) && hangs(42.0, Some(Craft::Print)) && hangs(42.0, None));
+        assert!(!hangs(42.0, Some(Craft::Clay)));
+    }
 }

@@ -3,6 +3,7 @@
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
+use super::remedy::Remedy;
 use crate::answer::answers;
 #[cfg(feature = "typescript")]
 use crate::answer::{Answer, Field, declare};
@@ -40,7 +41,7 @@ impl Severity {
 answers! {
     /// One thing that a check found.
     pub struct Finding as "Finding" {
-        /// A stable kebab-case word: `thinned`, `too-thin`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
+        /// A stable kebab-case word: `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
         pub code: &'static str,
         /// How much it matters.
         pub severity: Severity,
@@ -50,6 +51,8 @@ answers! {
         pub message: String,
         /// Where, in model units after placement.
         pub at: Option<[f64; 3]>,
+        /// The nearest change of the wall that was found to help; `None` where none was, and where nothing is refused.
+        pub remedy: Option<Remedy>,
     }
 
     /// What the checks counted on the mesh of one part, on the coordinates that a file holds.

@@ -25,7 +25,7 @@ pub(super) fn findings(meshes: &[&SolidMesh], name: impl Fn(usize) -> String, mi
             };
             let at = at / millimetres;
             let message = format!("{} {what} {} at {}", name(other.part), name(one.part), place(at));
-            found.push(Finding { code, severity, part: other.part, message, at: Some(at.to_array()) });
+            found.push(Finding { code, severity, part: other.part, message, at: Some(at.to_array()), remedy: None });
         }
     }
     found
@@ -141,5 +141,16 @@ mod tests {
     #[test]
     fn one_pot_twice_in_one_place_is_an_error() {
         assert_eq!(codes(&[(1.0, [0.0; 3]), (1.0, [0.0; 3])]), [("same-place", false)]);
+    }
+
+    #[test]
+    fn a_part_within_the_clay_of_another_is_found() {
+        // Of a quarter of a millimetre in the middle of a base of 5.
+        let (large, small) = ((1.0, [0.0; 3]), (0.01, [0.0, 0.0, 0.2]));
+        for places in [[large, small], [small, large]] {
+            assert!(codes(&places).contains(&("overlap", true)), "{:?}", codes(&places));
+        }
+        // As small, in the hollow.
+        assert!(!codes(&[large, (0.01, [0.0, 0.0, 2.0])]).contains(&("overlap", true)));
     }
 }

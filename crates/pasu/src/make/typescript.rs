@@ -1,5 +1,6 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
+use super::remedy::Remedy;
 use super::report::{Finding, MeshReport, Report};
 use crate::answer::Answer;
 use crate::measure::{
@@ -14,7 +15,7 @@ use crate::measure::{
 /// ```
 pub fn typescript_of_answers() -> String {
     let mut text = String::from("// Generated from the structures of the Rust crate `pasu`. Do not edit.\n\n");
-    text.push_str("import type { FaceKind, Point, Product, Unit } from \"./pasu.js\";\n");
+    text.push_str("import type { FaceKind, Point, Product, Unit, Wall } from \"./pasu.js\";\n");
     let all = [
         Quantity::declare,
         Located::declare,
@@ -36,6 +37,7 @@ pub fn typescript_of_answers() -> String {
         CurvatureRange::declare,
         Report::declare,
         Finding::declare,
+        Remedy::declare,
         MeshReport::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));

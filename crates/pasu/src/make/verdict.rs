@@ -3,6 +3,7 @@
 use super::made::{Made, make};
 use super::makeable;
 use super::making::Making;
+use super::remedy::remedy;
 use super::report::{Finding, MeshReport, Report, Severity};
 use super::solid_mesh::SolidMesh;
 use super::together;
@@ -11,7 +12,7 @@ use crate::error::{Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
 
-/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made, or what differs from what was asked for.
+/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for. A part without a wall is left out of the pots with a warning, where another part has one.
 ///
 /// # Errors
 /// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
@@ -38,24 +39,34 @@ impl Solution {
     pub fn check(&self, making: &Making) -> Result<Report> {
         self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
-        let parts: Vec<Result<Made>> = (0..self.n_parts()).map(|part| make(self, part, making, scale)).collect();
+        let wanted = self.parts_of(making.product);
         let mut refused = Vec::new();
         let mut made = Vec::new();
-        for (part, outcome) in parts.into_iter().enumerate() {
-            match outcome {
+        let mut n_remedies = 0;
+        for part in 0..self.n_parts() {
+            let is_wanted = wanted.contains(&part);
+            match make(self, part, making, scale) {
                 Ok(one) => made.push(one),
-                Err(error) => refused.push(Finding {
-                    code: error.code().as_str(),
-                    severity: Severity::Error,
-                    part,
-                    message: error.message().to_owned(),
-                    at: error.place(),
-                }),
+                Err(error) => {
+                    n_remedies += 1;
+                    let remedy = if n_remedies <= REMEDIES { remedy(self, part, making, scale, &error) } else { None };
+                    refused.push(Finding {
+                        code: error.code().as_str(),
+                        severity: if is_wanted { Severity::Error } else { Severity::Warning },
+                        part,
+                        message: error.message().to_owned(),
+                        at: error.place(),
+                        remedy,
+                    });
+                }
             }
         }
         Ok(verdict(self.design(), making, scale, refused, &made))
     }
 }
+
+/// For how many parts that are refused a remedy is sought: each takes as long as making the part a few times.
+const REMEDIES: usize = 3;
 
 /// What there is to say of the parts of a design that were made, besides what was said of those that were refused; `millimetres` is how many a model unit has.
 pub(crate) fn verdict(
@@ -106,7 +117,7 @@ fn thinned(made: &Made) -> Option<Finding> {
         short(100.0 * share)
     );
     let severity = Severity::Warning;
-    Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()) })
+    Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()), remedy: None })
 }
 
 /// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
@@ -118,5 +129,5 @@ fn unkept(made: &Made) -> Option<Finding> {
         short(asked)
     );
     let code = Code::ToleranceTooFine.as_str();
-    Some(Finding { code, severity: Severity::Warning, part: made.pot.part(), message, at: None })
+    Some(Finding { code, severity: Severity::Warning, part: made.pot.part(), message, at: None, remedy: None })
 }

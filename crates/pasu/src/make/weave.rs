@@ -312,14 +312,11 @@ impl Weaver<'_> {
         let outline =
             |ring: &Ring| ring.vertices.iter().map(|vertex| (self.plan(*vertex), *vertex)).collect::<Vec<_>>();
         let outlines: Vec<_> = rings.iter().filter(|ring| !ring.is_point()).map(outline).collect();
-        let Some(mut triangles) = disc::triangles(&outlines) else {
-            let at = rings.last().map_or(DVec3::ZERO, |ring| ring.point(0));
-            return Err(Error::new(
-                Code::CrossesItself,
-                self.skin.placed().path(field(piece.kind())),
-                format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at)),
-            ));
-        };
+        let mut triangles = disc::triangles(&outlines).map_err(|vertex| {
+            let at = self.at(vertex) / self.scale;
+            let message = format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at));
+            Error::new(Code::CrossesItself, self.skin.placed().path(field(piece.kind())), message).near(at.to_array())
+        })?;
         // Anti-clockwise seen from along the axis is right for what faces that way.
         let area = |ring: &Ring| {
             (0..ring.vertices.len())

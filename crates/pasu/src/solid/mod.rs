@@ -17,4 +17,4 @@ pub use pot::Pot;
 pub use product::Product;
 pub(crate) use sheet::Sheet;
 pub(crate) use skin::Skin;
-pub(crate) use told::{place, short};
+pub(crate) use told::{place, short, significant};

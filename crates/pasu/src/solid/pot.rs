@@ -94,7 +94,7 @@ impl Pot {
     }
 
     /// As [`Pot::of`]; without the closer look unless `is_closely`. It takes five times as long as all else, and without it a wall that would all but fold between the places is thinner than that of the body.
-    fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
+    pub(crate) fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
         let Some(wall) = wall else { return Pot::with(skin, None, Thickness::Even(0.0)) };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
@@ -248,6 +248,11 @@ impl Pot {
     /// Whether this is a pot, not a solid.
     pub(crate) fn has_wall(&self) -> bool {
         self.wall.is_some()
+    }
+
+    /// The thickness of the base; `None` for a solid and a tube, which have none.
+    pub(crate) fn base(&self) -> Option<f64> {
+        self.wall.map(|wall| wall.base).filter(|base| *base > 0.0)
     }
 
     /// The thickness of the wall where the surface, run through from foot to rim, is at `(s, v)`; 0 for a solid.

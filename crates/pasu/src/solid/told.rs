@@ -16,13 +16,23 @@ pub(crate) fn short(x: f64) -> String {
     rounded(x, x.abs())
 }
 
+/// A number with so many digits.
+pub(crate) fn significant(x: f64, digits: u32) -> f64 {
+    nearest(x, x.abs(), digits)
+}
+
 /// A number to the fourth digit of another.
 fn rounded(x: f64, size: f64) -> String {
+    plain(nearest(x, size, 4))
+}
+
+/// The number nearest to one that ends at a digit of another.
+fn nearest(x: f64, size: f64, digits: u32) -> f64 {
     if !(size > 0.0 && size.is_finite()) {
-        return plain(x);
+        return x;
     }
-    let digits = 3.0 - libm::floor(libm::log10(size));
+    let digits = f64::from(digits) - 1.0 - libm::floor(libm::log10(size));
     let power = libm::pow(10.0, digits.clamp(-300.0, 300.0));
     // Dividing by a power of ten, and not multiplying by a tenth of one, gives the nearest double; adding 0 takes the sign of -0.
-    plain(libm::round(x * power) / power + 0.0)
+    libm::round(x * power) / power + 0.0
 }

@@ -1,0 +1,137 @@
+//! What would have to change of a wall that cannot be made.
+
+use std::sync::Arc;
+
+use super::made::{COARSE, fitted, meshed_once};
+use super::making::Making;
+use crate::answer::answers;
+use crate::design::{RimForm, Side, Wall};
+use crate::error::Error;
+use crate::solid::{Pot, Skin, short, significant};
+use crate::solution::Solution;
+
+answers! {
+    /// The nearest wall that was found to make a pot of a part that is refused.
+    pub struct Remedy as "Remedy" {
+        /// Where it belongs in the design, such as `parts[0].wall`.
+        pub path: String,
+        /// The whole wall, to be put there.
+        pub wall: Wall,
+        /// What is different of it, in words.
+        pub message: String,
+    }
+}
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Wall, "Wall");
+
+/// Digits of the lengths that are proposed: as many as a person would write.
+const DIGITS: u32 = 2;
+
+/// By how much rings are wider and higher, the nearest first.
+const RINGS: [[f64; 2]; 15] = [
+    [1.0, 0.5],
+    [1.5, 1.0],
+    [0.6, 1.0],
+    [2.0, 1.0],
+    [0.4, 1.0],
+    [1.5, 0.5],
+    [3.0, 1.0],
+    [1.0, 0.25],
+    [2.0, 0.5],
+    [2.0, 0.25],
+    [4.5, 1.0],
+    [3.0, 0.5],
+    [1.0, 0.12],
+    [2.0, 0.12],
+    [0.3, 0.3],
+];
+
+/// By how much walls are thinner.
+const THINNER: [f64; 5] = [0.75, 0.5, 0.3, 0.15, 0.07];
+
+/// By how much bases are thicker.
+const THICKER: [f64; 4] = [1.5, 0.5, 2.5, 0.25];
+
+/// By how much drains are wider.
+const WIDER: [f64; 3] = [0.75, 0.5, 0.25];
+
+/// The nearest wall, of those that are tried, that a part can be made with where it is refused by this error; `scale` is from model units to millimetres.
+///
+/// A coarse mesh decides which is worth a mesh within the tolerance asked for.
+pub(super) fn remedy(solution: &Solution, part: usize, making: &Making, scale: f64, error: &Error) -> Option<Remedy> {
+    let placed = solution.workable(part).ok()?;
+    let asked = solution.wall(part, making.product).ok()??;
+    let field = error.path().strip_prefix(&placed.path("wall."))?;
+    let skin = Arc::new(Skin::new(placed).ok()?);
+    let coarse = Some(COARSE * skin.size());
+    let works = |wall: Wall| {
+        Pot::looked_at(&skin, Some(wall), false).is_ok_and(|pot| meshed_once(&pot, coarse, 1.0, scale).is_ok())
+            && fitted(&skin, Some(wall), making, scale).is_ok()
+    };
+    let wall = tried(&asked, field).into_iter().find(|wall| works(*wall))?;
+    Some(Remedy { path: placed.path("wall"), wall, message: words(&asked, &wall) })
+}
+
+/// What there is to try where a field asks too much, the smaller change first.
+fn tried(wall: &Wall, field: &str) -> Vec<Wall> {
+    let scaled = |length: f64, factor: f64| significant(length * factor, DIGITS);
+    let plain = Wall { foot: None, drain: 0.0, ..*wall };
+    let thinner = |wall: Wall| THINNER.map(|factor| Wall { thickness: scaled(wall.thickness, factor), ..wall });
+    let across =
+        |wall: Wall| Wall { side: if wall.side == Side::Inside { Side::Outside } else { Side::Inside }, ..wall };
+    let mut tried = Vec::new();
+    match field {
+        "foot" => {
+            let [width, height] = wall.foot.unwrap_or_default();
+            let rings = RINGS.map(|[wider, higher]| [scaled(width, wider), scaled(height, higher)]);
+            tried.extend(rings.map(|ring| Wall { foot: Some(ring), ..*wall }));
+            tried.extend([Wall { foot: None, ..*wall }, across(*wall)]);
+        }
+        "drain" => {
+            tried.extend(WIDER.map(|factor| Wall { drain: scaled(wall.drain, factor), ..*wall }));
+            tried.push(Wall { drain: 0.0, ..*wall });
+        }
+        "rim" => tried.push(Wall { rim: RimForm::Flat, ..*wall }),
+        "base" => tried.extend(THICKER.map(|factor| Wall { base: scaled(wall.base, factor), ..*wall })),
+        _ => {}
+    }
+    if !matches!(field, "foot" | "drain") {
+        tried.push(across(*wall));
+        tried.extend(thinner(*wall));
+    }
+    if plain != *wall {
+        tried.extend([plain, across(plain)]);
+        tried.extend(thinner(plain));
+    }
+    tried
+}
+
+/// What one wall has that another has not.
+fn words(asked: &Wall, wall: &Wall) -> String {
+    let mut with = Vec::new();
+    if wall.side != asked.side {
+        let side = if wall.side == Side::Inside { "inside" } else { "outside" };
+        with.push(format!("the clay {side} of the surface"));
+    }
+    if wall.thickness != asked.thickness {
+        with.push(format!("a wall of {}", short(wall.thickness)));
+    }
+    if wall.base != asked.base {
+        with.push(format!("a base of {}", short(wall.base)));
+    }
+    if wall.rim != asked.rim {
+        with.push("a flat rim".to_owned());
+    }
+    match wall.foot {
+        Some([width, height]) if wall.foot != asked.foot => {
+            with.push(format!("a ring {} wide and {} high", short(width), short(height)));
+        }
+        None if asked.foot.is_some() => with.push("no ring".to_owned()),
+        _ => {}
+    }
+    if wall.drain != asked.drain {
+        with.push(if wall.drain > 0.0 { format!("a drain of {}", short(wall.drain)) } else { "no drain".to_owned() });
+    }
+    format!("it can be made with {}", with.join(" and "))
+}

@@ -1,0 +1,43 @@
+/** What would make a pot of a part that cannot be made, as buttons. */
+
+import { css, html, nothing } from "lit";
+import { unitOf } from "../document/look";
+import { remedyWords } from "../document/remedy-words";
+import type { Finding } from "../document/types";
+import { setWall } from "../state/wall-actions";
+import type { Designer } from "./designer";
+
+/** One button for each part that has a remedy. */
+export function remedies(designer: Designer) {
+  const { workshop, state } = designer;
+  const found = (workshop?.report.value?.findings ?? []).flatMap((finding) => button(designer, finding));
+  return found.length > 0 && workshop?.report.of === state.design ? html`<p class="remedies">${found}</p>` : nothing;
+}
+
+function button(designer: Designer, { part, remedy }: Finding) {
+  const { design } = designer.state;
+  const asked = design.parts[part]?.wall;
+  if (!remedy || !asked) return [];
+  const several = design.parts.length > 1;
+  const name = several ? `${design.parts[part]?.name ?? `Part ${part + 1}`}: ` : "";
+  return html`<button
+    class="button outlined"
+    type="button"
+    @click=${() => designer.apply(setWall(designer.state, part, remedy.wall))}
+  >
+    ${name}${remedyWords(asked, remedy.wall, unitOf(design))}
+  </button>`;
+}
+
+export const remedyStyles = css`
+  .remedies {
+    display: grid;
+    gap: 7px;
+    justify-items: start;
+    padding-top: 9px;
+  }
+  .remedies .button {
+    text-align: start;
+    white-space: normal;
+  }
+`;
