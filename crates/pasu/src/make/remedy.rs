@@ -64,13 +64,34 @@ pub(super) fn remedy(solution: &Solution, part: usize, making: &Making, scale: f
     let asked = solution.wall(part, making.product).ok()??;
     let field = error.path().strip_prefix(&placed.path("wall."))?;
     let skin = Arc::new(Skin::new(placed).ok()?);
-    let coarse = Some(COARSE * skin.size());
-    let works = |wall: Wall| {
-        Pot::looked_at(&skin, Some(wall), false).is_ok_and(|pot| meshed_once(&pot, coarse, 1.0, scale).is_ok())
-            && fitted(&skin, Some(wall), making, scale).is_ok()
-    };
+    let mut trials = Trials { skin: Arc::clone(&skin), scale, plain: Vec::new() };
+    let mut works = |wall: Wall| trials.passes(wall) && fitted(&skin, Some(wall), making, scale).is_ok();
     let wall = tried(&asked, field).into_iter().find(|wall| works(*wall))?;
     Some(Remedy { path: placed.path("wall"), wall, message: words(&asked, &wall) })
+}
+
+/// Coarse meshes of walls.
+struct Trials {
+    skin: Arc<Skin>,
+    scale: f64,
+    /// Walls without ring and drain, with the pot where it passes: where it does not, none with them will.
+    plain: Vec<(Wall, Option<Pot>)>,
+}
+
+impl Trials {
+    fn passes(&mut self, wall: Wall) -> bool {
+        let plain = Wall { foot: None, drain: 0.0, ..wall };
+        if !self.plain.iter().any(|(known, _)| *known == plain) {
+            let pot = Pot::looked_at(&self.skin, Some(plain), false).ok().filter(|pot| self.is_meshed(pot));
+            self.plain.push((plain, pot));
+        }
+        let pot = self.plain.iter().find(|(known, _)| *known == plain).and_then(|(_, pot)| pot.as_ref());
+        pot.is_some_and(|pot| wall == plain || pot.with_foot_of(wall).is_ok_and(|pot| self.is_meshed(&pot)))
+    }
+
+    fn is_meshed(&self, pot: &Pot) -> bool {
+        meshed_once(pot, Some(COARSE * self.skin.size()), 1.0, self.scale).is_ok()
+    }
 }
 
 /// What there is to try where a field asks too much, the smaller change first.

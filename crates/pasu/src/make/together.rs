@@ -110,13 +110,13 @@ mod tests {
     use crate::design::Design;
     use crate::make::{Making, check};
 
-    /// Cups of radius 3 and height 4 with a wall of 0.5, each scaled and moved.
+    /// Cups of radius 3 and height 4 with a wall of 0.5, each scaled with its wall and moved.
     fn codes(places: &[(f64, [f64; 3])]) -> Vec<(&'static str, bool)> {
         let parts = places.iter().map(|(scale, shift)| {
             serde_json::json!({
                 "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
                 "place": { "scale": [scale, scale, scale], "shift": shift },
-                "wall": { "thickness": 0.5, "base": 0.5 }
+                "wall": { "thickness": 0.5 * scale, "base": 0.5 * scale }
             })
         });
         let document = serde_json::json!({ "pasu": 1, "parts": parts.collect::<Vec<_>>() });

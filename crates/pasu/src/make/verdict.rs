@@ -44,7 +44,10 @@ impl Solution {
         let mut made = Vec::new();
         let mut n_remedies = 0;
         for part in 0..self.n_parts() {
-            let is_wanted = wanted.contains(&part);
+            if !wanted.contains(&part) {
+                refused.push(left_out(part));
+                continue;
+            }
             match make(self, part, making, scale) {
                 Ok(one) => made.push(one),
                 Err(error) => {
@@ -52,7 +55,7 @@ impl Solution {
                     let remedy = if n_remedies <= REMEDIES { remedy(self, part, making, scale, &error) } else { None };
                     refused.push(Finding {
                         code: error.code().as_str(),
-                        severity: if is_wanted { Severity::Error } else { Severity::Warning },
+                        severity: Severity::Error,
                         part,
                         message: error.message().to_owned(),
                         at: error.place(),
@@ -63,6 +66,12 @@ impl Solution {
         }
         Ok(verdict(self.design(), making, scale, refused, &made))
     }
+}
+
+/// A part without a wall beside others that are pots.
+fn left_out(part: usize) -> Finding {
+    let message = "this part has no wall and is left out of the pots: with thickness and base it is one".to_owned();
+    Finding { code: Code::NoWall.as_str(), severity: Severity::Warning, part, message, at: None, remedy: None }
 }
 
 /// For how many parts that are refused a remedy is sought: each takes as long as making the part a few times.

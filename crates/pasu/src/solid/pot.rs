@@ -95,22 +95,22 @@ impl Pot {
 
     /// As [`Pot::of`]; without the closer look unless `is_closely`. It takes five times as long as all else, and without it a wall that would all but fold between the places is thinner than that of the body.
     pub(crate) fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
-        let Some(wall) = wall else { return Pot::with(skin, None, Thickness::Even(0.0)) };
+        let Some(wall) = wall else { return Pot::with(skin, None, Arc::new(Thickness::Even(0.0))) };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
-        let mut pot = Pot::with(skin, Some(wall), thickness)?;
+        let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
         let mut starts = pot.starts(sought.columns);
         // What is thicker than the pot is wide is thinned everywhere, however closely it is looked at.
         if is_closely && wall.thickness < skin.size() && pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
             let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((CLOSER, &sought)))?;
             sought = closer;
-            pot = Pot::with(skin, Some(wall), thickness)?;
+            pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
             starts = pot.starts(sought.columns);
         }
         pot.told = pot.thickness.told(skin, &sought, &starts);
         if pot.told.is_none() && !pot.thickness.is_even() {
             // Thinned only where there is no wall, beneath the floor: then it is as asked for all over.
-            let even = Pot::with(skin, Some(wall), Thickness::Even(wall.thickness))?;
+            let even = Pot::with(skin, Some(wall), Arc::new(Thickness::Even(wall.thickness)))?;
             let is_same = even.starts(sought.columns).iter().zip(&starts).all(|(s, start)| (s - start).abs() <= SAME);
             if is_same {
                 return Ok(even);
@@ -120,8 +120,7 @@ impl Pot {
     }
 
     /// The faces with a wall of a thickness that is known.
-    fn with(skin: &Arc<Skin>, wall: Option<Wall>, thickness: Thickness) -> Result<Pot> {
-        let thickness = Arc::new(thickness);
+    fn with(skin: &Arc<Skin>, wall: Option<Wall>, thickness: Arc<Thickness>) -> Result<Pot> {
         let builder = Builder { skin, thickness: &thickness, pieces: Vec::new() };
         let (pieces, is_ring, foot_level) = match wall {
             Some(wall) => builder.pot(&wall)?,
@@ -129,6 +128,14 @@ impl Pot {
         };
         let (part, skin) = (skin.placed().index(), Arc::clone(skin));
         Ok(Pot { part, pieces, is_ring, skin, thickness, told: None, foot_level, wall })
+    }
+
+    /// The pot with another ring or drain: the thickness of its wall does not depend on these.
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub(crate) fn with_foot_of(&self, wall: Wall) -> Result<Pot> {
+        Pot::with(&self.skin, Some(wall), Arc::clone(&self.thickness))
     }
 
     /// Where the wall begins at even columns: its other side does, not the surface.
