@@ -134,6 +134,17 @@ export interface Making {
   craft?: "print" | "clay" | undefined;
 }
 
+/** What a file was made of, and how. */
+export interface Provenance {
+  /** The link of the design, without `#`. */
+  link: string;
+  /**
+   * What is not in it was left out. Null where the file does not tell it (files of versions that did not, an STL without room), and where any value of it is not understood or out of its
+   * range, because what is left would be another body.
+   */
+  making: Making | null;
+}
+
 /** What to measure. */
 export interface MeasureOptions {
   /** A level, the z of the world in the unit of the design, to which the pot is filled besides the brim. */
@@ -293,3 +304,8 @@ export function water(source: DesignSource, level: number): Water;
 
 /** The link in a file that {@link write} wrote, without `#`; null for every other file. */
 export function open(bytes: Uint8Array): string | null;
+
+/**
+ * The link in such a file, and what was made of it and how large: {@link write} makes the same file of both. Null for every other file. No bytes make it throw.
+ */
+export function provenance(bytes: Uint8Array): Provenance | null;

@@ -19,6 +19,7 @@ const sketch = (source, options) => {
 const paint = (source, map, options) => call("paint", source, map, options);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
+const provenance = (bytes) => call("provenance", bytes) ?? null;
 
 export {
   bound,
@@ -34,6 +35,7 @@ export {
   PasuError,
   paint,
   parse,
+  provenance,
   sketch,
   solid,
   water,

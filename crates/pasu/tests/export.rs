@@ -6,7 +6,9 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use miniz_oxide::inflate::decompress_to_vec;
-use pasu::{Design, Face, Format, Making, Pot, Product, SolidMesh, fingerprint, open, solid, write};
+use pasu::{
+    Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, open, provenance, solid, write,
+};
 use serde_json::Value;
 use support::{design, gallery};
 use xxhash_rust::xxh64::xxh64;
@@ -399,12 +401,57 @@ fn every_file_says_what_it_was_made_from() {
     }
 }
 
+/// Whatever holds a link says how it was made, and what it says makes the same file again.
+#[test]
+fn what_a_file_says_makes_it_again() {
+    let cup = |unit: &str| {
+        design(&format!(
+            r#"{{ "pasu": 1, "unit": "{unit}", "parts": [{{ "shape": {{ "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 }},
+                "wall": {{ "thickness": 0.5, "base": 1 }} }}] }}"#
+        ))
+    };
+    let plain = Making::default();
+    let coarse = Making { tolerance: Some(0.2), ..plain };
+    for (unit, making) in [
+        ("cm", plain),
+        ("cm", Making { product: Product::Solid, ..coarse }),
+        ("mm", Making { shrinkage: 12.5, ..coarse }),
+        ("in", Making { size: Some(Size::Height(0.1 + 0.2)), shrinkage: 49.999, craft: Some(Craft::Clay), ..coarse }),
+        ("cm", Making { size: Some(Size::Width(12.0)), craft: Some(Craft::Print), ..coarse }),
+        ("in", Making { size: Some(Size::Capacity(100.0 / 3.0)), ..coarse }),
+    ] {
+        let cup = cup(unit);
+        for format in Format::ALL {
+            let bytes = write(&cup, format, &making).unwrap();
+            let Some(found) = provenance(&bytes) else {
+                assert_eq!(format, Format::Stl);
+                continue;
+            };
+            assert_eq!((&found.link, found.making), (&cup.link(), Some(making)), "{format:?}");
+            let again = write(&Design::parse(&found.link).unwrap(), format, &found.making.unwrap()).unwrap();
+            assert!(again == bytes, "{format:?} of {making:?}");
+            assert!(format == Format::ThreeMf || format == Format::Glb || told(&bytes, "unit", unit), "{format:?}");
+        }
+    }
+}
+
+/// Whether a text says what is called so, in any of the ways in which formats do.
+fn told(bytes: &[u8], name: &str, value: &str) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    text.contains(&format!("pasu-{name}: {value}")) || text.contains(&format!("<pasu:{name}>{value}</"))
+}
+
 #[test]
 fn short_links_are_in_stl() {
     let design = Design::parse("#1/bloor-wilson?a=6&n1=4&glaze=cobalt").unwrap();
     let making = Making { product: Product::Solid, tolerance: Some(0.05), ..Making::default() };
     let bytes = write(&design, Format::Stl, &making).unwrap();
     assert_eq!(open(&bytes), Some(design.link()));
+    // The making beside it would be too long.
+    assert_eq!(provenance(&bytes).unwrap().making, None);
+    let short = Design::parse("#1/bloor-wilson?n1=4").unwrap();
+    let bytes = write(&short, Format::Stl, &Making { tolerance: Some(0.1), ..making }).unwrap();
+    assert_eq!(provenance(&bytes).unwrap().making, Some(Making { tolerance: Some(0.1), ..making }));
 }
 
 #[test]

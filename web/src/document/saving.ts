@@ -74,6 +74,9 @@ export interface Problem {
 /** Keeps a number, its unit and what it is of in one line. */
 const GAP = "\u00a0";
 
+/** Digits that leave a number what it was, but for what a change of units adds to it. */
+const EXACT = 12;
+
 /** Clay that shrinks by half is no clay. */
 const MOST_SHRINKAGE = 50;
 
@@ -98,6 +101,34 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
     return { field: "tolerance", text: "A number of millimetres greater than 0." };
   // The library takes it before scaling.
   return { ...sized, tolerance: tolerance / scaleOf(sized, measures, unit).millimetres };
+}
+
+/** What the fields say of how a file was made, but for its tolerance, which goes by the size; `walled` is whether there can be a hollow pot. */
+export function choicesOf(
+  { product, size, shrinkage = 0 }: Making,
+  unit: Unit,
+  walled: boolean,
+): Omit<Choices, "tolerance"> {
+  const [kind, measure] = sizeIn(size, unit);
+  return {
+    product: walled ? (product ?? "pot") : "solid",
+    size: kind,
+    measure: measure === null ? "" : formatNumber(measure, EXACT),
+    shrinkage: shrinkage === 0 ? "" : formatNumber(shrinkage, EXACT),
+  };
+}
+
+/** The tolerance of such a making in the millimetres of its file. */
+export function toleranceIn(making: Making, measures: Measures, unit: Unit): string {
+  const { tolerance } = making;
+  return tolerance === undefined ? "" : formatNumber(tolerance * scaleOf(making, measures, unit).millimetres, EXACT);
+}
+
+function sizeIn(size: Making["size"], unit: Unit): readonly [SizeKind, number | null] {
+  if (size?.height !== undefined) return ["height", size.height];
+  if (size?.width !== undefined) return ["width", size.width];
+  if (size?.capacity !== undefined) return ["capacity", millilitres(size.capacity, unit)];
+  return ["designed", null];
 }
 
 function sizeOf(kind: SizeKind, measure: number, unit: Unit): NonNullable<Making["size"]> {

@@ -10,6 +10,7 @@ mod obj;
 mod open;
 mod ply;
 mod png;
+mod provenance;
 mod shading;
 mod sketch;
 mod step;
@@ -22,7 +23,8 @@ mod xml;
 mod zip;
 
 pub use drawn::{Drawn, DrawnFace, drawn};
-pub use open::open;
+pub use open::{open, provenance};
+pub use provenance::Provenance;
 pub use sketch::{Sketch, SketchOptions, sketch};
 pub use write::write;
 

@@ -8,9 +8,11 @@ use proptest::prelude::*;
 use super::contents::{Body, Notes};
 use super::step::{Boundary, Part};
 use super::template::{Frame, Stand};
-use super::{glb, obj, open, ply, step, stl, template, three_mf};
-use crate::design::Look;
+use super::{glb, obj, open, ply, provenance, step, stl, template, three_mf};
+use crate::design::{Look, Unit};
 use crate::face::{Face, FaceJet, FaceKind, Sealed};
+use crate::make::{Craft, Making, Size};
+use crate::solid::Product;
 
 const COLUMNS: u32 = 24;
 
@@ -91,6 +93,9 @@ impl Face for Turned {
     }
 }
 
+/// Short enough for the header of an STL.
+const MADE: Making = Making { product: Product::Pot, size: None, shrinkage: 5.0, tolerance: None, craft: None };
+
 fn notes(title: &str, link: &str) -> Notes {
     Notes {
         title: title.into(),
@@ -98,6 +103,8 @@ fn notes(title: &str, link: &str) -> Notes {
         fingerprint: "0123456789abcdef".into(),
         verdict: "passed with warnings: thinned".into(),
         scale: "1 cm of the design is 10 mm here".into(),
+        making: MADE,
+        unit: Unit::Cm,
     }
 }
 
@@ -136,14 +143,74 @@ fn links_are_found_again_whatever_the_title() {
         "\"extras\":{\"link\":\"1/evil\"",
         "é 🏺 \u{2028} end_header",
         "<pasu:link>1/evil</pasu:link>",
+        "pasu-product: solid",
+        "\",\"product\":\"solid",
+        "<pasu:shrinkage>1</pasu:shrinkage>",
     ] {
         for link in ["1/bloor-wilson?a=6&n1=5", "1/second-order?r=1,.1,.6,.06&title=A%20%3Cpot%3E", long.as_str()] {
             for (format, bytes) in files(&notes(title, link)) {
                 let expected = (format != "stl" || link == "1/bloor-wilson?a=6&n1=5").then_some(link);
                 assert_eq!(open(&bytes).as_deref(), expected, "{title} {format}");
+                let making = provenance(&bytes).and_then(|found| found.making);
+                // The header of an STL has room for the link, and not for the making beside it.
+                assert_eq!(making, (format != "stl").then_some(MADE), "{title} {format}");
             }
         }
     }
+}
+
+#[test]
+fn an_stl_says_what_fits() {
+    let cup = cup();
+    let bodies = [cup.body()];
+    let told = |link: &str, making: Making| {
+        let bytes = stl::write(&Notes { making, verdict: "passed".into(), ..notes("", link) }, &bodies);
+        let header = String::from_utf8(bytes[..80].to_vec()).unwrap();
+        (provenance(&bytes).map(|found| (found.link, found.making)), header.trim_end_matches('\0').to_owned())
+    };
+    let plain = Making::default();
+    let sized = Making { size: Some(Size::Height(18.0)), craft: Some(Craft::Clay), ..MADE };
+    let long = "1/second-order?".repeat(4);
+    assert_eq!(told("1/bloor-wilson?a=6", plain).0, Some(("1/bloor-wilson?a=6".into(), Some(plain))));
+    assert_eq!(told("1/x", sized).0, Some(("1/x".into(), Some(sized))));
+    // The link counts for more, and a making by itself is read by people.
+    assert_eq!(told("1/bloor-wilson?a=6", sized).0, Some(("1/bloor-wilson?a=6".into(), None)));
+    let (found, header) = told(&long, sized);
+    assert!(found.is_none() && header.ends_with("passed pot height=18 shrinkage=5 craft=clay"), "{header}");
+}
+
+#[test]
+fn a_making_that_cannot_be_is_not_read() {
+    let cup = cup();
+    let making = Making { size: Some(Size::Width(7.0)), tolerance: Some(0.5), ..MADE };
+    let text = String::from_utf8(obj::write(&Notes { making, ..notes("Vase", "1/x") }, &[cup.body()])).unwrap();
+    let found = |text: &str| provenance(text.as_bytes()).map(|found| (found.link, found.making));
+    assert_eq!(found(&text), Some(("1/x".into(), Some(making))));
+    for (from, to) in [
+        ("product: pot", "product: mug"),
+        ("product: pot", "product: "),
+        ("size: width 7", "size: depth 7"),
+        ("size: width 7", "size: width 0"),
+        ("size: width 7", "size: width -7"),
+        ("size: width 7", "size: width 1e999"),
+        ("size: width 7", "size: width NaN"),
+        ("size: width 7", "size: 7"),
+        ("shrinkage: 5", "shrinkage: 50"),
+        ("shrinkage: 5", "shrinkage: -1"),
+        ("shrinkage: 5", "shrinkage: inf"),
+        ("shrinkage: 5", "shrinkage: five"),
+        ("tolerance: 0.5", "tolerance: 0"),
+        ("tolerance: 0.5", "craft: mud"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        assert_eq!(found(&text.replacen(from, to, 1)), Some(("1/x".into(), None)), "{to}");
+    }
+    // What another version says besides is passed over, and a file of one that did not say is still opened.
+    let more = text.replacen("# pasu-product", "# pasu-lid: none\n# pasu-product", 1);
+    assert_eq!(found(&more), Some(("1/x".into(), Some(making))));
+    let less: String =
+        text.lines().filter(|line| !line.contains("pasu-product")).map(|line| format!("{line}\n")).collect();
+    assert_eq!(found(&less), Some(("1/x".into(), None)));
 }
 
 #[test]
@@ -197,7 +264,7 @@ fn a_section_has_the_area_of_the_clay() {
 fn what_is_cut_short_does_no_harm() {
     for (_, bytes) in files(&notes("Vase", "1/bloor-wilson?a=6")) {
         for length in (0..bytes.len()).step_by(1 + bytes.len() / 500).chain(0..bytes.len().min(300)) {
-            let _ = open(&bytes[..length]);
+            let _ = provenance(&bytes[..length]);
         }
     }
 }
@@ -215,7 +282,7 @@ fn what_is_damaged_does_no_harm() {
             let at = if state & 2 == 0 { place } else { bytes.len() - 1 - place };
             bytes[at] = (state >> 20) as u8;
         }
-        let _ = open(&bytes);
+        let _ = provenance(&bytes);
     }
 }
 
@@ -224,6 +291,6 @@ proptest! {
     fn no_bytes_do_harm(bytes in prop::collection::vec(any::<u8>(), 0..400), kind in 0..8usize) {
         let starts: [&[u8]; 8] =
             [b"", b"PK\x03\x04", b"glTF", b"ply\n", b"# Pasu ", b"ISO-10303-21;", b"<?xml", b"PK\x03\x04PK\x05\x06"];
-        let _ = open(&[starts[kind], &bytes].concat());
+        let _ = provenance(&[starts[kind], &bytes].concat());
     }
 }

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use glam::DVec3;
 
 use super::contents::{Body, Notes};
+use super::numbers::short;
 use super::template::{Frame, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
@@ -24,8 +25,9 @@ const MOST_TRIANGLES: usize = 20_000_000;
 
 /// The bytes of a file of what is made of a design: the same for the same design and making, on every machine and every day.
 ///
-/// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from: the link, the [fingerprint](crate::fingerprint()),
-/// the version of Pasu and the verdict of the [checks](crate::check()); an STL file has room for a short link only. [`open`](super::open) finds the link again. `docs/files.md` says which format holds what.
+/// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from and how: the link, the [fingerprint](crate::fingerprint()),
+/// the version of Pasu, the verdict of the [checks](crate::check()) and the making; an STL file has room for a short link only. [`open`](super::open) finds the link again,
+/// [`provenance`](super::provenance()) link and making. `docs/files.md` says which format holds what.
 ///
 /// - The mesh formats hold the very numbers of [`solid`](crate::solid()) that were checked.
 /// - STEP holds one closed solid per part, whose faces are cubic B-splines within a hundred-thousandth of its size of the exact faces, or within the tolerance asked for if that is less; how far they are off at most is in its header.
@@ -86,7 +88,9 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         link: design.link(),
         fingerprint: solution.fingerprint()?,
         verdict: told(&verdict(design, making, millimetres, Vec::new(), &made)),
-        scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
+        scale: format!("1 {} of the design is {} mm here", design.unit().name(), short(millimetres)),
+        making: *making,
+        unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| body(design, &notes.title, &made.mesh)).collect();
     match format {

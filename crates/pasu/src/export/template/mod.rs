@@ -73,7 +73,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body], stands: &[Stand]) -> Vec<u8>
     let (width, height) = (number(width + 2.0 * MARGIN), number(pen.y - GAP + MARGIN));
     let mut metadata = String::new();
     for (name, text) in notes.list() {
-        metadata.push_str(&format!("<pasu:{name}>{}</pasu:{name}>\n", escaped(text)));
+        metadata.push_str(&format!("<pasu:{name}>{}</pasu:{name}>\n", escaped(&text)));
     }
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n<title>{}</title>\n<metadata>\n<pasu:design xmlns:pasu=\"https://github.com/pasu-vase/pasu/svg/1\">\n{metadata}</pasu:design>\n</metadata>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{}</svg>\n",
