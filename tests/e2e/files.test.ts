@@ -51,8 +51,11 @@ const FILES: readonly (readonly [
   ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), false],
   ["STEP", "step", (bytes) => text(bytes, 13) === "ISO-10303-21;", true],
   ["SVG", "svg", (bytes) => /^<\?xml|^<svg/.test(text(bytes, 8)), true],
+  ["SVG A4", "a4.svg", (bytes) => text(bytes, bytes.length).includes("@page{size:210mm 297mm"), true],
+  ["SVG Letter", "letter.svg", (bytes) => text(bytes, bytes.length).includes("@page{size:215.9mm 279.4mm"), true],
   ["GLB", "glb", (bytes) => text(bytes, 4) === "glTF", true],
   ["OBJ", "obj", (bytes) => text(bytes, 1) === "#", true],
+  ["OBJ+MTL", "obj.zip", (bytes) => text(bytes, 4) === "PK\u0003\u0004", true],
   ["PLY", "ply", (bytes) => text(bytes, 4) === "ply\n", true],
 ];
 

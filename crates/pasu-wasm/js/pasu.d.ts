@@ -155,8 +155,12 @@ export interface MeasureOptions {
   density?: number | undefined;
 }
 
-/** A kind of file: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale. */
-export type Format = "stl" | "3mf" | "glb" | "obj" | "ply" | "step" | "svg";
+/**
+ * A kind of file, named by the ending of its files: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale.
+ *
+ * `"obj"` names the materials of {@link objMaterials}, which are with it in the package `"obj.zip"`. `"a4.svg"` and `"letter.svg"` are the template on sheets of paper, one below the other.
+ */
+export type Format = "stl" | "3mf" | "glb" | "obj" | "obj.zip" | "ply" | "step" | "svg" | "a4.svg" | "letter.svg";
 
 /** What a piece of the boundary of a pot is to a potter. */
 export type FaceKind = "outer" | "lining" | "rim" | "underside" | "foot-ring" | "recess" | "floor" | "drain" | "lid";
@@ -281,6 +285,9 @@ export function check(source: DesignSource, making?: Making): Report;
  * of Pasu and the verdict of the checks, as far as the format can.
  */
 export function write(source: DesignSource, format: Format, making?: Making): Uint8Array<ArrayBuffer>;
+
+/** The file of materials that OBJ files name, every glaze on every clay, to be saved as `pasu.mtl` in their folder: the same for all designs. */
+export function objMaterials(): string;
 
 /** What is made of a design, to be drawn: the triangles of the files of {@link write}, in the unit of the design, with normals. */
 export function solid(source: DesignSource, making?: Making): Solid;

@@ -11,6 +11,7 @@ const { init, call, parse, link, mesh, bound, evaluate, derivatives, fingerprint
 const measure = (source, options) => call("measure", source, options);
 const check = (source, making) => call("check", source, making);
 const write = (source, format, making) => call("write", source, format, making);
+const objMaterials = () => call("objMaterials");
 const solid = (source, making) => call("solid", source, making);
 const sketch = (source, options) => {
   const { into, ...others } = options ?? {};
@@ -31,6 +32,7 @@ export {
   link,
   measure,
   mesh,
+  objMaterials,
   open,
   PasuError,
   paint,

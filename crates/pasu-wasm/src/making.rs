@@ -41,6 +41,12 @@ pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uin
     Ok(Uint8Array::from(written().map_err(|error| thrown(&error))?.as_slice()))
 }
 
+/// The file of materials that OBJ files name.
+#[wasm_bindgen(js_name = objMaterials)]
+pub fn obj_materials() -> String {
+    pasu::obj_materials()
+}
+
 /// What is made, to be drawn: `{ positions, normals, indices, faces, scale }`.
 ///
 /// # Errors

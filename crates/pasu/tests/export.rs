@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 
 use miniz_oxide::inflate::decompress_to_vec;
 use pasu::{
-    Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, open, provenance, solid, write,
+    Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, obj_materials, open, provenance,
+    solid, write,
 };
 use serde_json::Value;
 use support::{design, gallery};
@@ -229,11 +230,15 @@ fn obj_holds_the_mesh() {
             match words.next() {
                 Some("v") => positions.extend(words.map(|word| word.parse::<f32>().unwrap())),
                 Some("f") => indices.extend(words.map(|word| word.parse::<u32>().unwrap() - 1)),
-                Some("#" | "o" | "s") => {}
+                Some("#" | "o" | "s" | "mtllib" | "usemtl") => {}
                 _ => panic!("{line}"),
             }
         }
         assert_eq!(text.matches("\no ").count(), specimen.meshes.len());
+        assert_eq!(text.matches("\nusemtl ").count(), specimen.meshes.len());
+        let files = unzipped(specimen.file(Format::ObjZip));
+        assert_eq!(files.keys().map(String::as_str).collect::<Vec<_>>(), ["pasu.mtl", "pasu.obj"]);
+        assert!(files["pasu.obj"] == text.as_bytes() && files["pasu.mtl"] == obj_materials().as_bytes(), "{name}");
         assert_eq!(plus(&assembled(&positions, &indices)), plus(&expected), "{name}");
     }
 }
@@ -251,8 +256,8 @@ fn ply_holds_the_mesh() {
             let (_, rest) = header.split_once(&format!("element {element} ")).unwrap();
             rest.lines().next().unwrap().parse().unwrap()
         };
-        let faces = end + 12 * count("vertex");
-        let positions = f32s(&bytes[end..faces]);
+        let faces = end + 15 * count("vertex");
+        let positions: Vec<f32> = bytes[end..faces].chunks_exact(15).flat_map(|vertex| f32s(&vertex[..12])).collect();
         let stride = if meshes.len() > 1 { 17 } else { 13 };
         assert_eq!(bytes.len(), faces + stride * count("face"));
         let mut indices = Vec::new();
@@ -392,7 +397,11 @@ fn every_file_says_what_it_was_made_from() {
         for (format, bytes) in files {
             let found = open(bytes);
             assert!(found == Some(design.link()) || *format == "stl" && found.is_none(), "{name} {format}");
-            let text = if *format == "3mf" { unzipped(bytes)["3D/3dmodel.model"].clone() } else { bytes.clone() };
+            let text = match *format {
+                "3mf" => unzipped(bytes)["3D/3dmodel.model"].clone(),
+                "obj.zip" => unzipped(bytes)["pasu.obj"].clone(),
+                _ => bytes.clone(),
+            };
             let text = String::from_utf8_lossy(&text);
             for expected in [print.as_str(), "passed", concat!("Pasu ", env!("CARGO_PKG_VERSION"))] {
                 assert!(text.contains(expected), "{name} {format} {expected}");
@@ -430,7 +439,8 @@ fn what_a_file_says_makes_it_again() {
             assert_eq!((&found.link, found.making), (&cup.link(), Some(making)), "{format:?}");
             let again = write(&Design::parse(&found.link).unwrap(), format, &found.making.unwrap()).unwrap();
             assert!(again == bytes, "{format:?} of {making:?}");
-            assert!(format == Format::ThreeMf || format == Format::Glb || told(&bytes, "unit", unit), "{format:?}");
+            let is_plain = !matches!(format, Format::ThreeMf | Format::Glb | Format::ObjZip);
+            assert!(!is_plain || told(&bytes, "unit", unit), "{format:?}");
         }
     }
 }

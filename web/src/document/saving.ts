@@ -26,7 +26,21 @@ export const FORMATS: readonly FormatNote[] = [
   {
     format: "svg",
     label: "SVG",
-    note: "A template for throwing or turning, at true size.",
+    note: "A template for throwing or turning, at true size, on one large page.",
+    triangles: false,
+    type: "image/svg+xml",
+  },
+  {
+    format: "a4.svg",
+    label: "SVG A4",
+    note: "The template on sheets of A4, to be put together: print them at 100 %.",
+    triangles: false,
+    type: "image/svg+xml",
+  },
+  {
+    format: "letter.svg",
+    label: "SVG Letter",
+    note: "The template on sheets of letter paper, to be put together: print them at 100 %.",
     triangles: false,
     type: "image/svg+xml",
   },
@@ -37,8 +51,21 @@ export const FORMATS: readonly FormatNote[] = [
     triangles: true,
     type: "model/gltf-binary",
   },
-  { format: "obj", label: "OBJ", note: "For other 3D programs.", triangles: true, type: "model/obj" },
-  { format: "ply", label: "PLY", note: "For science and scans.", triangles: true, type: "application/octet-stream" },
+  { format: "obj", label: "OBJ", note: "For other 3D programs: the shape alone.", triangles: true, type: "model/obj" },
+  {
+    format: "obj.zip",
+    label: "OBJ+MTL",
+    note: "For other 3D programs: the shape and its colours, two files in a package.",
+    triangles: true,
+    type: "application/zip",
+  },
+  {
+    format: "ply",
+    label: "PLY",
+    note: "For science and scans: with its colours.",
+    triangles: true,
+    type: "application/octet-stream",
+  },
 ];
 
 /** Whether a file that is dropped on the page opens the design again. */

@@ -1,5 +1,6 @@
 //! What every file says of itself, and the bodies that it holds.
 
+use super::numbers::short;
 use super::provenance::told;
 use crate::design::{Look, Unit};
 use crate::face::FaceKind;
@@ -50,8 +51,8 @@ pub(super) struct Notes {
     pub(super) fingerprint: String,
     /// The verdict of the checks, ASCII.
     pub(super) verdict: String,
-    /// How long a unit of the design is in the file, ASCII.
-    pub(super) scale: String,
+    /// How many millimetres a unit of the design is in the file.
+    pub(super) millimetres: f64,
     /// What was made of the design and how large.
     pub(super) making: Making,
     /// The unit of the design.
@@ -66,7 +67,7 @@ impl Notes {
             ("fingerprint", self.fingerprint.clone()),
             ("version", PROGRAM.to_owned()),
             ("checks", self.verdict.clone()),
-            ("scale", self.scale.clone()),
+            ("scale", format!("1 {} of the design is {} mm here", self.unit.name(), short(self.millimetres))),
         ];
         list.extend(told(&self.making, self.unit));
         list

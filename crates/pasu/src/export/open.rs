@@ -2,7 +2,7 @@
 
 use super::contents::line_of;
 use super::provenance::{Provenance, making};
-use super::{glb, stl, three_mf, xml, zip};
+use super::{glb, obj, stl, three_mf, xml, zip};
 
 /// Longer than any link, and the text that stands before it.
 const MOST: usize = 2 << 20;
@@ -68,8 +68,11 @@ enum Written {
 impl Written {
     fn of(bytes: &[u8]) -> Option<Written> {
         if bytes.starts_with(b"PK\x03\x04") {
-            let model = zip::beginning_of(bytes, three_mf::MODEL, MOST)?;
-            return Some(Written::Elements { text: beginning(&model), before: three_mf::METADATA, after: "\"" });
+            if let Some(model) = zip::beginning_of(bytes, three_mf::MODEL, MOST) {
+                return Some(Written::Elements { text: beginning(&model), before: three_mf::METADATA, after: "\"" });
+            }
+            let model = zip::beginning_of(bytes, obj::MODEL, MOST)?;
+            return model.starts_with(obj::START).then(|| Written::of_obj(beginning(&model)));
         }
         if bytes.starts_with(b"glTF") {
             return Some(Written::Extras { text: beginning(bytes.get(20..)?) });
@@ -80,8 +83,8 @@ impl Written {
         let text = beginning(bytes);
         if text.starts_with("ply\n") {
             Some(Written::Lines { text, before: "comment ", header_end: "end_header", after: "" })
-        } else if text.starts_with("# Pasu ") {
-            Some(Written::Lines { text, before: "# ", header_end: "o ", after: "" })
+        } else if bytes.starts_with(obj::START) {
+            Some(Written::of_obj(text))
         } else if text.starts_with("ISO-10303-21;") {
             Some(Written::Lines { text, before: "'", header_end: "ENDSEC;", after: "'" })
         } else if text.starts_with("<?xml") || text.starts_with("<svg") {
@@ -89,6 +92,10 @@ impl Written {
         } else {
             None
         }
+    }
+
+    fn of_obj(text: String) -> Written {
+        Written::Lines { text, before: "# ", header_end: "o ", after: "" }
     }
 
     /// What is told by this name.
