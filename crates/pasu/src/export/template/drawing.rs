@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::ruler::Ruler;
-use crate::export::numbers::push_decimal;
+use crate::export::numbers::rounded;
 use crate::export::xml::escaped;
 
 /// Decimal places of a coordinate: a micrometre.
@@ -216,14 +216,5 @@ fn path(points: &[DVec2]) -> String {
 
 /// A length to the micrometre: `12.345`.
 pub(super) fn number(x: f64) -> String {
-    fixed(x, PLACES)
-}
-
-/// A number rounded to decimal places, without zeros at its end.
-pub(super) fn fixed(x: f64, places: usize) -> String {
-    let power = [1.0, 1e1, 1e2, 1e3, 1e4][places.min(4)];
-    let whole = libm::round(x.abs() * power) as u64;
-    let mut bytes = if x < 0.0 && whole > 0 { vec![b'-'] } else { Vec::new() };
-    push_decimal(&mut bytes, whole, places.min(4));
-    bytes.into_iter().map(char::from).collect()
+    rounded(x, PLACES)
 }

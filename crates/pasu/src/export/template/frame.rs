@@ -29,8 +29,8 @@ impl Frame {
         DVec2::new(from.dot(self.across), from.dot(self.axis.cross(self.across)))
     }
 
-    /// The same with heights counted from one of these.
-    pub(super) fn from_height(&self, height: f64) -> Frame {
+    /// The same with heights counted from so high.
+    pub(super) fn raised(&self, height: f64) -> Frame {
         Frame { origin: self.origin + self.axis * height, ..*self }
     }
 

@@ -2,6 +2,8 @@
 
 mod drawing;
 mod frame;
+mod layout;
+mod page;
 mod paper;
 mod ruler;
 mod section;
@@ -9,33 +11,24 @@ mod sheet;
 mod stand;
 mod strip;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
-use self::drawing::{Anchor, Drawing, Layer, Pen, fixed, number};
+use self::drawing::{Anchor, Drawing, Pen};
 pub(super) use self::frame::Frame;
+use self::layout::{GAP, LINE, MARGIN, TEXT, TITLE, points};
+use self::page::whole;
 pub(super) use self::paper::Paper;
 use self::ruler::Ruler;
 use self::sheet::sheet;
 pub(super) use self::stand::Stand;
 use super::contents::{Body, Notes, PROGRAM};
-use super::numbers::short;
-use super::shading::point;
-use super::xml::escaped;
+use super::numbers::{rounded, short};
 use crate::error::Result;
 
-/// Free space round the drawing and between its pieces, millimetres.
-const MARGIN: f64 = 12.0;
-const GAP: f64 = 10.0;
-/// Sizes of letters.
-const TITLE: f64 = 5.0;
-const TEXT: f64 = 3.0;
-/// Heights of lines.
-const LINE: f64 = 4.2;
-
-/// The largest distance, along a side of the paper, of anything that a template shows from where its part stands, in millimetres: beyond ten metres nobody prints at true scale, and the lines of the grid alone would be a large file.
+/// The largest distance of anything that a template shows from where its part stands, in millimetres: beyond ten metres nobody prints at true scale, and the lines of the grid alone would be a large file.
 pub(super) const LARGEST: f64 = 10_000.0;
 
-/// How far what is shown of a part reaches from where it stands, along a side of the paper; of a rim that is longer than a circle so large, the radius of a circle as long.
+/// How far what is shown of a part reaches from where it stands; of a rim that is longer than a circle so large, the radius of a circle as long.
 pub(super) fn reach(body: &Body, stand: &Stand) -> f64 {
     let seen = points(body).chain(stand.rim.iter().copied());
     let far = seen.fold(0.0, |most: f64, point| most.max((point - stand.frame.origin).length()));
@@ -85,38 +78,13 @@ pub(super) fn write(notes: &Notes, bodies: &[Body], stands: &[Stand], paper: Opt
 
 /// How large the pot is on paper, in words.
 fn scale(notes: &Notes, ruler: &Ruler) -> String {
-    let factor = fixed(notes.millimetres / ruler.unit, 4);
+    let factor = rounded(notes.millimetres / ruler.unit, 4);
     match factor.as_str() {
         "1" => "As large as designed".to_owned(),
         // So small that four places say nothing.
         "0" => format!("{} times as large as designed", short(notes.millimetres / ruler.unit)),
         _ => format!("{factor} times as large as designed"),
     }
-}
-
-/// One page as large as the drawing.
-fn whole(notes: &Notes, drawing: &Drawing, size: DVec2) -> Vec<u8> {
-    let mut text = head(notes, size);
-    for layer in Layer::ALL {
-        text.push_str(&layer.open());
-        text.push_str(drawing.drawn(layer));
-        text.push_str("</g>\n");
-    }
-    text.push_str("</svg>\n");
-    text.into_bytes()
-}
-
-/// The beginning of a file of this size in millimetres, white.
-fn head(notes: &Notes, size: DVec2) -> String {
-    let [width, height] = size.to_array().map(number);
-    let mut metadata = String::new();
-    for (name, text) in notes.list() {
-        metadata.push_str(&format!("<pasu:{name}>{}</pasu:{name}>\n", escaped(&text)));
-    }
-    format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n<title>{}</title>\n<metadata>\n<pasu:design xmlns:pasu=\"https://github.com/pasu-vase/pasu/svg/1\">\n{metadata}</pasu:design>\n</metadata>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        escaped(&notes.title),
-    )
 }
 
 /// Draws the bar and returns where it ends.
@@ -131,13 +99,4 @@ fn bar(drawing: &mut Drawing, ruler: &Ruler, at: DVec2) -> f64 {
     }
     drawing.text(from + DVec2::new(bar + 2.0, 1.0), TEXT, Anchor::Start, &ruler.length(bar));
     from.x + bar + 16.0
-}
-
-fn points<'a>(body: &'a Body) -> impl Iterator<Item = DVec3> + 'a {
-    (0..body.positions.len() as u32 / 3).map(|vertex| point(body, vertex))
-}
-
-/// The corners of the least box round points.
-fn extent(points: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
-    points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)))
 }

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use glam::DVec2;
 
 use super::drawing::{Anchor, Drawing, Layer, Pen, line, number, written};
-use super::{TEXT, head};
+use super::layout::TEXT;
+use super::page::head;
 use crate::error::{Code, Error, Result};
 use crate::export::contents::Notes;
 

@@ -1,7 +1,7 @@
 //! Lengths on paper, in the unit of the design, as a person writes them.
 
-use super::drawing::fixed;
 use crate::design::Unit;
+use crate::export::numbers::rounded;
 
 /// A unit of length on a ruler.
 #[derive(Clone, Copy)]
@@ -61,7 +61,7 @@ impl Ruler {
 
     /// A length given in millimetres as a person writes it: `12.35`, `100`, `0`.
     pub(super) fn number(&self, millimetres: f64) -> String {
-        fixed(millimetres / self.unit, self.places)
+        rounded(millimetres / self.unit, self.places)
     }
 
     /// The same with its unit.

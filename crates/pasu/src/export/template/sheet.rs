@@ -4,11 +4,11 @@ use glam::{DVec2, DVec3};
 
 use super::drawing::{Anchor, Drawing, Pen};
 use super::frame::Frame;
+use super::layout::{GAP, LINE, TEXT, extent, points};
 use super::ruler::Ruler;
 use super::section::section;
 use super::stand::{Plane, Stand};
 use super::strip::{Strip, between, length, straight};
-use super::{GAP, LINE, TEXT, extent, points};
 use crate::export::contents::Body;
 use crate::export::shading::point;
 use crate::face::FaceKind;
@@ -31,7 +31,7 @@ pub(super) fn sheet(
     stand: &Stand,
 ) -> DVec2 {
     let foot = points(body).map(|p| stand.frame.height(p)).fold(f64::INFINITY, f64::min);
-    let frame = stand.frame.from_height(foot);
+    let frame = stand.frame.raised(foot);
     drawing.text(at + DVec2::new(0.0, TEXT), TEXT, Anchor::Start, &body.name);
     let mut size = DVec2::new(0.0, LINE + 2.0);
     let mut piece = |drawing: &mut Drawing, draw: &mut dyn FnMut(&mut Drawing, DVec2) -> DVec2| {
