@@ -29,6 +29,15 @@ async function coarse(pot: Visit): Promise<void> {
   await verdict(pot);
 }
 
+/** Puts another pot in the place of this one. */
+async function another(pot: Visit, fingerprint: string): Promise<void> {
+  await pot.openLink("#1/second-order");
+  const other = pot.button("Open the link");
+  await Promise.race([other.waitFor(), pot.fingerprintOtherThan(fingerprint)]);
+  if (await other.isVisible()) await other.click();
+  await pot.fingerprintOtherThan(fingerprint);
+}
+
 const text = (bytes: Buffer, length: number) => bytes.toString("latin1", 0, length);
 
 /** How each file begins, and whether it can hold its design: an STL is triangles and nothing else. */
@@ -42,8 +51,11 @@ const FILES: readonly (readonly [
   ["STL", "stl", (bytes) => bytes.length === 84 + 50 * bytes.readUInt32LE(80), false],
   ["STEP", "step", (bytes) => text(bytes, 13) === "ISO-10303-21;", true],
   ["SVG", "svg", (bytes) => /^<\?xml|^<svg/.test(text(bytes, 8)), true],
+  ["SVG A4", "a4.svg", (bytes) => text(bytes, bytes.length).includes("@page{size:210mm 297mm"), true],
+  ["SVG Letter", "letter.svg", (bytes) => text(bytes, bytes.length).includes("@page{size:215.9mm 279.4mm"), true],
   ["GLB", "glb", (bytes) => text(bytes, 4) === "glTF", true],
   ["OBJ", "obj", (bytes) => text(bytes, 1) === "#", true],
+  ["OBJ+MTL", "obj.zip", (bytes) => text(bytes, 4) === "PK\u0003\u0004", true],
   ["PLY", "ply", (bytes) => text(bytes, 4) === "ply\n", true],
 ];
 
@@ -75,11 +87,7 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
       await alert.waitFor({ state: "detached" });
       continue;
     }
-    await pot.openLink("#1/second-order");
-    const other = pot.button("Open the link");
-    await Promise.race([other.waitFor(), pot.fingerprintOtherThan(fingerprint)]);
-    if (await other.isVisible()) await other.click();
-    await pot.fingerprintOtherThan(fingerprint);
+    await another(pot, fingerprint);
     await pot.dropFile(`Jar.${extension}`, saved.get(extension) ?? Buffer.alloc(0));
     await pot.shows(fingerprint);
     expect(await pot.page.title(), label).toBe("Jar · Pasu");
@@ -109,6 +117,33 @@ test("the size that is told is the size in the file", async () => {
     [low, high] = [Math.min(low, z), Math.max(high, z)];
   }
   expect(high - low).toBeCloseTo(200, 1);
+});
+
+test("a file that is opened is made again as it was", async () => {
+  const { pot } = await exporting("#1/fourth-order");
+  await pot.page.getByRole("radio", { name: "PLY", exact: true }).check();
+  await pot.page.getByRole("combobox", { name: "Size" }).selectOption("width");
+  await pot.page.getByLabel("Finished width").fill("12.5");
+  await pot.page.getByLabel("Shrinkage of the clay").fill("8");
+  await coarse(pot);
+  const first = await pot.download("Save PLY");
+  const made = await pot.fingerprint();
+  await pot.command("Export");
+  await pot.page.getByLabel("Shrinkage of the clay").fill("3");
+  await coarse(pot);
+  await pot.download("Save PLY");
+  await pot.page.getByRole("dialog").waitFor({ state: "detached" });
+  await another(pot, made);
+  await pot.dropFile("pot.ply", first.bytes);
+  await pot.shows(made);
+  await pot.command("Export");
+  await verdict(pot);
+  expect(await pot.page.getByRole("combobox", { name: "Size" }).inputValue()).toBe("width");
+  expect(await pot.page.getByLabel("Finished width").inputValue()).toBe("12.5");
+  expect(await pot.page.getByLabel("Shrinkage of the clay").inputValue()).toBe("8");
+  expect(await pot.page.getByLabel("Tolerance").inputValue()).toBe("0.5");
+  const again = await pot.download("Save PLY");
+  expect(again.bytes.equals(first.bytes)).toBe(true);
 });
 
 test("what makes no sense is said at its field, and nothing is saved", async () => {

@@ -176,6 +176,9 @@ test("a file opens the design again, and can be saved as it is", async () => {
   assert.ok(bytes instanceof Uint8Array && bytes.byteOffset === 0 && bytes.buffer.byteLength === bytes.length);
   assert.deepEqual(pasu.parse(pasu.open(bytes)), design);
   assert.equal(pasu.open(new Uint8Array(4)), null);
+  const making = { product: "pot", size: { height: 12 }, shrinkage: 0, tolerance: 0.05 };
+  assert.deepEqual(pasu.provenance(bytes), { link: pasu.link(design), making });
+  assert.equal(pasu.provenance(new Uint8Array(4)), null);
 });
 
 test("arrays are the caller's own and survive later calls", async () => {

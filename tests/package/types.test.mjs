@@ -12,7 +12,7 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 const CONSUMER = `
 import init, {
   bound, check, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, link, type Making, type Measures, measure,
-  type Mesh, mesh, open, paint, parse, PasuError, type PasuErrorCode, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
+  type Mesh, mesh, objMaterials, open, paint, parse, PasuError, type PasuErrorCode, type Provenance, provenance, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
 } from "pasu";
 import start, { mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
@@ -55,7 +55,10 @@ const linings = drawn_solid.faces.filter(({ kind }) => kind === "lining");
 const colours: Float32Array = paint(design, "thickness", { rows: 3, columns: 5 }).values;
 const wet: Water = water(design, 2);
 const kept: string | null = open(new Uint8Array(8));
-void brim; void findings; void file; void linings; void level; void colours; void wet; void kept;
+const clays: Blob = new Blob([objMaterials(), write(design, "obj.zip"), write(design, "a4.svg")]);
+const told: Provenance | null = provenance(new Uint8Array(8));
+if (told?.making) write(told.link, "stl", told.making);
+void brim; void findings; void file; void linings; void level; void colours; void wet; void kept; void clays;
 await start();
 const same: Mesh = drawn(design) satisfies Drawn;
 const refused: PasuError = new Refused("not-json", "", "");

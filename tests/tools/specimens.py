@@ -18,12 +18,12 @@ from pathlib import Path
 class Template:
     """One part on paper, by its true faces. Lengths are millimetres."""
 
-    """Width and height of the section."""
-    section: tuple[float, float]
+    """Width and height of each section."""
+    sections: tuple[tuple[float, float], ...]
     """Of the whole part along its axis."""
     height: float
-    """Length of the rim as seen from above, or nothing where it is a point."""
-    rim: float | None
+    """Area of the strip under the rim, or nothing where that is a point."""
+    strip: float | None
 
 
 @dataclass(frozen=True)
@@ -47,6 +47,8 @@ class Specimen:
     clay_error: float
     """How far the triangles are from the true faces at most."""
     bound: float
+    """Millimetres of the unit of the design."""
+    unit: float
     """Whether a slicer is to make G-code of it, which takes a second or two."""
     slice: bool
     """What the template of each part shows."""
@@ -124,7 +126,8 @@ def read(folder: Path, entry: dict) -> Specimen:
     fields = {key: value for key, value in entry.items() if key not in others}
     files = {kind: folder / name for kind, name in entry["files"].items()}
     templates = tuple(
-        Template(section=tuple(part["section"]), height=part["height"], rim=part["rim"]) for part in entry["templates"]
+        Template(sections=tuple(map(tuple, part["sections"])), height=part["height"], strip=part["strip"])
+        for part in entry["templates"]
     )
     return Specimen(
         files=files, size=tuple(entry["size"]), product=entry["making"]["product"], templates=templates, **fields

@@ -14,7 +14,7 @@ import resvg_py
 from PIL import Image
 
 import specimens
-from specimens import Specimen, Template, equal, near
+from specimens import Specimen, equal, near
 
 SVG = "{http://www.w3.org/2000/svg}"
 MILLIMETRES_PER_INCH = 25.4
@@ -23,11 +23,14 @@ PIXELS = 4
 PIXEL = 2 / PIXELS
 """Half of a line is drawn on each side of what it bounds."""
 OUTLINE = 0.25
-BAR = 100.0
+BAR, INCHES = 100.0, 101.6
+"""Of how a length is rounded that is told."""
+PLACES = {1.0: 0.06, 10.0: 0.06, MILLIMETRES_PER_INCH: 0.13}
+SHEETS = {"a4.svg": (210.0, 297.0), "letter.svg": (215.9, 279.4)}
 
 
 def judge(specimen: Specimen) -> Iterator[str]:
-    """Page, bar, sections, heights and rims."""
+    """Page, layers, bar, sections, heights, strips and sheets."""
     root = ElementTree.parse(specimen.files["svg"]).getroot()
     # As large as it says, one unit a millimetre.
     sides = [re.fullmatch(r"([\d.]+)mm", root.get(side, "")) for side in ("width", "height")]
@@ -42,31 +45,60 @@ def judge(specimen: Specimen) -> Iterator[str]:
 
     left, upper, right, lower = extent(root, lambda element: element.tag in (f"{SVG}path", f"{SVG}line"))
     yield from equal("all of it is on the page", left > 1 and upper > 1 and right < width - 1 and lower < height - 1, True)
-    first = next(element for element in root if element.tag == f"{SVG}line")
-    yield from near("bar", wide(extent(root, lambda element: element is first)), BAR, PIXEL)
+    layers = [element.get("id") for element in root if element.tag == f"{SVG}g"]
+    yield from equal("layers", layers, ["grid", "outline", "text"])
+    bar = INCHES if specimen.unit == MILLIMETRES_PER_INCH else BAR
+    yield from near("bar", wide(extent(root, lambda element: element.get("id") == "bar")), bar, PIXEL)
 
-    strips = [path for text, path in captioned(root) if text.startswith("Rim unrolled")]
-    tops = [text for text in texts(root) if text.endswith(" top")]
-    yield from equal("number of rims", len(strips), sum(part.rim is not None for part in specimen.templates))
-    yield from equal("number of heights", len(tops), specimen.parts)
-    for number, (part, top) in enumerate(zip(specimen.templates, tops, strict=True), start=1):
-        # A label has one decimal place.
-        yield from near("height told", float(top.split()[0]), part.height, 0.06 + 2 * specimen.bound)
-        yield from judge_section(specimen, root, f"section-{number}", part)
-    for strip, part in zip(strips, (part for part in specimen.templates if part.rim is not None), strict=True):
-        found = wide(extent(root, lambda element, strip=strip: element is strip)) - OUTLINE
+    strips = [element for element in root.iter() if element.get("id", "").startswith("strip-")]
+    tops = iter([text for text in texts(root) if text.endswith(" top")])
+    yield from equal("number of strips", len(strips), sum(part.strip is not None for part in specimen.templates))
+    for number, part in enumerate(specimen.templates, start=1):
+        for section, place in zip(part.sections, ("", "-lowest"), strict=False):
+            told = float(next(tops, "nan").split()[0]) * specimen.unit
+            yield from near("height told", told, part.height, PLACES[specimen.unit] + 2 * specimen.bound)
+            yield from judge_section(specimen, root, f"section-{number}{place}", section)
+    yield from equal("number of heights", len(list(tops)), 0)
+    for strip, part in zip(strips, (part for part in specimen.templates if part.strip is not None), strict=True):
         # It is drawn with chords.
-        yield from near("rim unrolled", found, part.rim, PIXEL + 1e-3 * part.rim)
+        yield from near("area of the strip", area(root, strip), part.strip, 2e-3 * part.strip)
+    for kind, (width, height) in SHEETS.items():
+        if kind in specimen.files:
+            yield from judge_sheets(specimen.files[kind], width, height)
 
 
-def judge_section(specimen: Specimen, root: ElementTree.Element, name: str, part: Template) -> Iterator[str]:
+def judge_section(
+    specimen: Specimen, root: ElementTree.Element, name: str, section: tuple[float, float]
+) -> Iterator[str]:
     """The drawn profile."""
     box = extent(root, lambda element: element.get("id") == name)
     for what, found, expected in (
-        ("width", wide(box) - OUTLINE, part.section[0]),
-        ("height", box[3] - box[1] - OUTLINE, part.section[1]),
+        ("width", wide(box) - OUTLINE, section[0]),
+        ("height", box[3] - box[1] - OUTLINE, section[1]),
     ):
         yield from near(f"{what} of the section", found, expected, PIXEL + 2 * specimen.bound + 1e-3 * expected)
+
+
+def judge_sheets(path: Path, width: float, height: float) -> Iterator[str]:
+    """Sheets of paper one below the other, of whose edges nothing is too near."""
+    root = ElementTree.parse(path).getroot()
+    pages = [element for element in root.iter() if element.tag.endswith("}page")]
+    page = drawn(path.read_text(encoding="utf-8")).convert("L").point(lambda grey: 255 if grey < 128 else 0)
+    yield from near("sheets are wide", page.width / PIXELS, width, PIXEL)
+    for sheet in pages:
+        top = float(sheet.get("y", "nan"))
+        ink = page.crop(tuple(round(PIXELS * side) for side in (0, top, width, top + height))).getbbox()
+        left, upper, right, lower = (side / PIXELS for side in ink or (0, 0, 0, 0))
+        inside = left > 9 and upper > 9 and right < width - 9 and lower < height - 5
+        yield from equal(f"{sheet.get('id')} is within its border", inside, True)
+
+
+def area(root: ElementTree.Element, element: ElementTree.Element) -> float:
+    """What a closed line encloses."""
+    page = ElementTree.Element(root.tag, root.attrib)
+    page.append(ElementTree.Element(element.tag, {**element.attrib, "fill": "#000", "stroke": "none"}))
+    shades = drawn(ElementTree.tostring(page, encoding="unicode")).getchannel("A").histogram()
+    return sum(shade * count for shade, count in enumerate(shades)) / 255 / PIXELS**2
 
 
 def wide(box: tuple[float, float, float, float]) -> float:
@@ -79,23 +111,12 @@ def texts(root: ElementTree.Element) -> list[str]:
     return [element.text or "" for element in root.iter(f"{SVG}text")]
 
 
-def captioned(root: ElementTree.Element) -> Iterator[tuple[str, ElementTree.Element]]:
-    """Every text with the path that is the next in the file."""
-    caption = None
-    for element in root:
-        if element.tag == f"{SVG}text":
-            caption = element.text or ""
-        elif element.tag == f"{SVG}path" and caption is not None:
-            yield caption, element
-            caption = None
-
-
 def extent(
     root: ElementTree.Element, kept: Callable[[ElementTree.Element], bool]
 ) -> tuple[float, float, float, float]:
     """Where on the page some of its elements are seen: left, upper, right, lower."""
     page = ElementTree.Element(root.tag, root.attrib)
-    page.extend(element for element in root if kept(element))
+    page.extend(element for element in root.iter() if kept(element))
     box = drawn(ElementTree.tostring(page, encoding="unicode")).getchannel("A").getbbox()
     if box is None:
         raise ValueError("nothing is seen")
@@ -126,7 +147,7 @@ def larger(side: re.Match[str]) -> str:
 
 def with_a_short_rim(specimen: Specimen, folder: Path) -> Specimen:
     """A strip that does not reach round the pot."""
-    return edited(specimen, folder, r'(Rim unrolled.*?<path )', r'\1transform="scale(0.99 1)" ', "with a short rim")
+    return edited(specimen, folder, r'(<path id="strip-1" )', r'\1transform="scale(0.99 1)" ', "with a short rim")
 
 
 def with_a_low_section(specimen: Specimen, folder: Path) -> Specimen:
@@ -153,7 +174,7 @@ if __name__ == "__main__":
         {
             in_pixels: "sides in millimetres is",
             a_hundredth_too_large: "viewBox is",
-            with_a_short_rim: "rim unrolled is",
+            with_a_short_rim: "area of the strip is",
             with_a_low_section: "height of the section is",
         },
         wanted=lambda specimen: "svg" in specimen.files,

@@ -1,5 +1,7 @@
-"""trimesh: STL, OBJ, PLY and GLB hold the same watertight mesh at the same size."""
+"""trimesh: STL, OBJ, PLY and GLB hold the same watertight mesh at the same size, OBJ with its materials and PLY the same colours."""
 
+import tempfile
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,6 +21,23 @@ def judge(specimen: Specimen) -> Iterator[str]:
         if kind in specimen.files:
             for fault in judge_file(specimen, specimen.files[kind], unit, up):
                 yield f"{kind}: {fault}"
+    if "ply" in specimen.files and "obj.zip" in specimen.files:
+        yield from equal("colours", colours_of_ply(specimen.files["ply"]), colours_of_obj(specimen.files["obj.zip"]))
+
+
+def colours_of_ply(path: Path) -> set[tuple[int, ...]]:
+    """Of all vertices."""
+    mesh = trimesh.load(path, force="mesh", process=False)
+    return {tuple(map(int, colour[:3])) for colour in mesh.visual.vertex_colors}
+
+
+def colours_of_obj(path: Path) -> set[tuple[int, ...]]:
+    """Of the materials of all objects."""
+    with tempfile.TemporaryDirectory() as folder:
+        with zipfile.ZipFile(path) as package:
+            package.extractall(folder)
+        scene = trimesh.load(Path(folder) / "pasu.obj", force="scene", process=False)
+    return {tuple(map(int, mesh.visual.material.diffuse[:3])) for mesh in scene.geometry.values()}
 
 
 def judge_file(specimen: Specimen, path: Path, unit: float, up: int) -> Iterator[str]:

@@ -134,6 +134,17 @@ export interface Making {
   craft?: "print" | "clay" | undefined;
 }
 
+/** What a file was made of, and how. */
+export interface Provenance {
+  /** The link of the design, without `#`. */
+  link: string;
+  /**
+   * What is not in it was left out. Null where the file does not tell it (files of versions that did not, an STL without room), and where any value of it is not understood or out of its
+   * range, because what is left would be another body.
+   */
+  making: Making | null;
+}
+
 /** What to measure. */
 export interface MeasureOptions {
   /** A level, the z of the world in the unit of the design, to which the pot is filled besides the brim. */
@@ -144,8 +155,12 @@ export interface MeasureOptions {
   density?: number | undefined;
 }
 
-/** A kind of file: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale. */
-export type Format = "stl" | "3mf" | "glb" | "obj" | "ply" | "step" | "svg";
+/**
+ * A kind of file, named by the ending of its files: meshes for slicers and programs, in millimetres but for `"glb"` (metres); solids for CAD; a template at true scale.
+ *
+ * `"obj"` names the materials of {@link objMaterials}, which are with it in the package `"obj.zip"`. `"a4.svg"` and `"letter.svg"` are the template on sheets of paper, one below the other.
+ */
+export type Format = "stl" | "3mf" | "glb" | "obj" | "obj.zip" | "ply" | "step" | "svg" | "a4.svg" | "letter.svg";
 
 /** What a piece of the boundary of a pot is to a potter. */
 export type FaceKind = "outer" | "lining" | "rim" | "underside" | "foot-ring" | "recess" | "floor" | "drain" | "lid";
@@ -271,6 +286,9 @@ export function check(source: DesignSource, making?: Making): Report;
  */
 export function write(source: DesignSource, format: Format, making?: Making): Uint8Array<ArrayBuffer>;
 
+/** The file of materials that OBJ files name, every glaze on every clay, to be saved as `pasu.mtl` in their folder: the same for all designs. */
+export function objMaterials(): string;
+
 /** What is made of a design, to be drawn: the triangles of the files of {@link write}, in the unit of the design, with normals. */
 export function solid(source: DesignSource, making?: Making): Solid;
 
@@ -293,3 +311,8 @@ export function water(source: DesignSource, level: number): Water;
 
 /** The link in a file that {@link write} wrote, without `#`; null for every other file. */
 export function open(bytes: Uint8Array): string | null;
+
+/**
+ * The link in such a file, and what was made of it and how large: {@link write} makes the same file of both. Null for every other file. No bytes make it throw.
+ */
+export function provenance(bytes: Uint8Array): Provenance | null;

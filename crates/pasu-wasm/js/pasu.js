@@ -11,6 +11,7 @@ const { init, call, parse, link, mesh, bound, evaluate, derivatives, fingerprint
 const measure = (source, options) => call("measure", source, options);
 const check = (source, making) => call("check", source, making);
 const write = (source, format, making) => call("write", source, format, making);
+const objMaterials = () => call("objMaterials");
 const solid = (source, making) => call("solid", source, making);
 const sketch = (source, options) => {
   const { into, ...others } = options ?? {};
@@ -19,6 +20,7 @@ const sketch = (source, options) => {
 const paint = (source, map, options) => call("paint", source, map, options);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
+const provenance = (bytes) => call("provenance", bytes) ?? null;
 
 export {
   bound,
@@ -30,10 +32,12 @@ export {
   link,
   measure,
   mesh,
+  objMaterials,
   open,
   PasuError,
   paint,
   parse,
+  provenance,
   sketch,
   solid,
   water,

@@ -1,9 +1,11 @@
 //! Options of what makes a design, as JavaScript names them.
 
+use js_sys::Object;
 use pasu::{Code, Craft, Error, Making, MeasureOptions, Product, Result, Size, SketchOptions};
 use serde::Deserialize;
 use wasm_bindgen::JsValue;
 
+use crate::mesh::set;
 use crate::options::Finite;
 use crate::source;
 
@@ -68,6 +70,33 @@ pub(crate) fn making(options: &JsValue) -> Result<Making> {
             CraftName::Clay => Craft::Clay,
         }),
     })
+}
+
+/// The same fields again, those that were given.
+pub(crate) fn made(making: &Making) -> core::result::Result<Object, JsValue> {
+    let object = Object::new();
+    set(&object, "product", making.product.name().into())?;
+    let sized = match making.size {
+        None => None,
+        Some(Size::Height(height)) => Some(("height", height)),
+        Some(Size::Width(width)) => Some(("width", width)),
+        Some(Size::Capacity(capacity)) => Some(("capacity", capacity)),
+        // A size that JavaScript cannot ask for.
+        Some(_) => None,
+    };
+    if let Some((name, value)) = sized {
+        let size = Object::new();
+        set(&size, name, value.into())?;
+        set(&object, "size", size.into())?;
+    }
+    set(&object, "shrinkage", making.shrinkage.into())?;
+    if let Some(tolerance) = making.tolerance {
+        set(&object, "tolerance", tolerance.into())?;
+    }
+    if let Some(craft) = making.craft {
+        set(&object, "craft", craft.name().into())?;
+    }
+    Ok(object)
 }
 
 /// Reads `{ fill, product, density }`; all of it may be left out.

@@ -28,7 +28,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 #[cfg(feature = "making")]
-pub use crate::making::{check, measure, open, paint, solid, water, write};
+pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;
 

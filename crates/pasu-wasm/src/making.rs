@@ -41,6 +41,12 @@ pub fn write(source: &JsValue, format: &JsValue, making: &JsValue) -> Result<Uin
     Ok(Uint8Array::from(written().map_err(|error| thrown(&error))?.as_slice()))
 }
 
+/// The file of materials that OBJ files name.
+#[wasm_bindgen(js_name = objMaterials)]
+pub fn obj_materials() -> String {
+    pasu::obj_materials()
+}
+
 /// What is made, to be drawn: `{ positions, normals, indices, faces, scale }`.
 ///
 /// # Errors
@@ -119,9 +125,30 @@ pub fn water(source: &JsValue, level: &JsValue) -> Result<Object, JsValue> {
 /// When these are not bytes.
 #[wasm_bindgen]
 pub fn open(bytes: &JsValue) -> Result<Option<String>, JsValue> {
-    let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
-        let error = pasu::Error::new(pasu::Code::WrongType, "bytes", "expected the bytes of a file, a Uint8Array");
-        return Err(thrown(&error));
-    };
-    Ok(pasu::open(&bytes.to_vec()))
+    Ok(pasu::open(&file(bytes)?))
+}
+
+/// The link in a file of Pasu's, and how it was made: `{ link, making }`, of which the making may be null; `undefined` for every other file.
+///
+/// # Errors
+/// When these are not bytes.
+#[wasm_bindgen]
+pub fn provenance(bytes: &JsValue) -> Result<Option<Object>, JsValue> {
+    let Some(found) = pasu::provenance(&file(bytes)?) else { return Ok(None) };
+    let object = Object::new();
+    set(&object, "link", found.link.into())?;
+    let making = found.making.map(|making| fields::made(&making)).transpose()?;
+    set(&object, "making", making.map_or(JsValue::NULL, JsValue::from))?;
+    Ok(Some(object))
+}
+
+/// The bytes of a file.
+fn file(bytes: &JsValue) -> Result<Vec<u8>, JsValue> {
+    match bytes.dyn_ref::<Uint8Array>() {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => {
+            let expected = "expected the bytes of a file, a Uint8Array";
+            Err(thrown(&pasu::Error::new(pasu::Code::WrongType, "bytes", expected)))
+        }
+    }
 }

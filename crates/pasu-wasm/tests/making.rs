@@ -3,7 +3,9 @@
 #![cfg(feature = "making")]
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
-use pasu_wasm::{check, link, measure, mesh, open, paint, parse, sketch, solid, water, write};
+use pasu_wasm::{
+    check, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, water, write,
+};
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -12,7 +14,7 @@ use xxhash_rust::xxh64::xxh64;
 /// Written and checked by the native tests: for each design its link, what is made of it, and a hash of every file.
 const GOLDENS: &str = include_str!("../../../tests/goldens/files.json");
 
-const FORMATS: [&str; 7] = ["stl", "3mf", "glb", "obj", "ply", "step", "svg"];
+const FORMATS: [&str; 10] = ["stl", "3mf", "glb", "obj", "obj.zip", "ply", "step", "svg", "a4.svg", "letter.svg"];
 
 const MEASURES: &[&str] = &[
     "unit",
@@ -68,6 +70,36 @@ fn a_file_opens_the_design_that_it_was_made_of() {
     assert_eq!(open(&bytes), Ok(Some("1/bloor-wilson?n1=5".to_owned())));
     assert_eq!(open(&Uint8Array::new_with_length(200)), Ok(None));
     expect(open(&"stl".into()), "wrong-type", "bytes");
+}
+
+#[wasm_bindgen_test]
+fn an_obj_names_its_materials() {
+    let bytes = write(&CUP.into(), &"obj".into(), &js(r#"{ "tolerance": 0.2 }"#)).expect("a file").to_vec();
+    let text = String::from_utf8(bytes).expect("text");
+    let name = text.lines().find_map(|line| line.strip_prefix("usemtl ")).expect("a material");
+    assert!(obj_materials().contains(&format!("\nnewmtl {name}\n")), "{name}");
+}
+
+#[wasm_bindgen_test]
+fn a_file_says_how_it_was_made() {
+    for making in [
+        r#"{"product":"pot","size":{"height":2},"shrinkage":12.5,"tolerance":0.2,"craft":"clay"}"#,
+        r#"{"product":"solid","size":{"width":7},"shrinkage":0,"tolerance":0.2}"#,
+        r#"{"product":"pot","size":{"capacity":30},"shrinkage":0,"tolerance":0.2,"craft":"print"}"#,
+        r#"{"product":"pot","shrinkage":0}"#,
+    ] {
+        let bytes = write(&CUP.into(), &"ply".into(), &js(making)).expect("a file");
+        let found = provenance(&bytes).expect("bytes").expect("a file of ours");
+        assert_eq!(JSON::stringify(&at(&found, "making")).expect("plain data"), making);
+        let again = write(&at(&found, "link"), &"ply".into(), &at(&found, "making")).expect("a file");
+        assert!(again.to_vec() == bytes.to_vec(), "{making}");
+    }
+    let bytes = write(&CUP.into(), &"ply".into(), &JsValue::UNDEFINED).expect("a file").to_vec();
+    let damaged = String::from_utf8_lossy(&bytes[..2000]).replace("shrinkage: 0", "shrinkage: 99");
+    let found = provenance(&Uint8Array::from(damaged.as_bytes())).expect("bytes").expect("a file of ours");
+    assert!(at(&found, "making").is_null() && at(&found, "link").is_string());
+    assert!(provenance(&Uint8Array::new_with_length(200)).expect("bytes").is_none());
+    expect(provenance(&"stl".into()), "wrong-type", "bytes");
 }
 
 #[wasm_bindgen_test]

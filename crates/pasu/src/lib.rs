@@ -53,7 +53,9 @@ pub use design::{
 };
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
-pub use export::{Drawn, DrawnFace, Format, Sketch, SketchOptions, drawn, open, sketch, write};
+pub use export::{
+    Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, drawn, obj_materials, open, provenance, sketch, write,
+};
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 /// The crate of the vectors in points and derivatives, in the version that they are of.

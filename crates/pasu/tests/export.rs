@@ -6,7 +6,10 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use miniz_oxide::inflate::decompress_to_vec;
-use pasu::{Design, Face, Format, Making, Pot, Product, SolidMesh, fingerprint, open, solid, write};
+use pasu::{
+    Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, obj_materials, open, provenance,
+    solid, write,
+};
 use serde_json::Value;
 use support::{design, gallery};
 use xxhash_rust::xxh64::xxh64;
@@ -227,11 +230,15 @@ fn obj_holds_the_mesh() {
             match words.next() {
                 Some("v") => positions.extend(words.map(|word| word.parse::<f32>().unwrap())),
                 Some("f") => indices.extend(words.map(|word| word.parse::<u32>().unwrap() - 1)),
-                Some("#" | "o" | "s") => {}
+                Some("#" | "o" | "s" | "mtllib" | "usemtl") => {}
                 _ => panic!("{line}"),
             }
         }
         assert_eq!(text.matches("\no ").count(), specimen.meshes.len());
+        assert_eq!(text.matches("\nusemtl ").count(), specimen.meshes.len());
+        let files = unzipped(specimen.file(Format::ObjZip));
+        assert_eq!(files.keys().map(String::as_str).collect::<Vec<_>>(), ["pasu.mtl", "pasu.obj"]);
+        assert!(files["pasu.obj"] == text.as_bytes() && files["pasu.mtl"] == obj_materials().as_bytes(), "{name}");
         assert_eq!(plus(&assembled(&positions, &indices)), plus(&expected), "{name}");
     }
 }
@@ -249,8 +256,8 @@ fn ply_holds_the_mesh() {
             let (_, rest) = header.split_once(&format!("element {element} ")).unwrap();
             rest.lines().next().unwrap().parse().unwrap()
         };
-        let faces = end + 12 * count("vertex");
-        let positions = f32s(&bytes[end..faces]);
+        let faces = end + 15 * count("vertex");
+        let positions: Vec<f32> = bytes[end..faces].chunks_exact(15).flat_map(|vertex| f32s(&vertex[..12])).collect();
         let stride = if meshes.len() > 1 { 17 } else { 13 };
         assert_eq!(bytes.len(), faces + stride * count("face"));
         let mut indices = Vec::new();
@@ -390,7 +397,11 @@ fn every_file_says_what_it_was_made_from() {
         for (format, bytes) in files {
             let found = open(bytes);
             assert!(found == Some(design.link()) || *format == "stl" && found.is_none(), "{name} {format}");
-            let text = if *format == "3mf" { unzipped(bytes)["3D/3dmodel.model"].clone() } else { bytes.clone() };
+            let text = match *format {
+                "3mf" => unzipped(bytes)["3D/3dmodel.model"].clone(),
+                "obj.zip" => unzipped(bytes)["pasu.obj"].clone(),
+                _ => bytes.clone(),
+            };
             let text = String::from_utf8_lossy(&text);
             for expected in [print.as_str(), "passed", concat!("Pasu ", env!("CARGO_PKG_VERSION"))] {
                 assert!(text.contains(expected), "{name} {format} {expected}");
@@ -399,12 +410,58 @@ fn every_file_says_what_it_was_made_from() {
     }
 }
 
+/// Whatever holds a link says how it was made, and what it says makes the same file again.
+#[test]
+fn what_a_file_says_makes_it_again() {
+    let cup = |unit: &str| {
+        design(&format!(
+            r#"{{ "pasu": 1, "unit": "{unit}", "parts": [{{ "shape": {{ "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 }},
+                "wall": {{ "thickness": 0.5, "base": 1 }} }}] }}"#
+        ))
+    };
+    let plain = Making::default();
+    let coarse = Making { tolerance: Some(0.2), ..plain };
+    for (unit, making) in [
+        ("cm", plain),
+        ("cm", Making { product: Product::Solid, ..coarse }),
+        ("mm", Making { shrinkage: 12.5, ..coarse }),
+        ("in", Making { size: Some(Size::Height(0.1 + 0.2)), shrinkage: 49.999, craft: Some(Craft::Clay), ..coarse }),
+        ("cm", Making { size: Some(Size::Width(12.0)), craft: Some(Craft::Print), ..coarse }),
+        ("in", Making { size: Some(Size::Capacity(100.0 / 3.0)), ..coarse }),
+    ] {
+        let cup = cup(unit);
+        for format in Format::ALL {
+            let bytes = write(&cup, format, &making).unwrap();
+            let Some(found) = provenance(&bytes) else {
+                assert_eq!(format, Format::Stl);
+                continue;
+            };
+            assert_eq!((&found.link, found.making), (&cup.link(), Some(making)), "{format:?}");
+            let again = write(&Design::parse(&found.link).unwrap(), format, &found.making.unwrap()).unwrap();
+            assert!(again == bytes, "{format:?} of {making:?}");
+            let is_plain = !matches!(format, Format::ThreeMf | Format::Glb | Format::ObjZip);
+            assert!(!is_plain || told(&bytes, "unit", unit), "{format:?}");
+        }
+    }
+}
+
+/// Whether a text says what is called so, in any of the ways in which formats do.
+fn told(bytes: &[u8], name: &str, value: &str) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    text.contains(&format!("pasu-{name}: {value}")) || text.contains(&format!("<pasu:{name}>{value}</"))
+}
+
 #[test]
 fn short_links_are_in_stl() {
     let design = Design::parse("#1/bloor-wilson?a=6&n1=4&glaze=cobalt").unwrap();
     let making = Making { product: Product::Solid, tolerance: Some(0.05), ..Making::default() };
     let bytes = write(&design, Format::Stl, &making).unwrap();
     assert_eq!(open(&bytes), Some(design.link()));
+    // The making beside it would be too long.
+    assert_eq!(provenance(&bytes).unwrap().making, None);
+    let short = Design::parse("#1/bloor-wilson?n1=4").unwrap();
+    let bytes = write(&short, Format::Stl, &Making { tolerance: Some(0.1), ..making }).unwrap();
+    assert_eq!(provenance(&bytes).unwrap().making, Some(Making { tolerance: Some(0.1), ..making }));
 }
 
 #[test]

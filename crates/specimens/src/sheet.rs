@@ -38,6 +38,7 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
             "shrinkage": making.shrinkage,
             "tolerance": making.tolerance,
         },
+        "unit": design.unit().millimetres(),
         "parts": meshes.len(),
         "triangles": meshes.iter().map(SolidMesh::n_triangles).sum::<usize>(),
         "size": size(specimen, &measured, millimetres)?.to_array(),
@@ -96,11 +97,15 @@ fn size(specimen: &Specimen, measured: &Value, millimetres: f64) -> Result<DVec3
     Ok(size)
 }
 
-/// Chords by which the length of a rim is found.
-const CHORDS: usize = 20_000;
+/// Chords of a rim.
+const CHORDS: usize = 7_200;
+/// A rim that is level to this, in millimetres, is cut along world x.
+const LEVEL: f64 = 0.1;
+/// How far a strip reaches below the lowest point of the rim, millimetres.
+const STRIP: f64 = 20.0;
 
-/// What the template of each part shows, by the true faces: width and height of the section through the axis along world x, height of the whole part along its axis, length of the rim
-/// seen from above (`null` where it is a point).
+/// What the template of each part shows, by the true faces: width and height of each section, height of the whole part along its axis, area of the strip under the rim (`null` where the
+/// rim is a point).
 fn templates(specimen: &Specimen, millimetres: f64) -> Result<Vec<Value>> {
     let parts = 0..specimen.design.parts().len();
     parts.map(|part| Ok(template(&Pot::new(&specimen.design, part, specimen.making.product)?, millimetres))).collect()
@@ -110,43 +115,105 @@ fn template(pot: &Pot, millimetres: f64) -> Value {
     let axis = pot.axis();
     let along = if axis.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
     let across = (along - along.dot(axis) * axis).normalize();
-    let normal = axis.cross(across);
-    // Across the section's plane, across the axis, along it.
+    // Along the section of a level rim, across it, along the axis.
     let place = |point: DVec3| {
         let from = (point - pot.origin()) * millimetres;
-        DVec3::new(from.dot(normal), from.dot(across), from.dot(axis))
+        DVec3::new(from.dot(across), from.dot(axis.cross(across)), from.dot(axis))
     };
-    let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    let (mut rim, mut top) = (0.0, f64::NEG_INFINITY);
+    let mut rows: Vec<Vec<DVec3>> = Vec::new();
+    let (mut rim, mut below, mut top) = (Vec::new(), None, f64::NEG_INFINITY);
     for face in pot.faces() {
         let at = |a: f64, step: usize, steps: usize| place(face.jet(a, step as f64 / steps as f64 * TAU).position);
         for row in 0..=ALONG {
-            let a = row as f64 / ALONG as f64;
-            let points: Vec<DVec3> = (0..=AROUND).map(|step| at(a, step, AROUND)).collect();
-            for pair in points.windows(2) {
-                let (before, after) = (pair[0], pair[1]);
-                low = low.min(before.z);
-                high = high.max(before.z);
-                if (before.x < 0.0) != (after.x < 0.0) {
-                    let cut = before.lerp(after, before.x / (before.x - after.x));
-                    least = least.min(cut);
-                    most = most.max(cut);
-                }
-            }
+            let points: Vec<DVec3> = (0..=AROUND).map(|step| at(row as f64 / ALONG as f64, step, AROUND)).collect();
+            (low, high) = points.iter().fold((low, high), |(low, high), point| (low.min(point.z), high.max(point.z)));
+            rows.push(points);
         }
         if face.kind() == FaceKind::Outer {
-            for a in [0.0, 1.0] {
-                let points: Vec<DVec3> = (0..=CHORDS).map(|step| at(a, step, CHORDS)).collect();
+            for end in [0.0, 1.0] {
+                let points: Vec<DVec3> = (0..CHORDS).map(|step| at(end, step, CHORDS)).collect();
                 let height = points.iter().map(|point| point.z).sum::<f64>() / points.len() as f64;
                 if height > top {
-                    top = height;
-                    rim = points.windows(2).map(|pair| (pair[1] - pair[0]).truncate().length()).sum();
+                    (top, rim, below) = (height, points, Some((face, end)));
                 }
             }
         }
     }
-    let section = most - least;
-    let is_point = rim <= 1e-5 * (high - low);
-    json!({ "section": [section.y, section.z], "height": high - low, "rim": if is_point { Value::Null } else { rim.into() } })
+    let is_point = rim.iter().all(|point| (*point - rim[0]).length() <= 1e-6 * (high - low));
+    let directions = if is_point { vec![(1.0, 0.0)] } else { directions(&rim) };
+    let sections: Vec<[f64; 2]> = directions.into_iter().map(|towards| section(&rows, towards)).collect();
+    let strip = below.filter(|_| !is_point).map(|(face, end)| {
+        let at = |a: f64, step: usize| place(face.jet(a, step as f64 / CHORDS as f64 * TAU).position);
+        strip(&rim, |down, step| at(if end > 0.0 { 1.0 - down } else { down }, step))
+    });
+    json!({ "sections": sections, "height": high - low, "strip": strip })
+}
+
+/// Where the sections go: along the first axis, or to the highest and the lowest point of the rim.
+fn directions(rim: &[DVec3]) -> Vec<(f64, f64)> {
+    let first = |sign: f64| {
+        let most = rim.iter().map(|point| sign * point.z).fold(f64::NEG_INFINITY, f64::max);
+        rim.iter().copied().find(|point| sign * point.z >= most - 1e-3).unwrap_or_default()
+    };
+    let [high, low] = [first(1.0), first(-1.0)];
+    if high.z - low.z <= LEVEL {
+        return vec![(1.0, 0.0)];
+    }
+    let [high, low] = [high, low].map(|point| point.truncate().normalize());
+    let both = if high.dot(low).abs() >= 0.9998 { vec![high] } else { vec![high, low] };
+    both.into_iter().map(|towards| (towards.x, towards.y)).collect()
+}
+
+/// Width and height of what a plane through the axis cuts.
+fn section(rows: &[Vec<DVec3>], (x, y): (f64, f64)) -> [f64; 2] {
+    let turned = |point: DVec3| DVec3::new(x * point.x + y * point.y, x * point.y - y * point.x, point.z);
+    let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for pair in rows.iter().flat_map(|row| row.windows(2)) {
+        let [before, after] = [pair[0], pair[1]].map(turned);
+        if (before.y < 0.0) != (after.y < 0.0) {
+            let cut = before.lerp(after, before.y / (before.y - after.y));
+            least = least.min(cut);
+            most = most.max(cut);
+        }
+    }
+    [most.x - least.x, most.z - least.z]
+}
+
+/// The area of the triangles between the rim and the level below it at which the strip ends; `at` goes down a column of the outside. Where one does not come down so far, of a strip as long as the rim seen from above.
+fn strip(rim: &[DVec3], at: impl Fn(f64, usize) -> DVec3) -> f64 {
+    let lowest = rim.iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
+    let foot = (0..CHORDS).map(|step| at(1.0, step).z).fold(f64::NEG_INFINITY, f64::max);
+    let level = lowest - STRIP.min((lowest - foot) / 2.0);
+    let reached = |step: usize| {
+        let mut above = 0.0;
+        for index in 1..=ALONG {
+            let mut below = index as f64 / ALONG as f64;
+            if at(below, step).z <= level {
+                for _ in 0..40 {
+                    let middle = 0.5 * (above + below);
+                    if at(middle, step).z <= level { below = middle } else { above = middle }
+                }
+                return Some(at(below, step));
+            }
+            above = below;
+        }
+        None
+    };
+    let hem: Option<Vec<DVec3>> = (0..CHORDS).map(reached).collect();
+    let pairs = (0..CHORDS).map(|step| (step, (step + 1) % CHORDS));
+    match hem {
+        Some(hem) if level < lowest => pairs
+            .map(|(i, j)| {
+                let upper = (hem[i] - rim[i]).cross(rim[j] - rim[i]).length();
+                (upper + (hem[i] - rim[j]).cross(hem[j] - rim[j]).length()) / 2.0
+            })
+            .sum(),
+        _ => pairs
+            .map(|(i, j)| {
+                let depth = (rim[i].z + rim[j].z) / 2.0 - lowest + STRIP;
+                (rim[j] - rim[i]).truncate().length() * depth
+            })
+            .sum(),
+    }
 }

@@ -9,7 +9,7 @@ import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
 import { setPath } from "../document/path";
-import type { Design, Look, Refusal } from "../document/types";
+import type { Design, Look, Making, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays, Parsed, Solved } from "../solver/messages";
@@ -84,6 +84,8 @@ export class Designer {
   #travelled = false;
   #warned = false;
   #saved: Design;
+  #made: Making | null = null;
+  #replaced: Design | null = null;
   #started = false;
   #noticeId = 0;
   #lastWritten = "";
@@ -114,6 +116,11 @@ export class Designer {
 
   get state(): State {
     return this.store.state;
+  }
+
+  /** How the file was made that this design was opened from; null for any other, and for the design before it, to which undo leads. */
+  get made(): Making | null {
+    return this.state.design === this.#replaced ? null : this.#made;
   }
 
   get unsaved(): boolean {
@@ -201,7 +208,7 @@ export class Designer {
       () => null,
     );
     if (!found) return;
-    if ("text" in found) return await this.openText(found.text);
+    if ("text" in found) return await this.#openText(found.text, false, found.made);
     this.openProblem = found.refusal;
     this.#tell();
   }
@@ -228,7 +235,7 @@ export class Designer {
     this.#tell();
   }
 
-  async #openText(text: string, asLink: boolean): Promise<void> {
+  async #openText(text: string, asLink: boolean, made: Making | null = null): Promise<void> {
     const outcome = await this.solver.parse(text);
     if (outcome.state === "superseded") return;
     if (outcome.state === "refused") {
@@ -239,14 +246,17 @@ export class Designer {
     const theirs = outcome.value;
     if (asLink && this.shown?.solved.link === theirs.link) return;
     if (asLink && this.unsaved) this.#ask({ theirs });
-    else this.open(theirs.design);
+    else this.open(theirs.design, made);
   }
 
   /** Replaces the design; undo brings the old one back. */
-  open(design: Design): void {
+  open(design: Design, made: Making | null = null): void {
+    const before = this.state.design;
     this.openProblem = null;
     this.#framing += 1;
     this.apply(actions.openDesign(this.state, design));
+    this.#made = made;
+    this.#replaced = this.state.design === before ? null : before;
     this.#saved = this.state.design;
     this.#tell();
   }

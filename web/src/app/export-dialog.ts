@@ -8,6 +8,7 @@ import { lengthWords, millilitres } from "../document/quantities";
 import { asSentence, checked, madeOf, type Sentence } from "../document/report-words";
 import {
   type Choices,
+  choicesOf,
   FORMATS,
   formatNote,
   makingOf,
@@ -16,6 +17,7 @@ import {
   type SizeKind,
   scaleOf,
   sizesOf,
+  toleranceIn,
 } from "../document/saving";
 import type { Format, Making, Measures, Product, Refusal, Report } from "../document/types";
 import { setExport } from "../state/actions";
@@ -54,18 +56,17 @@ export class PasuExport extends DesignerElement {
   /** What the report is of. */
   private asked = "";
   private ended = false;
+  /** Whether the tolerance of an opened file was taken over. */
+  private fine = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     const { design, session } = this.designer.state;
     const walled = design.parts.some((part) => part.wall !== undefined);
-    const { shrinkage } = session.export;
-    this.chosen = {
-      ...this.chosen,
-      product: walled ? "pot" : "solid",
-      shrinkage: shrinkage === 0 ? "" : formatNumber(shrinkage),
-    };
+    // A file that was opened is made again as it was; otherwise the clay is that of the last pot.
+    const made = this.designer.made ?? { shrinkage: session.export.shrinkage };
+    this.chosen = { ...this.chosen, ...choicesOf(made, unitOf(design), walled) };
     void this.measure();
   }
 
@@ -269,7 +270,18 @@ export class PasuExport extends DesignerElement {
     if (this.ended || outcome.state === "superseded" || product !== this.chosen.product) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     this.measures = outcome.state === "done" ? outcome.value : null;
+    this.beAsFine();
     await this.check();
+  }
+
+  /** The first time, as finely as the file that was opened: a tolerance goes by the size, which is known only now. */
+  private beAsFine(): void {
+    const { measures } = this;
+    const { made, state: now } = this.designer;
+    if (!measures || !made || this.fine) return;
+    this.fine = true;
+    const tolerance = toleranceIn(made, measures, unitOf(now.design));
+    if (this.chosen.tolerance === "") this.chosen = { ...this.chosen, tolerance };
   }
 
   /** Once the typing rests: to check takes seconds. An earlier verdict does not hold meanwhile. */

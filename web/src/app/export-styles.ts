@@ -7,12 +7,12 @@ export const exportStyles = css`
     margin-top: 0;
   }
   .formats .choices div {
-    grid-template-columns: repeat(auto-fill, minmax(58px, 1fr));
+    grid-template-columns: repeat(auto-fill, minmax(80px, 1fr));
     gap: 6px;
   }
   .formats .choices label {
     justify-items: center;
-    padding: 4px 6px;
+    padding: 4px 2px;
   }
   .hint {
     padding-top: 5px;

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import type { Provenance } from "../document/types";
 import { isDocument, readFile } from "./open-file";
 import type { Workshop } from "./workshop";
 
@@ -19,8 +20,8 @@ test.each([
 });
 
 /** A workshop that finds this in every file. */
-const finding = (link: string | null) => async () =>
-  ({ maker: { ask: async () => ({ state: "done", value: link }) } }) as unknown as Workshop;
+const finding = (value: Provenance | null) => async () =>
+  ({ maker: { ask: async () => ({ state: "done", value }) } }) as unknown as Workshop;
 
 test.each([
   ["vase.STL", /^“vase\.STL” cannot be opened: an STL holds triangles/],
@@ -30,5 +31,15 @@ test.each([
   expect(await readFile(file, finding(null))).toMatchObject({
     refusal: { code: "no-design", message: expect.stringMatching(why) },
   });
-  expect(await readFile(file, finding("1/second-order"))).toEqual({ text: "1/second-order" });
+  const made = { product: "solid", shrinkage: 12 } as const;
+  expect(await readFile(file, finding({ link: "1/second-order", making: made }))).toEqual({
+    text: "1/second-order",
+    made,
+  });
+  expect(await readFile(file, finding({ link: "1/x", making: null }))).toEqual({ text: "1/x", made: null });
+});
+
+test("a document does not say how it is to be made", async () => {
+  const file = new File(['{"pasu": 1}'], "vase.json");
+  expect(await readFile(file, finding(null))).toEqual({ text: '{"pasu": 1}', made: null });
 });

@@ -1,6 +1,6 @@
 /** What a file that was dropped or chosen stands for: the text of a design, or the link in something that Pasu made. */
 
-import type { Refusal } from "../document/types";
+import type { Making, Refusal } from "../document/types";
 import type { Workshop } from "./workshop";
 
 /** Documents are read as text; the format's own limit is 1 MiB of JSON. */
@@ -12,7 +12,8 @@ const MAX_MADE_BYTES = 512 * 1024 * 1024;
 /** How much of a file tells a document from anything else. */
 const BEGINNING = 64;
 
-export type Found = { readonly text: string } | { readonly refusal: Refusal } | null;
+/** The text of a design, and how the file was made, where it says that. */
+export type Found = { readonly text: string; readonly made: Making | null } | { readonly refusal: Refusal } | null;
 
 /** Null when something newer was opened meanwhile. */
 export async function readFile(file: File, workshop: () => Promise<Workshop | null>): Promise<Found> {
@@ -20,7 +21,7 @@ export async function readFile(file: File, workshop: () => Promise<Workshop | nu
   if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
     return refused("too-large", `“${file.name}” is too large to be a design of Pasu.`);
   }
-  if (document) return { text: await file.text() };
+  if (document) return { text: await file.text(), made: null };
   const makers = await workshop();
   if (!makers) return null;
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -31,7 +32,9 @@ export async function readFile(file: File, workshop: () => Promise<Workshop | nu
     case "refused":
       return { refusal: outcome.refusal };
     case "done":
-      return outcome.value === null ? refused("no-design", whyNot(file.name)) : { text: outcome.value };
+      return outcome.value === null
+        ? refused("no-design", whyNot(file.name))
+        : { text: outcome.value.link, made: outcome.value.making };
   }
 }
 

@@ -180,7 +180,7 @@ export class PasuApp extends DesignerElement {
         await this.show(command);
         return;
       case "open": {
-        const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.ply,.step,.svg,application/json");
+        const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
         if (file) await this.designer.openFile(file);
         return;
       }

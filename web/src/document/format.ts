@@ -2,4 +2,15 @@
 
 import type { Format } from "./types";
 
-export const FORMAT_NAMES: readonly Format[] = ["3mf", "stl", "step", "svg", "glb", "obj", "ply"];
+export const FORMAT_NAMES: readonly Format[] = [
+  "3mf",
+  "stl",
+  "step",
+  "svg",
+  "a4.svg",
+  "letter.svg",
+  "glb",
+  "obj",
+  "obj.zip",
+  "ply",
+];

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { type Choices, FORMATS, makingOf, opensAgain, scaleOf, sizesOf } from "./saving";
-import type { Measures } from "./types";
+import { type Choices, choicesOf, FORMATS, makingOf, opensAgain, scaleOf, sizesOf, toleranceIn } from "./saving";
+import type { Making, Measures } from "./types";
 
 const MEASURES = {
   height: { value: 10, error: 0 },
@@ -67,6 +67,34 @@ test.each([
   [{ tolerance: "0" }, "tolerance"],
 ] as const)("%j is refused at its field", (choices, field) => {
   expect(making(choices)).toMatchObject({ field });
+});
+
+test.each<Making>([
+  { product: "pot" },
+  { product: "solid" },
+  { product: "pot", size: { height: 0.1 + 0.2 }, shrinkage: 12.5 },
+  { product: "pot", size: { width: 1 / 3 }, tolerance: 0.01 },
+  { product: "pot", size: { capacity: 500 }, shrinkage: 8, tolerance: 0.02 },
+])("the fields that a file was made with ask for it again: %j", (made) => {
+  for (const unit of ["cm", "mm", "in"] as const) {
+    const choices: Choices = { ...choicesOf(made, unit, true), tolerance: toleranceIn(made, MEASURES, unit) };
+    const again = makingOf(choices, MEASURES, unit);
+    if ("field" in again) throw new Error(again.text);
+    expect(Object.keys(again).sort()).toEqual(Object.keys(made).sort());
+    expect(again.product).toBe(made.product);
+    expect(again.shrinkage ?? 0).toBe(made.shrinkage ?? 0);
+    expect(Object.keys(again.size ?? {})).toEqual(Object.keys(made.size ?? {}));
+    for (const [name, value] of Object.entries(made.size ?? {})) {
+      expect(Object.entries(again.size ?? {})).toContainEqual([name, expect.closeTo(value ?? Number.NaN, 9)]);
+    }
+    if (made.tolerance !== undefined) expect(again.tolerance).toBeCloseTo(made.tolerance, 9);
+  }
+});
+
+test("a making says nothing of a shrinkage of nothing, and a surface without a wall is a solid", () => {
+  const none = { size: "designed", measure: "", shrinkage: "" };
+  expect(choicesOf({ product: "pot", shrinkage: 0 }, "cm", false)).toEqual({ product: "solid", ...none });
+  expect(choicesOf({}, "cm", true)).toEqual({ product: "pot", ...none });
 });
 
 test("of every format it is told whether the file opens the design again", () => {

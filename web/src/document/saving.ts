@@ -26,7 +26,21 @@ export const FORMATS: readonly FormatNote[] = [
   {
     format: "svg",
     label: "SVG",
-    note: "A template for throwing or turning, at true size.",
+    note: "A template for throwing or turning, at true size, on one large page.",
+    triangles: false,
+    type: "image/svg+xml",
+  },
+  {
+    format: "a4.svg",
+    label: "SVG A4",
+    note: "The template on sheets of A4, to be put together: print them at 100 %.",
+    triangles: false,
+    type: "image/svg+xml",
+  },
+  {
+    format: "letter.svg",
+    label: "SVG Letter",
+    note: "The template on sheets of letter paper, to be put together: print them at 100 %.",
     triangles: false,
     type: "image/svg+xml",
   },
@@ -37,8 +51,21 @@ export const FORMATS: readonly FormatNote[] = [
     triangles: true,
     type: "model/gltf-binary",
   },
-  { format: "obj", label: "OBJ", note: "For other 3D programs.", triangles: true, type: "model/obj" },
-  { format: "ply", label: "PLY", note: "For science and scans.", triangles: true, type: "application/octet-stream" },
+  { format: "obj", label: "OBJ", note: "For other 3D programs: the shape alone.", triangles: true, type: "model/obj" },
+  {
+    format: "obj.zip",
+    label: "OBJ+MTL",
+    note: "For other 3D programs: the shape and its colours, two files in a package.",
+    triangles: true,
+    type: "application/zip",
+  },
+  {
+    format: "ply",
+    label: "PLY",
+    note: "For science and scans: with its colours.",
+    triangles: true,
+    type: "application/octet-stream",
+  },
 ];
 
 /** Whether a file that is dropped on the page opens the design again. */
@@ -74,6 +101,9 @@ export interface Problem {
 /** Keeps a number, its unit and what it is of in one line. */
 const GAP = "\u00a0";
 
+/** Digits that leave a number what it was, but for what a change of units adds to it. */
+const EXACT = 12;
+
 /** Clay that shrinks by half is no clay. */
 const MOST_SHRINKAGE = 50;
 
@@ -98,6 +128,34 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
     return { field: "tolerance", text: "A number of millimetres greater than 0." };
   // The library takes it before scaling.
   return { ...sized, tolerance: tolerance / scaleOf(sized, measures, unit).millimetres };
+}
+
+/** What the fields say of how a file was made, but for its tolerance, which goes by the size; `walled` is whether there can be a hollow pot. */
+export function choicesOf(
+  { product, size, shrinkage = 0 }: Making,
+  unit: Unit,
+  walled: boolean,
+): Omit<Choices, "tolerance"> {
+  const [kind, measure] = sizeIn(size, unit);
+  return {
+    product: walled ? (product ?? "pot") : "solid",
+    size: kind,
+    measure: measure === null ? "" : formatNumber(measure, EXACT),
+    shrinkage: shrinkage === 0 ? "" : formatNumber(shrinkage, EXACT),
+  };
+}
+
+/** The tolerance of such a making in the millimetres of its file. */
+export function toleranceIn(making: Making, measures: Measures, unit: Unit): string {
+  const { tolerance } = making;
+  return tolerance === undefined ? "" : formatNumber(tolerance * scaleOf(making, measures, unit).millimetres, EXACT);
+}
+
+function sizeIn(size: Making["size"], unit: Unit): readonly [SizeKind, number | null] {
+  if (size?.height !== undefined) return ["height", size.height];
+  if (size?.width !== undefined) return ["width", size.width];
+  if (size?.capacity !== undefined) return ["capacity", millilitres(size.capacity, unit)];
+  return ["designed", null];
 }
 
 function sizeOf(kind: SizeKind, measure: number, unit: Unit): NonNullable<Making["size"]> {

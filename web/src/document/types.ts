@@ -56,6 +56,8 @@ export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {
 export type Sent = pasu.Design;
 
 export type Making = Frozen<pasu.Making>;
+/** What a file that Pasu made says of itself. */
+export type Provenance = Frozen<pasu.Provenance>;
 export type Product = pasu.Product;
 export type Format = pasu.Format;
 export type MapName = pasu.MapName;

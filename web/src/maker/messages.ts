@@ -1,6 +1,16 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
-import type { Design, Format, Making, MapName, Measures, Product, Refusal, Report } from "../document/types";
+import type {
+  Design,
+  Format,
+  Making,
+  MapName,
+  Measures,
+  Product,
+  Provenance,
+  Refusal,
+  Report,
+} from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 
@@ -91,8 +101,8 @@ export interface Answers {
   readonly paint: Painted;
   readonly water: Filled;
   readonly write: Written;
-  /** The link in the file, or null when it is not one of Pasu's. */
-  readonly open: string | null;
+  /** The link in the file and how it was made, or null when it is not one of Pasu's. */
+  readonly open: Provenance | null;
 }
 
 export type Kind = Ask["kind"];

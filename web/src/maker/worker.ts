@@ -1,6 +1,6 @@
 /** The maker's worker: everything that the package can do besides drawing. Answers one request after the other. */
 
-import init, { check, measure, open, PasuError, paint, sketch, solid, water, write } from "pasu";
+import init, { check, measure, PasuError, paint, provenance, sketch, solid, water, write } from "pasu";
 import type { Refusal, Sent } from "../document/types";
 import type { Answers, Ask, Begin, Kind, Quick, Reply, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
@@ -47,7 +47,7 @@ function perform(ask: Ask): Answers[Kind] {
     case "write":
       return { bytes: write(ask.design as Sent, ask.format, ask.making) };
     case "open":
-      return open(ask.bytes);
+      return provenance(ask.bytes);
   }
 }
 

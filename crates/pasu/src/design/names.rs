@@ -14,6 +14,9 @@ macro_rules! names {
             /// The names as documents write them, the default first.
             pub const NAMES: &'static [&'static str] = &[$( $name ),+];
 
+            /// All of them, in the order of their names.
+            pub const ALL: &'static [$set] = &[$( $set::$item ),+];
+
             /// The name as documents write it.
             pub fn name(self) -> &'static str {
                 Self::NAMES[self as usize]

@@ -1,7 +1,10 @@
 //! What every file says of itself, and the bodies that it holds.
 
-use crate::design::Look;
+use super::numbers::short;
+use super::provenance::told;
+use crate::design::{Look, Unit};
 use crate::face::FaceKind;
+use crate::make::Making;
 
 /// The program that writes, with its version.
 pub(super) const PROGRAM: &str = concat!("Pasu ", env!("CARGO_PKG_VERSION"));
@@ -48,20 +51,26 @@ pub(super) struct Notes {
     pub(super) fingerprint: String,
     /// The verdict of the checks, ASCII.
     pub(super) verdict: String,
-    /// How long a unit of the design is in the file, ASCII.
-    pub(super) scale: String,
+    /// How many millimetres a unit of the design is in the file.
+    pub(super) millimetres: f64,
+    /// What was made of the design and how large.
+    pub(super) making: Making,
+    /// The unit of the design.
+    pub(super) unit: Unit,
 }
 
 impl Notes {
-    /// All but the title, as name and text; every text is ASCII.
-    pub(super) fn list(&self) -> [(&'static str, &str); 5] {
-        [
-            ("link", &self.link),
-            ("fingerprint", &self.fingerprint),
-            ("version", PROGRAM),
-            ("checks", &self.verdict),
-            ("scale", &self.scale),
-        ]
+    /// All but the title, as name and text; every text is ASCII without quotes and brackets.
+    pub(super) fn list(&self) -> Vec<(&'static str, String)> {
+        let mut list = vec![
+            ("link", self.link.clone()),
+            ("fingerprint", self.fingerprint.clone()),
+            ("version", PROGRAM.to_owned()),
+            ("checks", self.verdict.clone()),
+            ("scale", format!("1 {} of the design is {} mm here", self.unit.name(), short(self.millimetres))),
+        ];
+        list.extend(told(&self.making, self.unit));
+        list
     }
 
     /// The same as short lines `pasu-link: 1/bloor-wilson?a=6` for the comments of formats whose readers have short memories: a long text goes on
@@ -69,11 +78,11 @@ impl Notes {
     pub(super) fn lines(&self) -> Vec<String> {
         let title = ascii(&self.title);
         let mut lines = Vec::new();
-        for (name, text) in [("title", title.as_str())].into_iter().chain(self.list()) {
-            let mut rest = text;
+        for (name, text) in [("title", title)].into_iter().chain(self.list()) {
+            let mut rest = text.as_str();
             loop {
                 let (line, after) = rest.split_at(rest.len().min(LINE));
-                lines.push(format!("pasu-{name}: {line}"));
+                lines.push(line_of(name) + line);
                 rest = after;
                 if rest.is_empty() {
                     break;
@@ -87,8 +96,10 @@ impl Notes {
 /// The longest text of a line: some readers of PLY hold 256 characters.
 const LINE: usize = 200;
 
-/// What begins a line that holds a link or a piece of one.
-pub(super) const LINK_LINE: &str = "pasu-link: ";
+/// What begins a line that holds what is called so, or a piece of it.
+pub(super) fn line_of(name: &str) -> String {
+    format!("pasu-{name}: ")
+}
 
 /// Printable ASCII, everything else as `\u{e9}`.
 fn ascii(text: &str) -> String {

@@ -5,8 +5,8 @@ use super::material::{self, Material};
 use super::shading::{Shaded, shaded};
 use crate::design::{Look, Value, to_json};
 
-/// Before the link in the JSON, which begins with it.
-pub(super) const LINK: &str = r#""extras":{"link":""#;
+/// Before what the file says of itself in the JSON: pairs of a name and a text without escapes, and after them the title.
+pub(super) const EXTRAS: &str = r#""extras":{"#;
 
 /// A quarter turn about x that takes z to y: `sin` and `cos` of an eighth.
 const HALF_ROOT: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -43,7 +43,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
         ("scale", numbers([0.001; 3])),
         ("children", Value::List((0..n_parts).map(count).collect())),
     ]));
-    let mut extras: Vec<(&str, Value)> = notes.list().into_iter().map(|(name, value)| (name, text(value))).collect();
+    let mut extras: Vec<(&str, Value)> = notes.list().into_iter().map(|(name, value)| (name, text(&value))).collect();
     extras.push(("title", text(&notes.title)));
     let asset = record([("version", text("2.0")), ("generator", text(PROGRAM)), ("extras", record(extras))]);
     let scene = record([("nodes", Value::List(vec![count(n_parts)]))]);

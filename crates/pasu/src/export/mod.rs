@@ -10,6 +10,7 @@ mod obj;
 mod open;
 mod ply;
 mod png;
+mod provenance;
 mod shading;
 mod sketch;
 mod step;
@@ -22,7 +23,9 @@ mod xml;
 mod zip;
 
 pub use drawn::{Drawn, DrawnFace, drawn};
-pub use open::open;
+pub use obj::obj_materials;
+pub use open::{open, provenance};
+pub use provenance::Provenance;
 pub use sketch::{Sketch, SketchOptions, sketch};
 pub use write::write;
 
@@ -36,22 +39,38 @@ pub enum Format {
     ThreeMf,
     /// Binary glTF 2.0 for viewers: metres, y up, with a material.
     Glb,
-    /// Wavefront OBJ: text, millimetres.
+    /// Wavefront OBJ: text, millimetres. It names the materials of [`obj_materials`].
     Obj,
+    /// The same and its materials, together in a ZIP package.
+    ObjZip,
     /// PLY, binary little-endian, millimetres.
     Ply,
     /// For CAD programs: ISO 10303-21, one closed solid of B-spline surfaces per part.
     Step,
-    /// A template at true scale: section, height marks and the rim unrolled.
+    /// A template at true scale on one page: sections, height marks and the rim unrolled.
     Svg,
+    /// The same on sheets of A4, one below the other, which overlap and have marks by which they are put together.
+    SvgA4,
+    /// The same on sheets of letter paper.
+    SvgLetter,
 }
 
 impl Format {
     /// All of them.
-    pub const ALL: [Format; 7] =
-        [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply, Format::Step, Format::Svg];
+    pub const ALL: [Format; 10] = [
+        Format::Stl,
+        Format::ThreeMf,
+        Format::Glb,
+        Format::Obj,
+        Format::ObjZip,
+        Format::Ply,
+        Format::Step,
+        Format::Svg,
+        Format::SvgA4,
+        Format::SvgLetter,
+    ];
 
-    /// The ending of its files, which is also its name: `stl`, `3mf`, `glb`, `obj`, `ply`, `step`, `svg`.
+    /// The ending of its files, which is also its name: `stl`, `3mf`, `glb`, `obj`, `obj.zip`, `ply`, `step`, `svg`, `a4.svg`, `letter.svg`.
     ///
     /// ```
     /// assert_eq!(pasu::Format::ThreeMf.name(), "3mf");
@@ -62,9 +81,12 @@ impl Format {
             Format::ThreeMf => "3mf",
             Format::Glb => "glb",
             Format::Obj => "obj",
+            Format::ObjZip => "obj.zip",
             Format::Ply => "ply",
             Format::Step => "step",
             Format::Svg => "svg",
+            Format::SvgA4 => "a4.svg",
+            Format::SvgLetter => "letter.svg",
         }
     }
 

@@ -2,6 +2,23 @@
 
 use crate::design::plain;
 
+/// A number for people, with at most eight digits that count: 100 for what rounding has left at 99.999999999.
+pub(super) fn short(x: f64) -> String {
+    plain(format!("{x:.7e}").parse().unwrap_or(x))
+}
+
+/// The most decimal places of [`rounded`].
+const MOST_PLACES: usize = 4;
+
+/// A number rounded to at most four decimal places, without zeros at its end.
+pub(super) fn rounded(x: f64, places: usize) -> String {
+    let places = places.min(MOST_PLACES);
+    let whole = libm::round(x.abs() * POWERS[places]) as u64;
+    let mut bytes = if x < 0.0 && whole > 0 { vec![b'-'] } else { Vec::new() };
+    push_decimal(&mut bytes, whole, places);
+    bytes.into_iter().map(char::from).collect()
+}
+
 /// Powers of ten whose product with a `f32` is exact in a double: 24 bits and `5^12 < 2^28` make 52.
 const POWERS: [f64; 13] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
 
@@ -84,6 +101,15 @@ mod tests {
         ];
         for (x, text) in cases {
             assert_eq!(written(x), text);
+        }
+    }
+
+    #[test]
+    fn numbers_for_people_have_no_dust() {
+        for (x, text) in
+            [(99.999_999_999_9, "100"), (10.0 / 0.88, "11.363636"), (25.4, "25.4"), (0.0, "0"), (0.1 + 0.2, "0.3")]
+        {
+            assert_eq!(short(x), text);
         }
     }
 

@@ -1,14 +1,25 @@
-//! Wavefront OBJ: text, one object per part.
+//! Wavefront OBJ: text, one object per part, and the file of materials beside it.
 
 use super::contents::{Body, Notes, PROGRAM};
+use super::material::{self, Material, srgb};
 use super::numbers::{push_decimal, push_f32};
+use super::zip::Package;
+use crate::design::{Clay, Glaze, Look, plain};
 
-/// The bodies in millimetres, `z` up. Faces are smoothing groups, so that programs shade them smooth and the edges between them sharp without vertices being split.
+/// The name under which the file of materials is looked for, in the folder of the OBJ.
+const LIBRARY: &str = "pasu.mtl";
+
+/// How a file of ours begins.
+pub(super) const START: &[u8] = b"# Pasu ";
+
+/// The bodies in millimetres, `z` up. Faces are smoothing groups, so that programs shade them smooth and the edges between them sharp without vertices being split. Every object names
+/// its material; a reader that does not find [`materials`] shows it in a colour of its own.
 pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     let mut bytes = format!("# {PROGRAM}, lengths in millimetres, z up\n").into_bytes();
     for line in notes.lines() {
         bytes.extend_from_slice(format!("# {line}\n").as_bytes());
     }
+    bytes.extend_from_slice(format!("mtllib {LIBRARY}\n").as_bytes());
     // Vertices are counted from 1 through the whole file.
     let mut first_vertex = 1;
     for body in bodies {
@@ -21,6 +32,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
             }
             bytes.push(b'\n');
         }
+        bytes.extend_from_slice(format!("usemtl {}\n", identifier(&material::name(body.look))).as_bytes());
         for (group, (_, first, count)) in body.faces.iter().enumerate() {
             bytes.extend_from_slice(format!("s {}\n", group + 1).as_bytes());
             for corners in body.indices[*first..first + count].chunks_exact(3) {
@@ -35,6 +47,48 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
         first_vertex += body.positions.len() as u64 / 3;
     }
     bytes
+}
+
+/// The entry of such a package that holds the bodies.
+pub(super) const MODEL: &str = "pasu.obj";
+
+/// The same and the materials, together in a package.
+pub(super) fn package(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
+    let mut package = Package::default();
+    package.add_text(MODEL, &write(notes, bodies));
+    package.add_text(LIBRARY, obj_materials().as_bytes());
+    package.finish()
+}
+
+/// The file of materials that OBJ files name, to be saved as `pasu.mtl` in their folder: every glaze on every clay.
+///
+/// It is the same for all designs, so that the files of many pots can lie in one folder. Colours (`Kd`) are coded as sRGB, as most programs take them, between 0 and 1; `Pr` is the roughness, and `Ns` says the same
+/// for programs that do not know that, as Blender reads it: `1000 (1 - roughness)^2`.
+///
+/// ```
+/// let materials = pasu::obj_materials();
+/// assert!(materials.contains("\nnewmtl celadon_on_stoneware\nKd "));
+/// ```
+pub fn obj_materials() -> String {
+    let mut text = format!("# {PROGRAM}, clays and glazes\n");
+    for &clay in Clay::ALL {
+        for &glaze in Glaze::ALL {
+            let look = Look { clay, glaze };
+            let Material { colour, roughness } = Material::of(look);
+            let [red, green, blue] = colour.map(|linear| thousandths(f64::from(srgb(linear)) / 255.0));
+            let (roughness, shininess) =
+                (thousandths(roughness), thousandths(1000.0 * (1.0 - roughness) * (1.0 - roughness)));
+            text.push_str(&format!(
+                "\nnewmtl {}\nKd {red} {green} {blue}\nKs 0.04 0.04 0.04\nNs {shininess}\nPr {roughness}\nd 1\nillum 2\n",
+                identifier(&material::name(look))
+            ));
+        }
+    }
+    text
+}
+
+fn thousandths(x: f64) -> String {
+    plain(libm::round(x * 1e3) / 1e3)
 }
 
 /// One word: readers end a name at white space of any kind.

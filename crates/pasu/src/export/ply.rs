@@ -1,8 +1,9 @@
 //! PLY, binary little-endian: one welded mesh.
 
 use super::contents::{Body, Notes, PROGRAM};
+use super::material::{Material, srgb};
 
-/// All bodies in millimetres, one after the other; a property of each triangle says of which body it is, if there are several.
+/// All bodies in millimetres, one after the other, each vertex with the colour of its clay and glaze (sRGB); a property of each triangle says of which body it is, if there are several.
 pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     let n_vertices = bodies.iter().map(|body| body.positions.len() / 3).sum::<usize>();
     let n_triangles = bodies.iter().map(Body::n_triangles).sum::<usize>();
@@ -15,15 +16,25 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     for axis in ["x", "y", "z"] {
         header.push_str(&format!("property float {axis}\n"));
     }
+    // The names by which programs know a colour; of vertices, because some do not ask triangles for theirs. No vertex belongs to two bodies.
+    for colour in ["red", "green", "blue"] {
+        header.push_str(&format!("property uchar {colour}\n"));
+    }
     header.push_str(&format!("element face {n_triangles}\nproperty list uchar int vertex_indices\n"));
     if several {
         header.push_str("property int body\n");
     }
     header.push_str("end_header\n");
     let mut bytes = header.into_bytes();
-    bytes.reserve(12 * n_vertices + 17 * n_triangles);
-    for number in bodies.iter().flat_map(|body| body.positions) {
-        bytes.extend_from_slice(&number.to_le_bytes());
+    bytes.reserve(15 * n_vertices + 17 * n_triangles);
+    for body in bodies {
+        let colour = Material::of(body.look).colour.map(srgb);
+        for position in body.positions.chunks_exact(3) {
+            for number in position {
+                bytes.extend_from_slice(&number.to_le_bytes());
+            }
+            bytes.extend_from_slice(&colour);
+        }
     }
     let mut first_vertex = 0;
     for (index, body) in bodies.iter().enumerate() {

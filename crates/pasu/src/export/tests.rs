@@ -1,5 +1,6 @@
 //! Files of bodies made by hand: awkward titles, long links, damage. What files of real designs hold is tested in `tests/export.rs`.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
@@ -7,10 +8,12 @@ use proptest::prelude::*;
 
 use super::contents::{Body, Notes};
 use super::step::{Boundary, Part};
-use super::template::{Frame, Stand};
-use super::{glb, obj, open, ply, step, stl, template, three_mf};
-use crate::design::Look;
+use super::template::{Frame, Paper, Stand};
+use super::{glb, obj, obj_materials, open, ply, provenance, step, stl, template, three_mf, zip};
+use crate::design::{Clay, Glaze, Look, Unit};
 use crate::face::{Face, FaceJet, FaceKind, Sealed};
+use crate::make::{Craft, Making, Size};
+use crate::solid::Product;
 
 const COLUMNS: u32 = 24;
 
@@ -91,13 +94,18 @@ impl Face for Turned {
     }
 }
 
+/// Short enough for the header of an STL.
+const MADE: Making = Making { product: Product::Pot, size: None, shrinkage: 5.0, tolerance: None, craft: None };
+
 fn notes(title: &str, link: &str) -> Notes {
     Notes {
         title: title.into(),
         link: link.into(),
         fingerprint: "0123456789abcdef".into(),
         verdict: "passed with warnings: thinned".into(),
-        scale: "1 cm of the design is 10 mm here".into(),
+        millimetres: 10.0,
+        making: MADE,
+        unit: Unit::Cm,
     }
 }
 
@@ -112,17 +120,25 @@ fn files(notes: &Notes) -> Vec<(&'static str, Vec<u8>)> {
         tolerance: 1e-3,
         path: String::new(),
     };
-    let rim = (0..90).map(|i| 10.0 * Turned(1).jet(1.0, TAU * f64::from(i) / 90.0).position).collect();
-    let stand = Stand { frame: Frame { origin: DVec3::ZERO, axis: DVec3::Z, across: DVec3::X }, rim };
+    let frame = Frame { origin: DVec3::ZERO, axis: DVec3::Z, across: DVec3::X };
+    let stand = || [Stand::new(frame, faces.iter().map(|face| face as &dyn Face), 10.0)];
+    let drawn = |paper| template::write(notes, &bodies, &stand(), paper).unwrap();
     vec![
         ("stl", stl::write(notes, &bodies)),
         ("3mf", three_mf::write(notes, &bodies)),
         ("glb", glb::write(notes, &bodies)),
         ("obj", obj::write(notes, &bodies)),
+        ("obj.zip", obj::package(notes, &bodies)),
         ("ply", ply::write(notes, &bodies)),
         ("step", step::write(notes, &[part], 10.0).unwrap()),
-        ("svg", template::write(notes, &bodies, &[stand])),
+        ("svg", drawn(None)),
+        ("a4.svg", drawn(Some(Paper::A4))),
+        ("letter.svg", drawn(Some(Paper::Letter))),
     ]
+}
+
+fn file(format: &str, notes: &Notes) -> Vec<u8> {
+    files(notes).into_iter().find(|(name, _)| *name == format).map(|(_, bytes)| bytes).unwrap()
 }
 
 #[test]
@@ -136,14 +152,74 @@ fn links_are_found_again_whatever_the_title() {
         "\"extras\":{\"link\":\"1/evil\"",
         "é 🏺 \u{2028} end_header",
         "<pasu:link>1/evil</pasu:link>",
+        "pasu-product: solid",
+        "\",\"product\":\"solid",
+        "<pasu:shrinkage>1</pasu:shrinkage>",
     ] {
         for link in ["1/bloor-wilson?a=6&n1=5", "1/second-order?r=1,.1,.6,.06&title=A%20%3Cpot%3E", long.as_str()] {
             for (format, bytes) in files(&notes(title, link)) {
                 let expected = (format != "stl" || link == "1/bloor-wilson?a=6&n1=5").then_some(link);
                 assert_eq!(open(&bytes).as_deref(), expected, "{title} {format}");
+                let making = provenance(&bytes).and_then(|found| found.making);
+                // The header of an STL has room for the link, and not for the making beside it.
+                assert_eq!(making, (format != "stl").then_some(MADE), "{title} {format}");
             }
         }
     }
+}
+
+#[test]
+fn an_stl_says_what_fits() {
+    let cup = cup();
+    let bodies = [cup.body()];
+    let told = |link: &str, making: Making| {
+        let bytes = stl::write(&Notes { making, verdict: "passed".into(), ..notes("", link) }, &bodies);
+        let header = String::from_utf8(bytes[..80].to_vec()).unwrap();
+        (provenance(&bytes).map(|found| (found.link, found.making)), header.trim_end_matches('\0').to_owned())
+    };
+    let plain = Making::default();
+    let sized = Making { size: Some(Size::Height(18.0)), craft: Some(Craft::Clay), ..MADE };
+    let long = "1/second-order?".repeat(4);
+    assert_eq!(told("1/bloor-wilson?a=6", plain).0, Some(("1/bloor-wilson?a=6".into(), Some(plain))));
+    assert_eq!(told("1/x", sized).0, Some(("1/x".into(), Some(sized))));
+    // The link counts for more, and a making by itself is read by people.
+    assert_eq!(told("1/bloor-wilson?a=6", sized).0, Some(("1/bloor-wilson?a=6".into(), None)));
+    let (found, header) = told(&long, sized);
+    assert!(found.is_none() && header.ends_with("passed pot height=18 shrinkage=5 craft=clay"), "{header}");
+}
+
+#[test]
+fn a_making_that_cannot_be_is_not_read() {
+    let cup = cup();
+    let making = Making { size: Some(Size::Width(7.0)), tolerance: Some(0.5), ..MADE };
+    let text = String::from_utf8(obj::write(&Notes { making, ..notes("Vase", "1/x") }, &[cup.body()])).unwrap();
+    let found = |text: &str| provenance(text.as_bytes()).map(|found| (found.link, found.making));
+    assert_eq!(found(&text), Some(("1/x".into(), Some(making))));
+    for (from, to) in [
+        ("product: pot", "product: mug"),
+        ("product: pot", "product: "),
+        ("size: width 7", "size: depth 7"),
+        ("size: width 7", "size: width 0"),
+        ("size: width 7", "size: width -7"),
+        ("size: width 7", "size: width 1e999"),
+        ("size: width 7", "size: width NaN"),
+        ("size: width 7", "size: 7"),
+        ("shrinkage: 5", "shrinkage: 50"),
+        ("shrinkage: 5", "shrinkage: -1"),
+        ("shrinkage: 5", "shrinkage: inf"),
+        ("shrinkage: 5", "shrinkage: five"),
+        ("tolerance: 0.5", "tolerance: 0"),
+        ("tolerance: 0.5", "craft: mud"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        assert_eq!(found(&text.replacen(from, to, 1)), Some(("1/x".into(), None)), "{to}");
+    }
+    // What another version says besides is passed over, and a file of one that did not say is still opened.
+    let more = text.replacen("# pasu-product", "# pasu-lid: none\n# pasu-product", 1);
+    assert_eq!(found(&more), Some(("1/x".into(), Some(making))));
+    let less: String =
+        text.lines().filter(|line| !line.contains("pasu-product")).map(|line| format!("{line}\n")).collect();
+    assert_eq!(found(&less), Some(("1/x".into(), None)));
 }
 
 #[test]
@@ -158,8 +234,8 @@ fn files_can_be_kept_for_other_programs() {
 
 #[test]
 fn a_cup_of_step_is_as_far_off_as_it_says() {
-    let (_, bytes) = &files(&notes("", "1/x"))[5];
-    let text = std::str::from_utf8(bytes).unwrap();
+    let bytes = file("step", &notes("", "1/x"));
+    let text = std::str::from_utf8(&bytes).unwrap();
     let (_, deviation) = text.split_once("'pasu-deviation: ").unwrap();
     let deviation: f64 = deviation.split(' ').next().unwrap().parse().unwrap();
     assert!(deviation > 0.0 && deviation <= 1e-3, "{deviation}");
@@ -172,8 +248,8 @@ fn a_cup_of_step_is_as_far_off_as_it_says() {
 
 #[test]
 fn a_section_has_the_area_of_the_clay() {
-    let (_, bytes) = &files(&notes("", "1/x"))[6];
-    let text = std::str::from_utf8(bytes).unwrap();
+    let bytes = file("svg", &notes("", "1/x"));
+    let text = std::str::from_utf8(&bytes).unwrap();
     let (_, path) = text.split_once("<path id=\"section-1\" d=\"").unwrap();
     let mut area = 0.0;
     for outline in path.split('"').next().unwrap().trim_end_matches('Z').split('Z') {
@@ -189,15 +265,197 @@ fn a_section_has_the_area_of_the_clay() {
         }
     }
     assert!((area.abs() - (40.0 * 5.0 + 2.0 * 5.0 * 25.0)).abs() < 0.01, "{area}");
-    let perimeter = 90.0 * 2.0 * 20.0 * libm::sin(PI / 90.0);
-    assert!(text.contains(&format!("Rim unrolled, {perimeter:.1} once round")), "{perimeter}");
+    // 40 mm across, in centimetres.
+    let perimeter = 720.0 * 2.0 * 2.0 * libm::sin(PI / 720.0);
+    assert!(text.contains(&format!("Rim unrolled, {perimeter:.2} once round; ")), "{perimeter}");
+    assert!(text.contains("lower edge 1.5 above the foot"), "half of the wall is below a strip of so short a cup");
+}
+
+/// The text of a layer.
+fn layer<'a>(text: &'a str, id: &str) -> &'a str {
+    let (_, rest) = text.split_once(&format!("<g id=\"{id}\" inkscape:groupmode=\"layer\" inkscape:label=\"")).unwrap();
+    rest.split_once("\n</g>\n<g id=\"").or_else(|| rest.split_once("\n</g>\n</svg>")).unwrap().0
+}
+
+#[test]
+fn a_template_has_layers() {
+    let bytes = file("svg", &notes("Vase", "1/x"));
+    let text = std::str::from_utf8(&bytes).unwrap();
+    let [grid, outline, words] = ["grid", "outline", "text"].map(|id| layer(text, id));
+    assert!(grid.contains("<line ") && !grid.contains("<path ") && !grid.contains("<text "));
+    for id in ["section-1", "rim-1", "strip-1"] {
+        assert!(outline.contains(&format!("id=\"{id}\"")), "{id}");
+    }
+    assert!(!outline.contains("<line ") && !outline.contains("<text "), "what is cut out is the clay alone");
+    assert!(words.contains(">Vase</text>") && words.contains("id=\"bar\"") && words.contains(">10 cm</text>"));
+    assert_eq!(text.matches("<text ").count(), words.matches("<text ").count());
+    for told in [
+        "As large as designed. Lengths in centimetres",
+        ">3 top<",
+        ">0.5 floor<",
+        ">0 foot<",
+        "farthest from the axis: 2<",
+    ] {
+        assert!(words.contains(told), "{told}");
+    }
+}
+
+#[test]
+fn templates_are_in_the_unit_of_the_design() {
+    let told = |unit: Unit, millimetres: f64| {
+        String::from_utf8(file("svg", &Notes { unit, millimetres, ..notes("", "1/x") })).unwrap()
+    };
+    let inches = told(Unit::In, 25.4 * 1.000_000_000_1);
+    for text in ["As large as designed. Lengths in inches", ">1.18 top<", ">4 in<"] {
+        assert!(inches.contains(text), "{text}");
+    }
+    let millimetres = told(Unit::Mm, 1.0 / 0.88);
+    for text in ["1.1364 times as large as designed. Lengths in millimetres", ">30 top<", ">100 mm<"] {
+        assert!(millimetres.contains(text), "{text}");
+    }
+    for text in [inches, millimetres] {
+        let words = text.split("<text ").skip(1).filter_map(|rest| rest.split('<').next()?.split_once('>'));
+        for (_, word) in words.filter(|(_, word)| !word.contains("Pasu")) {
+            for number in word.split(|c: char| !c.is_ascii_digit() && c != '.').filter_map(|part| part.split_once('.'))
+            {
+                assert!(number.1.len() <= 4 && !number.1.ends_with('0'), "{word}");
+            }
+        }
+    }
+}
+
+/// An outside 30 mm high whose rim rises and falls by `wave` mm `n` times, and is wider than its foot of 20 mm by `flare`; in model units of 10 mm.
+struct Lip {
+    wave: f64,
+    n: f64,
+    flare: f64,
+}
+
+impl Sealed for Lip {}
+
+impl Face for Lip {
+    fn kind(&self) -> FaceKind {
+        FaceKind::Outer
+    }
+
+    fn jet(&self, a: f64, v: f64) -> FaceJet {
+        let out = DVec3::new(libm::cos(v), libm::sin(v), 0.0) / 10.0;
+        let (radius, height) = (20.0 + a * self.flare, 30.0 + self.wave * libm::cos(self.n * (v - 1.0)));
+        let position = radius * out + a * height * DVec3::Z / 10.0;
+        FaceJet { position, da: self.flare * out + height * DVec3::Z / 10.0, dv: radius * DVec3::Z.cross(out) }
+    }
+
+    fn outward(&self) -> f64 {
+        -1.0
+    }
+}
+
+/// The template of a cup under such a rim.
+fn under(lip: &Lip) -> String {
+    let cup = cup();
+    let frame = Frame { origin: DVec3::ZERO, axis: DVec3::Z, across: DVec3::X };
+    let stand = Stand::new(frame, std::iter::once(lip as &dyn Face), 10.0);
+    String::from_utf8(template::write(&notes("", "1/x"), &[cup.body()], &[stand], None).unwrap()).unwrap()
+}
+
+#[test]
+fn sections_are_where_the_rim_is_highest_and_lowest() {
+    let ids = |text: &str| ["section-1", "section-1-lowest"].map(|id| text.matches(&format!("id=\"{id}\"")).count());
+    let level = under(&Lip { wave: 0.04, n: 2.0, flare: 0.0 });
+    assert_eq!(
+        (ids(&level), level.matches("Section through").count()),
+        ([1, 0], 0),
+        "nobody sees that it is not level"
+    );
+    let sloping = under(&Lip { wave: 3.0, n: 1.0, flare: 0.0 });
+    assert_eq!(ids(&sloping), [1, 0]);
+    for told in
+        ["Section through the rim's highest and lowest points", ">highest<", ">lowest<", ">2.7 rim at its lowest<"]
+    {
+        assert!(sloping.contains(told), "{told}");
+    }
+    let lobed = under(&Lip { wave: 3.0, n: 2.0, flare: 0.0 });
+    assert_eq!(ids(&lobed), [1, 1]);
+    for told in
+        ["Section through the rim's highest point<", "Section through the rim's lowest point<", ">highest<", ">lowest<"]
+    {
+        assert!(lobed.contains(told), "{told}");
+    }
+    // The planes as they are seen from above: at 1, where the rim is highest, and a quarter turn from it.
+    let dashed: Vec<[f64; 4]> = lobed
+        .split("<line ")
+        .filter(|line| line.contains("dasharray"))
+        .map(|line| {
+            ["x1=\"", "y1=\"", "x2=\"", "y2=\""]
+                .map(|key| line.split_once(key).unwrap().1.split('"').next().unwrap().parse().unwrap())
+        })
+        .filter(|[x1, _, x2, _]| x1 != x2)
+        .collect();
+    let slopes: Vec<f64> = dashed.iter().map(|[x1, y1, x2, y2]| (y1 - y2) / (x2 - x1)).collect();
+    let tangent = libm::tan(1.0);
+    assert!(
+        slopes.len() == 2 && (slopes[0] - tangent).abs() < 0.02 && (slopes[1] + 1.0 / tangent).abs() < 0.02,
+        "{slopes:?}"
+    );
+}
+
+#[test]
+fn a_strip_fits_a_body_that_is_narrower_than_its_rim() {
+    let text = under(&Lip { wave: 0.0, n: 1.0, flare: 10.0 });
+    // Half way up, where the radius is 25 mm.
+    let chords = 2.0 * 720.0 * libm::sin(PI / 720.0);
+    let told = format!(
+        "Rim unrolled, {:.2} once round at its lower edge and {:.2} along the rim; lay the strip round the pot with its lower edge 1.5 above the foot",
+        2.5 * chords,
+        3.0 * chords
+    );
+    assert!(text.contains(&told), "{told}");
+    let (_, path) = text.split_once("<path id=\"strip-1\" d=\"M").unwrap();
+    let points: Vec<(f64, f64)> = path
+        .split('Z')
+        .next()
+        .unwrap()
+        .split('L')
+        .map(|point| point.split_once(' ').unwrap())
+        .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+        .collect();
+    // The mantle of the cone between them, whose area is that of a trapezium bent round.
+    let twice: f64 = points.iter().zip(points.iter().cycle().skip(1)).map(|((x, y), (u, v))| x * v - u * y).sum();
+    let mantle = PI * (30.0 + 25.0) * libm::hypot(5.0, 15.0);
+    assert!((twice.abs() / 2.0 - mantle).abs() < 1e-3 * mantle, "{} {mantle}", twice / 2.0);
+    let lowest = points.iter().map(|(_, y)| *y).fold(f64::MIN, f64::max);
+    assert!(points.iter().filter(|(_, y)| lowest - y < 0.5).count() < 200, "bent, and not straight");
+}
+
+#[test]
+fn a_template_on_sheets_shows_all_of_it() {
+    for (format, width, height, pitch) in [("a4.svg", 210.0, 297.0, 297.127), ("letter.svg", 215.9, 279.4, 279.4)] {
+        let bytes = file(format, &notes("Vase & <pot>", "1/x"));
+        let text = std::str::from_utf8(&bytes).unwrap();
+        let n_sheets = text.matches("<inkscape:page ").count();
+        assert!(n_sheets >= 1, "{format}");
+        assert!(text.contains(&format!("@page{{size:{width}mm {height}mm;margin:0}}")));
+        let (_, rest) = text.split_once(" height=\"").unwrap();
+        let tall: f64 = rest.split("mm").next().unwrap().parse().unwrap();
+        assert!((tall - pitch * n_sheets as f64).abs() < 1e-3 * n_sheets as f64, "{format} {tall}");
+        for id in ["grid", "outline", "text"] {
+            let drawn = layer(text, id);
+            assert_eq!(drawn.matches(&format!("href=\"#whole-{id}\"")).count(), n_sheets, "{format} {id}");
+        }
+        assert_eq!(layer(text, "text").matches("href=\"#marks\"").count(), n_sheets);
+        assert!(text.contains(&format!("Vase &amp; &lt;pot&gt;: sheet {n_sheets} of {n_sheets}, ")));
+        // The drawing itself is that of the template on one page.
+        let whole = file("svg", &notes("Vase & <pot>", "1/x"));
+        let whole = std::str::from_utf8(&whole).unwrap();
+        assert!(text.contains(layer(whole, "outline").split_once("\n").unwrap().1));
+    }
 }
 
 #[test]
 fn what_is_cut_short_does_no_harm() {
     for (_, bytes) in files(&notes("Vase", "1/bloor-wilson?a=6")) {
         for length in (0..bytes.len()).step_by(1 + bytes.len() / 500).chain(0..bytes.len().min(300)) {
-            let _ = open(&bytes[..length]);
+            let _ = provenance(&bytes[..length]);
         }
     }
 }
@@ -215,8 +473,50 @@ fn what_is_damaged_does_no_harm() {
             let at = if state & 2 == 0 { place } else { bytes.len() - 1 - place };
             bytes[at] = (state >> 20) as u8;
         }
-        let _ = open(&bytes);
+        let _ = provenance(&bytes);
     }
+}
+
+#[test]
+fn colours_are_those_of_clay_and_glaze() {
+    let cup = cup();
+    let bodies = [cup.body(), Body { look: Look { glaze: Glaze::Cobalt, clay: Clay::Porcelain }, ..cup.body() }];
+    let text = String::from_utf8(obj::write(&notes("", "1/x"), &bodies)).unwrap();
+    let library = obj_materials();
+    let named: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("usemtl ")).collect();
+    assert_eq!(named, ["celadon_on_stoneware", "cobalt_on_porcelain"]);
+    assert_eq!(text.matches("mtllib pasu.mtl\n").count(), 1);
+    let colours: Vec<[u8; 3]> = named
+        .iter()
+        .map(|name| {
+            let (_, rest) = library.split_once(&format!("newmtl {name}\nKd ")).unwrap();
+            let numbers: Vec<f64> = rest.lines().next().unwrap().split(' ').map(|x| x.parse().unwrap()).collect();
+            [0, 1, 2].map(|i| libm::round(255.0 * numbers[i]) as u8)
+        })
+        .collect();
+    assert_ne!(colours[0], colours[1]);
+    assert!(colours[1][2] > 2 * colours[1][0], "cobalt is blue: {colours:?}");
+    // Every name once, all of them words.
+    let names: BTreeSet<&str> = library.lines().filter_map(|line| line.strip_prefix("newmtl ")).collect();
+    assert_eq!((names.len(), library.matches("newmtl ").count()), (32, 32));
+    assert!(names.iter().all(|name| !name.contains(char::is_whitespace)));
+
+    let bytes = ply::write(&notes("", "1/x"), &bodies);
+    let end = bytes.windows(11).position(|window| window == b"end_header\n").unwrap() + 11;
+    let header = std::str::from_utf8(&bytes[..end]).unwrap();
+    assert!(
+        header
+            .contains("property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face")
+    );
+    let n = cup.positions.len() / 3;
+    for vertex in 0..2 * n {
+        assert_eq!(bytes[end + 15 * vertex + 12..][..3], colours[vertex / n], "{vertex}");
+    }
+
+    // Both are in the package, and the bodies are the same.
+    let package = obj::package(&notes("", "1/x"), &bodies);
+    assert_eq!(zip::beginning_of(&package, "pasu.obj", usize::MAX >> 1).unwrap(), text.into_bytes());
+    assert_eq!(zip::beginning_of(&package, "pasu.mtl", usize::MAX >> 1).unwrap(), library.into_bytes());
 }
 
 proptest! {
@@ -224,6 +524,6 @@ proptest! {
     fn no_bytes_do_harm(bytes in prop::collection::vec(any::<u8>(), 0..400), kind in 0..8usize) {
         let starts: [&[u8]; 8] =
             [b"", b"PK\x03\x04", b"glTF", b"ply\n", b"# Pasu ", b"ISO-10303-21;", b"<?xml", b"PK\x03\x04PK\x05\x06"];
-        let _ = open(&[starts[kind], &bytes].concat());
+        let _ = provenance(&[starts[kind], &bytes].concat());
     }
 }

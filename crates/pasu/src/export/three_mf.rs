@@ -9,8 +9,8 @@ use super::zip::Package;
 
 /// Where the model is in the package.
 pub(super) const MODEL: &str = "3D/3dmodel.model";
-/// The name of the metadata that holds the link, which stands near the beginning of the model.
-pub(super) const LINK: &str = "pasu:link";
+/// What begins an element of our metadata, up to its name; they stand near the beginning of the model.
+pub(super) const METADATA: &str = "<metadata name=\"pasu:";
 
 const THUMBNAIL: &str = "Metadata/thumbnail.png";
 
@@ -43,7 +43,7 @@ fn model(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     text.push_str(&metadata("Title", &notes.title));
     text.push_str(&metadata("Application", PROGRAM));
     for (name, value) in notes.list() {
-        text.push_str(&metadata(&format!("pasu:{name}"), value));
+        text.push_str(&metadata(&format!("pasu:{name}"), &value));
     }
     text.push_str("<resources>\n<basematerials id=\"1\">");
     for body in bodies {

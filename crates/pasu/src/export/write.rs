@@ -1,15 +1,13 @@
 //! From a design to the bytes of a file.
 
-use core::f64::consts::TAU;
-
 use glam::DVec3;
 
 use super::contents::{Body, Notes};
-use super::template::{Frame, Stand};
+use super::template::{Frame, Paper, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
-use crate::face::{Face, FaceKind};
+use crate::face::Face;
 use crate::make::{Made, Making, Size, SolidMesh, make};
 use crate::make::{Report, Severity, verdict};
 use crate::solid::Pot;
@@ -17,22 +15,21 @@ use crate::solution::{Placed, Solution};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
-/// Points round the rim of a template.
-const RIM: usize = 720;
 /// No file reaches 4 GB: its lengths would not fit.
 const MOST_TRIANGLES: usize = 20_000_000;
 
 /// The bytes of a file of what is made of a design: the same for the same design and making, on every machine and every day.
 ///
-/// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from: the link, the [fingerprint](crate::fingerprint()),
-/// the version of Pasu and the verdict of the [checks](crate::check()); an STL file has room for a short link only. [`open`](super::open) finds the link again. `docs/files.md` says which format holds what.
+/// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from and how: the link, the [fingerprint](crate::fingerprint()),
+/// the version of Pasu, the verdict of the [checks](crate::check()) and the making; an STL file has room for a short link only. [`open`](super::open) finds the link again,
+/// [`provenance`](super::provenance()) link and making. `docs/files.md` says which format holds what.
 ///
 /// - The mesh formats hold the very numbers of [`solid`](crate::solid()) that were checked.
 /// - STEP holds one closed solid per part, whose faces are cubic B-splines within a hundred-thousandth of its size of the exact faces, or within the tolerance asked for if that is less; how far they are off at most is in its header.
-/// - SVG is a template at true scale.
+/// - SVG is a template at true scale, on one page or on sheets of paper.
 ///
 /// # Errors
-/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles, and for a template that reaches further than 10 m. A design with warnings is written all the same; the verdict is in the file.
+/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles, for a template that reaches further than 10 m, and for one that takes more than 200 sheets. A design with warnings is written all the same; the verdict is in the file.
 ///
 /// ```
 /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -87,7 +84,9 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         link: design.link(),
         fingerprint: solution.fingerprint()?,
         verdict: told(&verdict(design, making, millimetres, Vec::new(), &made)),
-        scale: format!("1 {} of the design is {} mm here", design.unit().name(), plain(millimetres)),
+        millimetres,
+        making: *making,
+        unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| body(design, &notes.title, &made.mesh)).collect();
     match format {
@@ -95,6 +94,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
         Format::Glb => Ok(glb::write(&notes, &bodies)),
         Format::Obj => Ok(obj::write(&notes, &bodies)),
+        Format::ObjZip => Ok(obj::package(&notes, &bodies)),
         Format::Ply => Ok(ply::write(&notes, &bodies)),
         Format::Step => {
             let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
@@ -118,14 +118,19 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
             }
             step::write(&notes, &parts, millimetres)
         }
-        Format::Svg => {
-            let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, millimetres)).collect();
-            for ((body, stand), made) in bodies.iter().zip(&stands).zip(&made) {
-                on_paper(making, made.mesh.part, template::reach(body, stand))?;
-            }
-            Ok(template::write(&notes, &bodies, &stands))
-        }
+        Format::Svg => drawing(&notes, &bodies, &made, None),
+        Format::SvgA4 => drawing(&notes, &bodies, &made, Some(Paper::A4)),
+        Format::SvgLetter => drawing(&notes, &bodies, &made, Some(Paper::Letter)),
     }
+}
+
+/// A template of what was made.
+fn drawing(notes: &Notes, bodies: &[Body], made: &[Made], paper: Option<Paper>) -> Result<Vec<u8>> {
+    let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, notes.millimetres)).collect();
+    for ((body, stand), made) in bodies.iter().zip(&stands).zip(made) {
+        on_paper(&notes.making, made.mesh.part, template::reach(body, stand))?;
+    }
+    template::write(notes, bodies, &stands, paper)
 }
 
 /// Refuses a template that is larger than paper comes.
@@ -205,30 +210,12 @@ fn told(report: &Report) -> String {
     }
 }
 
-/// The axis of a pot and the upper edge of its outside.
+/// How a pot stands on paper.
 fn stand(pot: &Pot, millimetres: f64) -> Stand {
     let axis = pot.axis();
     // Along world x, or along y for a pot that lies along x.
     let along = if axis.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
     let across = (along - along.dot(axis) * axis).normalize();
     let frame = Frame { origin: millimetres * pot.origin(), axis, across };
-    let mut rim = Vec::new();
-    let mut height = f64::NEG_INFINITY;
-    for face in pot.faces().iter().filter(|face| face.kind() == FaceKind::Outer) {
-        for a in [0.0, 1.0] {
-            let mut walk = face.walk();
-            let curve: Vec<DVec3> =
-                (0..RIM).map(|i| millimetres * walk.jet(a, TAU * i as f64 / RIM as f64).position).collect();
-            let mean = curve.iter().map(|point| point.dot(axis)).sum::<f64>() / RIM as f64;
-            if mean > height {
-                height = mean;
-                rim = curve;
-            }
-        }
-    }
-    let across = rim.iter().map(|point| (*point - rim[0]).length()).fold(0.0, f64::max);
-    if !(across > 0.0) {
-        rim.clear();
-    }
-    Stand { frame, rim }
+    Stand::new(frame, pot.faces().iter().map(|face| face as &dyn Face), millimetres)
 }

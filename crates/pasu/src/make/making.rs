@@ -95,6 +95,11 @@ impl Making {
         Ok(Scale { size, shrinkage, millimetres })
     }
 
+    /// Whether every number is within its range, whatever the design.
+    pub(crate) fn is_in_range(&self) -> bool {
+        self.check().is_ok()
+    }
+
     /// Refuses what is outside its range.
     fn check(&self) -> Result<()> {
         let positive = |name: &str, value: f64| {
