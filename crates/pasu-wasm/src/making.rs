@@ -6,7 +6,17 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::mesh::set;
-use crate::{fields, options, plain_object, source};
+use crate::{fields, options, plain, plain_object, source};
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(extends = Uint8Array, js_name = Uint8Array)]
+    type Bytes;
+
+    /// Throws of an array whose buffer was transferred, and of a proxy of an array.
+    #[wasm_bindgen(catch, constructor, js_class = "Uint8Array")]
+    fn new(array: &JsValue) -> Result<Bytes, JsValue>;
+}
 
 /// What can be measured, as a plain object.
 ///
@@ -119,9 +129,10 @@ pub fn water(source: &JsValue, level: &JsValue) -> Result<Object, JsValue> {
 /// When these are not bytes.
 #[wasm_bindgen]
 pub fn open(bytes: &JsValue) -> Result<Option<String>, JsValue> {
-    let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
+    if !bytes.is_instance_of::<Uint8Array>() {
         let error = pasu::Error::new(pasu::Code::WrongType, "bytes", "expected the bytes of a file, a Uint8Array");
         return Err(thrown(&error));
-    };
+    }
+    let bytes = Bytes::new(bytes).map_err(|error| thrown(&plain::unreadable(error).at("bytes")))?;
     Ok(pasu::open(&bytes.to_vec()))
 }
