@@ -61,7 +61,7 @@ impl Target {
     pub fn seeds(self) -> Vec<Vec<u8>> {
         match self {
             Target::Document => seeds::documents(),
-            Target::Link => seeds::links(),
+            Target::Link => seeds::links_and_contents(),
             Target::File => seeds::files(),
             Target::Calls => seeds::calls(),
         }
@@ -71,7 +71,7 @@ impl Target {
     pub fn mutated(self, input: &[u8], others: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
         match self {
             Target::Document => mutation::of_document(input, others, random),
-            Target::Link => mutation::of_link(input, others, random),
+            Target::Link => mutation::of_document(input, others, random),
             Target::File => mutation::of_bytes(input, random),
             Target::Calls => mutation::of_call(input, others, random),
         }

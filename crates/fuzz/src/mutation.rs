@@ -145,14 +145,17 @@ const FIELDS: [&str; 40] = [
     "scale",
 ];
 
+/// How often a number is looked for.
+const TRIES: usize = 2;
+
 /// Lists are made this long: more than any limit of a design's parts and modes but the largest.
 const LONG: usize = 70;
 
-/// A document as text.
+/// A document as text, or a link.
 pub(crate) fn of_document(input: &[u8], others: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     match serde_json::from_slice::<Value>(input) {
         Ok(mut value) if !random.chance(8) => {
-            for _ in 0..1 + random.below(3) {
+            for _ in 0..1 + random.below(2) {
                 change(&mut value, others, random);
             }
             value.to_string().into_bytes()
@@ -163,7 +166,7 @@ pub(crate) fn of_document(input: &[u8], others: &[Vec<u8>], random: &mut Random)
 }
 
 /// A link: its numbers, names and signs, or its bytes.
-pub(crate) fn of_link(input: &[u8], others: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
+fn of_link(input: &[u8], others: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     let text = String::from_utf8_lossy(input).into_owned();
     let Some((kind, fields)) = text.split_once('?').filter(|_| !random.chance(6)) else {
         return of_bytes(input, random);
@@ -229,7 +232,14 @@ pub(crate) fn of_bytes(input: &[u8], random: &mut Random) -> Vec<u8> {
 
 /// Changes one value of a tree.
 fn change(tree: &mut Value, others: &[Vec<u8>], random: &mut Random) {
-    let mut at = random.below(nodes(tree));
+    let n = nodes(tree);
+    let mut at = random.below(n);
+    // Rather a number: it leaves a design more often, and what is no design is soon refused.
+    for _ in 0..TRIES {
+        if !node(tree, &mut at.clone()).is_some_and(|node| node.is_number()) {
+            at = random.below(n);
+        }
+    }
     let place = node(tree, &mut at).expect("as many nodes as were counted");
     if random.chance(6) {
         // What stands at the same place of another design, as far as one can go there.

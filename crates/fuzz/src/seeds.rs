@@ -1,5 +1,6 @@
 //! What inputs are made of: designs that people draw, those that once took too long, and what is written of them.
 
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use pasu::{Design, Format, Making, Product, open, write};
 use serde_json::{Value, json};
 
@@ -56,8 +57,15 @@ pub(crate) fn documents() -> Vec<Vec<u8>> {
     seeds
 }
 
+/// Links, and what is packed in them, as text and as the stream that it becomes.
+pub(crate) fn links_and_contents() -> Vec<Vec<u8>> {
+    let mut seeds = documents();
+    seeds.extend(designs().iter().step_by(8).map(|design| compress_to_vec_zlib(design.as_bytes(), 1)));
+    seeds
+}
+
 /// The links of the designs, of the hostile ones among them those that came as links.
-pub(crate) fn links() -> Vec<Vec<u8>> {
+fn links() -> Vec<Vec<u8>> {
     let known = designs().into_iter().filter_map(|design| Some(format!("#{}", Design::parse(&design).ok()?.link())));
     let hostile = read(HOSTILE).into_iter().filter_map(|case| case["input"].as_str().map(str::to_owned));
     known.chain(hostile).map(String::into_bytes).collect()

@@ -15,7 +15,7 @@ fn judge(target: Target, input: &[u8], told: &str) -> bool {
     })
 }
 
-/// What was kept, then so many inputs of up to four changes each.
+/// What was kept, then so many inputs of up to three changes each.
 fn run(target: Target, count: u64) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases").join(target.name());
     for entry in fs::read_dir(&folder).into_iter().flatten() {
@@ -28,24 +28,24 @@ fn run(target: Target, count: u64) {
     for seed in 0..count {
         let mut random = Random::new(seed);
         let mut input = random.one_of(&seeds).clone();
-        for _ in 0..1 + random.below(4) {
+        for _ in 0..1 + random.below(3) {
             input = target.mutated(&input, &seeds, &mut random);
         }
         n_answered += u64::from(judge(target, &input, &format!("the input of seed {seed}")));
     }
     println!("{n_answered} of {count} inputs of the target {} were answered", target.name());
     // Changes that leave nothing to answer would test refusals alone.
-    assert!(16 * n_answered >= count, "only {n_answered} of {count} were answered");
+    assert!(8 * n_answered >= count, "only {n_answered} of {count} were answered");
 }
 
 #[test]
 fn documents() {
-    run(Target::Document, 3000);
+    run(Target::Document, 1500);
 }
 
 #[test]
 fn links() {
-    run(Target::Link, 3000);
+    run(Target::Link, 1000);
 }
 
 #[test]
@@ -55,7 +55,7 @@ fn files() {
 
 #[test]
 fn calls() {
-    run(Target::Calls, 60);
+    run(Target::Calls, 40);
 }
 
 #[test]
