@@ -268,6 +268,70 @@ test("what the caller's own getters throw is the caller's", async () => {
   }
 });
 
+test("what cannot be read is the caller's mistake, and the instance lives on", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  const detached = (array) => {
+    structuredClone(array, { transfer: [array.buffer] });
+    return array;
+  };
+  const revoked = (value) => {
+    const { proxy, revoke } = Proxy.revocable(value, {});
+    revoke();
+    return proxy;
+  };
+  const wrong = (path) => ({ name: "PasuError", code: "wrong-type", path });
+  assert.throws(() => pasu.evaluate(VASE, 0, detached(new Float64Array(4))), wrong("at"));
+  assert.throws(() => pasu.derivatives(VASE, 0, revoked([0, 0])), wrong("at"));
+  assert.throws(() => pasu.open(detached(new Uint8Array(4))), wrong("bytes"));
+  assert.throws(() => pasu.open(new Proxy(new Uint8Array(4), {})), wrong("bytes"));
+  assert.throws(() => pasu.parse(revoked({})), wrong(""));
+  for (const call of [pasu.mesh, pasu.bound, pasu.measure, pasu.check, pasu.solid, pasu.sketch]) {
+    assert.throws(() => call(VASE, revoked({})), { name: "PasuError", code: "wrong-type" });
+    assert.throws(() => call(VASE, 5), { name: "PasuError", code: "wrong-type" });
+  }
+  const design = pasu.parse(VASE);
+  design.parts[0].shape.r = detached(new Float64Array(4));
+  assert.throws(() => pasu.link(design), wrong("parts[0].shape.r"));
+  const into = { positions: detached(new Float32Array(999)), normals: revoked([]) };
+  assert.equal(pasu.mesh(VASE, { rows: 5, columns: 9, into }).positions.length, 3 * 5 * 9);
+});
+
+test("a getter cannot call what reads it", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  const design = pasu.parse(VASE);
+  const inner = [];
+  const calling = (call) => ({
+    enumerable: true,
+    get() {
+      try {
+        return call();
+      } catch (error) {
+        inner.push(error.code);
+        throw error;
+      }
+    },
+  });
+  // One that reads itself without end.
+  Object.defineProperty(
+    design.parts[0],
+    "name",
+    calling(() => pasu.parse(design).title),
+  );
+  assert.throws(() => pasu.parse(design), { code: "wrong-type", path: "parts[0].name" });
+  assert.deepEqual(inner, ["busy"]);
+  // What comes of it is no array, so there are new ones.
+  const into = Object.defineProperty(
+    {},
+    "positions",
+    calling(() => pasu.mesh(VASE).positions),
+  );
+  assert.equal(pasu.mesh(VASE, { rows: 5, columns: 9, into }).positions.length, 3 * 5 * 9);
+  assert.deepEqual(inner, ["busy", "busy"]);
+  assert.equal(pasu.link(VASE), VASE.slice(1));
+});
+
 test("the module without SIMD gives the same bits", () => {
   const hashes = ["pasu_bg.wasm", "pasu_scalar_bg.wasm"].map((module) => {
     const script = `import { readFileSync } from "node:fs";

@@ -35,6 +35,8 @@ export type PasuErrorCode =
   | "no-room"
   /** A function was called before `init()` had finished. */
   | "not-ready"
+  /** A function was called by a getter or a proxy in the arguments of another call. */
+  | "busy"
   /** A mistake of Pasu's own. The next call works on a fresh instance. */
   | "bug";
 

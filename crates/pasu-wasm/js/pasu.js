@@ -1,7 +1,7 @@
 // Pasu for browsers, workers and Node: all of it.
 
 import * as bindings from "./bindings.js";
-import { entry, PasuError } from "./wrapper.js";
+import { apart, entry, PasuError } from "./wrapper.js";
 
 const { init, call, parse, link, mesh, bound, evaluate, derivatives, fingerprint } = entry(
   { module: () => new URL("./pasu_bg.wasm", import.meta.url), bindings: () => bindings },
@@ -14,7 +14,7 @@ const write = (source, format, making) => call("write", source, format, making);
 const objMaterials = () => call("objMaterials");
 const solid = (source, making) => call("solid", source, making);
 const sketch = (source, options) => {
-  const { into, ...others } = options ?? {};
+  const { into, others } = apart(options);
   return call("sketch", source, others, into);
 };
 const paint = (source, map, options) => call("paint", source, map, options);

@@ -83,6 +83,18 @@ function ofTables(mesh) {
   return mesh;
 }
 
+/** The options of a call without `into`, and that. */
+export function apart(options) {
+  if (typeof options !== "object" || options === null) return { others: options };
+  try {
+    const { into, ...others } = options;
+    return { into, others };
+  } catch (cause) {
+    if (cause instanceof RangeError) throw cause; // as when the stack has run out
+    throw new PasuError("wrong-type", "options", "expected options, found something that cannot be read", { cause });
+  }
+}
+
 /**
  * An entry: `init`, `call`, which calls a binding by its name, and the functions that every entry has.
  *
@@ -94,6 +106,7 @@ export function entry(simd, scalar) {
   let loading;
   let loaded;
   let broken = false;
+  let busy = false;
 
   /** Loads the module, once; `source` says where it is, if not beside this file, or is a function that does. */
   function init(source) {
@@ -112,6 +125,9 @@ export function entry(simd, scalar) {
 
   function call(name, ...args) {
     if (!loaded) throw new PasuError("not-ready", "", "Pasu is not loaded yet: call init() and wait for it first.");
+    // A getter that calls what reads it has no end, and an instance must not be replaced under a call that goes on.
+    if (busy) throw new PasuError("busy", "", "Pasu is at another call, whose arguments cannot call it themselves.");
+    busy = true;
     try {
       if (broken) {
         loaded.__wbg_reset_state();
@@ -126,6 +142,8 @@ export function entry(simd, scalar) {
       // at the next call, not now: the stack may be what has run out.
       broken = true;
       throw new PasuError("bug", "", error instanceof Error ? error.message : String(error), { cause: error });
+    } finally {
+      busy = false;
     }
   }
 
@@ -135,8 +153,7 @@ export function entry(simd, scalar) {
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),
     mesh(source, options) {
-      if (typeof options !== "object" || options === null) return ofTables(call("mesh", source, options, tables));
-      const { into, ...others } = options;
+      const { into, others } = apart(options);
       return into === undefined ? ofTables(call("mesh", source, others, tables)) : call("mesh", source, others, into);
     },
     bound: (source, options) => call("bound", source, options),

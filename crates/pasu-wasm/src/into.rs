@@ -3,7 +3,7 @@
 //! One contract for all that take them: an array that is long enough is written over and handed back, as a view of its beginning where it is longer. For one
 //! that is too short, or none, or anything else, there is a new one.
 
-use js_sys::{Float32Array, Uint32Array};
+use js_sys::{ArrayBuffer, Float32Array, Uint32Array};
 use wasm_bindgen::{JsCast, JsValue};
 
 /// How much longer than what is in them new arrays are.
@@ -33,7 +33,8 @@ macro_rules! written {
         pub(crate) fn $name(values: &[$number], given: &JsValue, room: Room) -> $array {
             let length = values.len() as u32;
             let array = match given.dyn_ref::<$array>() {
-                Some(array) if array.length() >= length => array.clone(),
+                // A proxy passes for an array and throws when it is asked for anything.
+                Some(array) if ArrayBuffer::is_view(given) && array.length() >= length => array.clone(),
                 _ if room.length(values.len()) == length => return <$array>::from(values),
                 _ => <$array>::new_with_length(room.length(values.len())),
             };

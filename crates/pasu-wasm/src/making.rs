@@ -6,7 +6,17 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::mesh::set;
-use crate::{fields, options, plain_object, source};
+use crate::{fields, options, plain, plain_object, source};
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(extends = Uint8Array, js_name = Uint8Array)]
+    type Bytes;
+
+    /// Throws of an array whose buffer was transferred, and of a proxy of an array.
+    #[wasm_bindgen(catch, constructor, js_class = "Uint8Array")]
+    fn new(array: &JsValue) -> Result<Bytes, JsValue>;
+}
 
 /// What can be measured, as a plain object.
 ///
@@ -144,11 +154,10 @@ pub fn provenance(bytes: &JsValue) -> Result<Option<Object>, JsValue> {
 
 /// The bytes of a file.
 fn file(bytes: &JsValue) -> Result<Vec<u8>, JsValue> {
-    match bytes.dyn_ref::<Uint8Array>() {
-        Some(bytes) => Ok(bytes.to_vec()),
-        None => {
-            let expected = "expected the bytes of a file, a Uint8Array";
-            Err(thrown(&pasu::Error::new(pasu::Code::WrongType, "bytes", expected)))
-        }
+    if !bytes.is_instance_of::<Uint8Array>() {
+        let error = pasu::Error::new(pasu::Code::WrongType, "bytes", "expected the bytes of a file, a Uint8Array");
+        return Err(thrown(&error));
     }
+    let bytes = Bytes::new(bytes).map_err(|error| thrown(&plain::unreadable(error).at("bytes")))?;
+    Ok(bytes.to_vec())
 }

@@ -1,16 +1,34 @@
 //! JavaScript values as plain data for `serde`.
+//!
+//! What a getter, a proxy or a detached array of the caller throws must not leave this module from its middle: it would look like a mistake of ours and cost the instance.
+//! So everything that can throw is imported to be caught, and what is caught is a refusal with the path of what could not be read.
 
-use js_sys::{Array, Float32Array, Float64Array, Object, Reflect};
+use js_sys::{Array, Float32Array, Float64Array, Reflect};
 use pasu::{Code, Error, Result};
 use serde::de::value::SeqDeserializer;
 use serde::de::{DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::forward_to_deserialize_any;
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::prelude::*;
 
-/// A value to be read: lists and objects here, everything within them by `serde_wasm_bindgen`.
-///
-/// That library takes an object apart by `Object.entries` and a list by its iterator, and catches nothing: what a getter or a proxy of the caller throws would leave
-/// this module from its middle, which looks like a mistake of ours and costs the instance. It reads a `Float64Array` as an object with the fields `"0"`, `"1"`, and so on.
+#[wasm_bindgen]
+extern "C" {
+    /// Throws of a revoked proxy.
+    #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
+    fn is_array(value: &JsValue) -> core::result::Result<bool, JsValue>;
+
+    /// Throws what a proxy throws.
+    #[wasm_bindgen(catch, js_namespace = Object, js_name = keys)]
+    fn keys(object: &JsValue) -> core::result::Result<Array, JsValue>;
+
+    #[wasm_bindgen(extends = Float64Array, js_name = Float64Array)]
+    type Numbers;
+
+    /// Throws of an array whose buffer was transferred, and of a proxy of an array.
+    #[wasm_bindgen(catch, constructor, js_class = "Float64Array")]
+    fn new(array: &JsValue) -> core::result::Result<Numbers, JsValue>;
+}
+
+/// A value to be read.
 pub(crate) struct Plain(pub(crate) JsValue);
 
 impl<'de> Deserializer<'de> for Plain {
@@ -18,22 +36,25 @@ impl<'de> Deserializer<'de> for Plain {
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value> {
         let Plain(value) = self;
-        if !value.is_object() {
-            let leaf = serde_wasm_bindgen::Deserializer::from(value.clone());
-            return leaf.deserialize_any(visitor).map_err(|_| not_plain(&value));
-        }
-        if let Some(array) = value.dyn_ref::<Float64Array>() {
-            no_longer_than_text(array.length())?;
-            visitor.visit_seq(SeqDeserializer::new(array.to_vec().into_iter()))
-        } else if let Some(array) = value.dyn_ref::<Float32Array>() {
-            no_longer_than_text(array.length())?;
-            visitor.visit_seq(SeqDeserializer::new(array.to_vec().into_iter()))
-        } else if Array::is_array(&value) {
-            visitor.visit_seq(Items { array: value.unchecked_into(), index: 0 })
-        } else if value.is_function() {
+        if value.is_undefined() || value.is_null() {
+            visitor.visit_unit()
+        } else if let Some(truth) = value.as_bool() {
+            visitor.visit_bool(truth)
+        } else if let Some(number) = value.as_f64() {
+            visitor.visit_f64(number)
+        } else if let Some(text) = value.as_string() {
+            visitor.visit_string(text)
+        } else if value.is_bigint() {
+            i64::try_from(value.clone()).map_or_else(|_| Err(not_plain(&value)), |number| visitor.visit_i64(number))
+        } else if !value.is_object() {
             Err(not_plain(&value))
+        } else if let Some(numbers) = numbers(&value)? {
+            no_longer_than_text(numbers.length())?;
+            visitor.visit_seq(SeqDeserializer::new(numbers.to_vec().into_iter()))
+        } else if is_array(&value).map_err(unreadable)? {
+            visitor.visit_seq(Items::of(value)?)
         } else {
-            let keys = Object::keys(value.unchecked_ref::<Object>());
+            let keys = keys(&value).map_err(unreadable)?;
             visitor.visit_map(Fields { object: value, keys, index: 0, key: JsValue::UNDEFINED })
         }
     }
@@ -56,21 +77,52 @@ fn no_longer_than_text(length: u32) -> Result<()> {
     Err(error.with("found", f64::from(length)))
 }
 
-struct Items {
-    array: Array,
+/// The numbers of a typed array, as a copy that nobody else can take away; `None` for everything else.
+pub(crate) fn numbers(value: &JsValue) -> Result<Option<Float64Array>> {
+    if !(value.is_instance_of::<Float64Array>() || value.is_instance_of::<Float32Array>()) {
+        return Ok(None);
+    }
+    Ok(Some(Numbers::new(value).map_err(unreadable)?.into()))
+}
+
+/// The items of a list, or of a proxy of one.
+pub(crate) struct Items {
+    list: JsValue,
+    length: u32,
     index: u32,
+}
+
+impl Items {
+    /// The items of a list; `None` in place of what is none.
+    pub(crate) fn if_list(value: &JsValue) -> Result<Option<Items>> {
+        is_array(value).map_err(unreadable)?.then(|| Items::of(value.clone())).transpose()
+    }
+
+    fn of(list: JsValue) -> Result<Items> {
+        let length = Reflect::get(&list, &"length".into()).map_err(unreadable)?;
+        Ok(Items { list, length: length.as_f64().unwrap_or_default() as u32, index: 0 })
+    }
+}
+
+impl Iterator for Items {
+    /// An item, or what the caller threw when it was asked for.
+    type Item = core::result::Result<JsValue, JsValue>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.index == self.length {
+            return None;
+        }
+        let item = Reflect::get_u32(&self.list, self.index);
+        self.index += 1;
+        Some(item)
+    }
 }
 
 impl<'de> SeqAccess<'de> for Items {
     type Error = Error;
 
     fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>> {
-        if self.index == self.array.length() {
-            return Ok(None);
-        }
-        let item = Reflect::get_u32(&self.array, self.index);
-        self.index += 1;
-        within(item, seed).map(Some)
+        self.next().map(|item| within(item, seed)).transpose()
     }
 }
 
@@ -128,21 +180,23 @@ fn not_plain(value: &JsValue) -> Error {
     Error::new(Code::WrongType, "", message)
 }
 
-/// What a getter of the caller threw, or a proxy, is the caller's; that the stack has run out is not, and goes on as it came.
-fn unreadable(thrown: JsValue) -> Error {
+/// What a getter or a proxy of the caller threw, or an array without memory, is the caller's; that the stack has run out is not, and goes on as it came.
+pub(crate) fn unreadable(thrown: JsValue) -> Error {
     if is_overflow(&thrown) {
         wasm_bindgen::throw_val(thrown);
     }
-    Error::new(Code::WrongType, "", "expected plain data, found a field that cannot be read")
+    let message = "expected plain data, found something that cannot be read: a detached array, a revoked proxy, or a getter that throws";
+    Error::new(Code::WrongType, "", message)
 }
 
 /// Whether this is what an engine throws when the stack has run out: a `RangeError` of V8 and JavaScriptCore, an `InternalError` of SpiderMonkey.
 fn is_overflow(thrown: &JsValue) -> bool {
-    match Reflect::get(thrown, &"message".into()) {
+    let message = |of: &JsValue| Reflect::get(of, &"message".into());
+    // Of a revoked proxy that was thrown nothing can be read, but of what is thrown when it is tried; where the stack has run out, of neither.
+    match message(thrown).or_else(|second| message(&second)) {
         Ok(message) => message
             .as_string()
             .is_some_and(|text| text.starts_with("Maximum call stack size") || text == "too much recursion"),
-        // Not even this can be read.
-        Err(_) => thrown.is_object(),
+        Err(_) => true,
     }
 }

@@ -1,8 +1,9 @@
 //! The arguments that name a part and points on it.
 
-use js_sys::{Array, Float32Array, Float64Array};
 use pasu::{Code, Error, Result};
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::JsValue;
+
+use crate::plain::{self, Items};
 
 /// The index of a part. Whether the design has it is `pasu`'s to say.
 pub(crate) fn part(part: &JsValue) -> Result<usize> {
@@ -17,17 +18,17 @@ pub(crate) fn part(part: &JsValue) -> Result<usize> {
 
 /// Parameter values: a `Float64Array`, or a plain array of numbers.
 pub(crate) fn read(at: &JsValue) -> Result<Vec<f64>> {
-    if let Some(array) = at.dyn_ref::<Float64Array>() {
-        return Ok(array.to_vec());
+    let unreadable = |error: Error| error.at("at");
+    if let Some(numbers) = plain::numbers(at).map_err(unreadable)? {
+        return Ok(numbers.to_vec());
     }
-    if let Some(array) = at.dyn_ref::<Float32Array>() {
-        return Ok(array.to_vec().into_iter().map(f64::from).collect());
-    }
-    let Some(array) = at.dyn_ref::<Array>() else {
+    let Some(items) = Items::if_list(at).map_err(unreadable)? else {
         return Err(Error::new(Code::WrongType, "at", "expected a Float64Array of (u, v) pairs"));
     };
-    let number = |(index, item): (usize, JsValue)| {
-        item.as_f64().ok_or_else(|| Error::new(Code::WrongType, format!("at[{index}]"), "expected a number"))
+    let number = |(index, item): (usize, core::result::Result<JsValue, JsValue>)| {
+        let path = || format!("at[{index}]");
+        let item = item.map_err(|thrown| plain::unreadable(thrown).at(path()))?;
+        item.as_f64().ok_or_else(|| Error::new(Code::WrongType, path(), "expected a number"))
     };
-    array.iter().enumerate().map(number).collect()
+    items.enumerate().map(number).collect()
 }

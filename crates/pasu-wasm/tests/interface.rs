@@ -151,8 +151,129 @@ fn a_typed_array_is_looked_at_before_it_is_copied() {
     let part = Reflect::get(&parts, &0.into()).expect("a part");
     let shape = Reflect::get(&part, &"shape".into()).expect("a shape");
     Reflect::set(&shape, &"r".into(), &Float64Array::new_with_length(10_000_000)).expect("set");
-    // As of every document that is too large, no part is to blame.
-    expect(parse(&design), "too-large", "");
+    expect(parse(&design), "too-large", "parts[0].shape.r");
+    // It is one list that is too long, not the document.
+    let message = Reflect::get(&parse(&design).expect_err("too long"), &"message".into()).expect("a message");
+    assert_eq!(message.as_string().as_deref(), Some("expected at most 1048576 numbers in a list, found 10000000"));
+}
+
+/// What a script returns.
+fn made(script: &str) -> JsValue {
+    js_sys::Function::new_no_args(script).call0(&JsValue::UNDEFINED).expect("a script that returns")
+}
+
+/// Values of which nothing can be had, but that they throw.
+fn unreadable() -> Vec<JsValue> {
+    [
+        "const array = new Float64Array(4); structuredClone(array, { transfer: [array.buffer] }); return array",
+        "const array = new Float32Array(4); structuredClone(array, { transfer: [array.buffer] }); return array",
+        "const { proxy, revoke } = Proxy.revocable({}, {}); revoke(); return proxy",
+        "const { proxy, revoke } = Proxy.revocable([1, 2], {}); revoke(); return proxy",
+        "return new Proxy(new Float64Array(4), {})",
+        "return Object.create(Float64Array.prototype)",
+        "return new Proxy({}, { ownKeys() { throw new Error('mine') } })",
+        "return new Proxy([], { get() { throw new Error('mine') } })",
+    ]
+    .into_iter()
+    .map(made)
+    .collect()
+}
+
+#[wasm_bindgen_test]
+fn what_cannot_be_read_is_the_callers_mistake() {
+    let vase = JsValue::from(DINT_VASE);
+    for value in unreadable() {
+        expect(parse(&value), "wrong-type", "");
+        expect(mesh(&vase, &value, &JsValue::UNDEFINED), "wrong-type", "options");
+        expect(evaluate(&vase, &0.into(), &value), "wrong-type", "at");
+        // And at every depth of a design.
+        for path in [&["parts"][..], &["parts", "0"], &["parts", "0", "shape"], &["parts", "0", "shape", "r"]] {
+            let design = js(DINT_VASE);
+            let (last, above) = path.split_last().expect("a path");
+            let of = above.iter().fold(design.clone(), |at, key| Reflect::get(&at, &(*key).into()).expect("a field"));
+            Reflect::set(&of, &(*last).into(), &value).expect("set");
+            let path = ["parts", "[0]", ".shape", ".r"][..path.len()].concat();
+            expect(parse(&design), "wrong-type", &path);
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_getter_may_throw_whatever_it_likes() {
+    let thrown = [
+        "throw new Error('mine')",
+        "throw new RangeError('mine')",
+        "throw undefined",
+        "const { proxy, revoke } = Proxy.revocable({}, {}); revoke(); throw proxy",
+        "throw { get message() { throw new Error('mine') } }",
+        "throw Object.create(null)",
+    ];
+    for statement in thrown {
+        let list = made(&format!("return Object.defineProperty([1, 2, 3, 4], 2, {{ get() {{ {statement} }} }})"));
+        expect(evaluate(&DINT_VASE.into(), &0.into(), &list), "wrong-type", "at[2]");
+        let design = js(DINT_VASE);
+        Reflect::set(&design, &"title".into(), &JsValue::UNDEFINED).expect("set");
+        Reflect::set(&design, &"parts".into(), &list).expect("set");
+        expect(parse(&design), "wrong-type", "parts[2]");
+        // Where there is no array to write over, there is a new one.
+        let into = made(&format!("return {{ get positions() {{ {statement} }} }}"));
+        mesh(&DINT_VASE.into(), &js(r#"{ "rows": 5, "columns": 9 }"#), &into).expect("a mesh");
+    }
+}
+
+#[wasm_bindgen_test]
+fn what_is_no_array_is_not_written_over() {
+    let options = js(r#"{ "rows": 5, "columns": 9 }"#);
+    for script in [
+        "const a = new Float32Array(999); structuredClone(a, { transfer: [a.buffer] }); return a",
+        "const { proxy, revoke } = Proxy.revocable(new Float32Array(999), {}); revoke(); return proxy",
+        "return new Proxy(new Float32Array(999), {})",
+        "return new Proxy(new Float32Array(999), { get: (_, key) => key === 'length' ? 999 : undefined })",
+        "return Object.create(Float32Array.prototype)",
+    ] {
+        let into = Object::new();
+        let given = made(script);
+        Reflect::set(&into, &"positions".into(), &given).expect("set");
+        let found = mesh(&DINT_VASE.into(), &options, &into).expect("a mesh");
+        let positions = Reflect::get(&found, &"positions".into()).expect("a field");
+        assert!(positions != given, "{script}");
+        assert_eq!(positions.unchecked_into::<Float32Array>().length(), 3 * 5 * 9, "{script}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_proxy_of_plain_data_is_plain_data() {
+    let design = js(DINT_VASE);
+    let watched = js_sys::Function::new_with_args(
+        "value",
+        "const watched = (value) => typeof value !== 'object' ? value
+            : new Proxy(value, { get: (of, key) => watched(Reflect.get(of, key)) });
+        return watched(value)",
+    )
+    .call1(&JsValue::UNDEFINED, &design)
+    .expect("a proxy");
+    assert_eq!(stringified(&parse(&watched).expect("read")), stringified(&parse(&design).expect("read")));
+}
+
+#[wasm_bindgen_test]
+fn every_kind_of_number_is_one() {
+    let r = |script: &str| {
+        let design = js(DINT_VASE);
+        let list = made(script);
+        let parts = Reflect::get(&design, &"parts".into()).expect("parts");
+        let part = Reflect::get(&parts, &0.into()).expect("a part");
+        Reflect::set(&Reflect::get(&part, &"shape".into()).expect("a shape"), &"r".into(), &list).expect("set");
+        stringified(&parse(&design).unwrap_or_else(|error| panic!("{script}: {error:?}")))
+    };
+    let plain = r("return [2, 0.5, 0, 1]");
+    for script in [
+        "return new Float64Array([2, 0.5, 0, 1])",
+        "return new Float32Array([2, 0.5, -0, 1])",
+        "return [2n, 0.5, -0, 1n]",
+        "return new Float64Array([9, 2, 0.5, 0, 1]).subarray(1)",
+    ] {
+        assert_eq!(r(script), plain, "{script}");
+    }
 }
 
 fn expect<T: std::fmt::Debug>(outcome: Result<T, impl Into<JsValue>>, code: &str, path: &str) {

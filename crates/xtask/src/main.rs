@@ -7,6 +7,7 @@ mod command;
 mod crate_package;
 mod debian;
 mod dev;
+mod fuzz;
 mod node;
 mod report;
 mod serve;
@@ -32,6 +33,7 @@ cargo xtask <task>
            --tools asks other programs to judge our files; --package tests the crate as it is published
   tidy     the rules of the house alone, which test begins with
   bench    how fast surfaces are computed
+  fuzz     inputs that nobody would think of, guided by the code they reach
 
 `cargo xtask <task> --help` tells more about each.";
 
@@ -46,6 +48,7 @@ fn main() -> ExitCode {
         Some("test") => test::main(&rest),
         Some("tidy") => tidy::main(&rest),
         Some("bench") => bench::main(&rest),
+        Some("fuzz") => fuzz::main(&rest),
         None | Some("help" | "--help" | "-h") => {
             println!("{HELP}");
             return ExitCode::SUCCESS;

@@ -44,11 +44,7 @@ pub fn read_from<'de, T: for<'a> Deserialize<'a>, D: Deserializer<'de, Error = E
 
 /// The tree of any plain data whose reader refuses with our error.
 pub(crate) fn buffered<'de, D: Deserializer<'de, Error = Error>>(source: D) -> Result<Value> {
-    Value::read(source).map_err(|(path, error)| match error.code() {
-        // Of a whole that is too large no part is to blame.
-        Code::TooLarge => error.at(""),
-        _ => error.at(path),
-    })
+    Value::read(source).map_err(|(path, error)| error.at(path))
 }
 
 /// A value to be read.

@@ -39,11 +39,15 @@ const MOST: usize = 1 << 19;
 impl Value {
     /// Reads any plain data; where that fails, with the path of what could not be read.
     pub(super) fn read<'de, D: Deserializer<'de>>(source: D) -> Result<Value, (String, D::Error)> {
-        let left = Cell::new(MOST);
+        let left = Cell::new(Some(MOST));
         let mut track = Track::new();
         let value =
             Nested { depth: 0, left: &left }.deserialize(serde_path_to_error::Deserializer::new(source, &mut track));
         value.map_err(|error| {
+            // Of a whole that is too large no part is to blame.
+            if left.get().is_none() {
+                return (String::new(), error);
+            }
             let path = track.path().iter().rev().fold(String::new(), |path, segment| match segment {
                 Segment::Seq { index } => inside_item(*index, &path),
                 Segment::Map { key } => inside_field(key, &path),
@@ -91,13 +95,14 @@ impl Serialize for Value {
 #[derive(Clone, Copy)]
 struct Nested<'a> {
     depth: usize,
-    /// How many more values may come.
-    left: &'a Cell<usize>,
+    /// How many more values may come; none of them once the whole is too large or too deep.
+    left: &'a Cell<Option<usize>>,
 }
 
 impl Nested<'_> {
     fn inner<E: de::Error>(self) -> Result<Self, E> {
         if self.depth == DEEPEST {
+            self.left.set(None);
             return Err(E::invalid_length(DEEPEST + 1, &"at most 64 levels (what contains itself has no end)"));
         }
         Ok(Nested { depth: self.depth + 1, ..self })
@@ -108,12 +113,10 @@ impl<'de> DeserializeSeed<'de> for Nested<'_> {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
+        self.left.set(self.left.get().and_then(|left| left.checked_sub(1)));
         match self.left.get() {
-            0 => Err(de::Error::invalid_length(MOST + 1, &"at most 524288 values in one design")),
-            left => {
-                self.left.set(left - 1);
-                deserializer.deserialize_any(self)
-            }
+            None => Err(de::Error::invalid_length(MOST + 1, &"at most 524288 values in one design")),
+            Some(_) => deserializer.deserialize_any(self),
         }
     }
 }
@@ -186,7 +189,7 @@ impl<'de> Visitor<'de> for Nested<'_> {
 
 impl<'de> Deserialize<'de> for Value {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Nested { depth: 0, left: &Cell::new(MOST) }.deserialize(deserializer)
+        Nested { depth: 0, left: &Cell::new(Some(MOST)) }.deserialize(deserializer)
     }
 }
 
