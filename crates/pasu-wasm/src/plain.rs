@@ -28,7 +28,9 @@ extern "C" {
     fn new(array: &JsValue) -> core::result::Result<Numbers, JsValue>;
 }
 
-/// A value to be read.
+/// A value to be read: lists and objects here, everything within them by `serde_wasm_bindgen`.
+///
+/// That library takes an object apart by `Object.entries` and a list by its iterator, and catches nothing of what these throw. It reads a `Float64Array` as an object with the fields `"0"`, `"1"`, and so on.
 pub(crate) struct Plain(pub(crate) JsValue);
 
 impl<'de> Deserializer<'de> for Plain {
@@ -36,18 +38,9 @@ impl<'de> Deserializer<'de> for Plain {
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value> {
         let Plain(value) = self;
-        if value.is_undefined() || value.is_null() {
-            visitor.visit_unit()
-        } else if let Some(truth) = value.as_bool() {
-            visitor.visit_bool(truth)
-        } else if let Some(number) = value.as_f64() {
-            visitor.visit_f64(number)
-        } else if let Some(text) = value.as_string() {
-            visitor.visit_string(text)
-        } else if value.is_bigint() {
-            i64::try_from(value.clone()).map_or_else(|_| Err(not_plain(&value)), |number| visitor.visit_i64(number))
-        } else if !value.is_object() {
-            Err(not_plain(&value))
+        if !value.is_object() {
+            let leaf = serde_wasm_bindgen::Deserializer::from(value.clone());
+            leaf.deserialize_any(visitor).map_err(|_| not_plain(&value))
         } else if let Some(numbers) = numbers(&value)? {
             no_longer_than_text(numbers.length())?;
             visitor.visit_seq(SeqDeserializer::new(numbers.to_vec().into_iter()))

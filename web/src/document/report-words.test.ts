@@ -100,7 +100,14 @@ test("what the checks say of a thinned wall is told once, with its unit and plac
     greatest: { value: 0.3, error: 0 },
     thinned: { value: 0.034, error: 0 },
   };
-  const finding = { code: "thinned", severity: "warning", part: 0, message: "thin", at: SHOULDER, remedy: null } as const;
+  const finding = {
+    code: "thinned",
+    severity: "warning",
+    part: 0,
+    message: "thin",
+    at: SHOULDER,
+    remedy: null,
+  } as const;
   const report = { ok: true, findings: [finding], meshes: [{ part: 0, thinnest: 0.12, thinned: 0.034 }] };
   expect(texts(measures({}, { thickness }), report as unknown as Report)).toEqual([
     "warning: The wall is thinned to 0.12 cm at the shoulder, where the pot bends more tightly or comes closer to itself than the wall is thick: 3.4 % of it is thinner than asked for.",
@@ -109,7 +116,14 @@ test("what the checks say of a thinned wall is told once, with its unit and plac
 });
 
 test("findings are given the name of their place, once", () => {
-  const finding = { code: "thinned", severity: "warning", part: 0, message: "The wall is thin.", at: RIM, remedy: null } as const;
+  const finding = {
+    code: "thinned",
+    severity: "warning",
+    part: 0,
+    message: "The wall is thin.",
+    at: RIM,
+    remedy: null,
+  } as const;
   expect(findingWords(finding, OUTLINE)).toBe("The wall is thin (at the rim).");
   expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE)).toBe("Thin at the rim.");
   expect(findingWords({ ...finding, at: null }, OUTLINE)).toBe("The wall is thin.");

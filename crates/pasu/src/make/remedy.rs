@@ -53,6 +53,9 @@ const THINNER: [f64; 5] = [0.75, 0.5, 0.3, 0.15, 0.07];
 /// By how much bases are thicker.
 const THICKER: [f64; 4] = [1.5, 0.5, 2.5, 0.25];
 
+/// The base of a pot that has none, in thicknesses of its wall.
+const BASES: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+
 /// By how much drains are wider.
 const WIDER: [f64; 3] = [0.75, 0.5, 0.25];
 
@@ -114,11 +117,17 @@ fn tried(wall: &Wall, field: &str) -> Vec<Wall> {
             tried.push(Wall { drain: 0.0, ..*wall });
         }
         "rim" => tried.push(Wall { rim: RimForm::Flat, ..*wall }),
-        "base" => tried.extend(THICKER.map(|factor| Wall { base: scaled(wall.base, factor), ..*wall })),
+        "base" if wall.base > 0.0 => {
+            tried.extend(THICKER.map(|factor| Wall { base: scaled(wall.base, factor), ..*wall }))
+        }
         _ => {}
     }
     if !matches!(field, "foot" | "drain") {
         tried.push(across(*wall));
+        if wall.base == 0.0 {
+            let bases = BASES.map(|factor| Wall { base: scaled(wall.thickness, factor), ..*wall });
+            tried.extend(bases.into_iter().flat_map(|based| [based, across(based)]));
+        }
         tried.extend(thinner(*wall));
     }
     if plain != *wall {
