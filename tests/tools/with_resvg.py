@@ -19,6 +19,8 @@ from specimens import Specimen, equal, near
 SVG = "{http://www.w3.org/2000/svg}"
 MILLIMETRES_PER_INCH = 25.4
 PIXELS = 4
+"""The same of sheets of paper, of which only their borders are looked at: they are large, and cut out of the page slowly."""
+SHEET_PIXELS = 1
 """How far a length may be off that is told by pixels: one at each end is partly covered."""
 PIXEL = 2 / PIXELS
 """Half of a line is drawn on each side of what it bounds."""
@@ -83,13 +85,15 @@ def judge_sheets(path: Path, width: float, height: float) -> Iterator[str]:
     """Sheets of paper one below the other, of whose edges nothing is too near."""
     root = ElementTree.parse(path).getroot()
     pages = [element for element in root.iter() if element.tag.endswith("}page")]
-    page = drawn(path.read_text(encoding="utf-8")).convert("L").point(lambda grey: 255 if grey < 128 else 0)
-    yield from near("sheets are wide", page.width / PIXELS, width, PIXEL)
+    page = drawn(path.read_text(encoding="utf-8"), SHEET_PIXELS).convert("L")
+    # A thin line is a light pixel.
+    page = page.point(lambda grey: 255 if grey < 250 else 0)
+    yield from near("sheets are wide", page.width / SHEET_PIXELS, width, 1)
     for sheet in pages:
         top = float(sheet.get("y", "nan"))
-        ink = page.crop(tuple(round(PIXELS * side) for side in (0, top, width, top + height))).getbbox()
-        left, upper, right, lower = (side / PIXELS for side in ink or (0, 0, 0, 0))
-        inside = left > 9 and upper > 9 and right < width - 9 and lower < height - 5
+        ink = page.crop(tuple(round(SHEET_PIXELS * side) for side in (0, top, width, top + height))).getbbox()
+        left, upper, right, lower = (side / SHEET_PIXELS for side in ink or (0, 0, 0, 0))
+        inside = left > 8 and upper > 8 and right < width - 8 and lower < height - 4
         yield from equal(f"{sheet.get('id')} is within its border", inside, True)
 
 
@@ -123,9 +127,9 @@ def extent(
     return tuple(side / PIXELS for side in box)
 
 
-def drawn(text: str) -> Image.Image:
-    """The page at four pixels a millimetre."""
-    data = resvg_py.svg_to_bytes(svg_string=text, dpi=PIXELS * MILLIMETRES_PER_INCH, skip_system_fonts=True)
+def drawn(text: str, pixels: int = PIXELS) -> Image.Image:
+    """The page at so many pixels a millimetre."""
+    data = resvg_py.svg_to_bytes(svg_string=text, dpi=pixels * MILLIMETRES_PER_INCH, skip_system_fonts=True)
     Image.MAX_IMAGE_PIXELS = None
     return Image.open(io.BytesIO(data))
 

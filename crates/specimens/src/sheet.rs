@@ -154,7 +154,7 @@ fn template(pot: &Pot, millimetres: f64) -> Value {
 fn directions(rim: &[DVec3]) -> Vec<(f64, f64)> {
     let first = |sign: f64| {
         let most = rim.iter().map(|point| sign * point.z).fold(f64::NEG_INFINITY, f64::max);
-        rim.iter().copied().find(|point| sign * point.z >= most - 1e-3).unwrap_or_default()
+        rim.iter().copied().find(|point| sign * point.z >= most - 1e-6).unwrap_or_default()
     };
     let [high, low] = [first(1.0), first(-1.0)];
     if high.z - low.z <= LEVEL {
