@@ -34,9 +34,11 @@ export const remedyStyles = css`
     display: grid;
     gap: 7px;
     justify-items: start;
-    padding-top: 9px;
+    padding-block: 9px;
   }
   .remedies .button {
+    padding-block: 8px;
+    line-height: 1.35;
     text-align: start;
     white-space: normal;
   }
