@@ -40,7 +40,8 @@ fn unpack(workspace: &Workspace) -> Result<()> {
     }
     fs::create_dir_all(&folder)?;
     let packed = workspace.target().join(format!("package/pasu-{}.crate", env!("CARGO_PKG_VERSION")));
-    command::run(Command::new("tar").arg("-xzf").arg(packed).args(["--strip-components", "1", "-C"]).arg(&folder))?;
+    // Files in a package are as old as 2006, which Cargo would take for files that it has compiled before: they are to be of today.
+    command::run(Command::new("tar").arg("-xzmf").arg(packed).args(["--strip-components", "1", "-C"]).arg(&folder))?;
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         if fs::read(folder.join(licence)).ok() != fs::read(workspace.root().join(licence)).ok() {
             bail!(
