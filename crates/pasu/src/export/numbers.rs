@@ -1,10 +1,11 @@
 //! Numbers as text: the fewest decimal places that read back as the number.
 
 use crate::design::plain;
+use crate::solid::significant;
 
 /// A number for people, with at most eight digits that count: 100 for what rounding has left at 99.999999999.
 pub(super) fn short(x: f64) -> String {
-    plain(format!("{x:.7e}").parse().unwrap_or(x))
+    plain(significant(x, 8))
 }
 
 /// The most decimal places of [`rounded`].

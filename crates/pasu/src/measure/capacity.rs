@@ -12,6 +12,9 @@ use crate::answer::answers;
 use crate::face::{Face, FaceKind};
 use crate::solid::Pot;
 
+/// Why there is no capacity.
+const DRY: &str = "in this position no water stays in it";
+
 answers! {
     /// What a pot holds.
     #[derive(Copy)]
@@ -129,13 +132,13 @@ impl<'a> Vessel<'a> {
     /// The waters that stand in it, that which holds most first; the reason in words where there are none.
     pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, String> {
         let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT);
-        if found.is_empty() { Err("in this position no water stays in it".to_owned()) } else { Ok(found) }
+        if found.is_empty() { Err(DRY.to_owned()) } else { Ok(found) }
     }
 
     /// What it holds, and the water at the brim; the reason in words where that is nothing.
     pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), String> {
         let ponds = self.ponds()?;
-        let Some(main) = ponds.first() else { return Err(String::new()) };
+        let main = ponds.first().ok_or(DRY)?;
         let water = |pond: &Pond, z: f64| {
             let level = z.min(pond.spill.value);
             if !(level > pond.floor) {

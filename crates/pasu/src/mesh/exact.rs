@@ -8,6 +8,9 @@ use crate::error::{Code, Error, Result};
 use crate::patch::normal_limit;
 use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable, Sums};
 
+/// No column of a block.
+const NONE: [bool; BLOCK] = [false; BLOCK];
+
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
 const MOST_WITHOUT: usize = 256;
 
@@ -70,19 +73,12 @@ impl<'a> ExactRows<'a> {
     }
 
     /// Fills the normals at the columns of a row of the grid that are wanted.
-    pub(super) fn normals(&mut self, row: usize, wanted: &[bool], normals: &mut [f32]) {
+    pub(super) fn normals(&mut self, row: usize, wanted: &[[bool; BLOCK]], normals: &mut [f32]) {
         self.take(row);
         let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
-        for (block, (normals, wanted)) in normals.zip(wanted.chunks(BLOCK)).enumerate() {
-            if wanted.contains(&true) {
-                let mut written = [[0.0; 3]; BLOCK];
-                let tangents = self.row.tangents(circles(self.table.as_ref(), block));
-                self.facing(block, tangents).write(&mut written);
-                for ((normal, written), _) in normals.iter_mut().zip(written).zip(wanted).filter(|(_, wanted)| **wanted)
-                {
-                    *normal = written;
-                }
-            }
+        for (block, (normals, wanted)) in normals.zip(wanted).enumerate().filter(|(_, (_, wanted))| **wanted != NONE) {
+            let tangents = self.row.tangents(circles(self.table.as_ref(), block));
+            self.facing(block, tangents).write_some(wanted, normals);
         }
     }
 

@@ -16,17 +16,14 @@ pub(super) struct Facing {
 }
 
 impl Facing {
-    /// The normals of a block with these `X_u` and `X_v`, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`is_direction`] judges.
+    /// The normals of a block with these `X_u` and `X_v`, and the lanes in which there is none, as bits: where it cannot be told from rounding, as [`are_directions`] judges.
     ///
     /// `terms` are the squared lengths that `X_u` and `X_v` would have if nothing cancelled.
     pub(super) fn of([[ux, uy, uz], [vx, vy, vz]]: [[Block; 3]; 2], terms: [f64; 2]) -> (Self, u32) {
         let normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
         let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-        let du = (ux * ux + uy * uy + uz * uz).to_array();
-        let dv = (vx * vx + vy * vy + vz * vz).to_array();
-        let lanes = squared.to_array();
-        let missing =
-            (0..BLOCK).map(|lane| u32::from(!is_direction(lanes[lane], [du[lane], dv[lane]], terms)) << lane).sum();
+        let (du, dv) = (ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz);
+        let missing = !are_directions(squared, [du, dv], terms) & ((1 << BLOCK) - 1);
         let inverse = Block::ONE / squared.sqrt();
         (Facing { normal: normal.map(|component| component * inverse) }, missing)
     }
@@ -50,6 +47,16 @@ impl Facing {
     pub(super) fn write(&self, normals: &mut [[f32; 3]]) {
         write_single(self.normal, normals);
     }
+
+    /// The same in some of the columns.
+    pub(super) fn write_some(&self, wanted: &[bool; BLOCK], normals: &mut [[f32; 3]]) {
+        let [x, y, z] = self.normal.map(Block::to_array);
+        for (lane, (normal, wanted)) in normals.iter_mut().zip(wanted).enumerate() {
+            if *wanted {
+                *normal = [x[lane] as f32, y[lane] as f32, z[lane] as f32];
+            }
+        }
+    }
 }
 
 /// Rounds a block of vectors to single precision.
@@ -60,14 +67,16 @@ pub(super) fn write_single(vectors: [Block; 3], into: &mut [[f32; 3]]) {
     }
 }
 
-/// Whether a normal of this squared length is more than rounding beside tangents of these, which are sums of terms of these.
+/// In which lanes a normal of this squared length is more than rounding beside tangents of these, which are sums of terms of these; as bits.
 ///
 /// A tangent that is itself nothing but rounding beside its terms counts as vanished: at a pole the sums for `X_v` cancel to some `1e-16` of them.
-fn is_direction(squared: f64, [du, dv]: [f64; 2], [du_terms, dv_terms]: [f64; 2]) -> bool {
-    (squared > VANISHED * VANISHED * (du * dv))
-        & (du > CANCELLED * CANCELLED * du_terms)
-        & (dv > CANCELLED * CANCELLED * dv_terms)
-        & (squared < f64::MAX)
+fn are_directions(squared: Block, [du, dv]: [Block; 2], terms: [f64; 2]) -> u32 {
+    let [du_least, dv_least] = terms.map(|terms| Block::splat(CANCELLED * CANCELLED * terms));
+    let is_direction = squared.simd_gt(du * dv * (VANISHED * VANISHED))
+        & du.simd_gt(du_least)
+        & dv.simd_gt(dv_least)
+        & squared.simd_lt(Block::splat(f64::MAX));
+    is_direction.to_bitmask()
 }
 
 /// The matrix of cofactors, `det(m) m^-T` also where `m` is singular.

@@ -11,7 +11,7 @@ use super::split::Split;
 use super::strands::{Layout, Strands};
 use super::watch::{EachNormal, Limits, WARY_ROWS, Watch, WholeRow};
 use super::waves::Harmonic;
-use crate::surface::Turns;
+use crate::surface::{BLOCK, Turns};
 
 /// Which columns share their sums.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -85,7 +85,7 @@ impl Circles {
         sign: f32,
         positions: &mut [f32],
         normals: &mut [f32],
-        unsure: &mut [bool],
+        unsure: &mut [[bool; BLOCK]],
     ) -> bool {
         let row = row & 3;
         let at = |lanes: Lanes| Lanes::splat(lanes.to_array()[row]);
@@ -208,7 +208,7 @@ impl Circles {
     }
 
     /// Marks the columns of the lanes that were found unsure.
-    fn mark(&self, unsure: &mut [bool]) {
+    fn mark(&self, unsure: &mut [[bool; BLOCK]]) {
         let n_steps = self.n_columns - 1;
         for (block, slots) in self.unsure.iter().enumerate().filter(|(_, slots)| **slots != [0; 4]) {
             for (slot, lanes) in slots.iter().enumerate() {
@@ -220,7 +220,7 @@ impl Circles {
                         (Fold::Quartered, 3) => n_steps / 2 - column,
                         _ => column,
                     };
-                    if let Some(unsure) = unsure.get_mut(column) {
+                    if let Some(unsure) = unsure.as_flattened_mut().get_mut(column) {
                         *unsure = true;
                     }
                 }

@@ -8,7 +8,7 @@ use super::waves::{ROWS, Waves};
 use crate::error::Result;
 use crate::mesh::exact::ExactRows;
 use crate::mesh::part::PartGrid;
-use crate::surface::Turns;
+use crate::surface::{BLOCK, Turns};
 
 /// Fills parts in single precision. What it needs besides the mesh is kept from one to the next.
 #[derive(Debug, Default)]
@@ -18,8 +18,8 @@ pub(crate) struct Kernel {
     turns: Turns,
     circles: Circles,
     copies: Copies,
-    /// Whether the normal at a column of a row is to be formed in double precision.
-    unsure: Vec<bool>,
+    /// Whether the normal at a column of a row is to be formed in double precision, by blocks of columns.
+    unsure: Vec<[bool; BLOCK]>,
 }
 
 impl Kernel {
@@ -65,7 +65,7 @@ impl Kernel {
                     continue;
                 }
                 unsure.clear();
-                unsure.resize(columns, false);
+                unsure.resize(columns.div_ceil(BLOCK), [false; BLOCK]);
                 if circles.row(strands, row, sign as f32, positions, normals, unsure) {
                     exact.normals(index, unsure, normals);
                 }

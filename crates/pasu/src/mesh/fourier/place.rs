@@ -24,7 +24,7 @@ pub(super) struct Task {
 
 impl Task {
     #[inline(always)]
-    fn position(&self, sums: &Sums) -> [Lanes; 3] {
+    pub(super) fn position(&self, sums: &Sums) -> [Lanes; 3] {
         let [[x, _], [y, _], [z, _]] = self.constant;
         plus([x, y, z], sums[0])
     }

@@ -4,8 +4,8 @@
 //! component is summed by itself, over some blocks of columns, into memory that stays in the first cache; positions and normals are made of that, column by column. What is
 //! written to the mesh then waits for memory while the next sums are formed.
 
-use super::block::{quarter, two_blocks};
-use super::lanes::Lanes;
+use super::block::quarter;
+use super::lanes::{Lanes, write, write_reversed};
 use super::place::Task;
 use super::strands::Strands;
 use super::sums::Sums;
@@ -132,13 +132,32 @@ fn combine(
     let mut all = WholeRow::SURE;
     for (index, ([a, b, c, d], unsure)) in waiting.iter().zip(unsure).enumerate() {
         let [to, turned_to] = quarter(task.n_steps, first + 4 * index);
-        let near = two_blocks::<WholeRow>([task.place(a), task.place(b)], to, positions, normals);
-        let far = two_blocks::<WholeRow>([task.place(c), task.place(d)], turned_to, positions, normals);
-        let seen = near[0].and(near[1]).and(far[0].and(far[1]));
+        let seen = written(&task, a, to[0], positions, normals)
+            .and(written_reversed(&task, b, to[1], positions, normals))
+            .and(written(&task, c, turned_to[0], positions, normals))
+            .and(written_reversed(&task, d, turned_to[1], positions, normals));
         *unsure = [u8::from(!seen.is_sure()); 4];
         all = all.and(seen);
     }
     all.is_sure()
+}
+
+/// Writes four columns, the position before the normal is formed: what waits for the other would leave the registers.
+#[inline(always)]
+fn written(task: &Task, sums: &Sums, to: usize, positions: &mut [f32], normals: &mut [f32]) -> WholeRow {
+    write(task.position(sums), positions, to);
+    let (normal, seen) = task.normal(sums);
+    write(normal, normals, to);
+    seen
+}
+
+/// As [`written`], from the last column to the first.
+#[inline(always)]
+fn written_reversed(task: &Task, sums: &Sums, to: usize, positions: &mut [f32], normals: &mut [f32]) -> WholeRow {
+    write_reversed(task.position(sums), positions, to);
+    let (normal, seen) = task.normal(sums);
+    write_reversed(normal, normals, to);
+    seen
 }
 
 /// Asks every normal of the blocks that were noted; says whether all are sure.
