@@ -18,7 +18,7 @@ use support::design;
 
 const DESIGNS: u64 = 1000;
 
-/// More than this is made of what the generator asks for; the others want a ring under a round bottom, or have cusps.
+/// More than this is made of what the generator asks for; the others want a ring under a round bottom, or clay where there is no room for any.
 const LEAST_MADE: f64 = 0.98;
 
 /// Fewer would say that nothing was fitted.
