@@ -15,7 +15,7 @@ use crate::weave::{Made, SolidMesh, grid, refuse_crossing};
 /// [`check`](crate::check()) warns of it.
 ///
 /// # Errors
-/// What [`Making::scale`] and [`Pot::new`] refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
+/// What [`Making::scale`] and [`Pot::new`](crate::Pot::new) refuse; `crosses-itself` where the surface runs through itself and `no-room` where the clay on it does, with the place; `tolerance-too-fine`, `too-large`;
 /// `overflow` for millimetres beyond single precision.
 ///
 /// ```

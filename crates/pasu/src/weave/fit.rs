@@ -106,7 +106,7 @@ impl Trials {
         }
         self.left[1] -= 1;
         let pot = Pot::of(self.plain.shared_skin(), Some(wall))?;
-        Made::at_once(pot, self.scale).map_err(|(_, error)| Some(error))
+        Made::at_once(pot, self.scale).map_err(|refused| Some(refused.1))
     }
 
     /// Whether a wall passes on a coarse mesh.

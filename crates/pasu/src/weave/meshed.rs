@@ -71,10 +71,10 @@ impl Made {
     ///
     /// # Errors
     /// As [`Made::of`].
-    pub(super) fn at_once(pot: Pot, scale: f64) -> core::result::Result<Made, (Pot, Error)> {
+    pub(super) fn at_once(pot: Pot, scale: f64) -> core::result::Result<Made, Box<(Pot, Error)>> {
         match meshed_once(&pot, None, 1.0, scale) {
             Ok((topology, mesh, unkept)) => Ok(Made { mesh, pot, topology, unkept }),
-            Err(error) => Err((pot, error)),
+            Err(error) => Err(Box::new((pot, error))),
         }
     }
 }

@@ -136,7 +136,10 @@ fn settle(skin: &Arc<Skin>, asked: Wall, scale: f64) -> Result<Settled> {
     }
     let (pot, error) = match pot.map(|pot| Made::at_once(pot, scale)) {
         Ok(Ok(made)) => return Ok(Settled::Meshed(Box::new(made), scale)),
-        Ok(Err((pot, error))) => (Ok(pot), error),
+        Ok(Err(refused)) => {
+            let (pot, error) = *refused;
+            (Ok(pot), error)
+        }
         Err(error) => (Err(error.clone()), error),
     };
     if may_be_at_fault(&asked, &error)
