@@ -175,16 +175,26 @@ test("colours show a map with its legend, and the glaze comes back", async () =>
     .toBeLessThan(0.001);
 });
 
-test("a ring that has no room comes with a button for one that has", async () => {
+test("a ring that has no room is fitted, and a button says so in the document", async () => {
   const pot = await here.enter({ ...SHARP, link: RINGED });
   await pot.fingerprint();
   await pot.tab("Wall");
-  await pot.page.getByText(/foot ring has no room/).waitFor();
+  // It is a pot all the same, and the panel says with which ring.
+  await pot.page.getByText(/^Holds/).waitFor();
+  const told = pot.page.getByText(/no room for the foot ring that was asked for: it is made .* wide and .* high/);
+  await told.waitFor();
+  const asked = await pot.field("Ring width").inputValue();
+  const height = await pot.field("Ring height").inputValue();
   const remedy = pot.page.getByRole("button", { name: /^Make it with a ring .* wide and .* high$/ });
   await remedy.click();
-  await pot.page.getByText(/^Holds/).waitFor();
+  await told.waitFor({ state: "detached" });
   expect(await remedy.count()).toBe(0);
-  // One step back it is refused again.
+  expect([await pot.field("Ring width").inputValue(), await pot.field("Ring height").inputValue()]).not.toEqual([
+    asked,
+    height,
+  ]);
+  await pot.page.getByText(/^Holds/).waitFor();
+  // One step back it is fitted again.
   await pot.undo();
-  await pot.page.getByText(/foot ring has no room/).waitFor();
+  await told.waitFor();
 });

@@ -226,17 +226,19 @@ export interface Report {
 
 /** One thing that a check found. */
 export interface Finding {
-  /** A stable kebab-case word: `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
+  /** A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
   readonly code: string;
   /** How much it matters. */
   readonly severity: "error" | "warning" | "note";
   /** The part that it is about. */
   readonly part: number;
+  /** What of the design it is about, such as `parts[0].wall.foot`; null where that is no single field. */
+  readonly path: string | null;
   /** One sentence in a potter's words. */
   readonly message: string;
   /** Where, in model units after placement. */
   readonly at: Point | null;
-  /** The nearest change of the wall that was found to help; null where none was, and where nothing is refused. */
+  /** Of a part that is refused the nearest change of the wall that was found to help, and of a ring or drain that was fitted the wall that is made; null where there is none. */
   readonly remedy: Remedy | null;
 }
 

@@ -279,7 +279,7 @@ export function fingerprint(source: DesignSource): string;
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions): Measures;
 
-/** Whether a design can be made. What cannot is in the findings; only what is no design is thrown. */
+/** Whether a design can be made, and what differs from what was asked for, such as a ring that was fitted. What cannot be made is in the findings; only what is no design is thrown. */
 export function check(source: DesignSource, making?: Making): Report;
 
 /**
@@ -296,7 +296,7 @@ export function solid(source: DesignSource, making?: Making): Solid;
 
 /**
  * The pots of a design as {@link solid} shows them, in a fraction of the time: for a screen, while a hand changes the design. Parts without a wall are passed over, and the face that is the surface
- * of the design is left out, because {@link mesh} shows it. That no faces cross is checked on a coarse mesh, so `solid` may refuse what this shows.
+ * of the design is left out, because {@link mesh} shows it. That no faces cross is checked on a coarse mesh, so `solid` may refuse what this shows, or make it with a ring that was fitted.
  *
  * The arrays of `into` are taken as by {@link mesh}. New ones are views of the beginnings of longer ones, so that the next sketch has room in them.
  */

@@ -43,6 +43,7 @@ mod patch;
 mod solid;
 mod solution;
 mod surface;
+mod weave;
 
 pub use design::read;
 #[cfg(feature = "typescript")]
@@ -62,7 +63,7 @@ pub use fingerprint::fingerprint;
 pub use glam;
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;
-pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, SolidMesh, check, solid};
+pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};
 pub use measure::{
     Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located,
     Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,
@@ -74,3 +75,4 @@ pub use patch::SurfaceJet;
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;
+pub use weave::SolidMesh;

@@ -105,7 +105,7 @@ fn parts_without_a_wall_are_passed_over() {
 
 #[test]
 fn what_cannot_be_a_pot_is_refused_as_files_are() {
-    for wall in [r#"{ "thickness": 0.2, "base": 9 }"#, r#"{ "thickness": 0.2, "base": 0.3, "drain": 8 }"#] {
+    for wall in [r#"{ "thickness": 0.2, "base": 9 }"#, r#"{ "thickness": 0.2, "base": 0, "foot": [0.3, 0.3] }"#] {
         let design = with_wall(JAR, wall);
         let [sketched, made] =
             [sketch(&design, &SketchOptions::default()).map(|_| ()), drawn(&design, &Making::default()).map(|_| ())];

@@ -1,4 +1,4 @@
-/** What would make a pot of a part that cannot be made, as buttons. */
+/** What would make a pot of a part that cannot be made, and what is made of one that was fitted, as buttons. */
 
 import { css, html, nothing } from "lit";
 import { unitOf } from "../document/look";
@@ -10,7 +10,10 @@ import type { Designer } from "./designer";
 /** One button for each part that has a remedy. */
 export function remedies(designer: Designer) {
   const { workshop, state } = designer;
-  const found = (workshop?.report.value?.findings ?? []).flatMap((finding) => button(designer, finding));
+  const findings = (workshop?.report.value?.findings ?? []).filter(({ remedy }) => remedy);
+  // A ring and a drain that were fitted have one wall that says so.
+  const first = findings.filter(({ part }, i) => findings.findIndex((finding) => finding.part === part) === i);
+  const found = first.flatMap((finding) => button(designer, finding));
   return found.length > 0 && workshop?.report.of === state.design ? html`<p class="remedies">${found}</p>` : nothing;
 }
 

@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import { pathText } from "../document/path";
+import { fittedWords } from "../document/remedy-words";
 import { asSentence } from "../document/report-words";
 import type { Wall } from "../document/types";
 import { type WallField, wallFields, wallNumber, wallRange } from "../document/wall";
@@ -83,7 +84,7 @@ export class PasuWall extends DesignerElement {
     `;
   }
 
-  /** Why it is no pot, in the solver's words; or how much it holds. */
+  /** Why it is no pot, in the solver's words; or how much it holds, and what of it was fitted. */
   private verdict() {
     const { designer } = this;
     const { workshop } = designer;
@@ -92,7 +93,20 @@ export class PasuWall extends DesignerElement {
       return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
         ${remedies(designer)}`;
     const held = workshop?.holds;
-    return html`<p class="holds" role="status">${held ?? nothing}</p>`;
+    return html`<p class="holds" role="status">${held ?? nothing}</p>
+      ${this.fitted()}`;
+  }
+
+  /** What is made otherwise than asked for, for want of room, with a button that says so in the document. */
+  private fitted() {
+    const { designer } = this;
+    const { workshop, state } = designer;
+    if (workshop?.report.of !== state.design) return nothing;
+    const found = (workshop.report.value?.findings ?? []).filter(({ part }) => part === state.session.part);
+    const told = found.flatMap((finding) => fittedWords(finding, unitOf(state.design)) ?? []);
+    if (told.length === 0) return nothing;
+    return html`${told.map((text) => html`<p class="problem" role="status">${icon("warn")}<span>${text}</span></p>`)}
+      ${remedies(designer)}`;
   }
 
   private numbers(wall: Wall) {

@@ -150,6 +150,26 @@ test("the panel's measures and checks are asked for while it is open", async () 
   expect(workshop.busy).toBe(false);
 });
 
+test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {
+  const WALL = { ...NEW_SESSION, tab: "wall" } as const;
+  await solid();
+  change({ session: WALL });
+  await answer(MEASURES);
+  expect(asks()).toEqual(["measure"]);
+  for (const wall of [
+    { thickness: 1, base: 1, foot: [1, 1] as const },
+    { thickness: 1, base: 1, drain: 1 },
+  ]) {
+    change({ design: design({ ...PART, wall }), session: NEW_SESSION });
+    await solid();
+    change({ session: WALL });
+    await answer(MEASURES);
+    await answer("a report");
+    expect(asks()).toEqual(["measure", "check"]);
+    expect(workshop.report.value).toBe("a report");
+  }
+});
+
 test("water waits for its range and then follows its level", async () => {
   await solid();
   change({ session: { ...NEW_SESSION, fill: 0.5 } });

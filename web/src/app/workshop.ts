@@ -135,8 +135,9 @@ export class Workshop {
       this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
     }
     if (rests) {
-      // Beside the wall's numbers only what would help a wall that is refused.
-      const helped = session.tab === "wall" && this.solid.problem !== null;
+      // Beside the wall's numbers only what would help a wall that is refused, and what of one was fitted.
+      const fits = design.parts.some(({ wall }) => wall?.foot || wall?.drain);
+      const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
       const checked = walled && (session.tab === "measures" || helped);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
       const { map } = session;

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { remedyWords } from "./remedy-words";
+import { fittedWords, remedyWords } from "./remedy-words";
 import type { Wall } from "./types";
 
 const plain: Wall = { thickness: 0.4, base: 0.5 };
@@ -21,4 +21,21 @@ test("what is left out is the same as what is usual", () => {
   expect(words({ ...plain, side: "inside", rim: "flat", drain: 0, thickness: 0.1 }, plain)).toBe(
     "Make it with a wall of 0.1 cm",
   );
+});
+
+test("what was fitted is said with the size that is made", () => {
+  const found = (code: string, wall: Wall | null) => {
+    const remedy = wall && { path: "parts[0].wall", wall, message: "" };
+    const told = fittedWords({ code, severity: "warning", part: 0, path: null, message: "", at: null, remedy }, "cm");
+    return told?.replaceAll("\u00a0", " ");
+  };
+  const made = { ...asked, foot: [0.9, 0.21], drain: 0.5 } as const;
+  expect(found("fitted-foot", made)).toBe(
+    "There is no room for the foot ring that was asked for: it is made 0.9 cm wide and 0.21 cm high.",
+  );
+  expect(found("fitted-drain", made)).toBe(
+    "There is no room for the drain that was asked for: it is made 0.5 cm wide.",
+  );
+  expect(found("no-room", made)).toBeUndefined();
+  expect(found("fitted-foot", null)).toBeUndefined();
 });

@@ -1,11 +1,35 @@
-/** What is different of a wall that would make a pot, in words for a button. */
+/** What is different of a wall that would make a pot, in words for a button; and of one that was fitted, as a sentence. */
 
 import { lengthWords } from "./quantities";
-import type { Unit, Wall } from "./types";
+import type { Finding, Unit, Wall } from "./types";
+
+/** Digits of the lengths that the solver proposes. */
+const DIGITS = 2;
+
+/** The code of a finding of the checks: the ring is not the one that was asked for. */
+const FITTED_FOOT = "fitted-foot";
+
+/** The same of the drain. */
+const FITTED_DRAIN = "fitted-drain";
+
+/** "There is no room for the foot ring that was asked for: it is made 1.1 cm wide and 0.4 cm high."; null for any other finding. */
+export function fittedWords({ code, remedy }: Finding, unit: Unit): string | null {
+  if (!remedy) return null;
+  const { foot, drain } = remedy.wall;
+  const length = (value: number) => lengthWords(value, unit, DIGITS);
+  if (code === FITTED_FOOT && foot) {
+    const [width, height] = foot;
+    return `There is no room for the foot ring that was asked for: it is made ${length(width)} wide and ${length(height)} high.`;
+  }
+  if (code === FITTED_DRAIN && drain) {
+    return `There is no room for the drain that was asked for: it is made ${length(drain)} wide.`;
+  }
+  return null;
+}
 
 /** "Make it with a ring 3 mm wide and 2 mm high" */
 export function remedyWords(asked: Wall, wall: Wall, unit: Unit): string {
-  const length = (value: number) => lengthWords(value, unit, 2);
+  const length = (value: number) => lengthWords(value, unit, DIGITS);
   const changes: string[] = [];
   if ((wall.side ?? "inside") !== (asked.side ?? "inside")) {
     changes.push(wall.side === "outside" ? "the clay laid outwards" : "the clay laid inwards");

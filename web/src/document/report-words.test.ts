@@ -104,6 +104,7 @@ test("what the checks say of a thinned wall is told once, with its unit and plac
     code: "thinned",
     severity: "warning",
     part: 0,
+    path: "parts[0].wall.thickness",
     message: "thin",
     at: SHOULDER,
     remedy: null,
@@ -120,6 +121,7 @@ test("findings are given the name of their place, once", () => {
     code: "thinned",
     severity: "warning",
     part: 0,
+    path: "parts[0].wall.thickness",
     message: "The wall is thin.",
     at: RIM,
     remedy: null,
@@ -130,4 +132,21 @@ test("findings are given the name of their place, once", () => {
   expect(texts(measures({}), { ok: true, findings: [] } as unknown as Report)).toEqual([
     "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
   ]);
+});
+
+test("a ring that was fitted is told with its size and unit", () => {
+  const wall = { thickness: 0.3, base: 0.3, foot: [1.1, 0.4326] as const };
+  const finding = {
+    code: "fitted-foot",
+    severity: "warning",
+    part: 0,
+    path: "parts[0].wall.foot",
+    message: "the foot ring is made otherwise",
+    at: null,
+    remedy: { path: "parts[0].wall", wall, message: "" },
+  } as const;
+  const report = { ok: true, findings: [finding], meshes: [] } as unknown as Report;
+  expect(texts(measures({}), report)[0]).toBe(
+    "warning: There is no room for the foot ring that was asked for: it is made 1.1 cm wide and 0.43 cm high.",
+  );
 });

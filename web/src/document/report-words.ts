@@ -3,6 +3,7 @@
 import { formatNumber } from "./number";
 import { type Outline, placeWords } from "./places";
 import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
+import { fittedWords } from "./remedy-words";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
 
 export type Severity = "error" | "warning" | "note" | "good";
@@ -67,7 +68,10 @@ export function checked(report: Report, outline: Outline, unit: Unit): readonly 
     .filter(({ code }) => !MEASURED.includes(code))
     .map((finding) => ({
       severity: finding.severity,
-      text: finding.code === THINNED ? thinnedWords(finding, report, outline, unit) : findingWords(finding, outline),
+      text:
+        finding.code === THINNED
+          ? thinnedWords(finding, report, outline, unit)
+          : (fittedWords(finding, unit) ?? findingWords(finding, outline)),
     }));
   const closed: Sentence = {
     severity: "good",
@@ -91,10 +95,10 @@ export function asSentence(message: string): string {
 }
 
 /** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
-function thinnedWords({ part, at, message }: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
+function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
+  const { part, at } = finding;
   const mesh = meshes.find((each) => each.part === part);
-  if (!mesh?.thinnest || !at)
-    return findingWords({ code: THINNED, severity: "warning", part, message, at: null, remedy: null }, outline);
+  if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline);
   const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
   return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
 }

@@ -36,7 +36,7 @@ pub struct Sketch {
 /// The pots of a design as [`drawn`](crate::drawn()) shows them, in a fraction of the time: for a screen, while a hand changes the design. Parts without a wall are passed over.
 ///
 /// The wall is that of [`Pot::new`](crate::Pot::new), thinned alike. That no faces cross is checked on a coarser mesh than the one that is drawn, so [`drawn`](crate::drawn()) may refuse
-/// what this shows, where the faces cross by less than one part in 150 of the size, and no file is made of it. Left out is the face that is the surface of the design itself, which
+/// what this shows, where the faces cross by less than one part in 150 of the size, and no file is made of it; a ring or drain that has no room by less than that is shown as asked for, and otherwise as it is fitted. Left out is the face that is the surface of the design itself, which
 /// [`mesh`](crate::mesh) shows.
 ///
 /// # Errors

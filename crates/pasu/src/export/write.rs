@@ -8,10 +8,11 @@ use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::face::Face;
-use crate::make::{Made, Making, Size, SolidMesh, make};
+use crate::make::{Making, Size, make};
 use crate::make::{Report, Severity, verdict};
 use crate::solid::Pot;
 use crate::solution::{Placed, Solution};
+use crate::weave::{Made, SolidMesh};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;

@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::craft::Craft;
-use super::made::Made;
 use super::report::{Finding, Severity};
 use crate::face::FaceKind;
 use crate::solid::{place, short};
+use crate::weave::Made;
 
 /// The degrees that a wall may lean out over what is below it and be printed without support.
 const SUPPORTED: f64 = 45.0;
@@ -49,8 +49,8 @@ fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Opti
     };
     let severity = severity(is_asked && thinnest < least);
     let message = format!("the wall is only {} mm thick{somewhere}: {why}", short(thinnest));
-    let part = made.pot.part();
-    Some(Finding { code: "too-thin", severity, part, message, at: at.map(|at| at.to_array()), remedy: None })
+    let (part, path) = (made.pot.part(), path(made, "wall.thickness"));
+    Some(Finding { code: "too-thin", severity, part, path, message, at: at.map(|at| at.to_array()), remedy: None })
 }
 
 fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
@@ -67,7 +67,12 @@ fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) ->
     };
     let severity = severity(is_asked && thickness < least);
     let message = format!("the base is only {} mm thick: {why}", short(thickness));
-    Some(Finding { code: "thin-base", severity, part: made.pot.part(), message, at: None, remedy: None })
+    let (part, path) = (made.pot.part(), path(made, "wall.base"));
+    Some(Finding { code: "thin-base", severity, part, path, message, at: None, remedy: None })
+}
+
+fn path(made: &Made, field: &str) -> Option<String> {
+    Some(made.pot.skin().placed().path(field))
 }
 
 fn severity(is_impossible: bool) -> Severity {
@@ -106,8 +111,8 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
         libm::round(degrees),
         place(at)
     );
-    let part = made.pot.part();
-    Some(Finding { code: "overhang", severity: Severity::Note, part, message, at: Some(at.to_array()), remedy: None })
+    let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
+    Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, at, remedy: None })
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use super::made::{COARSE, fitted, meshed_once};
 use super::making::Making;
 use crate::answer::answers;
 use crate::design::{RimForm, Side, Wall};
 use crate::error::Error;
 use crate::solid::{Pot, Skin, short, significant};
 use crate::solution::Solution;
+use crate::weave::{COARSE, Made, meshed_once};
 
 answers! {
     /// The nearest wall that was found to make a pot of a part that is refused.
@@ -27,25 +27,6 @@ crate::answer::known_as!(Wall, "Wall");
 
 /// Digits of the lengths that are proposed: as many as a person would write.
 const DIGITS: u32 = 2;
-
-/// By how much rings are wider and higher, the nearest first.
-const RINGS: [[f64; 2]; 15] = [
-    [1.0, 0.5],
-    [1.5, 1.0],
-    [0.6, 1.0],
-    [2.0, 1.0],
-    [0.4, 1.0],
-    [1.5, 0.5],
-    [3.0, 1.0],
-    [1.0, 0.25],
-    [2.0, 0.5],
-    [2.0, 0.25],
-    [4.5, 1.0],
-    [3.0, 0.5],
-    [1.0, 0.12],
-    [2.0, 0.12],
-    [0.3, 0.3],
-];
 
 /// By how much walls are thinner.
 const THINNER: [f64; 5] = [0.75, 0.5, 0.3, 0.15, 0.07];
@@ -68,9 +49,17 @@ pub(super) fn remedy(solution: &Solution, part: usize, making: &Making, scale: f
     let field = error.path().strip_prefix(&placed.path("wall."))?;
     let skin = Arc::new(Skin::new(placed).ok()?);
     let mut trials = Trials { skin: Arc::clone(&skin), scale, plain: Vec::new() };
-    let mut works = |wall: Wall| trials.passes(wall) && fitted(&skin, Some(wall), making, scale).is_ok();
+    let made = |wall: Wall| Made::of(Pot::of(&skin, Some(wall))?, making.tolerance, scale);
+    let mut works = |wall: Wall| trials.passes(wall) && made(wall).is_ok();
     let wall = tried(&asked, field).into_iter().find(|wall| works(*wall))?;
-    Some(Remedy { path: placed.path("wall"), wall, message: words(&asked, &wall) })
+    Some(Remedy::of(placed.path("wall"), &asked, wall))
+}
+
+impl Remedy {
+    /// A wall in place of the one that is asked for.
+    pub(super) fn of(path: String, asked: &Wall, wall: Wall) -> Remedy {
+        Remedy { path, wall, message: words(asked, &wall) }
+    }
 }
 
 /// Coarse meshes of walls.
@@ -106,12 +95,8 @@ fn tried(wall: &Wall, field: &str) -> Vec<Wall> {
         |wall: Wall| Wall { side: if wall.side == Side::Inside { Side::Outside } else { Side::Inside }, ..wall };
     let mut tried = Vec::new();
     match field {
-        "foot" => {
-            let [width, height] = wall.foot.unwrap_or_default();
-            let rings = RINGS.map(|[wider, higher]| [scaled(width, wider), scaled(height, higher)]);
-            tried.extend(rings.map(|ring| Wall { foot: Some(ring), ..*wall }));
-            tried.extend([Wall { foot: None, ..*wall }, across(*wall)]);
-        }
+        // No other ring would do, or the part would have been made with it.
+        "foot" => tried.extend([Wall { foot: None, ..*wall }, across(*wall)]),
         "drain" => {
             tried.extend(WIDER.map(|factor| Wall { drain: scaled(wall.drain, factor), ..*wall }));
             tried.push(Wall { drain: 0.0, ..*wall });

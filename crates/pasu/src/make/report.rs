@@ -41,17 +41,19 @@ impl Severity {
 answers! {
     /// One thing that a check found.
     pub struct Finding as "Finding" {
-        /// A stable kebab-case word: `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
+        /// A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
         pub code: &'static str,
         /// How much it matters.
         pub severity: Severity,
         /// The part that it is about.
         pub part: usize,
+        /// What of the design it is about, such as `parts[0].wall.foot`; `None` where that is no single field.
+        pub path: Option<String>,
         /// One sentence in a potter's words.
         pub message: String,
         /// Where, in model units after placement.
         pub at: Option<[f64; 3]>,
-        /// The nearest change of the wall that was found to help; `None` where none was, and where nothing is refused.
+        /// Of a part that is refused the nearest change of the wall that was found to help, and of a ring or drain that was fitted the wall that is made; `None` where there is none.
         pub remedy: Option<Remedy>,
     }
 

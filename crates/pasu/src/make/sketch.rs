@@ -1,11 +1,9 @@
 //! From a design to a mesh for the screen while a hand changes the design: checked coarsely, drawn finely.
 
-use super::made::{compact, finished, grid, verdict};
-use super::solid_mesh::SolidMesh;
-use super::weave::{Woven, weave};
 use crate::error::Result;
 use crate::solid::Pot;
 use crate::solution::Solution;
+use crate::weave::{SolidMesh, Woven, compact, finished, glimpsed, grid, weave};
 
 /// Crossings are looked for on a mesh that keeps this part of the size, or the tolerance where that is coarser.
 const COARSE: f64 = 1.0 / 150.0;
@@ -13,24 +11,35 @@ const COARSE: f64 = 1.0 / 150.0;
 /// A mesh that is refused is looked at once more so many times as finely: a coarse one may cross itself where the faces do not.
 const FINER: f64 = 3.0;
 
-/// A pot and its mesh in model units, at a tolerance that is aimed at and not proved.
+/// A pot and its mesh in model units, at a tolerance that is aimed at and not proved. A ring or drain that was asked for gives way, as in every body, where the coarse mesh sees that there is no room for it.
 ///
 /// # Errors
 /// What [`Pot::new`] and [`solid`](super::made::solid) refuse, as far as it is seen on the coarse mesh.
 pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
-    let pot = solution.quick_pot(part)?;
+    let asked = solution.quick_pot(part).and_then(|pot| meshed(pot, tolerance));
+    match asked {
+        Err(error) => match solution.quick_fitted_pot(part)? {
+            Some(pot) => meshed(pot, tolerance),
+            None => Err(error),
+        },
+        made => made,
+    }
+}
+
+fn meshed(pot: Pot, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
     let coarse = COARSE * pot.skin().size();
     let checked = tolerance.map_or(coarse, |tolerance| tolerance.max(coarse));
-    let at = |tolerance: Option<f64>| -> Result<Woven> {
-        let mut woven = weave(&pot, &grid(pot.skin(), tolerance, tolerance)?, 1.0)?;
-        compact(&mut woven);
-        Ok(woven)
-    };
-    let passed = |tolerance: f64| at(Some(tolerance)).and_then(|woven| verdict(&pot, &woven, 1.0).map(|_| woven));
-    let coarse = passed(checked).or_else(|_| passed(checked / FINER))?;
-    let woven = if tolerance == Some(checked) { coarse } else { at(tolerance)? };
-    let mesh = finished(&woven, part, 1.0);
+    let coarse = glimpsed(&pot, checked, 1.0).or_else(|_| glimpsed(&pot, checked / FINER, 1.0))?;
+    let woven = if tolerance == Some(checked) { coarse } else { drawn(&pot, tolerance)? };
+    let mesh = finished(&woven, pot.part(), 1.0);
     Ok((pot, mesh))
+}
+
+/// What is not checked again.
+fn drawn(pot: &Pot, tolerance: Option<f64>) -> Result<Woven> {
+    let mut woven = weave(pot, &grid(pot.skin(), tolerance, tolerance)?, 1.0)?;
+    compact(&mut woven);
+    Ok(woven)
 }
 
 #[cfg(test)]

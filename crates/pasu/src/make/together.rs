@@ -5,9 +5,9 @@ use core::f64::consts::PI;
 use glam::DVec3;
 
 use super::report::{Finding, Severity};
-use super::solid_mesh::SolidMesh;
 use crate::check;
 use crate::solid::place;
+use crate::weave::SolidMesh;
 
 type Box3 = [[f32; 3]; 2];
 
@@ -25,7 +25,8 @@ pub(super) fn findings(meshes: &[&SolidMesh], name: impl Fn(usize) -> String, mi
             };
             let at = at / millimetres;
             let message = format!("{} {what} {} at {}", name(other.part), name(one.part), place(at));
-            found.push(Finding { code, severity, part: other.part, message, at: Some(at.to_array()), remedy: None });
+            let at = Some(at.to_array());
+            found.push(Finding { code, severity, part: other.part, path: None, message, at, remedy: None });
         }
     }
     found

@@ -1,18 +1,19 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
-use super::made::{Made, make};
+use super::fitted;
+use super::made::make;
 use super::makeable;
 use super::making::Making;
 use super::remedy::remedy;
 use super::report::{Finding, MeshReport, Report, Severity};
-use super::solid_mesh::SolidMesh;
 use super::together;
 use crate::design::Design;
 use crate::error::{Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
+use crate::weave::{Made, SolidMesh};
 
-/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for. A part without a wall is left out of the pots with a warning, where another part has one.
+/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for, such as a ring that was fitted. A part without a wall is left out of the pots with a warning, where another part has one.
 ///
 /// # Errors
 /// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
@@ -57,6 +58,7 @@ impl Solution {
                         code: error.code().as_str(),
                         severity: Severity::Error,
                         part,
+                        path: Some(error.path().to_owned()),
                         message: error.message().to_owned(),
                         at: error.place(),
                         remedy,
@@ -71,7 +73,8 @@ impl Solution {
 /// A part without a wall beside others that are pots.
 fn left_out(part: usize) -> Finding {
     let message = "this part has no wall and is left out of the pots: with thickness and base it is one".to_owned();
-    Finding { code: Code::NoWall.as_str(), severity: Severity::Warning, part, message, at: None, remedy: None }
+    let path = Some(format!("parts[{part}].wall"));
+    Finding { code: Code::NoWall.as_str(), severity: Severity::Warning, part, path, message, at: None, remedy: None }
 }
 
 /// For how many parts that are refused a remedy is sought: each takes as long as making the part a few times.
@@ -87,6 +90,7 @@ pub(crate) fn verdict(
 ) -> Report {
     let mut findings = refused;
     for one in made {
+        findings.extend(fitted::findings(one, design));
         findings.extend(thinned(one));
         findings.extend(unkept(one));
         findings.extend(makeable::findings(one, making.craft, millimetres));
@@ -125,8 +129,9 @@ fn thinned(made: &Made) -> Option<Finding> {
         place(at),
         short(100.0 * share)
     );
-    let severity = Severity::Warning;
-    Some(Finding { code: "thinned", severity, part: pot.part(), message, at: Some(at.to_array()), remedy: None })
+    let (severity, at) = (Severity::Warning, Some(at.to_array()));
+    let path = Some(pot.skin().placed().path("wall.thickness"));
+    Some(Finding { code: "thinned", severity, part: pot.part(), path, message, at, remedy: None })
 }
 
 /// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
@@ -137,6 +142,6 @@ fn unkept(made: &Made) -> Option<Finding> {
         short(made.mesh.bound),
         short(asked)
     );
-    let code = Code::ToleranceTooFine.as_str();
-    Some(Finding { code, severity: Severity::Warning, part: made.pot.part(), message, at: None, remedy: None })
+    let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
+    Some(Finding { code, severity, part: made.pot.part(), path, message, at: None, remedy: None })
 }

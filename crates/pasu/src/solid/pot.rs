@@ -12,7 +12,7 @@ use super::sheet::{Sheet, Trim, WallSide};
 use super::skin::{Skin, middle_of};
 use super::thickness::{Thickness, Told};
 use super::told::{place, short};
-use crate::design::{Design, RimForm, Side, Wall, plain};
+use crate::design::{RimForm, Side, Wall, plain};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::numeric::golden_section;
@@ -64,28 +64,6 @@ pub struct Pot {
 }
 
 impl Pot {
-    /// The faces of part number `part`.
-    ///
-    /// # Errors
-    /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses; `no-wall`, `open-surface`, `pinched-surface`, `no-opening`, `no-room` with the
-    /// field that asks too much and the place. That the faces do not cross is only known of a [mesh](crate::solid).
-    ///
-    /// ```
-    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
-    /// # let cup = pasu::Design::parse(
-    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
-    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
-    /// # )?;
-    /// use pasu::{Pot, Product};
-    ///
-    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
-    /// assert_eq!(pot.thickness(), (0.5, 0.5));
-    /// # Ok::<(), pasu::Error>(())
-    /// ```
-    pub fn new(design: &Design, part: usize, product: Product) -> Result<Pot> {
-        Solution::of(design).pot(part, product)
-    }
-
     /// The faces of a part whose skin is known: the one body that is measured, checked, meshed and written.
     ///
     /// The thickness is sought at the places of a mesh, and once more at closer ones where the surface bends between these so sharply that the wall would all but fold.
@@ -270,29 +248,19 @@ impl Pot {
     pub(crate) fn skin(&self) -> &Skin {
         &self.skin
     }
+
+    /// The surface, for another pot on it.
+    pub(crate) fn shared_skin(&self) -> &Arc<Skin> {
+        &self.skin
+    }
+
+    /// The wall with which it is made; `None` for a solid.
+    pub(crate) fn wall(&self) -> Option<Wall> {
+        self.wall
+    }
 }
 
 impl Solution {
-    /// As [`Pot::new`].
-    ///
-    /// # Errors
-    /// As [`Pot::new`].
-    pub fn pot(&self, part: usize, product: Product) -> Result<Pot> {
-        let placed = self.workable(part)?;
-        let wall = self.wall(part, product)?;
-        Pot::of(&Arc::new(Skin::new(placed)?), wall)
-    }
-
-    /// The pot of a part while a hand changes it: its thickness is sought at the places of a mesh and nowhere more closely.
-    ///
-    /// # Errors
-    /// As [`Pot::new`].
-    pub(crate) fn quick_pot(&self, part: usize) -> Result<Pot> {
-        let placed = self.workable(part)?;
-        let wall = self.wall(part, Product::Pot)?;
-        Pot::looked_at(&Arc::new(Skin::new(placed)?), wall, false)
-    }
-
     /// The wall that a product of a part takes; `None` for a solid, which has none.
     ///
     /// # Errors

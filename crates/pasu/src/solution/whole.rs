@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::placed::Placed;
-use crate::design::{Design, Part};
+use crate::design::{Design, Part, Wall};
 use crate::error::{Code, Error, Result};
 
 /// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked.
@@ -23,6 +23,8 @@ use crate::error::{Code, Error, Result};
 pub struct Solution {
     design: Design,
     parts: Vec<Slot>,
+    /// The wall that a part is made with, once it was settled.
+    walls: Vec<OnceLock<Wall>>,
 }
 
 /// What a part has become, once something was asked of it.
@@ -31,7 +33,12 @@ type Slot = OnceLock<Result<Arc<Placed>>>;
 impl Solution {
     /// The solution of a design, of which nothing is computed yet.
     pub fn of(design: &Design) -> Solution {
-        Solution { design: design.clone(), parts: design.parts().iter().map(|_| OnceLock::new()).collect() }
+        let parts = design.parts();
+        Solution {
+            design: design.clone(),
+            parts: parts.iter().map(|_| OnceLock::new()).collect(),
+            walls: parts.iter().map(|_| OnceLock::new()).collect(),
+        }
     }
 
     /// The design.
@@ -53,11 +60,21 @@ impl Solution {
     /// # Errors
     /// `no-such-point`.
     pub(crate) fn existing(&self, index: usize) -> Result<(&Slot, &Part)> {
-        self.parts.get(index).zip(self.design.parts().get(index)).ok_or_else(|| {
-            let message = format!("expected a part from 0 to {}, found {index}", self.parts.len() - 1);
-            let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
-            error.with("greatest", self.parts.len() - 1).with("found", index)
-        })
+        self.parts.get(index).zip(self.design.parts().get(index)).ok_or_else(|| self.no_such_part(index))
+    }
+
+    /// Where the wall is kept that a part is made with, which whoever knows bodies settles.
+    ///
+    /// # Errors
+    /// `no-such-point`.
+    pub(crate) fn made_with(&self, index: usize) -> Result<&OnceLock<Wall>> {
+        self.walls.get(index).ok_or_else(|| self.no_such_part(index))
+    }
+
+    fn no_such_part(&self, index: usize) -> Error {
+        let message = format!("expected a part from 0 to {}, found {index}", self.parts.len() - 1);
+        let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
+        error.with("greatest", self.parts.len() - 1).with("found", index)
     }
 
     /// The number of parts.

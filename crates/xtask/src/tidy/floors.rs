@@ -9,7 +9,7 @@ use super::imports::{Imports, imports};
 use super::modules::{Sources, modules};
 
 /// The rooms from the ground up. Each takes from those above it in this list, which are below it in the house, and from no other.
-const FLOORS: [&str; 22] = [
+const FLOORS: [&str; 23] = [
     "error",
     "answer",
     "numeric",
@@ -27,6 +27,7 @@ const FLOORS: [&str; 22] = [
     "face",
     "solid",
     "check",
+    "weave",
     "measure",
     "make",
     "scene",

@@ -39,6 +39,13 @@ pub(crate) struct Grid {
     pub(crate) bound: f64,
 }
 
+impl Grid {
+    /// How many triangles both sides of a wall have on it.
+    pub(crate) fn n_triangles(&self) -> usize {
+        4 * self.rows.len() * self.columns
+    }
+}
+
 /// A mesh of one part.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Woven {

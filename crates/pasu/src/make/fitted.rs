@@ -1,0 +1,36 @@
+//! A ring and a drain that are not those that were asked for.
+
+use super::remedy::Remedy;
+use super::report::{Finding, Severity};
+use crate::design::Design;
+use crate::solid::short;
+use crate::weave::Made;
+
+/// What of a wall was fitted to what there is room for, with the wall that says so.
+pub(super) fn findings(made: &Made, design: &Design) -> Vec<Finding> {
+    let part = made.pot.part();
+    let asked = design.parts().get(part).and_then(|part| part.wall);
+    let Some((asked, wall)) = asked.zip(made.pot.wall()) else { return Vec::new() };
+    let path = made.pot.skin().placed().path("wall");
+    let found = |code, field, message| {
+        let path = Some(format!("{path}.{field}"));
+        let remedy = Some(Remedy::of(made.pot.skin().placed().path("wall"), &asked, wall));
+        Finding { code, severity: Severity::Warning, part, path, message, at: None, remedy }
+    };
+    let ring = asked.foot.zip(wall.foot).filter(|(asked, made)| asked != made).map(|(asked, made)| {
+        let [[asked_width, asked_height], [width, height]] = [asked, made].map(|ring| ring.map(short));
+        let message = format!(
+            "the foot ring is made {width} wide and {height} high: one {asked_width} wide and {asked_height} high, as asked for, has no room"
+        );
+        found("fitted-foot", "foot", message)
+    });
+    let drain = (wall.drain != asked.drain).then(|| {
+        let [asked, made] = [asked.drain, wall.drain].map(short);
+        found(
+            "fitted-drain",
+            "drain",
+            format!("the drain is made {made} wide: one of {asked}, as asked for, has no room"),
+        )
+    });
+    ring.into_iter().chain(drain).collect()
+}

@@ -1,0 +1,12 @@
+//! Bodies of clay and their triangles: which wall a pot is made with, and closed meshes that pass every check.
+
+mod disc;
+mod fit;
+mod meshed;
+mod settled;
+mod solid_mesh;
+mod woven;
+
+pub(crate) use meshed::{COARSE, Made, compact, finished, glimpsed, grid, meshed_once, refuse_crossing};
+pub use solid_mesh::SolidMesh;
+pub(crate) use woven::{Woven, weave};

@@ -1,0 +1,201 @@
+//! Which body a part is: the one that is measured, checked, meshed, drawn and written.
+
+use std::sync::Arc;
+
+use super::fit::{can_give_way, fitted, may_be_at_fault};
+use super::meshed::{Made, grid};
+use crate::design::{Design, Wall};
+use crate::error::Result;
+use crate::solid::{Pot, Product, Skin};
+use crate::solution::Solution;
+
+/// Pots whose meshes have more triangles are not judged beforehand: it would take longer than all else that is asked of them.
+const MOST_JUDGED: usize = 1_000_000;
+
+/// A body of clay, settled whatever is asked of it: a ring or a drain for which there is no room has given way to one for which there is.
+pub(crate) enum Settled {
+    /// Its faces.
+    Faces(Pot),
+    /// The mesh by which it was judged besides, and how many millimetres a model unit has there.
+    Meshed(Box<Made>, f64),
+}
+
+impl Settled {
+    /// The faces alone.
+    fn into_pot(self) -> Pot {
+        match self {
+            Settled::Faces(pot) => pot,
+            Settled::Meshed(made, _) => made.pot,
+        }
+    }
+
+    /// The mesh within a tolerance; `scale` is from model units to millimetres.
+    ///
+    /// # Errors
+    /// As [`solid`](crate::solid()).
+    pub(crate) fn made(self, tolerance: Option<f64>, scale: f64) -> Result<Made> {
+        match self {
+            Settled::Meshed(made, judged) if tolerance.is_none() && judged == scale => Ok(*made),
+            _ => Made::of(self.into_pot(), tolerance, scale),
+        }
+    }
+}
+
+impl Pot {
+    /// The faces of part number `part`. A foot ring or a drain for which there is no room gives way to the nearest for which there is, of which [`check`](crate::check()) warns.
+    ///
+    /// # Errors
+    /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses; `no-wall`, `open-surface`, `pinched-surface`, `no-opening`, `no-room` with the
+    /// field that asks too much and the place. That the faces do not cross is only known of a [mesh](crate::solid).
+    ///
+    /// ```
+    /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
+    /// # let cup = pasu::Design::parse(
+    /// #     r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+    /// #     "wall": { "thickness": 0.5, "base": 1 } }] }"#,
+    /// # )?;
+    /// use pasu::{Pot, Product};
+    ///
+    /// let pot = Pot::new(&cup, 0, Product::Pot)?;
+    /// assert_eq!(pot.thickness(), (0.5, 0.5));
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    pub fn new(design: &Design, part: usize, product: Product) -> Result<Pot> {
+        Solution::of(design).pot(part, product)
+    }
+}
+
+impl Solution {
+    /// As [`Pot::new`].
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub fn pot(&self, part: usize, product: Product) -> Result<Pot> {
+        self.settled(part, product).map(Settled::into_pot)
+    }
+
+    /// The body of a part. Its ring and drain are judged once, on a mesh of the usual tolerance and without size or shrinkage, so that they are the same whatever is asked for.
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub(crate) fn settled(&self, part: usize, product: Product) -> Result<Settled> {
+        let skin = Arc::new(Skin::new(self.workable(part)?)?);
+        let Some(asked) = self.wall(part, product)? else { return Pot::of(&skin, None).map(Settled::Faces) };
+        if !can_give_way(&asked) {
+            return Pot::of(&skin, Some(asked)).map(Settled::Faces);
+        }
+        let mut settled = None;
+        let wall = self.made_with(part)?.get_or_init(|| {
+            let found = settle(&skin, asked, self.design().unit().millimetres());
+            let wall = found.as_ref().ok().and_then(Settled::wall);
+            settled = Some(found);
+            wall.unwrap_or(asked)
+        });
+        settled.unwrap_or_else(|| Pot::of(&skin, Some(*wall)).map(Settled::Faces))
+    }
+
+    /// The pot of a part while a hand changes it, with the wall that was asked for: its thickness is sought at the places of a mesh and nowhere more closely.
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub(crate) fn quick_pot(&self, part: usize) -> Result<Pot> {
+        let placed = self.workable(part)?;
+        let wall = self.wall(part, Product::Pot)?;
+        Pot::looked_at(&Arc::new(Skin::new(placed)?), wall, false)
+    }
+
+    /// The same with ring and drain as they were fitted; `None` where they are as asked for.
+    ///
+    /// # Errors
+    /// As [`Pot::new`].
+    pub(crate) fn quick_fitted_pot(&self, part: usize) -> Result<Option<Pot>> {
+        let asked = self.wall(part, Product::Pot)?;
+        let Some(pot) = self.settled(part, Product::Pot).map(Settled::into_pot).ok().filter(|pot| pot.wall() != asked)
+        else {
+            return Ok(None);
+        };
+        Pot::looked_at(pot.shared_skin(), pot.wall(), false).map(Some)
+    }
+}
+
+impl Settled {
+    /// The wall that the body has.
+    fn wall(&self) -> Option<Wall> {
+        match self {
+            Settled::Faces(pot) => pot.wall(),
+            Settled::Meshed(made, _) => made.pot.wall(),
+        }
+    }
+}
+
+/// The body with the wall that is asked for, or with the nearest ring and drain that fit where those do not. Where none fit it is as asked for, to be refused with the reason when it is meshed.
+fn settle(skin: &Arc<Skin>, asked: Wall, scale: f64) -> Result<Settled> {
+    let pot = Pot::of(skin, Some(asked));
+    if !grid(skin, None, None).is_ok_and(|grid| grid.n_triangles() <= MOST_JUDGED) {
+        return pot.map(Settled::Faces);
+    }
+    let (pot, error) = match pot.map(|pot| Made::at_once(pot, scale)) {
+        Ok(Ok(made)) => return Ok(Settled::Meshed(Box::new(made), scale)),
+        Ok(Err(refused)) => {
+            let (pot, error) = *refused;
+            (Ok(pot), error)
+        }
+        Err(error) => (Err(error.clone()), error),
+    };
+    if may_be_at_fault(&asked, &error)
+        && let Some(made) = fitted(skin, &asked, pot.as_ref().ok(), scale)
+    {
+        return Ok(Settled::Meshed(Box::new(made), scale));
+    }
+    pot.map(Settled::Faces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::make::{Making, check};
+    use crate::measure::MeasureOptions;
+
+    /// A cone that leans inwards by as much as it rises, on a ring that would come out of it.
+    const CONE: &str = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [1, 0, 4, 0], "t": [0, 0], "n": [1, 2], "height": 3 },
+        "wall": { "thickness": 0.2, "base": 0.3, "foot": [0.3, 0.6] } }] }"#;
+
+    #[test]
+    fn what_was_settled_is_kept_and_is_the_same_whatever_is_asked_first() {
+        let design = Design::parse(CONE).unwrap();
+        let kept = |ask: &dyn Fn(&Solution)| {
+            let solution = Solution::of(&design);
+            assert!(solution.made_with(0).unwrap().get().is_none());
+            ask(&solution);
+            *solution.made_with(0).unwrap().get().unwrap()
+        };
+        let fine = Making { tolerance: Some(0.003), ..Making::default() };
+        let walls = [
+            kept(&|solution| drop(solution.check(&Making::default()).unwrap())),
+            kept(&|solution| drop(solution.check(&fine).unwrap())),
+            kept(&|solution| drop(solution.measure(&MeasureOptions::default()).unwrap())),
+            kept(&|solution| drop(solution.pot(0, Product::Pot).unwrap())),
+        ];
+        let asked = design.parts()[0].wall.unwrap();
+        assert!(walls.iter().all(|wall| *wall == walls[0] && wall.foot != asked.foot), "{walls:?}");
+        let [width, height] = walls[0].foot.unwrap();
+        assert!(width > height, "{walls:?}");
+        // A solid has no ring to be settled.
+        let solution = Solution::of(&design);
+        solution.pot(0, Product::Solid).unwrap();
+        assert!(solution.made_with(0).unwrap().get().is_none());
+    }
+
+    #[test]
+    fn what_is_kept_is_not_sought_again() {
+        let design = Design::parse(CONE).unwrap();
+        let solution = Solution::of(&design);
+        // What nobody would find, to be told from what is found.
+        let known = Wall { foot: Some([0.7, 0.1]), ..design.parts()[0].wall.unwrap() };
+        solution.made_with(0).unwrap().set(known).unwrap();
+        assert_eq!(solution.pot(0, Product::Pot).unwrap().wall(), Some(known));
+        let report = solution.check(&Making::default()).unwrap();
+        assert_eq!(report.findings[0].remedy.as_ref().map(|remedy| remedy.wall), Some(known));
+        assert_ne!(check(&design, &Making::default()).unwrap().findings[0].remedy, report.findings[0].remedy);
+    }
+}
