@@ -43,6 +43,7 @@ mod patch;
 mod solid;
 mod solution;
 mod surface;
+mod watch;
 
 pub use design::read;
 #[cfg(feature = "typescript")]
@@ -74,3 +75,4 @@ pub use patch::SurfaceJet;
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;
+pub use watch::watched;

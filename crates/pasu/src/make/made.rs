@@ -14,6 +14,7 @@ use crate::face::FaceKind;
 use crate::mesh::places;
 use crate::solid::{Pot, Product, Skin, place, short};
 use crate::solution::Solution;
+use crate::watch;
 
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
@@ -71,7 +72,11 @@ impl Solution {
     pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
         self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
-        self.parts_of(making.product).into_iter().map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
+        let parts = self.parts_of(making.product);
+        let made = |(index, part): (usize, &usize)| {
+            watch::share(index, parts.len(), || Ok(make(self, *part, making, scale)?.mesh))
+        };
+        parts.iter().enumerate().map(made).collect()
     }
 
     /// The parts that a product is made of: all, but for pots those with a wall if any has one.
@@ -164,6 +169,7 @@ pub(super) fn meshed_once(
     fineness: f64,
     scale: f64,
 ) -> Result<(Topology, SolidMesh, Option<f64>)> {
+    watch::go_on()?;
     let mut woven = woven(pot, tolerance, fineness, scale)?;
     compact(&mut woven);
     let unkept = tolerance.filter(|asked| woven.bound > *asked);
