@@ -297,6 +297,72 @@ test("what cannot be read is the caller's mistake, and the instance lives on", a
   assert.equal(pasu.mesh(VASE, { rows: 5, columns: 9, into }).positions.length, 3 * 5 * 9);
 });
 
+test("what takes long tells how far it is and can be ended", async () => {
+  const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
+  await pasu.default();
+  const shape = { kind: "second-order", r: [5, 0.4, 3, 0.24], t: [0, 0], n: [1, 8], height: 9 };
+  const design = { pasu: 1, parts: [{ shape, wall: { thickness: 0.5, base: 0.5 } }] };
+  const calls = {
+    mesh: (options) => pasu.mesh(design, { ...options, tolerance: 1e-4 }),
+    into: (options) => pasu.mesh(design, { ...options, tolerance: 1e-4, into: {} }),
+    measure: (options) => pasu.measure(design, options),
+    check: (options) => pasu.check(design, options),
+    write: (options) => pasu.write(design, "3mf", options),
+    solid: (options) => pasu.solid(design, options),
+    paint: (options) => pasu.paint(design, "thickness", { ...options, tolerance: 1e-2 }),
+  };
+  const mine = new Error("mine");
+  for (const [name, call] of Object.entries(calls)) {
+    const expected = call({});
+    const told = [];
+    assert.deepEqual(call({ progress: (done) => void told.push(done) }), expected, name);
+    assert.ok(told.length > 1 && told[0] === 0 && told.at(-1) === 1, `${name}: ${told}`);
+    assert.deepEqual(
+      told,
+      told.toSorted((a, b) => a - b),
+      name,
+    );
+    for (const n of [1, 2]) {
+      let left = n;
+      const ended = { name: "PasuError", code: "cancelled", path: "" };
+      assert.throws(() => call({ progress: () => --left > 0 }), ended, name);
+      assert.deepEqual(call({}), expected, name);
+    }
+    const throwing = () => {
+      throw mine;
+    };
+    assert.throws(
+      () => call({ progress: throwing }),
+      (error) => error === mine,
+      name,
+    );
+    // It cannot call Pasu itself, and may see that.
+    assert.throws(() => call({ progress: () => pasu.parse(VASE) }), { name: "PasuError", code: "busy" }, name);
+    const codes = new Set();
+    const trying = () => {
+      try {
+        call({});
+      } catch (error) {
+        codes.add(error.code);
+      }
+    };
+    assert.deepEqual(call({ progress: trying }), expected, name);
+    assert.deepEqual([...codes], ["busy"], name);
+    assert.throws(() => call({ progress: 5 }), { name: "PasuError", code: "wrong-type", path: "progress" }, name);
+    assert.deepEqual(call({ progress: undefined }), expected, name);
+  }
+  const refused = [];
+  assert.throws(() => pasu.solid(VASE, { progress: (done) => refused.push(done) }), { code: "no-wall" });
+  assert.ok(!refused.includes(1), `${refused}`);
+  const getter = Object.defineProperty({}, "progress", {
+    enumerable: true,
+    get() {
+      throw mine;
+    },
+  });
+  assert.throws(() => pasu.check(VASE, getter), { name: "PasuError", code: "wrong-type" });
+});
+
 test("a getter cannot call what reads it", async () => {
   const pasu = await import(pathToFileURL(join(ROOT, "crates/pasu-wasm/pkg/pasu.js")).href);
   await pasu.default();

@@ -44,10 +44,11 @@ function text_of(design: Design): string { return JSON.stringify(design); }
 const making: Making = { product: "pot", size: { height: 12 }, shrinkage: 8, tolerance: 0.02 };
 const measures: Measures = measure(design, { fill: 3, density: 2.1 });
 const brim: number | undefined = measures.parts[0]?.capacity?.brim.value;
-const report: Report = check(design, making);
+const report: Report = check(design, { ...making, progress: (done) => done < 0.5 });
 const findings: Finding[] = report.findings.filter(({ severity }) => severity === "error");
 const file: Blob = new Blob([write(design, "3mf", making)]);
-const drawn_solid: Solid = solid(design);
+const heard: number[] = [];
+const drawn_solid: Solid = solid(design, { progress: (done) => void heard.push(done) });
 const under_hand: Sketch = sketch(design, { tolerance: 0.02, fill: 0.5 });
 const again: Sketch = sketch(design, { into: under_hand });
 const level: number | undefined = again.water?.level;

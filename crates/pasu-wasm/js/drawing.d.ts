@@ -1,5 +1,7 @@
 // The interface of `pasu/drawing`: what it takes to draw a design, without what it takes to make it.
 
+import type { DesignSource, Mesh, MeshOptions, Remesh } from "./pasu.js";
+
 export type * from "./design.js";
 export type {
   Derivatives,
@@ -11,4 +13,8 @@ export type {
   Point,
   Remesh,
 } from "./pasu.js";
-export { bound, default, derivatives, evaluate, fingerprint, link, mesh, PasuError, parse } from "./pasu.js";
+export { bound, default, derivatives, evaluate, fingerprint, link, PasuError, parse } from "./pasu.js";
+
+/** As that of `pasu`, but for `progress`, which this module does not tell. */
+export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
+export function mesh(source: DesignSource, options: MeshOptions & { into: Partial<Mesh> }): Remesh;

@@ -35,7 +35,9 @@ export type PasuErrorCode =
   | "no-room"
   /** A function was called before `init()` had finished. */
   | "not-ready"
-  /** A function was called by a getter or a proxy in the arguments of another call. */
+  /** A call that its `progress` ended by returning `false`. */
+  | "cancelled"
+  /** A function was called by a getter or a proxy in the arguments of another call, or by its `progress`. */
   | "busy"
   /** A mistake of Pasu's own. The next call works on a fresh instance. */
   | "bug";
@@ -118,6 +120,18 @@ export type Size =
   | { height: number; width?: undefined; capacity?: undefined }
   | { width: number; height?: undefined; capacity?: undefined }
   | { capacity: number; height?: undefined; width?: undefined };
+
+/**
+ * Among the options of a call that may take long. At a fine tolerance and for many parts that is more than a second, so such calls belong in a worker; it learns only through a `SharedArrayBuffer`, or by a
+ * request that waits, that it is to end one.
+ */
+export interface Watch {
+  /**
+   * Is told how far the call is, a number that grows from 0 to 1: at its beginning, at its end and about every twentieth of a second in between. It is an estimate. Where this returns `false` the call ends
+   * with the code `cancelled`, and leaves nothing behind. What this throws the call throws. It cannot call Pasu itself, which is `busy`.
+   */
+  progress?: ((done: number) => unknown) | null | undefined;
+}
 
 /** What is made of a design, and how large. */
 export interface Making {
@@ -247,7 +261,7 @@ export function link(source: DesignSource): string;
  *
  * Where the grid is that of the mesh before, `uvs`, `indices` and `groups` are copied for you when you first read them.
  */
-export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
+export function mesh(source: DesignSource, options?: MeshOptions & Watch & { into?: undefined }): Mesh;
 
 /**
  * The surface as triangles, placed, in the arrays of an earlier mesh, so that a drag allocates nothing: each array of `into` that is long enough is written over and handed
@@ -256,7 +270,7 @@ export function mesh(source: DesignSource, options?: MeshOptions & { into?: unde
  * Where `into.topology` is that of the new mesh too, `uvs`, `indices` and `groups` are as they were: they are not written, and are left out of the
  * result if `into` is without them.
  */
-export function mesh(source: DesignSource, options: MeshOptions & { into: Partial<Mesh> }): Remesh;
+export function mesh(source: DesignSource, options: MeshOptions & Watch & { into: Partial<Mesh> }): Remesh;
 
 /**
  * The largest distance between the surface and the triangles that {@link mesh} makes with these options, in the unit of the design. It is found from second derivatives and does
@@ -277,22 +291,22 @@ export function derivatives(source: DesignSource, part: number, at: Float64Array
 export function fingerprint(source: DesignSource): string;
 
 /** What can be measured on a design, by quadrature on the closed form. */
-export function measure(source: DesignSource, options?: MeasureOptions): Measures;
+export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;
 
 /** Whether a design can be made, and what differs from what was asked for, such as a ring that was fitted. What cannot be made is in the findings; only what is no design is thrown. */
-export function check(source: DesignSource, making?: Making): Report;
+export function check(source: DesignSource, making?: Making & Watch): Report;
 
 /**
  * The bytes of a file: the same for the same design and making, on every machine and every day. It holds the link of the design, its fingerprint, the version
  * of Pasu and the verdict of the checks, as far as the format can.
  */
-export function write(source: DesignSource, format: Format, making?: Making): Uint8Array<ArrayBuffer>;
+export function write(source: DesignSource, format: Format, making?: Making & Watch): Uint8Array<ArrayBuffer>;
 
 /** The file of materials that OBJ files name, every glaze on every clay, to be saved as `pasu.mtl` in their folder: the same for all designs. */
 export function objMaterials(): string;
 
 /** What is made of a design, to be drawn: the triangles of the files of {@link write}, in the unit of the design, with normals. */
-export function solid(source: DesignSource, making?: Making): Solid;
+export function solid(source: DesignSource, making?: Making & Watch): Solid;
 
 /**
  * The pots of a design as {@link solid} shows them, in a fraction of the time: for a screen, while a hand changes the design. Parts without a wall are passed over, and the face that is the surface
@@ -306,7 +320,7 @@ export function sketch(
 ): Sketch;
 
 /** One number for each vertex of {@link mesh} with the same options, in the same order. */
-export function paint(source: DesignSource, map: MapName, options?: MeshOptions): Painted;
+export function paint(source: DesignSource, map: MapName, options?: MeshOptions & Watch): Painted;
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

@@ -3,21 +3,56 @@
 import * as bindings from "./bindings.js";
 import { apart, entry, PasuError } from "./wrapper.js";
 
-const { init, call, parse, link, mesh, bound, evaluate, derivatives, fingerprint } = entry(
+const entered = entry(
   { module: () => new URL("./pasu_bg.wasm", import.meta.url), bindings: () => bindings },
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => bindings },
 );
+const { init, call, parse, link, bound, evaluate, derivatives, fingerprint } = entered;
 
-const measure = (source, options) => call("measure", source, options);
-const check = (source, making) => call("check", source, making);
-const write = (source, format, making) => call("write", source, format, making);
+/**
+ * Runs with the options but for `progress`, and with what calls a binding and tells that how far it is. What it throws is thrown as it is: here, because whatever comes out of the module is a
+ * refusal or a bug.
+ */
+function watched(options, run) {
+  let progress;
+  try {
+    progress = options?.progress;
+  } catch {
+    // A getter that throws is refused as that of every other option is.
+  }
+  if (progress === undefined || progress === null) return run(options, call);
+  if (typeof progress !== "function") {
+    throw new PasuError("wrong-type", "progress", `expected a function, found a ${typeof progress}`);
+  }
+  const { others } = apart(options, "progress");
+  let failed;
+  const told = (done) => {
+    try {
+      return progress(done);
+    } catch (error) {
+      failed = { error };
+      return false;
+    }
+  };
+  try {
+    // biome-ignore lint/performance/noDynamicNamespaceImportAccess: all of them are called by their names
+    return run(others, (name, ...args) => call("watched", told, () => bindings[name](...args)));
+  } catch (error) {
+    throw failed ? failed.error : error;
+  }
+}
+
+const mesh = (source, options) => watched(options, (others, by) => entered.mesh(source, others, by));
+const measure = (source, options) => watched(options, (others, by) => by("measure", source, others));
+const check = (source, making) => watched(making, (others, by) => by("check", source, others));
+const write = (source, format, making) => watched(making, (others, by) => by("write", source, format, others));
 const objMaterials = () => call("objMaterials");
-const solid = (source, making) => call("solid", source, making);
+const solid = (source, making) => watched(making, (others, by) => by("solid", source, others));
 const sketch = (source, options) => {
-  const { into, others } = apart(options);
+  const { taken: into, others } = apart(options, "into");
   return call("sketch", source, others, into);
 };
-const paint = (source, map, options) => call("paint", source, map, options);
+const paint = (source, map, options) => watched(options, (others, by) => by("paint", source, map, others));
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;

@@ -83,12 +83,12 @@ function ofTables(mesh) {
   return mesh;
 }
 
-/** The options of a call without `into`, and that. */
-export function apart(options) {
+/** The options of a call without one of them, and that. */
+export function apart(options, name) {
   if (typeof options !== "object" || options === null) return { others: options };
   try {
-    const { into, ...others } = options;
-    return { into, others };
+    const { [name]: taken, ...others } = options;
+    return { taken, others };
   } catch (cause) {
     if (cause instanceof RangeError) throw cause; // as when the stack has run out
     throw new PasuError("wrong-type", "options", "expected options, found something that cannot be read", { cause });
@@ -152,9 +152,10 @@ export function entry(simd, scalar) {
     call,
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),
-    mesh(source, options) {
-      const { into, others } = apart(options);
-      return into === undefined ? ofTables(call("mesh", source, others, tables)) : call("mesh", source, others, into);
+    /** `by` calls a binding in place of `call`. */
+    mesh(source, options, by = call) {
+      const { taken: into, others } = apart(options, "into");
+      return into === undefined ? ofTables(by("mesh", source, others, tables)) : by("mesh", source, others, into);
     },
     bound: (source, options) => call("bound", source, options),
     evaluate: (source, part, at) => call("evaluate", source, part, at),

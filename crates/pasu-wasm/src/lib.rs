@@ -22,6 +22,8 @@ mod points;
 #[cfg(feature = "making")]
 mod sketch;
 mod source;
+#[cfg(feature = "making")]
+mod watch;
 
 use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
@@ -31,6 +33,8 @@ use crate::error::thrown;
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;
+#[cfg(feature = "making")]
+pub use crate::watch::watched;
 
 #[cfg(all(doctest, not(target_arch = "wasm32")))]
 #[doc = include_str!("../../../README.md")]

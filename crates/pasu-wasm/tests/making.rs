@@ -4,7 +4,7 @@
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pasu_wasm::{
-    check, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, water, write,
+    check, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, watched, water, write,
 };
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -315,4 +315,45 @@ fn at(value: &JsValue, path: &str) -> JsValue {
 
 fn js(text: &str) -> JsValue {
     JSON::parse(text).expect("JSON")
+}
+
+/// A function of JavaScript that is told how far a call is, as `body` answers.
+fn listener(told: &Array, body: &str) -> js_sys::Function {
+    js_sys::Function::new_with_args("told", &format!("return (done) => {{ told.push(done); {body} }}"))
+        .call1(&JsValue::UNDEFINED, told)
+        .expect("a function")
+        .unchecked_into()
+}
+
+/// As the package does: the call goes out to JavaScript and comes back.
+fn told_of_check(body: &str) -> (Array, Result<JsValue, JsValue>) {
+    let told = Array::new();
+    let call = Closure::<dyn FnMut() -> Result<JsValue, JsValue>>::new(|| {
+        check(&CUP.into(), &js(r#"{ "tolerance": 0.002 }"#))
+    });
+    let answer = watched(&listener(&told, body), call.as_ref().unchecked_ref());
+    (told, answer)
+}
+
+#[wasm_bindgen_test]
+fn what_takes_long_tells_how_far_it_is() {
+    let (told, answer) = told_of_check("");
+    let alone = check(&CUP.into(), &js(r#"{ "tolerance": 0.002 }"#)).expect("a report");
+    assert_eq!(JSON::stringify(&answer.expect("a report")), JSON::stringify(&alone));
+    let told: Vec<f64> = told.iter().filter_map(|done| done.as_f64()).collect();
+    assert!(told.len() > 2 && told[0] == 0.0 && told[told.len() - 1] == 1.0, "{told:?}");
+    assert!(told.windows(2).all(|pair| pair[0] <= pair[1]), "{told:?}");
+}
+
+#[wasm_bindgen_test]
+fn what_takes_long_can_be_ended() {
+    for body in ["return told.length < 2", "if (told.length > 1) throw 5"] {
+        let (told, answer) = told_of_check(body);
+        let error = answer.expect_err("ended");
+        assert_eq!(Reflect::get(&error, &"code".into()).expect("a code"), "cancelled", "{body}");
+        assert_eq!(told.length(), 2, "{body}");
+    }
+    // What the call itself refuses is not changed.
+    let refusal = js_sys::Function::new_no_args("throw 7");
+    assert_eq!(watched(&listener(&Array::new(), ""), &refusal), Err(7.into()));
 }

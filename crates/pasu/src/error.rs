@@ -137,6 +137,8 @@ pub enum Code {
     NoOpening,
     /// A wall, floor, ring or hole that does not fit.
     NoRoom,
+    /// A call that was ended by whoever [watched](crate::watched) it.
+    Cancelled,
     /// A mistake of Pasu's own.
     Bug,
 }
@@ -171,6 +173,7 @@ impl Code {
             Code::CrossesItself => "crosses-itself",
             Code::NoOpening => "no-opening",
             Code::NoRoom => "no-room",
+            Code::Cancelled => "cancelled",
             Code::Bug => "bug",
         }
     }

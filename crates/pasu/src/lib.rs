@@ -43,6 +43,7 @@ mod patch;
 mod solid;
 mod solution;
 mod surface;
+mod watch;
 mod weave;
 
 pub use design::read;
@@ -75,4 +76,5 @@ pub use patch::SurfaceJet;
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;
+pub use watch::watched;
 pub use weave::SolidMesh;

@@ -1,5 +1,7 @@
 //! Whether triangles bound a body: closed, oriented, and like a surface at every vertex.
 
+use crate::watch;
+
 /// What closed triangles are like as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Topology {
@@ -22,39 +24,58 @@ impl Topology {
 /// A vertex where they are not closed: at an edge that two triangles do not share in opposite directions, at a vertex round which the triangles are more than one fan, or that no
 /// triangle uses.
 pub(crate) fn closed(triangles: &[[u32; 3]], n_vertices: usize) -> Result<Topology, u32> {
-    // Every edge as a triangle passes it, with the corner across from it.
-    let mut edges: Vec<(u32, u32, u32)> =
-        triangles.iter().flat_map(|&[a, b, c]| [(a, b, c), (b, c, a), (c, a, b)]).collect();
-    edges.sort_unstable();
-    if let Some(pair) = edges.windows(2).find(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
-        return Err(pair[0].0);
+    // Every edge as a triangle passes it, by where it begins: where it ends, with the corner across from it.
+    if let Some(vertex) = triangles.iter().flatten().find(|vertex| **vertex as usize >= n_vertices) {
+        return Err(*vertex);
     }
-    let find = |from: u32, to: u32| edges.binary_search_by(|edge| (edge.0, edge.1).cmp(&(from, to))).ok();
     let mut first = vec![0usize; n_vertices + 1];
-    for edge in &edges {
-        if edge.0 as usize >= n_vertices {
-            return Err(edge.0);
-        }
-        if edge.0 == edge.1 || find(edge.1, edge.0).is_none() {
-            return Err(edge.0);
-        }
-        first[edge.0 as usize + 1] += 1;
+    for vertex in triangles.iter().flatten() {
+        first[*vertex as usize + 1] += 1;
     }
     for vertex in 0..n_vertices {
         first[vertex + 1] += first[vertex];
     }
+    let mut edges = vec![(0u32, 0u32); 3 * triangles.len()];
+    let mut free = first.clone();
+    for &[a, b, c] in triangles {
+        watch::work(5);
+        for (from, to, across) in [(a, b, c), (b, c, a), (c, a, b)] {
+            let slot = &mut free[from as usize];
+            edges[*slot] = (to, across);
+            *slot += 1;
+        }
+    }
     for vertex in 0..n_vertices {
+        watch::work(5);
+        let fan = &mut edges[first[vertex]..first[vertex + 1]];
+        fan.sort_unstable();
+        if fan.windows(2).any(|pair| pair[0].0 == pair[1].0) {
+            return Err(vertex as u32);
+        }
+    }
+    let leads =
+        |from: usize, to: u32| edges[first[from]..first[from + 1]].binary_search_by(|edge| edge.0.cmp(&to)).is_ok();
+    for vertex in 0..n_vertices {
+        watch::work(20);
+        let is_closed = |(to, _): &(u32, u32)| *to as usize != vertex && leads(*to as usize, vertex as u32);
+        let fan = &edges[first[vertex]..first[vertex + 1]];
+        if !fan.iter().all(is_closed) {
+            return Err(vertex as u32);
+        }
+    }
+    for vertex in 0..n_vertices {
+        watch::work(10);
         let fan = &edges[first[vertex]..first[vertex + 1]];
         let Some(start) = fan.first() else { return Err(vertex as u32) };
         // From one triangle at the vertex to the next, over their common edge.
-        let (mut n, mut corner) = (0, start.1);
+        let (mut n, mut corner) = (0, start.0);
         loop {
-            let Some(edge) = fan.binary_search_by(|edge| edge.1.cmp(&corner)).ok().map(|i| fan[i]) else {
+            let Some(edge) = fan.binary_search_by(|edge| edge.0.cmp(&corner)).ok().map(|i| fan[i]) else {
                 return Err(vertex as u32);
             };
-            corner = edge.2;
+            corner = edge.1;
             n += 1;
-            if corner == start.1 || n > fan.len() {
+            if corner == start.0 || n > fan.len() {
                 break;
             }
         }

@@ -1,32 +1,17 @@
 //! Pairs of triangles that cross, touch or overlap where they should not, decided exactly.
 //!
-//! Candidates come from an R-tree of bounding boxes. Two triangles without a common vertex must be apart; with a common vertex they may share that point, with a common edge that edge, and nothing
+//! Candidates come from a [tree of boxes](super::boxes). Two triangles without a common vertex must be apart; with a common vertex they may share that point, with a common edge that edge, and nothing
 //! else. All of this is decided by the signs of volumes and areas without rounding error (J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast
 //! robust geometric predicates*, 1997), on the single precision coordinates as they are.
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
-use rstar::{AABB, RTree, RTreeObject};
+
+use super::boxes::{Bounded, Boxes};
+use crate::watch;
 
 type Point = [f32; 3];
 
-/// A triangle among the others.
-#[derive(Debug, Clone, Copy)]
-struct Bounded {
-    number: u32,
-    group: Option<u32>,
-    low: Point,
-    high: Point,
-}
-
-impl RTreeObject for Bounded {
-    type Envelope = AABB<Point>;
-
-    fn envelope(&self) -> AABB<Point> {
-        AABB::from_corners(self.low, self.high)
-    }
-}
-
-/// The numbers of the triangles of each pair that crosses, at most so many pairs. Triangles of one group that has a number are known not to cross each other.
+/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first. Triangles of one group that has a number are known not to cross each other.
 pub(crate) fn crossings(
     positions: &[Point],
     triangles: &[[u32; 3]],
@@ -34,26 +19,28 @@ pub(crate) fn crossings(
     most: usize,
 ) -> Vec<[u32; 2]> {
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
-    let bounded = triangles.iter().zip(0..).map(|(triangle, number)| {
-        let [a, b, c] = corners(triangle);
-        let low = core::array::from_fn(|i| a[i].min(b[i]).min(c[i]));
-        let high = core::array::from_fn(|i| a[i].max(b[i]).max(c[i]));
-        Bounded { number, group: group(number), low, high }
-    });
-    let tree = RTree::bulk_load(bounded.collect());
+    let bounded = triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, corners(triangle)));
+    let bounded: Vec<Bounded> = bounded.collect();
+    let groups: Vec<Option<u32>> = (0..triangles.len() as u32).map(group).collect();
+    let boxes = Boxes::new(bounded.clone());
     let mut found = Vec::new();
-    for (one, other) in tree.intersection_candidates_with_other_tree(&tree) {
-        if one.number < other.number && (one.group.is_none() || one.group != other.group) {
-            let (p, q) = (&triangles[one.number as usize], &triangles[other.number as usize]);
-            if cross(p, q, &corners(p), &corners(q)) {
-                found.push([one.number, other.number]);
-                if found.len() == most {
-                    break;
+    for (p, one) in triangles.iter().zip(&bounded) {
+        if found.len() >= most || watch::is_stopped() {
+            break;
+        }
+        let before = found.len();
+        let (at_p, group) = (corners(p), groups[one.number as usize]);
+        boxes.later(one, |other| {
+            if group.is_none() || group != groups[other as usize] {
+                let q = &triangles[other as usize];
+                if cross(p, q, &at_p, &corners(q)) {
+                    found.push([one.number, other]);
                 }
             }
-        }
+        });
+        found[before..].sort_unstable();
     }
-    found.sort_unstable();
+    found.truncate(most);
     found
 }
 

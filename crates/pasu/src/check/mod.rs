@@ -1,5 +1,6 @@
 //! Exact predicates on triangles: whether they close, degenerate or cross.
 
+mod boxes;
 mod closed;
 mod crossing;
 mod degenerate;

@@ -5,6 +5,7 @@ use super::provenance::told;
 use crate::design::{Look, Unit};
 use crate::face::FaceKind;
 use crate::make::Making;
+use crate::watch;
 
 /// The program that writes, with its version.
 pub(super) const PROGRAM: &str = concat!("Pasu ", env!("CARGO_PKG_VERSION"));
@@ -31,7 +32,10 @@ impl Body<'_> {
 
     /// The vertices of every triangle.
     pub(super) fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
-        self.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]])
+        self.indices.chunks_exact(3).map(|t| {
+            watch::work(10);
+            [t[0], t[1], t[2]]
+        })
     }
 
     /// The position of a vertex.

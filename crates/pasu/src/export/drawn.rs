@@ -8,6 +8,10 @@ use crate::error::Result;
 use crate::face::FaceKind;
 use crate::make::{Making, Scale};
 use crate::solution::Solution;
+use crate::watch;
+
+/// The share of the time that making takes, as against shading.
+const MAKING: f64 = 0.9;
 
 /// The meshes of [`solid`](crate::solid()) as one, with normals, in model units.
 ///
@@ -75,7 +79,7 @@ fn shown(solution: &Solution, making: &Making) -> Result<Drawn> {
     let (design, scale) = (solution.design(), making.scale_of(solution)?);
     let (positions, normals, indices, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut drawn = Drawn { positions, normals, indices, faces, scale };
-    for mesh in solution.solid(making)? {
+    for mesh in watch::between(0.0, MAKING, || solution.solid(making))? {
         let body = body(design, "", &mesh);
         add(
             &body,

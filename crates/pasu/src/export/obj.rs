@@ -5,6 +5,7 @@ use super::material::{self, Material, srgb};
 use super::numbers::{push_decimal, push_f32};
 use super::zip::Package;
 use crate::design::{Clay, Glaze, Look, plain};
+use crate::watch;
 
 /// The name under which the file of materials is looked for, in the folder of the OBJ.
 const LIBRARY: &str = "pasu.mtl";
@@ -25,6 +26,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     for body in bodies {
         bytes.extend_from_slice(format!("o {}\n", identifier(&body.name)).as_bytes());
         for position in body.positions.chunks_exact(3) {
+            watch::work(10);
             bytes.push(b'v');
             for number in position {
                 bytes.push(b' ');
@@ -36,6 +38,7 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
         for (group, (_, first, count)) in body.faces.iter().enumerate() {
             bytes.extend_from_slice(format!("s {}\n", group + 1).as_bytes());
             for corners in body.indices[*first..first + count].chunks_exact(3) {
+                watch::work(10);
                 bytes.push(b'f');
                 for vertex in corners {
                     bytes.push(b' ');

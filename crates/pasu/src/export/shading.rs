@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::contents::Body;
+use crate::watch;
 
 /// A body whose vertices are split where faces meet. Positions are those of the body, bit for bit.
 pub(super) struct Shaded {
@@ -28,6 +29,7 @@ pub(super) fn shaded(body: &Body) -> Shaded {
             number_of[*vertex as usize] = NOT_YET;
         }
         for corners in triangles.chunks_exact(3) {
+            watch::work(20);
             let points = [corners[0], corners[1], corners[2]].map(|vertex| point(body, vertex));
             let normal = (points[1] - points[0]).cross(points[2] - points[0]).normalize_or_zero();
             for (corner, vertex) in corners.iter().enumerate() {

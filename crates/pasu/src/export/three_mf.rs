@@ -6,6 +6,7 @@ use super::numbers::{push_decimal, push_f32};
 use super::thumbnail::thumbnail;
 use super::xml::escaped;
 use super::zip::Package;
+use crate::watch;
 
 /// Where the model is in the package.
 pub(super) const MODEL: &str = "3D/3dmodel.model";
@@ -62,6 +63,7 @@ fn model(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
                 .as_bytes(),
         );
         for position in body.positions.chunks_exact(3) {
+            watch::work(10);
             for (before, number) in ["<vertex x=\"", "\" y=\"", "\" z=\""].into_iter().zip(position) {
                 bytes.extend_from_slice(before.as_bytes());
                 push_f32(&mut bytes, *number);

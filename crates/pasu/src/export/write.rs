@@ -12,10 +12,13 @@ use crate::make::{Making, Size, make};
 use crate::make::{Report, Severity, verdict};
 use crate::solid::Pot;
 use crate::solution::{Placed, Solution};
+use crate::watch;
 use crate::weave::{Made, SolidMesh};
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
+/// The share of the time that making takes, as against putting it down in a file.
+const MAKING: f64 = 0.7;
 /// No file reaches 4 GB: its lengths would not fit.
 const MOST_TRIANGLES: usize = 20_000_000;
 
@@ -66,10 +69,11 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     let millimetres = making.scale_of(solution)?.millimetres;
     let mut made = Vec::with_capacity(solution.n_parts());
     let wanted = solution.parts_of(making.product);
-    for &part in &wanted {
+    for (index, &part) in wanted.iter().enumerate() {
         // A shape without foot and rim has no wall; STEP takes its patches as they are.
         if format != Format::Step || solution.part(part)?.solved().wall().is_some() {
-            made.push(make(solution, part, making, millimetres)?);
+            let one = || make(solution, part, making, millimetres);
+            made.push(watch::between(0.0, MAKING, || watch::share(index, wanted.len(), one))?);
         }
     }
     let n_triangles = made.iter().map(|made| made.mesh.n_triangles()).sum::<usize>();

@@ -1,10 +1,13 @@
 //! ZIP packages (APPNOTE 6.3): a writer of the few things that a 3MF needs, and a reader of one entry.
 
-use miniz_oxide::deflate::compress_to_vec;
+use miniz_oxide::deflate::core::{
+    CompressorOxide, TDEFLFlush, TDEFLStatus, compress_to_output, create_comp_flags_from_zip_params,
+};
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::{DecompressorOxide, decompress, inflate_flags};
 
 use super::crc32::crc32;
+use crate::watch;
 
 const LOCAL: [u8; 4] = *b"PK\x03\x04";
 const CENTRAL: [u8; 4] = *b"PK\x01\x02";
@@ -19,7 +22,9 @@ const DEFLATED: u16 = 8;
 /// 1 January 1980, the first day of ZIP: the same design makes the same bytes on any day.
 const DATE: u16 = (1 << 5) | 1;
 /// Fast, and within a few percent of the smallest for text.
-const EFFORT: u8 = 6;
+const EFFORT: i32 = 6;
+/// Packed between two words to a watcher: about a millisecond.
+const PIECE: usize = 1 << 16;
 
 /// Files that are packed together.
 #[derive(Default)]
@@ -32,8 +37,7 @@ pub(super) struct Package {
 impl Package {
     /// Adds a file that deflate makes smaller. Sizes and offsets have 32 bits: the whole must stay below 4 GB.
     pub(super) fn add_text(&mut self, name: &str, contents: &[u8]) {
-        let packed = compress_to_vec(contents, EFFORT);
-        self.add(name, contents, &packed, DEFLATED);
+        self.add(name, contents, &deflated(contents), DEFLATED);
     }
 
     /// Adds a file that is packed already.
@@ -82,6 +86,26 @@ impl Package {
         self.bytes.extend_from_slice(&offset.to_le_bytes());
         self.bytes.extend_from_slice(&[0; 2]);
         self.bytes
+    }
+}
+
+/// Deflate without a wrapper, piece by piece: the bytes are those of the whole at once.
+fn deflated(contents: &[u8]) -> Vec<u8> {
+    let mut packer = CompressorOxide::new(create_comp_flags_from_zip_params(EFFORT, 0, 0));
+    let mut packed = Vec::with_capacity(contents.len() / 4);
+    let mut rest = contents;
+    loop {
+        watch::work(2 * PIECE as u64);
+        let (piece, after) = rest.split_at(rest.len().min(PIECE));
+        let flush = if after.is_empty() || watch::is_stopped() { TDEFLFlush::Finish } else { TDEFLFlush::None };
+        let (status, taken) = compress_to_output(&mut packer, piece, flush, |bytes| {
+            packed.extend_from_slice(bytes);
+            true
+        });
+        if status != TDEFLStatus::Okay {
+            return packed;
+        }
+        rest = &rest[taken..];
     }
 }
 

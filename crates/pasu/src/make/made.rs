@@ -7,6 +7,7 @@ use crate::design::Design;
 use crate::error::Result;
 use crate::solid::{Product, Skin};
 use crate::solution::Solution;
+use crate::watch;
 use crate::weave::{Made, SolidMesh, grid, refuse_crossing};
 
 /// The closed mesh of each part that the product is made of, in millimetres, after size and shrinkage.
@@ -45,7 +46,11 @@ impl Solution {
     pub fn solid(&self, making: &Making) -> Result<Vec<SolidMesh>> {
         self.all_workable()?;
         let scale = making.scale_of(self)?.millimetres;
-        self.parts_of(making.product).into_iter().map(|part| Ok(make(self, part, making, scale)?.mesh)).collect()
+        let parts = self.parts_of(making.product);
+        let made = |(index, part): (usize, &usize)| {
+            watch::share(index, parts.len(), || Ok(make(self, *part, making, scale)?.mesh))
+        };
+        parts.iter().enumerate().map(made).collect()
     }
 
     /// The parts that a product is made of: all, but for pots those with a wall if any has one.

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::report::{Finding, Severity};
 use crate::check;
 use crate::solid::place;
+use crate::watch;
 use crate::weave::SolidMesh;
 
 type Box3 = [[f32; 3]; 2];
@@ -75,6 +76,7 @@ fn winding(mesh: &SolidMesh, at: DVec3) -> f64 {
     let angle = |corners: [[f32; 3]; 3]| {
         let [a, b, c] = corners.map(|corner| point(corner) - at);
         let [p, q, r] = [a, b, c].map(DVec3::length);
+        watch::work(10);
         2.0 * libm::atan2(a.dot(b.cross(c)), p * q * r + a.dot(b) * r + b.dot(c) * p + c.dot(a) * q)
     };
     corners(mesh).map(angle).sum::<f64>() / (4.0 * PI)

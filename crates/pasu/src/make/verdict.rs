@@ -11,6 +11,7 @@ use crate::design::Design;
 use crate::error::{Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
+use crate::watch;
 use crate::weave::{Made, SolidMesh};
 
 /// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for, such as a ring that was fitted. A part without a wall is left out of the pots with a warning, where another part has one.
@@ -45,11 +46,13 @@ impl Solution {
         let mut made = Vec::new();
         let mut n_remedies = 0;
         for part in 0..self.n_parts() {
+            watch::go_on()?;
             if !wanted.contains(&part) {
                 refused.push(left_out(part));
                 continue;
             }
-            match make(self, part, making, scale) {
+            let one = || make(self, part, making, scale);
+            match watch::between(0.0, MAKING, || watch::share(part, self.n_parts(), one)) {
                 Ok(one) => made.push(one),
                 Err(error) => {
                     n_remedies += 1;
@@ -76,6 +79,9 @@ fn left_out(part: usize) -> Finding {
     let path = Some(format!("parts[{part}].wall"));
     Finding { code: Code::NoWall.as_str(), severity: Severity::Warning, part, path, message, at: None, remedy: None }
 }
+
+/// The share of the time that making takes, as against looking at what was made.
+const MAKING: f64 = 0.9;
 
 /// For how many parts that are refused a remedy is sought: each takes as long as making the part a few times.
 const REMEDIES: usize = 3;

@@ -18,6 +18,7 @@ use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::solid::Product;
 use crate::solution::Solution;
+use crate::watch;
 
 /// The mass of a cubic centimetre of water in grams.
 const WATER: f64 = 1.0;
@@ -36,6 +37,12 @@ impl Clay {
         }
     }
 }
+
+/// Up to this share of the time thicknesses are found,
+const TAKING: f64 = 0.3;
+
+/// and up to this one parts are measured.
+const TOGETHER: f64 = 0.9;
 
 /// What a part adds to the measures of the whole.
 struct Share {
@@ -81,16 +88,17 @@ impl Solution {
 fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     check(options)?;
     let design = solution.design();
-    let taken = Taken::all(solution, options.product)?;
+    let taken = watch::between(0.0, TAKING, || Taken::all(solution, options.product))?;
     let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
-    let mut parts = Vec::with_capacity(taken.len());
-    let mut shares = Vec::with_capacity(taken.len());
-    for (index, (taken, outside)) in taken.iter().zip(&outsides).enumerate() {
-        let (part, share) = part_measures(design, index, taken, outside, options)?;
+    let n = taken.len();
+    let one = |(index, (taken, outside)): (usize, (&Taken, &Outside))| {
+        let (part, share) = watch::share(index, n, || part_measures(design, index, taken, outside, options))?;
+        watch::go_on()?;
         refuse_infinite_part(&part)?;
-        parts.push(part);
-        shares.push(share);
-    }
+        Ok((part, share))
+    };
+    let measured = || taken.iter().zip(&outsides).enumerate().map(one).collect::<Result<Vec<_>>>();
+    let (parts, shares): (Vec<_>, Vec<_>) = watch::between(TAKING, TOGETHER, measured)?.into_iter().unzip();
     if let Some(fill) = options.fill {
         refuse_overflow(&parts, fill)?;
     }
@@ -119,7 +127,7 @@ pub(crate) enum Gauge {
 /// # Errors
 /// As [`measure`]; `no-room` for the capacity of a design that holds nothing, with the reason.
 pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Result<f64> {
-    let taken = Taken::all(solution, product)?;
+    let taken = watch::between(0.0, TAKING, || Taken::all(solution, product))?;
     let outside = || Outside::new(taken.iter().flat_map(Taken::faces), waves(&taken));
     match gauge {
         Gauge::Height => Ok(outside().height().value),
@@ -194,6 +202,7 @@ fn part_measures(
     refuse_infinite(&body, &format!("parts[{index}]"))?;
     let centimetres = design.unit().millimetres() / 10.0;
     let cubic_centimetre = centimetres * centimetres * centimetres;
+    watch::go_on()?;
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;
     if let Some(faces) = taken.body() {
@@ -215,6 +224,7 @@ fn part_measures(
             });
         }
     }
+    watch::go_on()?;
     let mut capacity_reason = None;
     let vessel = taken.vessel(part.wall.is_some(), options.product);
     match vessel.and_then(|vessel| vessel.capacity(&accuracy, options.fill)) {
@@ -224,6 +234,7 @@ fn part_measures(
         }
         Err(reason) => capacity_reason = Some(reason),
     }
+    watch::go_on()?;
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
     let lining = outside.overhang(|kind| kind == FaceKind::Lining);

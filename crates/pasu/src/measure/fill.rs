@@ -14,6 +14,7 @@ use super::quantity::Quantity;
 use crate::face::{FaceJet, Seams, ascending};
 use crate::numeric::integral::Integral;
 use crate::numeric::{adaptive, bisection, trapezoid};
+use crate::watch;
 
 /// Water up to a level.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -78,7 +79,7 @@ impl<'a> Level<'a> {
                     columns.push(low);
                 }
                 before = high;
-                if breaks.len() > 4 * n {
+                if breaks.len() > 4 * n || watch::is_stopped() {
                     break;
                 }
                 if before.0.v() < after.0.v() {

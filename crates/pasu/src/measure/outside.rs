@@ -15,9 +15,32 @@ use crate::numeric::limit::limit;
 /// Faces seen from outside, each sampled on a grid from which searches begin.
 pub(crate) struct Outside<'a> {
     faces: Vec<(&'a dyn Face, Grid<FaceJet>)>,
+    /// How far the rows of these grids reach from above.
+    plans: Vec<Vec<Plan>>,
     size: f64,
     /// The highest harmonic.
     highest: f64,
+}
+
+/// The least and the greatest coordinates of a row, from above.
+struct Plan {
+    low: DVec2,
+    high: DVec2,
+}
+
+impl Plan {
+    fn of(row: &[FaceJet]) -> Plan {
+        let points = || row.iter().map(|jet| jet.position.truncate());
+        let low = points().fold(DVec2::INFINITY, |low, p| DVec2::new(low.x.min(p.x), low.y.min(p.y)));
+        let high = points().fold(DVec2::NEG_INFINITY, |high, p| DVec2::new(high.x.max(p.x), high.y.max(p.y)));
+        Plan { low, high }
+    }
+
+    /// No point of the row reaches further in a level direction: products and sums that are rounded are in the order of what is rounded.
+    fn reach(&self, direction: DVec3) -> f64 {
+        let far = |low: f64, high: f64, along: f64| if along > 0.0 { high * along } else { low * along };
+        far(self.low.x, self.high.x, direction.x) + far(self.low.y, self.high.y, direction.y)
+    }
 }
 
 /// How far a face may reach beyond the points of its grid, as a part of the size.
@@ -63,7 +86,8 @@ impl<'a> Outside<'a> {
         let faces: Vec<_> = faces.into_iter().map(sampled).collect();
         let points = faces.iter().flat_map(|(_, grid)| grid.points());
         let size = points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()));
-        Outside { faces, size, highest }
+        let plans = faces.iter().map(|(_, grid)| grid.by_rows().map(Plan::of).collect()).collect();
+        Outside { faces, plans, size, highest }
     }
 
     /// The greatest extent in a direction, and where.
@@ -119,15 +143,20 @@ impl<'a> Outside<'a> {
     /// How far it reaches in a level direction: from the best points of the grids, climbed.
     fn contact(&self, direction: DVec3) -> Contact {
         let of = |jet: &FaceJet| jet.position.dot(direction);
-        let ends: Vec<f64> =
-            self.faces.iter().map(|(_, grid)| grid.points().iter().map(of).fold(f64::MIN, f64::max)).collect();
+        let end = |((_, grid), plans): (&(_, Grid<FaceJet>), &Vec<Plan>)| {
+            grid.by_rows().zip(plans).fold(f64::MIN, |most, (row, plan)| {
+                if plan.reach(direction) <= most { most } else { row.iter().map(of).fold(most, f64::max) }
+            })
+        };
+        let ends: Vec<f64> = self.faces.iter().zip(&self.plans).map(end).collect();
         let most = ends.iter().copied().fold(f64::MIN, f64::max);
         // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
         let near = most - BETWEEN * self.size;
         let mut best = Contact { reach: f64::MIN, point: DVec2::ZERO };
-        for ((face, grid), _) in self.faces.iter().zip(ends).filter(|(_, end)| *end >= near) {
+        for (((face, grid), plans), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
             let mut walk = face.walk();
-            for Place { a, v, value } in grid.tops(of, near, |a, v| walk.jet(a, v)) {
+            let may_have = |row: usize| !(plans[row].reach(direction) <= near);
+            for Place { a, v, value } in grid.tops(of, near, may_have, |a, v| walk.jet(a, v)) {
                 if value > best.reach {
                     best = Contact { reach: value, point: walk.jet(a, v).position.truncate() };
                 }
@@ -190,7 +219,7 @@ impl<'a> Outside<'a> {
             }
             let of = |jet: &FaceJet| -jet.position.z;
             let mut walk = face.walk();
-            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |a, v| walk.jet(a, v)) {
+            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |_| true, |a, v| walk.jet(a, v)) {
                 if -value <= bottom + tolerance {
                     points.push(face.jet(a, v).position);
                 }

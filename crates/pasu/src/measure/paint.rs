@@ -13,6 +13,7 @@ use crate::mesh::{MeshOptions, Places, grid_places};
 use crate::patch::Patch;
 use crate::solid::Product;
 use crate::solution::{Placed, Solution};
+use crate::watch;
 
 /// What is painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,6 +96,7 @@ fn painted(solution: &Solution, map: Map, options: &MeshOptions) -> Result<Vec<f
                 let last = columns - 1;
                 let v_of = |j: usize| if j == last && bare.is_closed() { 0.0 } else { TAU * j as f64 / last as f64 };
                 for &u in rows {
+                    watch::go_on()?;
                     let a = bare.along(u);
                     values.extend((0..*columns).map(v_of).map(|v| {
                         let value = match (map, &pot) {

@@ -7,6 +7,7 @@ use crate::face::{Face, FaceJet, Seams, ascending};
 use crate::numeric::gauss_legendre::{FOUR, Rule, THREE, TWO, spread};
 use crate::numeric::integral::{Integral, ROUNDING};
 use crate::solution::Columns;
+use crate::watch;
 
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
@@ -175,7 +176,7 @@ pub(crate) fn between_rows<const N: usize>(
         if let Some(fan) = fans.iter().find(|fan| fan.level == level) {
             for ((rule, (places, weights)), sum) in rules.iter().zip(&fan.columns).zip(&mut sums) {
                 taken += rule.len() * weights.len();
-                for &(node, weight) in *rule {
+                for &(node, weight) in rule.iter().take_while(|_| !watch::is_stopped()) {
                     let s = from + node * (to - from);
                     let mut row = [0.0; N];
                     let mut row_size = [0.0; N];
@@ -214,7 +215,7 @@ pub(crate) fn between_rows<const N: usize>(
         let excess = |band: &Band<N>| {
             (0..N).fold(0.0f64, |most, i| most.max(band.of_rule[i] / (accuracy.seamed * total.size[i])))
         };
-        let is_done = (0..N).all(|i| total.error[i] <= accuracy.seamed * total.size[i]);
+        let is_done = watch::is_stopped() || (0..N).all(|i| total.error[i] <= accuracy.seamed * total.size[i]);
         let worst = (0..bands.len()).max_by(|&i, &j| excess(&bands[i]).total_cmp(&excess(&bands[j])).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !is_done) else { return total.rounded() };
         let Band { from, to, level, .. } = bands[worst];
@@ -283,7 +284,7 @@ pub(crate) fn over_columns<const N: usize>(
             core::array::from_fn(|i| above_rounding(difference[i].abs().max(libm::sqrt(squares[i])), total.size[i]));
         let allowed: [f64; N] = core::array::from_fn(|i| accuracy.seamed * total.size[i].max(at_least[i]));
         let is_done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        if is_done || n_taken > MOST_COLUMNS {
+        if is_done || n_taken > MOST_COLUMNS || watch::is_stopped() {
             for (error, of_rule) in total.error.iter_mut().zip(of_rule) {
                 *error += of_rule;
             }
@@ -382,7 +383,7 @@ pub(crate) fn column<const N: usize>(
     let mut below = low;
     let pieces = 1usize << level.clamp(0, 30);
     let rows = seams.along.iter().copied();
-    for above in rows.filter(|s| low < *s && *s < high).chain([high]) {
+    for above in rows.filter(|s| low < *s && *s < high).chain([high]).take_while(|_| !watch::is_stopped()) {
         let width = (above - below) / pieces as f64;
         for piece in 0..pieces {
             for &(node, weight) in rule {

@@ -9,6 +9,7 @@ use crate::error::Result;
 use crate::face::{Face, PatchFace};
 use crate::solid::{Pot, Product};
 use crate::solution::Solution;
+use crate::watch;
 
 /// What integrals over exact faces are asked to keep, as a part of their size.
 pub(super) const ACCURACY: f64 = 1e-9;
@@ -50,7 +51,8 @@ impl Taken {
     /// # Errors
     /// As [`Taken::new`].
     pub(super) fn all(solution: &Solution, product: Product) -> Result<Vec<Taken>> {
-        (0..solution.n_parts()).map(|index| Taken::new(solution, index, product)).collect()
+        let n = solution.n_parts();
+        (0..n).map(|index| watch::share(index, n, || Taken::new(solution, index, product))).collect()
     }
 
     /// The faces of the surface itself.

@@ -4,6 +4,7 @@ use super::exact::ExactRows;
 use super::fourier::Kernel;
 use super::part::PartGrid;
 use crate::error::Result;
+use crate::watch;
 
 /// What sampling needs besides the mesh, kept from one mesh to the next.
 #[derive(Debug, Default)]
@@ -24,6 +25,8 @@ impl Workspace {
         }
         let rows = positions.chunks_exact_mut(3 * n_columns).zip(normals.chunks_exact_mut(3 * n_columns));
         for (index, (positions, normals)) in rows.enumerate() {
+            watch::work(4 * n_columns as u64);
+            watch::go_on()?;
             exact.fill(index, positions, normals)?;
         }
         Ok(())

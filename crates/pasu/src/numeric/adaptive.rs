@@ -2,6 +2,7 @@
 
 use super::gauss_kronrod;
 use super::integral::{Integral, ROUNDING};
+use crate::watch;
 
 /// Integrates a function of one variable that comes with errors of its own, over the intervals between the breaks; the interval with the largest error
 /// is halved until the sum is accurate enough or there are too many. What is accurate enough goes by the integral of the absolute value or by `at_least`, whichever is larger.
@@ -30,7 +31,7 @@ pub(crate) fn integrate<const N: usize>(
         }
         let allowed: [f64; N] = core::array::from_fn(|i| relative * total.size[i].max(at_least[i]));
         // What the function itself is off does not shrink when an interval does.
-        let done = (0..N).all(|i| of_rule[i] <= allowed[i]);
+        let done = watch::is_stopped() || (0..N).all(|i| of_rule[i] <= allowed[i]);
         let worst = (0..intervals.len())
             .max_by(|&i, &j| intervals[i].excess(&allowed).total_cmp(&intervals[j].excess(&allowed)).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !done && intervals.len() < most_intervals.max(breaks.len())) else {

@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix2, Vector2};
 
+use crate::watch;
+
 /// A place in the parameters of a surface and the value of a function there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
@@ -27,7 +29,7 @@ pub(crate) fn climb(start: Place, step_a: f64, step_v: f64, mut of: impl FnMut(f
     let mut best = start;
     let (mut p, mut q) = (step_a.min(0.5), step_v);
     for _ in 0..MOST_STEPS {
-        if p < SHORTEST * step_a {
+        if p < SHORTEST * step_a || watch::is_stopped() {
             break;
         }
         let centre = best.a.clamp(p, 1.0 - p);

@@ -29,6 +29,11 @@ impl<T> Grid<T> {
         Grid { rows, columns, points }
     }
 
+    /// The points row by row.
+    pub(crate) fn by_rows(&self) -> impl Iterator<Item = &[T]> {
+        self.points.chunks(self.columns)
+    }
+
     pub(crate) fn points(&self) -> &[T] {
         &self.points
     }
@@ -95,11 +100,26 @@ impl<T> Grid<T> {
         Some((best, 2.0 * (between + change)))
     }
 
-    /// Every local top that begins above a value, climbed.
-    pub(crate) fn tops(&self, of: impl Fn(&T) -> f64, above: f64, mut at: impl FnMut(f64, f64) -> T) -> Vec<Place> {
-        let values: Vec<f64> = self.points.iter().map(&of).collect();
+    /// Every local top that begins above a value, climbed; `may_have` says in which rows there may be one, and others are hardly looked at.
+    pub(crate) fn tops(
+        &self,
+        of: impl Fn(&T) -> f64,
+        above: f64,
+        may_have: impl Fn(usize) -> bool,
+        mut at: impl FnMut(f64, f64) -> T,
+    ) -> Vec<Place> {
+        let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
+        let mut values = vec![f64::NAN; self.points.len()];
+        for (row, values) in values.chunks_mut(self.columns).enumerate() {
+            // A top is higher than what is in the rows beside it.
+            if rows[row.saturating_sub(1)..(row + 2).min(self.rows)].contains(&true) {
+                let points = &self.points[row * self.columns..];
+                values.iter_mut().zip(points).for_each(|(value, point)| *value = of(point));
+            }
+        }
         let (step_a, step_v) = self.steps();
-        let starts = (0..values.len()).filter(|&index| values[index] > above && self.is_top(&values, index));
+        let starts = (0..values.len())
+            .filter(|&index| rows[index / self.columns] && values[index] > above && self.is_top(&values, index));
         starts
             .map(|index| {
                 let (a, v) = self.place(index);

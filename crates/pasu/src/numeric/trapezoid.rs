@@ -5,6 +5,7 @@
 use core::f64::consts::TAU;
 
 use super::integral::Integral;
+use crate::watch;
 
 /// Integrates over a turn of 2 pi with more and more columns, until that changes no more than is `allowed` of integrals of these sizes; at least twice, and with no more than `most` columns from the second time on.
 ///
@@ -27,7 +28,7 @@ pub(crate) fn integrate<const N: usize>(
                 let change = (value[i] - before[i]).abs();
                 if change <= negligible * size[i] { 0.0 } else { change }
             });
-            if (0..N).all(|i| change[i] <= allowed[i]) || n > most {
+            if (0..N).all(|i| change[i] <= allowed[i]) || n > most || watch::is_stopped() {
                 return Integral { value, error: core::array::from_fn(|i| error[i] + change[i]), size };
             }
         }

@@ -4,6 +4,8 @@ use core::ops::ControlFlow;
 
 use glam::DVec3;
 
+use crate::watch;
+
 /// There are no more cubes than this for each point.
 const CUBES: f64 = 8.0;
 
@@ -55,6 +57,7 @@ impl Cells {
                 let row = self.number([0, j, k]);
                 // Cubes side by side along x follow each other.
                 let points = self.first[row + from[0]] as usize..self.first[row + to[0] + 1] as usize;
+                watch::work(1 + points.len() as u64);
                 for point in &self.points[points] {
                     if visit(*point).is_break() {
                         return;
@@ -72,6 +75,44 @@ impl Cells {
 
     fn number(&self, [i, j, k]: [usize; 3]) -> usize {
         (k * self.counts[1] + j) * self.counts[0] + i
+    }
+}
+
+/// The same points in ever smaller cubes: for a ball those are taken that are not much larger than it.
+#[derive(Debug)]
+pub(super) struct Ladder {
+    /// The largest cubes first; at least one step.
+    steps: Vec<Cells>,
+}
+
+/// By how much the cubes of a step are smaller.
+const STEP: f64 = 4.0;
+
+/// How many steps there are at most.
+const STEPS: usize = 3;
+
+impl Ladder {
+    /// For balls up to a radius.
+    pub(super) fn new(points: &[DVec3], largest: f64) -> Ladder {
+        let mut steps = vec![Cells::new(points, largest / 2.0)];
+        let mut edge = largest / 2.0;
+        for _ in 1..STEPS {
+            edge /= STEP;
+            let finer = Cells::new(points, edge);
+            if !steps.last().is_some_and(|step| finer.edge < step.edge) {
+                break;
+            }
+            steps.push(finer);
+        }
+        Ladder { steps }
+    }
+
+    /// As [`Cells::near`].
+    pub(super) fn near(&self, centre: DVec3, radius: f64, visit: impl FnMut(DVec3) -> ControlFlow<()>) {
+        let step = self.steps.iter().rev().find(|step| STEP * step.edge >= radius).or(self.steps.first());
+        if let Some(step) = step {
+            step.near(centre, radius, visit);
+        }
     }
 }
 
@@ -103,6 +144,23 @@ mod tests {
                 if n == 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
             assert_eq!(n, 10);
+        }
+    }
+
+    #[test]
+    fn every_step_of_a_ladder_finds_them() {
+        let points: Vec<DVec3> = (0..4000)
+            .map(|i| DVec3::new(i as f64 * 0.37 % 1.0, i as f64 * 0.71 % 1.0, i as f64 * 0.13 % 1.0))
+            .collect();
+        let ladder = Ladder::new(&points, 1.0);
+        assert_eq!(ladder.steps.len(), STEPS);
+        for radius in [2.0, 0.9, 0.4, 0.1, 0.03] {
+            let mut found = 0;
+            ladder.near(points[9], radius, |point| {
+                found += usize::from(point.distance(points[9]) <= radius);
+                ControlFlow::Continue(())
+            });
+            assert_eq!(found, points.iter().filter(|point| point.distance(points[9]) <= radius).count(), "{radius}");
         }
     }
 

@@ -10,6 +10,18 @@ use super::sheet::Sheet;
 /// The step of the difference that gives a second derivative where there is no formula: fourth order, so good to some 1e-11.
 const STEP: f64 = 1e-3;
 
+/// Where second derivatives jump at places closer than five such steps, the difference is taken across them.
+const LEAST_STEP: f64 = 1e-5;
+
+/// Twelve times the weights of the difference over five places, whose middle is two steps before `v`, one, none, one after it, two.
+const WEIGHTS: [[f64; 5]; 5] = [
+    [3.0, -16.0, 36.0, -48.0, 25.0],
+    [-1.0, 6.0, -18.0, 10.0, 3.0],
+    [1.0, -8.0, 0.0, 8.0, -1.0],
+    [-3.0, -10.0, 18.0, -6.0, 1.0],
+    [-25.0, 48.0, -36.0, 16.0, -3.0],
+];
+
 /// A closed curve `C(v)`.
 #[derive(Debug, Clone)]
 pub(crate) enum Curve {
@@ -101,9 +113,23 @@ impl Curve {
         {
             return second;
         }
+        let (step, shift) = self.stencil(v);
         let slope = |v: f64| self.at(if v < 0.0 { v + TAU } else { v }).1;
-        let near = slope(v + STEP) - slope(v - STEP);
-        let far = slope(v + 2.0 * STEP) - slope(v - 2.0 * STEP);
-        (near * 8.0 - far) / (12.0 * STEP)
+        let mut sum = DVec3::ZERO;
+        for (place, weight) in WEIGHTS[(shift + 2) as usize].iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            sum += slope(v + f64::from(place as i32 - 2 + shift) * step) * *weight;
+        }
+        sum / (12.0 * step)
+    }
+
+    /// The step of the difference at `v`, and by how many steps its middle is beside that, so that nothing jumps within it.
+    fn stencil(&self, v: f64) -> (f64, i32) {
+        let gap = self.seamed().and_then(|(sheet, begins)| sheet.gap_round(v, begins));
+        let Some([below, above]) = gap.filter(|[below, above]| above - below >= 5.0 * LEAST_STEP) else {
+            return (STEP, 0);
+        };
+        let step = STEP.min((above - below) / 5.0);
+        let (least, most) = (libm::ceil((below - v) / step + 2.0), libm::floor((above - v) / step - 2.0));
+        (step, 0.0f64.max(least).min(most).clamp(-2.0, 2.0) as i32)
     }
 }

@@ -17,6 +17,7 @@ use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::numeric::golden_section;
 use crate::solution::Solution;
+use crate::watch;
 
 /// A foot is level if its points are within this part of the size of one plane across the axis.
 const LEVEL: f64 = 1e-9;
@@ -75,6 +76,7 @@ impl Pot {
     pub(crate) fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
         let Some(wall) = wall else { return Pot::with(skin, None, Arc::new(Thickness::Even(0.0))) };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
+        watch::go_on()?;
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
         let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
         let mut starts = pot.starts(sought.columns);
@@ -85,6 +87,7 @@ impl Pot {
             pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
             starts = pot.starts(sought.columns);
         }
+        watch::go_on()?;
         pot.told = pot.thickness.told(skin, &sought, &starts);
         if pot.told.is_none() && !pot.thickness.is_even() {
             // Thinned only where there is no wall, beneath the floor: then it is as asked for all over.

@@ -210,6 +210,26 @@ impl Sheet {
         })
     }
 
+    /// The places round it next to `v` at which second derivatives jump, from 0 to a turn: knots and, for what `begins` there, [`Sheet::crossings`]; `None` where there are none.
+    pub(crate) fn gap_round(&self, v: f64, begins: bool) -> Option<[f64; 2]> {
+        if self.is_exact() {
+            return None;
+        }
+        let [mut below, mut above] = self.thickness.gap_round(v)?;
+        let crossings = if begins { self.crossings() } else { &[] };
+        // Those between the last knot and the first are a turn on.
+        for shift in [0.0, TAU] {
+            let after = crossings.partition_point(|place| *place <= v + shift);
+            if let Some(place) = after.checked_sub(1).and_then(|before| crossings.get(before)) {
+                below = below.max(place - shift);
+            }
+            if let Some(place) = crossings.get(after) {
+                above = above.min(place - shift);
+            }
+        }
+        Some([below, above])
+    }
+
     /// The point of an offset sheet's column that is level with the foot of the surface and to its side, `P + t M` with `M` the outward normal of the foot seen along the axis, and how it changes
     /// with `v`; `None` where the column does not begin at the foot.
     pub(crate) fn beside(&self, v: f64) -> Option<(DVec3, DVec3)> {

@@ -10,11 +10,12 @@ use core::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::cells::Cells;
+use super::cells::Ladder;
 use super::skin::{Skin, SkinJet};
 use crate::design::Wall;
 use crate::error::Result;
 use crate::mesh::places;
+use crate::watch;
 
 /// The part of the largest ball's radius that a wall may take up.
 const SHARE: f64 = 0.8;
@@ -115,12 +116,18 @@ impl Thickness {
     ) -> Result<(Thickness, Sought)> {
         let (rows, columns) = rows_and_columns(skin, closer.map_or(1, |(factor, _)| factor))?;
         let samples = samples(skin, &rows, columns, direction);
+        watch::go_on()?;
         let asked = wall.thickness;
         let most = asked / SHARE;
         let points = closer.map_or(&samples, |(_, before)| &before.samples);
         let positions: Vec<DVec3> = points.iter().map(|sample| sample.position).collect();
-        let cells = Cells::new(&positions, most / 2.0);
-        let values: Vec<f64> = samples.iter().map(|sample| asked.min(SHARE * radius(sample, &cells, most))).collect();
+        let cells = Ladder::new(&positions, most);
+        let mut touched = None;
+        let mut values = Vec::with_capacity(samples.len());
+        for row in samples.chunks(columns) {
+            watch::go_on()?;
+            values.extend(row.iter().map(|sample| asked.min(SHARE * radius(sample, &cells, most, &mut touched))));
+        }
         let sought = |rows: Vec<f64>| Sought { rows, columns, samples, direction };
         let mut values = least_nearby(&values, columns);
         // What is thinner by rounding alone is not thinned.
@@ -145,6 +152,18 @@ impl Thickness {
         }
     }
 
+    /// The two of the knots round between which `v` is, from 0 to a turn.
+    pub(crate) fn gap_round(&self, v: f64) -> Option<[f64; 2]> {
+        match self {
+            Thickness::Even(_) => None,
+            Thickness::Thinned(thinned) => {
+                let n = thinned.n_columns as f64;
+                let below = libm::floor(v / TAU * n - 0.5);
+                Some([below + 0.5, below + 1.5].map(|knot| TAU * knot / n))
+            }
+        }
+    }
+
     /// Whether the wall takes up more than a share of the radius at which the surface bends, looked at between the places at which it was sought: it does nowhere where these are close enough
     /// together, and where the share is 1 its other side folds. Columns of the wall begin at `starts`.
     pub(crate) fn is_crowded(&self, skin: &Skin, sought: &Sought, starts: &[f64], limit: f64) -> bool {
@@ -153,7 +172,7 @@ impl Thickness {
         let is_near = |k: usize| samples.get(k).is_some_and(|sample| self.thickest() > NEAR * sample.bend);
         let mut walk = skin.walk();
         let shares: Vec<f64> = (0..=CLOSER).map(|i| i as f64 / CLOSER as f64).collect();
-        for (i, pair) in rows.windows(2).enumerate() {
+        for (i, pair) in rows.windows(2).enumerate().take_while(|_| !watch::is_stopped()) {
             let row = |i: usize, j: usize| i * n + j % n;
             let exists = |j: usize| pair[1] >= starts[j % n].min(starts[(j + 1) % n]);
             let corners = |j: usize| [row(i, j), row(i, j + 1), row(i + 1, j), row(i + 1, j + 1)];
@@ -446,8 +465,17 @@ fn bend(jet: &SkinJet, direction: f64) -> f64 {
 }
 
 /// The radius of the largest ball, up to `most`: the least of `|Q - P|^2 / (2 N . (Q - P))` over all points `Q` on its side.
-fn radius(sample: &Sample, cells: &Cells, most: f64) -> f64 {
+///
+/// `touched` is the point that stopped the ball at a neighbour, and then that which did here: mostly it is near, and the first ball is hardly larger than the last.
+fn radius(sample: &Sample, cells: &Ladder, most: f64, touched: &mut Option<DVec3>) -> f64 {
     let mut radius = most.min(sample.bend);
+    if let Some(point) = *touched {
+        let across = point - sample.position;
+        let depth = sample.inward.dot(across);
+        if across.length_squared() < 2.0 * depth * radius {
+            radius = across.length_squared() / (2.0 * depth);
+        }
+    }
     loop {
         let mut least = radius;
         cells.near(sample.position + sample.inward * radius, radius, |point| {
@@ -456,6 +484,7 @@ fn radius(sample: &Sample, cells: &Cells, most: f64) -> f64 {
             // Most points are outside of the ball, which is seen without dividing.
             if across.length_squared() < 2.0 * depth * least {
                 least = across.length_squared() / (2.0 * depth);
+                *touched = Some(point);
             }
             // Where there are many points, most of them are outside of the ball through the first.
             if least < SHRUNK * radius { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

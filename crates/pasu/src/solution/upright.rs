@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::columns::Columns;
 use super::placed::Placed;
 use crate::patch::{Patch, Row, Side, SurfaceJet};
+use crate::watch;
 
 /// `X(s, v)` of a placed surface between two ends: `s = 0` is the foot, the end whose mean height along the placed z axis is the lower one, and `v` is in [0, 2 pi].
 #[derive(Debug, Clone)]
@@ -129,6 +130,7 @@ impl Upright {
 
 impl<'a> Walk<'a> {
     fn jet(&mut self, s: f64, of: impl FnOnce(&dyn Row) -> SurfaceJet) -> SurfaceJet {
+        watch::place();
         let row = match self.row.take().filter(|row| row.0 == s) {
             Some((_, row)) => row,
             None => match self.upright.patch() {

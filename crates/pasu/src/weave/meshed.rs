@@ -11,6 +11,7 @@ use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::mesh::places;
 use crate::solid::{Pot, Skin, place, short};
+use crate::watch;
 
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
@@ -111,6 +112,7 @@ pub(crate) fn meshed_once(
     fineness: f64,
     scale: f64,
 ) -> Result<(Topology, SolidMesh, Option<f64>)> {
+    watch::go_on()?;
     let mut woven = woven(pot, tolerance, fineness, scale)?;
     compact(&mut woven);
     let unkept = tolerance.filter(|asked| woven.bound > *asked);

@@ -8,6 +8,7 @@ use crate::design::{Design, Wall};
 use crate::error::Result;
 use crate::solid::{Pot, Product, Skin};
 use crate::solution::Solution;
+use crate::watch;
 
 /// Pots whose meshes have more triangles are not judged beforehand: it would take longer than all else that is asked of them.
 const MOST_JUDGED: usize = 1_000_000;
@@ -84,14 +85,16 @@ impl Solution {
         if !can_give_way(&asked) {
             return Pot::of(&skin, Some(asked)).map(Settled::Faces);
         }
-        let mut settled = None;
-        let wall = self.made_with(part)?.get_or_init(|| {
-            let found = settle(&skin, asked, self.design().unit().millimetres());
-            let wall = found.as_ref().ok().and_then(Settled::wall);
-            settled = Some(found);
-            wall.unwrap_or(asked)
-        });
-        settled.unwrap_or_else(|| Pot::of(&skin, Some(*wall)).map(Settled::Faces))
+        let kept = self.made_with(part)?;
+        if let Some(wall) = kept.get() {
+            return Pot::of(&skin, Some(*wall)).map(Settled::Faces);
+        }
+        let settled = settle(&skin, asked, self.design().unit().millimetres());
+        // What was found while a call was being ended is not known to be so.
+        watch::go_on()?;
+        let wall = settled.as_ref().ok().and_then(Settled::wall).unwrap_or(asked);
+        kept.get_or_init(|| wall);
+        settled
     }
 
     /// The pot of a part while a hand changes it, with the wall that was asked for: its thickness is sought at the places of a mesh and nowhere more closely.

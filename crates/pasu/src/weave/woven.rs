@@ -10,6 +10,7 @@ use crate::error::{Code, Error, Result};
 use crate::face::{Face, FaceKind};
 use crate::solid::{Form, Piece, Pot, Sheet, Skin, place};
 use crate::solution::Columns;
+use crate::watch;
 
 /// A ring no wider than this part of the size is a point.
 const POLE: f64 = 1e-6;
@@ -168,6 +169,7 @@ impl Weaver<'_> {
 
     /// Makes vertices of points; those that are where the ring before has its own share them.
     fn ring(&mut self, points: Vec<DVec3>, before: Option<&Ring>) -> Result<Ring> {
+        watch::go_on()?;
         let mean = points.iter().sum::<DVec3>() / points.len() as f64;
         let width = points.iter().fold(0.0f64, |width, p| width.max((*p - mean).length()));
         let points = if width <= POLE * self.skin.size() { vec![mean] } else { points };
@@ -209,6 +211,7 @@ impl Weaver<'_> {
         rings.push(end);
         let is_forwards = piece.outward() > 0.0;
         for pair in rings.windows(2) {
+            watch::work(10 * self.grid.columns as u64);
             self.strip(&pair[0], &pair[1], is_forwards);
         }
         if piece.is_level() && !self.is_unfolded(before, &rings) {
@@ -268,7 +271,7 @@ impl Weaver<'_> {
                 rings.push(ring.collect());
             }
         }
-        for s in &rows[first..rows.len() - 1] {
+        for s in rows[first..rows.len() - 1].iter().take_while(|_| !watch::is_stopped()) {
             rings.push((0..self.grid.columns).map(|j| walk.position_at(*s, &self.columns, j)).collect());
         }
         rings
@@ -356,6 +359,7 @@ impl Weaver<'_> {
         let mut most = 0.0f64;
         for i in 0..rings.len() - 1 {
             let (ring, next) = (&rings[i], &rings[i + 1]);
+            watch::work(10 * self.grid.columns as u64);
             for j in 0..self.grid.columns {
                 let left = (j + self.grid.columns - 1) % self.grid.columns;
                 let [a, b, c, d] = [ring.point(j), ring.point(j + 1), next.point(j), next.point(j + 1)];

@@ -39,7 +39,7 @@ pub(super) fn sew(
     let faces: Vec<Scaled> = faces.iter().map(|face| Scaled { face: *face, millimetres }).collect();
     let faces = with_width(faces);
     let boundaries = boundaries(&faces, path)?;
-    let fitted = fit(&faces, &boundaries, tolerance);
+    let fitted = fit(&faces, &boundaries, tolerance)?;
     let last = fitted.columns.len() - 1;
     let n_panels = last.div_ceil(PANEL);
     let panels = (0..=n_panels).map(|panel| panel * last / n_panels).collect();

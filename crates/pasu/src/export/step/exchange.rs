@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::design::plain;
 use crate::export::numbers::push_decimal;
+use crate::watch;
 
 /// Decimal places of lengths: a picometre, a hundred times finer than CAD programs tell points apart.
 const PLACES: usize = 9;
@@ -29,6 +30,7 @@ impl std::fmt::Display for Id {
 impl Entities {
     /// Adds `CARTESIAN_POINT('',(0.,0.,0.))`, for example.
     pub(super) fn add(&mut self, entity: &str) -> Id {
+        watch::work(5 + entity.len() as u64);
         self.n += 1;
         self.text.extend_from_slice(format!("#{}={entity};\n", self.n).as_bytes());
         Id(self.n)

@@ -6,7 +6,9 @@ use glam::DVec3;
 
 use super::exchange::settled;
 use super::spline::{Ends, basis, control_points};
+use crate::error::Result;
 use crate::face::{Face, FaceWalk};
+use crate::watch;
 
 /// The rows that a face begins with, and the columns of all faces.
 const FIRST_ROWS: usize = 2;
@@ -51,7 +53,10 @@ pub(super) struct Net {
 ///
 /// Interpolates positions on a grid, and derivatives in `a` at both ends, by cubic splines in both directions, closed in `v`; halves the intervals where one direction
 /// by itself is off by more than its share of the tolerance, until none is. A pole stays one point.
-pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], tolerance: f64) -> Fitted {
+///
+/// # Errors
+/// `cancelled`.
+pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], tolerance: f64) -> Result<Fitted> {
     let mut columns: Vec<f64> = (0..=FIRST_COLUMNS).map(|j| TAU * j as f64 / FIRST_COLUMNS as f64).collect();
     let mut rows = vec![(0..FIRST_ROWS).map(|i| i as f64 / (FIRST_ROWS - 1) as f64).collect::<Vec<_>>(); faces.len()];
     loop {
@@ -74,6 +79,7 @@ pub(super) fn fit(faces: &[Scaled], boundaries: &[[Boundary; 2]], tolerance: f64
             }
         }
         is_done &= !halved(&mut columns, &rough_columns, MOST_COLUMNS);
+        watch::go_on()?;
         if is_done {
             return measured(faces, columns, nets);
         }
@@ -195,12 +201,13 @@ fn mark_rough_columns(face: &Scaled, net: &Net, columns: &[f64], share: f64, rou
     }
 }
 
-fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Fitted {
+fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Result<Fitted> {
     let (mut deviation, mut bound, mut n_samples) = (0.0f64, 0.0f64, 0);
     for (face, net) in faces.iter().zip(&nets) {
         let mut walk = face.face.walk();
         let samples = SAMPLES[usize::from((net.rows.len() - 1) * (columns.len() - 1) > MANY)];
         for i in 0..net.rows.len() - 1 {
+            watch::go_on()?;
             let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * samples) as f64;
             for p in 0..samples {
                 let a = between(&net.rows, i, (p as f64 + 0.5) / samples as f64);
@@ -223,7 +230,7 @@ fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Fitted {
             }
         }
     }
-    Fitted { columns, faces: nets, deviation, bound, n_samples }
+    Ok(Fitted { columns, faces: nets, deviation, bound, n_samples })
 }
 
 impl Net {
