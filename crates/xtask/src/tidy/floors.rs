@@ -9,7 +9,7 @@ use super::imports::{Imports, imports};
 use super::modules::{Sources, modules};
 
 /// The rooms from the ground up. Each takes from those above it in this list, which are below it in the house, and from no other.
-const FLOORS: [&str; 23] = [
+const FLOORS: [&str; 24] = [
     "error",
     "watch",
     "answer",
