@@ -68,7 +68,10 @@ export declare class PasuError extends Error {
 
 /** Triangles, counter-clockwise from outside. The arrays are yours. */
 export interface Mesh {
-  /** xyz triples, in the unit of the design, z up. */
+  /**
+   * xyz triples, in the unit of the design, z up. With a `tolerance` the exact solution, rounded once; without one also sums in single precision, estimated (at 2.5 standard deviations)
+   * to be off by no more than 5e-7 of the largest coordinate.
+   */
   positions: Float32Array;
   /** Unit normals, one for each position, outward. */
   normals: Float32Array;

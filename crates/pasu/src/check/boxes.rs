@@ -1,4 +1,6 @@
 //! A tree of bounding boxes: which of many triangles may touch one of them.
+//!
+//! Of our own because of the time: with the trees of boxes that libraries have (`rstar`) the checks of a pot take three times as long, which is more than anybody should wait.
 
 use crate::watch;
 

@@ -15,6 +15,9 @@ const TURN: f64 = 0.6;
 /// The most places at which an integrand is taken.
 const MOST_PLACES: usize = 3_000_000;
 
+/// The same on a face between two curves, which are sought anew at every `v`: that takes as long as fifty places of a wall's side.
+const MOST_ACROSS: usize = MOST_PLACES / 50;
+
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
     if accuracy.seamed < 1e-6 { [FOUR, THREE] } else { [THREE, TWO] }
@@ -157,6 +160,7 @@ pub(crate) fn between_rows<const N: usize>(
 ) -> Integral<N> {
     let rules = rules(accuracy);
     let breaks = once_round(&seams.round);
+    let most = if seams.along.len() < ALONG { MOST_ACROSS } else { MOST_PLACES };
     let mut fans: Vec<Fan> = Vec::new();
     let mut taken = 0;
     let mut walk = face.straight_walk();
@@ -224,7 +228,7 @@ pub(crate) fn between_rows<const N: usize>(
         let (upper, taken) = band(middle, to, level + 1);
         bands[worst] = lower;
         bands.push(upper);
-        if taken > MOST_PLACES {
+        if taken > most {
             let mut total = Integral::<N>::default();
             for band in &bands {
                 total.add(&Integral { error: band.of_rule, ..band.integral });
