@@ -42,7 +42,7 @@ function watched(options, run) {
   }
 }
 
-const mesh = (source, options) => watched(options, (others, by) => entered.mesh(source, others, by));
+const mesh = (source, options) => watched(options, (others, by) => entered.meshBy(by, source, others));
 const measure = (source, options) => watched(options, (others, by) => by("measure", source, others));
 const check = (source, making) => watched(making, (others, by) => by("check", source, others));
 const write = (source, format, making) => watched(making, (others, by) => by("write", source, format, others));

@@ -147,16 +147,19 @@ export function entry(simd, scalar) {
     }
   }
 
+  /** A mesh, where `by` calls the binding. */
+  function meshBy(by, source, options) {
+    const { taken: into, others } = apart(options, "into");
+    return into === undefined ? ofTables(by("mesh", source, others, tables)) : by("mesh", source, others, into);
+  }
+
   return {
     init,
     call,
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),
-    /** `by` calls a binding in place of `call`. */
-    mesh(source, options, by = call) {
-      const { taken: into, others } = apart(options, "into");
-      return into === undefined ? ofTables(by("mesh", source, others, tables)) : by("mesh", source, others, into);
-    },
+    mesh: (source, options) => meshBy(call, source, options),
+    meshBy,
     bound: (source, options) => call("bound", source, options),
     evaluate: (source, part, at) => call("evaluate", source, part, at),
     derivatives: (source, part, at) => call("derivatives", source, part, at),

@@ -219,7 +219,7 @@ mod tests {
     fn some_take_from_one_room_alone() {
         assert!(judged(&imports(&[("check/a.rs", "mesh/b.rs")]), &[]).is_empty());
         let found = judged(&imports(&[("check/a.rs", "design/b.rs")]), &[]);
-        assert_eq!(found, ["check/a.rs:7: takes from design/b.rs, but `check` takes from `mesh` alone"]);
+        assert_eq!(found, ["check/a.rs:7: takes from design/b.rs, but `check` takes from `mesh`, `watch` alone"]);
     }
 
     #[test]
