@@ -218,7 +218,13 @@ export class Visit {
 
   /** What a press of this button downloads. */
   async download(name: string): Promise<{ readonly name: string; readonly bytes: Buffer }> {
-    const [download] = await Promise.all([this.page.waitForEvent("download"), this.button(name).click()]);
+    const pressed = Promise.all([this.page.waitForEvent("download"), this.button(name).click()]);
+    const [download] = await pressed.catch(async (error: Error) => {
+      const dialog = await this.page.getByRole("dialog").allInnerTexts();
+      throw new Error(`“${name}” downloads nothing; the page says: ${dialog.join("\n")}\n${this.troubles.join("\n")}`, {
+        cause: error,
+      });
+    });
     return { name: download.suggestedFilename(), bytes: await bytesOf(download) };
   }
 

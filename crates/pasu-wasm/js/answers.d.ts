@@ -232,7 +232,7 @@ export interface Finding {
   readonly severity: "error" | "warning" | "note";
   /** The part that it is about. */
   readonly part: number;
-  /** What of the design it is about, such as `parts[0].wall.foot`; null where that is no single field. */
+  /** What of the design it is about, such as `parts[0].wall.foot`, or `tolerance` of the making; null where that is no single field. */
   readonly path: string | null;
   /** One sentence in a potter's words. */
   readonly message: string;

@@ -299,6 +299,8 @@ export class PasuExport extends DesignerElement {
   }
 
   private async check(): Promise<void> {
+    // Whatever was to be checked when the typing rests is checked now.
+    clearTimeout(this.timer);
     const { designer } = this;
     const { design } = designer.state;
     const asked = this.making();

@@ -79,6 +79,6 @@ impl Face for PatchFace {
             return None;
         }
         let turns = round.knots.iter().map(|v| v * TAU).collect();
-        Some(Seams { along: along.with_ends(), round: turns, crossings: Vec::new(), rough: Vec::new() })
+        Some(Seams { along: along.with_ends(), round: turns, crossings: Vec::new(), rough: Vec::new(), cost: 1 })
     }
 }

@@ -14,17 +14,20 @@ pub struct Seams {
     pub(crate) crossings: Vec<f64>,
     /// Where neighbouring cells between the lines cannot be taken together: row by row one for each gap of `along` and each of `round`, the last of which goes on to the first. All of them where there are none.
     pub(crate) rough: Vec<bool>,
+    /// How many times as long it takes to find a place of the face as one of the side of a wall.
+    pub(crate) cost: usize,
 }
+
+/// Curves between which a face lies are sought anew at every `v`.
+const ACROSS: usize = 50;
 
 impl Seams {
     /// Of a face along which nothing jumps, cut into so many pieces that a short rule is good on each.
     pub(crate) fn across(pieces: usize, round: Vec<f64>) -> Seams {
         let along = (0..=pieces).map(|i| i as f64 / pieces as f64).collect();
-        Seams { along, round: ascending(round), crossings: Vec::new(), rough: Vec::new() }
+        Seams { along, round: ascending(round), crossings: Vec::new(), rough: Vec::new(), cost: ACROSS }
     }
-}
 
-impl Seams {
     /// Whether the cell between line number `i` of `along` and the next, and number `j` of `round` and the next, is one by itself.
     pub(crate) fn is_rough(&self, i: usize, j: usize) -> bool {
         self.rough.get(i * self.round.len() + j).is_none_or(|rough| *rough)

@@ -47,7 +47,7 @@ answers! {
         pub severity: Severity,
         /// The part that it is about.
         pub part: usize,
-        /// What of the design it is about, such as `parts[0].wall.foot`; `None` where that is no single field.
+        /// What of the design it is about, such as `parts[0].wall.foot`, or `tolerance` of the making; `None` where that is no single field.
         pub path: Option<String>,
         /// One sentence in a potter's words.
         pub message: String,

@@ -3,10 +3,7 @@
 use crate::error::Result;
 use crate::solid::Pot;
 use crate::solution::Solution;
-use crate::weave::{SolidMesh, Woven, compact, finished, glimpsed, grid, weave};
-
-/// Crossings are looked for on a mesh that keeps this part of the size, or the tolerance where that is coarser.
-const COARSE: f64 = 1.0 / 150.0;
+use crate::weave::{GLIMPSE, SolidMesh, Woven, compact, finished, glimpsed, grid, weave};
 
 /// A mesh that is refused is looked at once more so many times as finely: a coarse one may cross itself where the faces do not.
 const FINER: f64 = 3.0;
@@ -27,7 +24,8 @@ pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>)
 }
 
 fn meshed(pot: Pot, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
-    let coarse = COARSE * pot.skin().size();
+    // Crossings are looked for on this mesh, or on one within the tolerance where that is coarser.
+    let coarse = GLIMPSE * pot.skin().size();
     let checked = tolerance.map_or(coarse, |tolerance| tolerance.max(coarse));
     let coarse = glimpsed(&pot, checked, 1.0).or_else(|_| glimpsed(&pot, checked / FINER, 1.0))?;
     let woven = if tolerance == Some(checked) { coarse } else { drawn(&pot, tolerance)? };

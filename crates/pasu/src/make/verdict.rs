@@ -61,7 +61,7 @@ impl Solution {
                         code: error.code().as_str(),
                         severity: Severity::Error,
                         part,
-                        path: Some(error.path().to_owned()),
+                        path: Some(error.path().to_owned()).filter(|path| !path.is_empty()),
                         message: error.message().to_owned(),
                         at: error.place(),
                         remedy,

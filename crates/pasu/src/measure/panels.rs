@@ -12,11 +12,8 @@ use crate::watch;
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
 
-/// The most places at which an integrand is taken.
+/// The most places of a wall's side at which an integrand is taken, and as much time on any other face.
 const MOST_PLACES: usize = 3_000_000;
-
-/// The same on a face between two curves, which are sought anew at every `v`: that takes as long as fifty places of a wall's side.
-const MOST_ACROSS: usize = MOST_PLACES / 50;
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
@@ -160,9 +157,8 @@ pub(crate) fn between_rows<const N: usize>(
 ) -> Integral<N> {
     let rules = rules(accuracy);
     let breaks = once_round(&seams.round);
-    let most = if seams.along.len() < ALONG { MOST_ACROSS } else { MOST_PLACES };
     let mut fans: Vec<Fan> = Vec::new();
-    let mut taken = 0;
+    let mut places_so_far = 0;
     let mut walk = face.straight_walk();
     let mut band = |from: f64, to: f64, level: Level| {
         // Panels of several cells are those of one band alone.
@@ -179,7 +175,7 @@ pub(crate) fn between_rows<const N: usize>(
         let mut size = [0.0; N];
         if let Some(fan) = fans.iter().find(|fan| fan.level == level) {
             for ((rule, (places, weights)), sum) in rules.iter().zip(&fan.columns).zip(&mut sums) {
-                taken += rule.len() * weights.len();
+                places_so_far += rule.len() * weights.len();
                 for &(node, weight) in rule.iter().take_while(|_| !watch::is_stopped()) {
                     let s = from + node * (to - from);
                     let mut row = [0.0; N];
@@ -202,7 +198,7 @@ pub(crate) fn between_rows<const N: usize>(
         }
         let [value, shorter] = sums;
         let of_rule = core::array::from_fn(|i| above_rounding((value[i] - shorter[i]).abs(), size[i]));
-        (Band { from, to, level, integral: Integral { value, error: [0.0; N], size }, of_rule }, taken)
+        (Band { from, to, level, integral: Integral { value, error: [0.0; N], size }, of_rule }, places_so_far)
     };
     let rows: Vec<f64> = core::iter::once(from)
         .chain(seams.along.iter().copied().filter(|s| from < *s && *s < to))
@@ -211,6 +207,8 @@ pub(crate) fn between_rows<const N: usize>(
     let level = first_level(&breaks, accuracy);
     let mut bands: Vec<Band<N>> =
         first_rows(seams, &rows).windows(2).map(|pair| band(pair[0], pair[1], level).0).collect();
+    let most = MOST_PLACES / seams.cost;
+    let mut taken = 0;
     loop {
         let mut total = Integral::<N>::default();
         for band in &bands {
@@ -219,22 +217,17 @@ pub(crate) fn between_rows<const N: usize>(
         let excess = |band: &Band<N>| {
             (0..N).fold(0.0f64, |most, i| most.max(band.of_rule[i] / (accuracy.seamed * total.size[i])))
         };
-        let is_done = watch::is_stopped() || (0..N).all(|i| total.error[i] <= accuracy.seamed * total.size[i]);
+        let is_accurate = (0..N).all(|i| total.error[i] <= accuracy.seamed * total.size[i]);
+        let is_done = is_accurate || taken > most || watch::is_stopped();
         let worst = (0..bands.len()).max_by(|&i, &j| excess(&bands[i]).total_cmp(&excess(&bands[j])).then(j.cmp(&i)));
         let Some(worst) = worst.filter(|_| !is_done) else { return total.rounded() };
         let Band { from, to, level, .. } = bands[worst];
         let middle = cut(&rows, from, to);
         let (lower, _) = band(from, middle, level + 1);
-        let (upper, taken) = band(middle, to, level + 1);
+        let (upper, so_far) = band(middle, to, level + 1);
+        taken = so_far;
         bands[worst] = lower;
         bands.push(upper);
-        if taken > most {
-            let mut total = Integral::<N>::default();
-            for band in &bands {
-                total.add(&Integral { error: band.of_rule, ..band.integral });
-            }
-            return total.rounded();
-        }
     }
 }
 

@@ -3,6 +3,7 @@
 mod cells;
 mod curve;
 mod frame;
+mod outline;
 mod piece;
 mod pot;
 mod product;

@@ -205,7 +205,7 @@ impl Face for Piece {
         match &self.form {
             Form::Sheet { sheet, .. } => {
                 let (along, round) = sheet.knots()?;
-                Some(Seams { along, round, crossings: sheet.crossings().to_vec(), rough: sheet.rough() })
+                Some(Seams { along, round, crossings: sheet.crossings().to_vec(), rough: sheet.rough(), cost: 1 })
             }
             Form::Ruled { from, to } => {
                 let ends = [from.seamed(), to.seamed()];

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::meshed::{Made, glimpsed};
+use super::meshed::{GLIMPSE, Made, glimpsed};
 use crate::design::Wall;
 use crate::error::Error;
 use crate::face::FaceKind;
@@ -22,9 +22,6 @@ const LARGEST: f64 = 0.25;
 
 /// Digits of the lengths that are not as asked for: as many as a person would write.
 const DIGITS: u32 = 2;
-
-/// A coarse mesh aims at this part of the size.
-const COARSE: f64 = 1.0 / 150.0;
 
 /// The most walls that are tried on a coarse mesh, and on one that keeps the usual tolerance.
 const TRIALS: [usize; 2] = [32, 3];
@@ -120,7 +117,7 @@ impl Trials {
     }
 
     fn seen(&self, pot: &Pot) -> Result<(), Error> {
-        glimpsed(pot, COARSE * pot.skin().size(), self.scale).map(drop)
+        glimpsed(pot, GLIMPSE * pot.skin().size(), self.scale).map(drop)
     }
 }
 

@@ -28,6 +28,9 @@ const ROUNDS: usize = 3;
 /// The part of the size that the first, coarse mesh keeps.
 pub(crate) const COARSE: f64 = 1.0 / 250.0;
 
+/// The part of the size at which a mesh that is only [`glimpsed`] aims.
+pub(crate) const GLIMPSE: f64 = 1.0 / 150.0;
+
 /// The most crossings that are looked at for a reason.
 const CROSSINGS: usize = 200;
 

@@ -7,6 +7,6 @@ mod settled;
 mod solid_mesh;
 mod woven;
 
-pub(crate) use meshed::{COARSE, Made, compact, finished, glimpsed, grid, meshed_once, refuse_crossing};
+pub(crate) use meshed::{COARSE, GLIMPSE, Made, compact, finished, glimpsed, grid, meshed_once, refuse_crossing};
 pub use solid_mesh::SolidMesh;
 pub(crate) use woven::{Woven, weave};

@@ -1,11 +1,11 @@
 //! Four columns of a row, and those that share their sums.
 
+use super::doubt::Doubt;
 use super::lanes::{Lanes, write, write_reversed};
 use super::place::{Place, Task};
 use super::split::Split;
 use super::strands::Strand;
 use super::sums::{added, subtracted, sums};
-use super::watch::Watch;
 
 /// The strands of the cosines and those of the sines, of all components.
 pub(super) struct Both<'a> {
@@ -16,7 +16,7 @@ pub(super) struct Both<'a> {
 
 /// The columns from `column` on, and no others.
 #[inline(always)]
-pub(super) fn open_block<W: Watch>(
+pub(super) fn open_block<W: Doubt>(
     task: &Task,
     both: &Both,
     circles: &[[Lanes; 2]],
@@ -34,7 +34,7 @@ pub(super) fn open_block<W: Watch>(
 
 /// Those, the ones at `-v` and both half a turn on.
 #[inline(always)]
-pub(super) fn quartered_block<const Z_IS_SINE: bool, W: Watch>(
+pub(super) fn quartered_block<const Z_IS_SINE: bool, W: Doubt>(
     task: &Task,
     split: &Split<Z_IS_SINE>,
     circles: &[[Lanes; 2]],
@@ -60,7 +60,7 @@ pub(super) fn quarter(n_steps: usize, column: usize) -> [[usize; 2]; 2] {
 
 /// Writes four columns and those that mirror them.
 #[inline(always)]
-pub(super) fn two_blocks<W: Watch>(
+pub(super) fn two_blocks<W: Doubt>(
     [here, there]: [Place<W>; 2],
     [to, mirrored_to]: [usize; 2],
     positions: &mut [f32],
@@ -75,7 +75,7 @@ pub(super) fn two_blocks<W: Watch>(
 
 /// The same where every `n` is odd and `z` is constant: half a turn on, the sums have the other sign.
 #[inline(always)]
-pub(super) fn turned_block<W: Watch>(
+pub(super) fn turned_block<W: Doubt>(
     task: &Task,
     split: &Split<false>,
     circles: &[[Lanes; 2]],

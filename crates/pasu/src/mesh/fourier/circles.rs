@@ -4,12 +4,12 @@
 //! sign of the sines, and columns half a turn apart but for the sign of the odd `n`: up to four columns are had from one set of sums.
 
 use super::block::{Both, open_block, quartered_block, turned_block};
+use super::doubt::{Doubt, EachNormal, Limits, WARY_ROWS, WholeRow};
 use super::lanes::Lanes;
 use super::place::Task;
 use super::quarters::Quarters;
 use super::split::Split;
 use super::strands::{Layout, Strands};
-use super::watch::{EachNormal, Limits, WARY_ROWS, Watch, WholeRow};
 use super::waves::Harmonic;
 use crate::surface::{BLOCK, Turns};
 
@@ -130,7 +130,7 @@ impl Circles {
     }
 
     /// As [`Circles::write`], where a block is summed and written at once.
-    fn columns<W: Watch>(
+    fn columns<W: Doubt>(
         &mut self,
         strands: &Strands,
         row: usize,
@@ -171,7 +171,7 @@ impl Circles {
 
     /// Every kind of fold and layout is a function of its own: in one large function browsers run out of registers.
     #[inline(never)]
-    fn each_block<F, W: Watch>(
+    fn each_block<F, W: Doubt>(
         &mut self,
         task: &Task,
         layout: &F,

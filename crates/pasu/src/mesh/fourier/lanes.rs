@@ -8,7 +8,7 @@ pub(super) type Lanes = f32x4;
 /// Two lanes of one operand and two of the other, numbered from 0 to 3 and from 4 to 7: one instruction.
 ///
 /// Taking arrays apart and together again lets the compiler find shuffles of its own, which browsers translate badly; on a processor of which it knows no
-/// more than SSE2 it writes number by number instead, and a mesh takes twice as long.
+/// more than SSE2 it writes number by number instead, and a mesh of few modes takes three times as long.
 macro_rules! shuffle {
     ($a:expr, $b:expr, [$first:literal, $second:literal, $third:literal, $fourth:literal]) => {{
         let (a, b): (Lanes, Lanes) = ($a, $b);

@@ -8,6 +8,7 @@ mod block;
 mod circles;
 mod copies;
 mod copy;
+mod doubt;
 mod extent;
 mod kernel;
 mod lanes;
@@ -18,7 +19,6 @@ mod ring;
 mod split;
 mod strands;
 mod sums;
-mod watch;
 mod waves;
 
 pub(super) use kernel::Kernel;

@@ -1,8 +1,8 @@
 //! From sums to positions and unit normals.
 
+use super::doubt::{Doubt, Limits};
 use super::lanes::Lanes;
 use super::sums::{Sums, plus};
-use super::watch::{Limits, Watch};
 
 /// Positions and unit normals at four columns, and what was seen of these.
 #[derive(Clone, Copy)]
@@ -30,7 +30,7 @@ impl Task {
     }
 
     #[inline(always)]
-    pub(super) fn place<W: Watch>(&self, sums: &Sums) -> Place<W> {
+    pub(super) fn place<W: Doubt>(&self, sums: &Sums) -> Place<W> {
         let (normal, seen) = self.normal(sums);
         Place { position: self.position(sums), normal, seen }
     }
@@ -44,7 +44,7 @@ impl Task {
 
     /// The unit normal along `X_u x X_v`.
     #[inline(always)]
-    pub(super) fn normal<W: Watch>(&self, sums: &Sums) -> ([Lanes; 3], W) {
+    pub(super) fn normal<W: Doubt>(&self, sums: &Sums) -> ([Lanes; 3], W) {
         let [[_, xu], [_, yu], [_, zu]] = self.constant;
         let [ux, uy, uz] = plus([xu, yu, zu], sums[1]);
         let [vx, vy, vz] = sums[2];

@@ -5,11 +5,11 @@
 //! written to the mesh then waits for memory while the next sums are formed.
 
 use super::block::quarter;
+use super::doubt::{Doubt, EachNormal, WholeRow};
 use super::lanes::{Lanes, write, write_reversed};
 use super::place::Task;
 use super::strands::Strands;
 use super::sums::Sums;
-use super::watch::{EachNormal, Watch, WholeRow};
 
 /// Blocks that are summed before they are written: 5 kB.
 const WAITING: usize = 8;
@@ -132,31 +132,30 @@ fn combine(
     let mut all = WholeRow::SURE;
     for (index, ([a, b, c, d], unsure)) in waiting.iter().zip(unsure).enumerate() {
         let [to, turned_to] = quarter(task.n_steps, first + 4 * index);
-        let seen = written(&task, a, to[0], positions, normals)
-            .and(written_reversed(&task, b, to[1], positions, normals))
-            .and(written(&task, c, turned_to[0], positions, normals))
-            .and(written_reversed(&task, d, turned_to[1], positions, normals));
+        let near = written(&task, a, to[0], write, positions, normals);
+        let near_mirrored = written(&task, b, to[1], write_reversed, positions, normals);
+        let far = written(&task, c, turned_to[0], write, positions, normals);
+        let far_mirrored = written(&task, d, turned_to[1], write_reversed, positions, normals);
+        let seen = near.and(near_mirrored).and(far.and(far_mirrored));
         *unsure = [u8::from(!seen.is_sure()); 4];
         all = all.and(seen);
     }
     all.is_sure()
 }
 
-/// Writes four columns, the position before the normal is formed: what waits for the other would leave the registers.
+/// Writes four columns with `write`, the position before the normal is formed: what waits for the other would leave the registers.
 #[inline(always)]
-fn written(task: &Task, sums: &Sums, to: usize, positions: &mut [f32], normals: &mut [f32]) -> WholeRow {
+fn written(
+    task: &Task,
+    sums: &Sums,
+    to: usize,
+    write: impl Fn([Lanes; 3], &mut [f32], usize),
+    positions: &mut [f32],
+    normals: &mut [f32],
+) -> WholeRow {
     write(task.position(sums), positions, to);
     let (normal, seen) = task.normal(sums);
     write(normal, normals, to);
-    seen
-}
-
-/// As [`written`], from the last column to the first.
-#[inline(always)]
-fn written_reversed(task: &Task, sums: &Sums, to: usize, positions: &mut [f32], normals: &mut [f32]) -> WholeRow {
-    write_reversed(task.position(sums), positions, to);
-    let (normal, seen) = task.normal(sums);
-    write_reversed(normal, normals, to);
     seen
 }
 

@@ -2,11 +2,11 @@
 
 use core::ops::Range;
 
+use super::doubt::Doubt;
 use super::lanes::Lanes;
 use super::place::{Place, Task};
 use super::strands::Strand;
 use super::sums::Sums;
-use super::watch::Watch;
 
 /// As [`Layout::Split`](super::strands::Layout::Split).
 pub(super) struct Split<'a, const Z_IS_SINE: bool> {
@@ -25,7 +25,7 @@ impl<const Z_IS_SINE: bool> Split<'_, Z_IS_SINE> {
     /// What is at `v` and at `-v`. There the sums of sines have the other sign, and half of what the two normals are made of is shared:
     /// with `z` of cosines all of it, with `z` of sines what `z_u` is not in.
     #[inline(always)]
-    pub(super) fn pair<W: Watch>(&self, task: &Task, sums: Sums) -> [Place<W>; 2] {
+    pub(super) fn pair<W: Doubt>(&self, task: &Task, sums: Sums) -> [Place<W>; 2] {
         let [[x, y, z], [xu, yu, zu], [xv, yv, zv]] = sums;
         let [[x0, xu0], [y0, _], [z0, zu0]] = task.constant;
         let (px, here_z) = (x0 + x, z0 + z);

@@ -1,8 +1,8 @@
 //! What the columns of four rows are summed from, in single precision, with the error that this costs.
 
+use super::doubt::LEAST_SQUARE;
 use super::extent::Extent;
 use super::lanes::Lanes;
-use super::watch::LEAST_SQUARE;
 use super::waves::{ROWS, Waves};
 use crate::mesh::promise::{HALF_UNIT, NORMAL_ERROR, POSITION_ERROR};
 use crate::surface::Block;

@@ -18,7 +18,7 @@ pub(super) struct Limits {
 }
 
 /// A way of asking for them.
-pub(super) trait Watch: Copy {
+pub(super) trait Doubt: Copy {
     /// All normals are sure.
     const SURE: Self;
     /// Whether rows are asked as a whole, as most are: only these have loops for every kind of row.
@@ -35,7 +35,7 @@ pub(super) trait Watch: Copy {
 #[derive(Clone, Copy)]
 pub(super) struct EachNormal(u8);
 
-impl Watch for EachNormal {
+impl Doubt for EachNormal {
     const SURE: Self = EachNormal(0);
     const IS_WHOLE: bool = false;
 
@@ -66,7 +66,7 @@ impl Watch for EachNormal {
 #[derive(Clone, Copy)]
 pub(super) struct WholeRow(Lanes);
 
-impl Watch for WholeRow {
+impl Doubt for WholeRow {
     const SURE: Self = WholeRow(ALL_BITS);
     const IS_WHOLE: bool = true;
 
