@@ -94,6 +94,34 @@ test("every format is saved, and dropped on the page opens the pot again", { tim
   }
 });
 
+test("a verdict that comes while something else is typed saves nothing", async () => {
+  const { pot } = await exporting("#1/fourth-order");
+  await pot.page.evaluate(() => {
+    type Maker = { ask(request: { readonly kind: string }, lane: string): Promise<unknown> };
+    const app = document.querySelector("pasu-app") as unknown as { designer: { workshop: { maker: Maker } } };
+    const { maker } = app.designer.workshop;
+    const ask = maker.ask.bind(maker);
+    const held: (() => void)[] = [];
+    maker.ask = async (request, lane) => {
+      const outcome = await ask(request, lane);
+      if (request.kind === "check") await new Promise<void>((resolve) => held.push(resolve));
+      return outcome;
+    };
+    Object.assign(globalThis, { held });
+  });
+  const tolerance = pot.page.getByLabel("Tolerance");
+  await tolerance.fill("0.5");
+  await pot.page.waitForFunction(() => (globalThis as unknown as { held: unknown[] }).held.length === 1);
+  const isReady = await tolerance.evaluate(async (input: HTMLInputElement) => {
+    input.value = "0.4";
+    input.dispatchEvent(new Event("input"));
+    (globalThis as unknown as { held: (() => void)[] }).held[0]?.();
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    return (input.getRootNode() as ShadowRoot).querySelector("button.primary:enabled") !== null;
+  });
+  expect(isReady).toBe(false);
+});
+
 test("the size that is told is the size in the file", async () => {
   const { pot } = await exporting("#1/fourth-order");
   const outcome = pot.page.locator("pasu-export .outcome");

@@ -53,7 +53,7 @@ export class PasuExport extends DesignerElement {
   @state() private refusal: Refusal | null = null;
   @state() private saving = false;
   @state() private failure = "";
-  /** What the report is of. */
+  /** What the report is of, or the one that is under way; empty when there is neither. */
   private asked = "";
   private ended = false;
   /** Whether the tolerance of an opened file was taken over. */
@@ -240,8 +240,10 @@ export class PasuExport extends DesignerElement {
     this.failure = "";
     this.chosen = { ...this.chosen, ...change };
     designer.apply(setExport(designer.state, exported));
-    if ("product" in change) void this.measure();
-    else this.checkSoon();
+    if ("product" in change) {
+      this.forget();
+      void this.measure();
+    } else this.checkSoon();
   }
 
   /** Begins at the size that the pot has. */
@@ -284,11 +286,17 @@ export class PasuExport extends DesignerElement {
     if (this.chosen.tolerance === "") this.chosen = { ...this.chosen, tolerance };
   }
 
-  /** Once the typing rests: to check takes seconds. An earlier verdict does not hold meanwhile. */
-  private checkSoon(): void {
-    if (this.making() === this.asked && this.report) return;
-    this.report = null;
+  /** A verdict holds for what it was asked of alone: nothing else is saved by it, not even while the typing goes on. */
+  private forget(): void {
     clearTimeout(this.timer);
+    this.asked = "";
+    this.report = null;
+  }
+
+  /** Once the typing rests: to check takes seconds. */
+  private checkSoon(): void {
+    if (this.asked !== "" && this.asked === this.making()) return;
+    this.forget();
     this.timer = setTimeout(() => void this.check(), TYPING_MS);
   }
 
@@ -299,20 +307,18 @@ export class PasuExport extends DesignerElement {
   }
 
   private async check(): Promise<void> {
-    // Whatever was to be checked when the typing rests is checked now.
-    clearTimeout(this.timer);
+    this.forget();
     const { designer } = this;
     const { design } = designer.state;
     const asked = this.making();
-    if (asked === this.asked && this.report) return;
-    this.asked = asked;
-    this.report = null;
     if (asked === "") return;
+    this.asked = asked;
     const making = JSON.parse(asked) as Making;
     const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making }, CHECKING);
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
-    this.report = outcome.state === "done" ? outcome.value : null;
+    if (outcome.state === "done") this.report = outcome.value;
+    else this.asked = "";
   }
 
   private async save(making: Making): Promise<void> {
