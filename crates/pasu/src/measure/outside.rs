@@ -8,7 +8,8 @@ use super::moments::element;
 use super::quantity::Quantity;
 use super::widths::{self, Contact, Widths};
 use crate::face::{Face, FaceJet, FaceKind};
-use crate::numeric::climb::Place;
+use crate::numeric::ascend::ascend;
+use crate::numeric::climb::{Place, climb};
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
 
@@ -156,7 +157,12 @@ impl<'a> Outside<'a> {
         for (((face, grid), plans), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
             let mut walk = face.walk();
             let may_have = |row: usize| !(plans[row].reach(direction) <= near);
-            for Place { a, v, value } in grid.tops(of, near, may_have, |a, v| walk.jet(a, v)) {
+            let rise = |start: Place, steps: (f64, f64)| {
+                let sloped = |jet: FaceJet| (of(&jet), [jet.da.dot(direction), jet.dv.dot(direction)]);
+                ascend((start.a, start.v), steps, |a, v| sloped(walk.jet(a, v)))
+                    .unwrap_or_else(|| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v))))
+            };
+            for Place { a, v, value } in grid.tops(of, near, may_have, rise) {
                 if value > best.reach {
                     best = Contact { reach: value, point: walk.jet(a, v).position.truncate() };
                 }
@@ -219,7 +225,8 @@ impl<'a> Outside<'a> {
             }
             let of = |jet: &FaceJet| -jet.position.z;
             let mut walk = face.walk();
-            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |_| true, |a, v| walk.jet(a, v)) {
+            let rise = |start: Place, steps: (f64, f64)| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v)));
+            for Place { a, v, value } in grid.tops(of, -bottom - 0.05 * self.size, |_| true, rise) {
                 if -value <= bottom + tolerance {
                     points.push(face.jet(a, v).position);
                 }

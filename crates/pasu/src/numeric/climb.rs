@@ -81,8 +81,8 @@ pub(crate) fn climb(start: Place, step_a: f64, step_v: f64, mut of: impl FnMut(f
     best
 }
 
-/// The way to the top of a quadratic, `-H^-1 g`, shortened to three steps; `None` where it has no top, or hardly one.
-fn top(gradient: &Vector2<f64>, hessian: &Matrix2<f64>) -> Option<Vector2<f64>> {
+/// The way to the top of a quadratic, `-H^-1 g`, shortened to three steps where it is longer; `None` where it has no top, or hardly one.
+pub(super) fn top(gradient: &Vector2<f64>, hessian: &Matrix2<f64>) -> Option<Vector2<f64>> {
     let is_clear = hessian.determinant() > FLAT * hessian.m11 * hessian.m22;
     // A top is where minus the matrix is positive definite: where it has a Cholesky factor.
     let step = (-hessian).cholesky().filter(|_| is_clear)?.solve(gradient);

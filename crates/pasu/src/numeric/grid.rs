@@ -100,13 +100,13 @@ impl<T> Grid<T> {
         Some((best, 2.0 * (between + change)))
     }
 
-    /// Every local top that begins above a value, climbed; `may_have` says in which rows there may be one, and others are hardly looked at.
+    /// Every local top that begins above a value, which `rise` follows to the end by steps of the grid; `may_have` says in which rows there may be one, and others are hardly looked at.
     pub(crate) fn tops(
         &self,
         of: impl Fn(&T) -> f64,
         above: f64,
         may_have: impl Fn(usize) -> bool,
-        mut at: impl FnMut(f64, f64) -> T,
+        mut rise: impl FnMut(Place, (f64, f64)) -> Place,
     ) -> Vec<Place> {
         let rows: Vec<bool> = (0..self.rows).map(may_have).collect();
         let mut values = vec![f64::NAN; self.points.len()];
@@ -117,13 +117,12 @@ impl<T> Grid<T> {
                 values.iter_mut().zip(points).for_each(|(value, point)| *value = of(point));
             }
         }
-        let (step_a, step_v) = self.steps();
         let starts = (0..values.len())
             .filter(|&index| rows[index / self.columns] && values[index] > above && self.is_top(&values, index));
         starts
             .map(|index| {
                 let (a, v) = self.place(index);
-                climb(Place { a, v, value: values[index] }, step_a, step_v, |a, v| of(&at(a, v)))
+                rise(Place { a, v, value: values[index] }, self.steps())
             })
             .collect()
     }

@@ -3,6 +3,7 @@
 //! Nothing here knows what it computes: functions come in, numbers go out, and nothing of the crate is imported. Accuracy and effort are parameters, a remaining constant is named where it stands, and everything comes to an end whatever the function does.
 
 pub(crate) mod adaptive;
+pub(crate) mod ascend;
 pub(crate) mod bisection;
 pub(crate) mod brent;
 pub(crate) mod climb;
