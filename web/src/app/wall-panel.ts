@@ -162,6 +162,7 @@ export class PasuWall extends DesignerElement {
       }
       .holds {
         min-height: 1.5em;
+        margin: 6px 0 8px;
         color: var(--soft);
       }
       .problem {

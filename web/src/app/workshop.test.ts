@@ -150,6 +150,22 @@ test("the panel's measures and checks are asked for while it is open", async () 
   expect(workshop.busy).toBe(false);
 });
 
+test("what a surface would hold is not said of a pot whose wall is new", async () => {
+  const WALL = { ...NEW_SESSION, tab: "wall" } as const;
+  const holding = (value: number) => ({ capacity: { ...MEASURES.capacity, brim: { value, error: 0 } } });
+  change({ design: design(PART), session: WALL });
+  await answer(holding(829));
+  expect(workshop.holds).toMatch(/^Holds 829.ml to/);
+  change({ design: design() });
+  expect(workshop.holds).toBeNull();
+  await answer("coarse");
+  await answer(holding(475));
+  expect(workshop.holds).toMatch(/^Holds 475.ml to/);
+  // A wall that changes says what the last one held until it is measured.
+  change({ design: design({ ...PART, wall: { thickness: 2, base: 1 } }) });
+  expect(workshop.holds).toMatch(/^Holds 475.ml to/);
+});
+
 test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {
   const WALL = { ...NEW_SESSION, tab: "wall" } as const;
   await solid();

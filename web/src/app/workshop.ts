@@ -96,10 +96,11 @@ export class Workshop {
     return this.#asked.size > 0;
   }
 
-  /** How much the pot holds, in words; null while that is not known. */
+  /** How much the pot holds, in words; null while that is not known, also where it is known of the surface without its wall alone. */
   get holds(): string | null {
     const { value, of } = this.measures;
-    return value && of ? holdsText(value, unitOf(of)) : null;
+    const { design } = this.#designer.state;
+    return value && of && walls(of) === walls(design) ? holdsText(value, unitOf(of)) : null;
   }
 
   /** How high the water is to stand, which its surface may still have to follow; null without water. */
@@ -226,4 +227,9 @@ export class Workshop {
     // What was just made may be what something else waits for.
     this.#follow();
   }
+}
+
+/** Which parts have a wall, to be compared. */
+function walls({ parts }: Design): string {
+  return parts.map(({ wall }) => (wall ? "pot" : "surface")).join();
 }
