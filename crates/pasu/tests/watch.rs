@@ -64,9 +64,8 @@ fn told<T>(end: Option<usize>, call: impl FnOnce() -> Result<T>) -> (Vec<f64>, R
 
 #[test]
 fn what_is_told_grows_from_nothing_to_all() {
-    let pot = Solution::of(&pots(1));
     for (name, call) in CALLS {
-        let (told, answer) = told(None, || call(&pot));
+        let (told, answer) = told(None, || call(&Solution::of(&pots(1))));
         assert!(answer.is_ok(), "{name}");
         assert_eq!((told[0], told[told.len() - 1]), (0.0, 1.0), "{name}");
         assert!(told.windows(2).all(|pair| pair[0] <= pair[1]), "{name}: {told:?}");

@@ -14,7 +14,7 @@ use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Sealed, Seams};
 use crate::solution::Columns;
 
 /// One smooth face of the boundary of a pot. Those of a pot follow on from each other: where one ends (`a = 1`) the next begins (`a = 0`).
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Piece {
     pub(crate) kind: FaceKind,
     pub(crate) form: Form,
@@ -25,7 +25,7 @@ pub struct Piece {
 }
 
 /// What a face is made of.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) enum Form {
     /// A side of the wall from where it begins to the rim, or back.
     Sheet { sheet: Arc<Sheet>, is_back: bool },
@@ -39,7 +39,7 @@ pub(crate) enum Form {
 const BEAD_PIECES: usize = 8;
 
 /// A rounded rim: half circles from the end of one sheet to that of the other, in the planes of the wall's normal and the conormal of its edge.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Bead {
     pub(crate) from: Arc<Sheet>,
     pub(crate) to: Arc<Sheet>,

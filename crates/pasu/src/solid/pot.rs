@@ -45,7 +45,7 @@ const POINT: f64 = 1e-6;
 /// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
 /// - **Foot that is not level.** Its disc is the cone from the curve to the middle of the area that it goes round, which must see the whole curve.
 /// - **Solid.** The surface with a level disc at each open end. An end that is not level is first led straight along the axis to the level of its furthest point.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Pot {
     part: usize,
     pieces: Vec<Piece>,

@@ -1,6 +1,7 @@
 //! What a design has become: every part solved once and placed.
 
 mod columns;
+mod kept;
 mod placed;
 mod solved;
 mod upright;
@@ -8,6 +9,7 @@ mod whole;
 mod workable;
 
 pub(crate) use columns::Columns;
+pub(crate) use kept::Kept;
 pub(crate) use placed::Placed;
 #[cfg(test)]
 pub(crate) use solved::Solved;

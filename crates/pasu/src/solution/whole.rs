@@ -2,11 +2,12 @@
 
 use std::sync::{Arc, OnceLock};
 
+use super::kept::Kept;
 use super::placed::Placed;
-use crate::design::{Design, Part, Wall};
+use crate::design::{Design, Part};
 use crate::error::{Code, Error, Result};
 
-/// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked.
+/// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked; so is the body that is made of it settled once.
 ///
 /// Everything that can be asked of a [`Design`] can be asked of its solution, with the same answers: whoever asks several things of one design keeps this.
 ///
@@ -23,8 +24,8 @@ use crate::error::{Code, Error, Result};
 pub struct Solution {
     design: Design,
     parts: Vec<Slot>,
-    /// The wall that a part is made with, once it was settled.
-    walls: Vec<OnceLock<Wall>>,
+    /// What each part is made as, which others know: as a pot, and as a solid.
+    bodies: Vec<[Kept; 2]>,
 }
 
 /// What a part has become, once something was asked of it.
@@ -37,7 +38,7 @@ impl Solution {
         Solution {
             design: design.clone(),
             parts: parts.iter().map(|_| OnceLock::new()).collect(),
-            walls: parts.iter().map(|_| OnceLock::new()).collect(),
+            bodies: parts.iter().map(|_| Default::default()).collect(),
         }
     }
 
@@ -63,12 +64,12 @@ impl Solution {
         self.parts.get(index).zip(self.design.parts().get(index)).ok_or_else(|| self.no_such_part(index))
     }
 
-    /// Where the wall is kept that a part is made with, which whoever knows bodies settles.
+    /// Where the bodies of a part are kept, of whoever knows them: as a pot, and as a solid.
     ///
     /// # Errors
     /// `no-such-point`.
-    pub(crate) fn made_with(&self, index: usize) -> Result<&OnceLock<Wall>> {
-        self.walls.get(index).ok_or_else(|| self.no_such_part(index))
+    pub(crate) fn bodies(&self, index: usize) -> Result<&[Kept; 2]> {
+        self.bodies.get(index).ok_or_else(|| self.no_such_part(index))
     }
 
     fn no_such_part(&self, index: usize) -> Error {

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::fit::{can_give_way, fitted, may_be_at_fault};
 use super::meshed::{Made, grid};
 use crate::design::{Design, Wall};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::solid::{Pot, Product, Skin};
-use crate::solution::Solution;
+use crate::solution::{Kept, Solution};
 use crate::watch;
 
 /// Pots whose meshes have more triangles are not judged beforehand: it would take longer than all else that is asked of them.
@@ -22,6 +22,13 @@ pub(crate) enum Settled {
 }
 
 impl Settled {
+    fn pot(&self) -> &Pot {
+        match self {
+            Settled::Faces(pot) => pot,
+            Settled::Meshed(made, _) => &made.pot,
+        }
+    }
+
     /// The faces alone.
     fn into_pot(self) -> Pot {
         match self {
@@ -75,26 +82,33 @@ impl Solution {
         self.settled(part, product).map(Settled::into_pot)
     }
 
-    /// The body of a part. Its ring and drain are judged once, on a mesh of the usual tolerance and without size or shrinkage, so that they are the same whatever is asked for.
+    /// The body of a part, sought once. Its ring and drain are judged once, on a mesh of the usual tolerance and without size or shrinkage, so that they are the same whatever is asked for.
     ///
     /// # Errors
     /// As [`Pot::new`].
     pub(crate) fn settled(&self, part: usize, product: Product) -> Result<Settled> {
-        let skin = Arc::new(Skin::new(self.workable(part)?)?);
-        let Some(asked) = self.wall(part, product)? else { return Pot::of(&skin, None).map(Settled::Faces) };
-        if !can_give_way(&asked) {
-            return Pot::of(&skin, Some(asked)).map(Settled::Faces);
+        let kept = self.body(part, product)?;
+        if let Some(pot) = kept.get::<Result<Pot>>() {
+            return pot.clone().map(Settled::Faces);
         }
-        let kept = self.made_with(part)?;
-        if let Some(wall) = kept.get() {
-            return Pot::of(&skin, Some(*wall)).map(Settled::Faces);
-        }
-        let settled = settle(&skin, asked, self.design().unit().millimetres());
+        let settled = self.sought(part, product);
         // What was found while a call was being ended is not known to be so.
         watch::go_on()?;
-        let wall = settled.as_ref().ok().and_then(Settled::wall).unwrap_or(asked);
-        kept.get_or_init(|| wall);
+        kept.keep(settled.as_ref().map(|settled| settled.pot().clone()).map_err(Error::clone));
         settled
+    }
+
+    fn body(&self, part: usize, product: Product) -> Result<&Kept> {
+        let [pot, solid] = self.bodies(part)?;
+        Ok(if product == Product::Pot { pot } else { solid })
+    }
+
+    fn sought(&self, part: usize, product: Product) -> Result<Settled> {
+        let skin = Arc::new(Skin::new(self.workable(part)?)?);
+        match self.wall(part, product)? {
+            Some(asked) if can_give_way(&asked) => settle(&skin, asked, self.design().unit().millimetres()),
+            wall => Pot::of(&skin, wall).map(Settled::Faces),
+        }
     }
 
     /// The pot of a part while a hand changes it, with the wall that was asked for: its thickness is sought at the places of a mesh and nowhere more closely.
@@ -118,16 +132,6 @@ impl Solution {
             return Ok(None);
         };
         Pot::looked_at(pot.shared_skin(), pot.wall(), false).map(Some)
-    }
-}
-
-impl Settled {
-    /// The wall that the body has.
-    fn wall(&self) -> Option<Wall> {
-        match self {
-            Settled::Faces(pot) => pot.wall(),
-            Settled::Meshed(made, _) => made.pot.wall(),
-        }
     }
 }
 
@@ -163,14 +167,31 @@ mod tests {
     const CONE: &str = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": [1, 0, 4, 0], "t": [0, 0], "n": [1, 2], "height": 3 },
         "wall": { "thickness": 0.2, "base": 0.3, "foot": [0.3, 0.6] } }] }"#;
 
+    /// The wall of the body that is kept.
+    fn found(solution: &Solution, product: Product) -> Option<Wall> {
+        let pot = solution.body(0, product).unwrap().get::<Result<Pot>>()?;
+        pot.as_ref().unwrap().wall()
+    }
+
+    #[test]
+    fn what_is_refused_is_refused_again_without_being_tried_again() {
+        let design = Design::parse(&CONE.replace(r#""base": 0.3"#, r#""base": 30"#)).unwrap();
+        let solution = Solution::of(&design);
+        let error = solution.pot(0, Product::Pot).unwrap_err();
+        let kept = solution.body(0, Product::Pot).unwrap().get::<Result<Pot>>().unwrap();
+        assert_eq!(kept.as_ref().unwrap_err(), &error);
+        assert_eq!(solution.pot(0, Product::Pot).unwrap_err(), error);
+        solution.pot(0, Product::Solid).unwrap();
+    }
+
     #[test]
     fn what_was_settled_is_kept_and_is_the_same_whatever_is_asked_first() {
         let design = Design::parse(CONE).unwrap();
         let kept = |ask: &dyn Fn(&Solution)| {
             let solution = Solution::of(&design);
-            assert!(solution.made_with(0).unwrap().get().is_none());
+            assert!(found(&solution, Product::Pot).is_none());
             ask(&solution);
-            *solution.made_with(0).unwrap().get().unwrap()
+            found(&solution, Product::Pot).unwrap()
         };
         let fine = Making { tolerance: Some(0.003), ..Making::default() };
         let walls = [
@@ -183,10 +204,10 @@ mod tests {
         assert!(walls.iter().all(|wall| *wall == walls[0] && wall.foot != asked.foot), "{walls:?}");
         let [width, height] = walls[0].foot.unwrap();
         assert!(width > height, "{walls:?}");
-        // A solid has no ring to be settled.
+        // A solid has no wall and is another body.
         let solution = Solution::of(&design);
-        solution.pot(0, Product::Solid).unwrap();
-        assert!(solution.made_with(0).unwrap().get().is_none());
+        assert_eq!(solution.pot(0, Product::Solid).unwrap().wall(), None);
+        assert!(found(&solution, Product::Pot).is_none());
     }
 
     #[test]
@@ -195,7 +216,8 @@ mod tests {
         let solution = Solution::of(&design);
         // What nobody would find, to be told from what is found.
         let known = Wall { foot: Some([0.7, 0.1]), ..design.parts()[0].wall.unwrap() };
-        solution.made_with(0).unwrap().set(known).unwrap();
+        let skin = Arc::new(Skin::new(solution.workable(0).unwrap()).unwrap());
+        solution.body(0, Product::Pot).unwrap().keep(Pot::of(&skin, Some(known)));
         assert_eq!(solution.pot(0, Product::Pot).unwrap().wall(), Some(known));
         let report = solution.check(&Making::default()).unwrap();
         assert_eq!(report.findings[0].remedy.as_ref().map(|remedy| remedy.wall), Some(known));

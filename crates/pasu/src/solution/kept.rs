@@ -1,0 +1,27 @@
+//! A place beside a part in which a higher floor keeps what it has made of it.
+
+use core::any::Any;
+use core::fmt;
+use std::sync::OnceLock;
+
+/// One value of a type that only whoever keeps it knows: a solution knows nothing of bodies.
+#[derive(Default)]
+pub(crate) struct Kept(OnceLock<Box<dyn Any + Send + Sync>>);
+
+impl Kept {
+    /// What is kept; `None` where nothing is yet.
+    pub(crate) fn get<T: Any>(&self) -> Option<&T> {
+        self.0.get()?.downcast_ref()
+    }
+
+    /// Keeps a value, unless another came first: whatever is asked at the same time finds the same.
+    pub(crate) fn keep<T: Any + Send + Sync>(&self, value: T) {
+        self.0.get_or_init(|| Box::new(value));
+    }
+}
+
+impl fmt::Debug for Kept {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.get().is_some() { "kept" } else { "nothing" })
+    }
+}
