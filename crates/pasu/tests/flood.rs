@@ -240,3 +240,14 @@ fn attitudes_that_were_measured_wrongly() {
         assert!((held - found).abs() <= off, "{held} flooded, {found} measured, {off} expected: {link}");
     }
 }
+
+/// A pot that lies with its mouth a little down: the lowest point of its inside is that of the rim, below which there is no clay.
+#[test]
+fn beneath_a_rim_no_water_stands() {
+    let json = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "fourth-order", "r0": 2.7989, "r1": 3.8084, "rm": 3.0032, "h1": 7.0725, "eta": [0.9597, -0.5985],
+        "dz": [12.4207245, 13.0515915], "s": [1, 1], "t": [2.3738, 2.3738], "w": [0.9392, 0.9392] },
+        "wall": { "thickness": 0.384, "base": 0.4148, "foot": [0.408, 0.4715], "rim": "rounded" }, "place": { "axis": [0.9214, 0.3876, 0.001], "angle": 1.6013 } }] }"#;
+    assert!(measure(&design(json), &MeasureOptions::default()).unwrap().whole.capacity.is_none());
+    let (held, found, off) = flooded(json).expect("a pot that can be made");
+    assert!(found == 0.0 && held <= off, "{held} flooded, {found} measured, {off} expected");
+}

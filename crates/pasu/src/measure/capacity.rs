@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use super::accuracy::Accuracy;
 use super::bare::{Bare, Cap};
 use super::column::Inside;
-use super::fill::{Filling, Level};
+use super::fill::Filling;
 use super::pond::{Pond, ponds};
 use super::quantity::Quantity;
 use crate::answer::answers;
@@ -144,7 +144,7 @@ impl<'a> Vessel<'a> {
             if !(level > pond.floor) {
                 return Filling::default();
             }
-            let mut water = Level::new(&pond.inside, level, pond.inside.n_columns()).filling(accuracy);
+            let mut water = pond.level(level, pond.inside.n_columns()).filling(accuracy);
             // What the level is off by more than rounding is there or is missing all over the water.
             let rounding = Quantity::rounded(pond.spill.value, pond.inside.size()).error;
             if level == pond.spill.value {

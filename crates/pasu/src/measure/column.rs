@@ -306,15 +306,16 @@ impl<'a> Inside<'a> {
         Column { v, samples, brim, at }
     }
 
-    /// The lowest point of the inside.
-    pub(crate) fn floor(&self) -> f64 {
+    /// The height of the lowest point of the inside, and the column that it is in.
+    pub(crate) fn floor(&self) -> (f64, f64) {
         let columns = self.columns;
         let lowest = self.links.iter().map(|link| {
             let mut walk = link.walk();
             let grid = Grid::new(link.cells() + 1, columns, |s, v| -walk.height(s, v).0);
-            grid.greatest(|z| *z, |s, v| -walk.height(s, v).0).map_or(f64::INFINITY, |place| -place.value)
+            let place = grid.greatest(|z| *z, |s, v| -walk.height(s, v).0);
+            place.map_or((f64::INFINITY, 0.0), |place| (-place.value, place.v))
         });
-        lowest.fold(f64::INFINITY, f64::min)
+        lowest.fold((f64::INFINITY, 0.0), |one, other| if other.0 < one.0 { other } else { one })
     }
 
     /// The columns from which searches begin.

@@ -43,9 +43,10 @@ fn is_alike(one: &[Wet], other: &[Wet]) -> bool {
 }
 
 impl<'a> Level<'a> {
-    /// The water's edge at a level, seen at so many columns.
-    pub(crate) fn new(inside: &'a Inside<'a>, z: f64, n: usize) -> Level<'a> {
-        let places: Vec<f64> = round(n).collect();
+    /// The water's edge at a level, seen at columns of which 0 is one.
+    pub(crate) fn new(inside: &'a Inside<'a>, z: f64, places: impl Iterator<Item = f64>) -> Level<'a> {
+        let places = ascending(places.collect());
+        let n = places.len();
         let mut even = inside.columns(&places).into_iter();
         let at = |v: f64| {
             let column = inside.column(v);
@@ -381,7 +382,7 @@ mod tests {
         let floor = Cap::new(cup, 0.0, 60);
         let inside = Inside::new(&[&floor, cup], cup.turn.z_axis, 1.0);
         let (level, _) = inside.spill(&inside.even_columns());
-        (level, Level::new(&inside, level - below, 49).filling(&Accuracy::new(1e-11, 1.0)))
+        (level, Level::new(&inside, level - below, round(49)).filling(&Accuracy::new(1e-11, 1.0)))
     }
 
     fn near(found: Quantity, exact: f64) {
@@ -460,9 +461,9 @@ mod tests {
             let floor = Cap::new(&cup, 0.0, 60);
             let inside = Inside::new(&[&floor, &cup], cup.turn.z_axis, 1.0);
             let (spill, _) = inside.spill(&inside.even_columns());
-            let low = inside.floor();
+            let (low, _) = inside.floor();
             for share in [0.05, 0.3, 0.7, 0.95, 1.0] {
-                let level = Level::new(&inside, low + share * (spill - low), 193);
+                let level = Level::new(&inside, low + share * (spill - low), round(193));
                 let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
                 assert!((area - exact).abs() < 0.01 * exact, "tilt {tilt}, {share}: {area} {exact}");
             }
@@ -481,7 +482,7 @@ mod tests {
             let cup = tilted(ring, tilt);
             let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
             for level in [10.5, 10.8] {
-                let level = Level::new(&inside, level, 49);
+                let level = Level::new(&inside, level, round(49));
                 assert!(level.filling(&Accuracy::new(1e-9, 1.0)).moments.volume.error < 1e-6);
                 let (area, exact) = (surface_of(&level), level.filling(&Accuracy::new(1e-9, 1.0)).area.value);
                 assert!((area - exact).abs() < 0.02 * exact, "tilt {tilt}: {area} {exact}");
@@ -496,10 +497,10 @@ mod tests {
             let inside = Inside::new(&[&cup], cup.turn.z_axis, 1.0);
             let (spill, _) = inside.spill(&inside.even_columns());
             assert!((spill - 10.0 + RADIUS * (2.2f64 - tilt).cos()).abs() < 1e-12);
-            assert!((inside.floor() - 10.0 + RADIUS).abs() < 1e-12);
+            assert!((inside.floor().0 - 10.0 + RADIUS).abs() < 1e-12);
             for level in [spill, 9.7, 9.0] {
                 let depth = level - 10.0 + RADIUS;
-                let water = Level::new(&inside, level, 49).filling(&Accuracy::new(1e-11, 1.0));
+                let water = Level::new(&inside, level, round(49)).filling(&Accuracy::new(1e-11, 1.0));
                 near(water.moments.volume, PI * depth * depth * (RADIUS - depth / 3.0));
                 near(water.area, PI * depth * (2.0 * RADIUS - depth));
             }

@@ -2,7 +2,6 @@
 
 use super::bare::Bare;
 use super::capacity::Vessel;
-use super::fill::Level;
 use super::pond::Pond;
 use super::pool::Pool;
 use crate::error::Result;
@@ -55,10 +54,10 @@ pub(crate) fn filled(solution: &Solution, pots: &[Option<Pot>], share: f64) -> R
     }
     let level = (floor + share * (spill - floor)).min(spill);
     let mut surface = WaterSurface { level, range: [floor, spill], ..WaterSurface::default() };
-    for Pond { inside, spill, floor, .. } in ponds.iter().flatten() {
-        let level = level.min(spill.value);
-        if level > *floor {
-            let edge = Level::new(inside, level, COLUMNS.max(inside.n_columns()));
+    for pond in ponds.iter().flatten() {
+        let level = level.min(pond.spill.value);
+        if level > pond.floor {
+            let edge = pond.level(level, COLUMNS.max(pond.inside.n_columns()));
             let pool = Pool::new(&edge);
             pool.add(level, &mut surface.positions, &mut surface.indices);
         }

@@ -4,8 +4,11 @@ use std::rc::Rc;
 
 use glam::DVec3;
 
+use super::accuracy::Accuracy;
 use super::column::{Column, Inside, Wet};
+use super::fill::Level;
 use super::ground::{Basin, Ground, Shortcut, turn};
+use super::outside::round;
 use super::quantity::Quantity;
 use super::saddle::{Bank, Saddle, saddle};
 use crate::numeric::climb::{Place, climb};
@@ -17,9 +20,33 @@ pub(crate) struct Pond<'a> {
     /// The level at which it runs over, how far that may be off, and where it does.
     pub(crate) spill: Quantity,
     pub(crate) at: DVec3,
-    /// The height of its lowest point.
+    /// The height of its lowest point, and the column that this is in.
     pub(crate) floor: f64,
+    deepest: f64,
 }
+
+impl<'a> Pond<'a> {
+    /// What is wet of it at a level, seen at so many columns and at that of its lowest point: water may stand between all others.
+    pub(crate) fn level(&self, z: f64, n: usize) -> Level<'_> {
+        Level::new(&self.inside, z, round(n).chain([self.deepest]))
+    }
+
+    /// Whether there is water at all. What is no deeper than the gaps of a grid may be none: its lowest point may be that of a rim that hangs over, with the clay above it.
+    fn is_water(&self) -> bool {
+        let size = self.inside.size();
+        if self.spill.value - self.floor > SHALLOW * size {
+            return true;
+        }
+        let water = self.level(self.spill.value, self.inside.n_columns()).filling(&Accuracy::new(ROUGH, 1.0));
+        water.moments.volume.value > LEAST * size * size * size
+    }
+}
+
+/// What is deeper than this part of the size is believed to hold water.
+const SHALLOW: f64 = 1e-3;
+
+/// How accurately the water is looked at that may be none.
+const ROUGH: f64 = 1e-4;
 
 /// What holds less than this part of the cube of the body's size is no water: dents of the grid.
 const LEAST: f64 = 1e-9;
@@ -66,22 +93,24 @@ pub(crate) fn ponds<'a>(inside: Inside<'a>, whole: impl Fn() -> Inside<'a>, is_u
     };
     if is_plain || is_upright && is_crossed(&ground, &basins, &columns, level) {
         let spill = Quantity::rounded(level, inside.size());
-        let floor = inside.floor();
-        return if level > floor { vec![Pond { inside, spill, at, floor }] } else { Vec::new() };
+        let (floor, deepest) = inside.floor();
+        let pond = Pond { inside, spill, at, floor, deepest };
+        return if level > floor && pond.is_water() { vec![pond] } else { Vec::new() };
     }
     let of_basin = |basin: &Basin| {
         let all = whole();
         let way = lowest_way(&all, &ground, basin, &shortcuts);
         let at = all.position(way.at.0, way.at.1);
-        let floor = settled(&all, &ground, basin.lowest).0.min(ground.point(basin.lowest).z);
+        let (settled, _, deepest) = settled(&all, &ground, basin.lowest);
+        let floor = settled.min(ground.point(basin.lowest).z);
         let rounding = Quantity::rounded(way.z, all.size()).error;
         let spill = Quantity::new(way.z, rounding + 2.0 * way.change);
         let members = Members::new(&ground, basin);
         let links = members.links();
         let inside = all.only(&links, Box::new(move |wet: &[Wet], v: f64, level: f64| members.hold(wet, v, level)));
-        Pond { inside, spill, at, floor }
+        Pond { inside, spill, at, floor, deepest }
     };
-    basins.iter().map(of_basin).filter(|pond| pond.spill.value > pond.floor).collect()
+    basins.iter().map(of_basin).filter(|pond| pond.spill.value > pond.floor && pond.is_water()).collect()
 }
 
 /// Basins that are worth it, those that hold most first, and what connects hollows of the grid alone.

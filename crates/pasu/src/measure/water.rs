@@ -2,7 +2,6 @@
 
 use super::accuracy::Accuracy;
 use super::design::above_spill;
-use super::fill::Level;
 use super::pond::Pond;
 use super::pool::Pool;
 use super::taken::Taken;
@@ -106,12 +105,12 @@ fn standing(solution: &Solution, level: f64) -> Result<Water> {
             most_intervals: 16,
             ..taken.accuracy()
         };
-        for Pond { inside, spill, floor, .. } in &ponds {
-            let level = level.min(spill.value);
-            if !(level > *floor) {
+        for pond in &ponds {
+            let level = level.min(pond.spill.value);
+            if !(level > pond.floor) {
                 continue;
             }
-            let edge = Level::new(inside, level, COLUMNS.max(inside.n_columns()));
+            let edge = pond.level(level, COLUMNS.max(pond.inside.n_columns()));
             let filling = edge.filling(&accuracy);
             water.volume += filling.moments.volume.value;
             water.error += filling.moments.volume.error;
