@@ -17,7 +17,8 @@ pub(crate) fn check(report: &mut Report, workspace: &Workspace) {
         let mut tests = Command::new(cargo());
         tests.args(["test", "--all-features", "--no-fail-fast"]).current_dir(folder(workspace));
         // What it was compiled for stays for the next time. Optimised as in the workspace, of which nothing is known there.
-        tests.env("CARGO_TARGET_DIR", workspace.target().join("package-tests")).env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
+        tests.env("CARGO_TARGET_DIR", workspace.target().join("package-tests"));
+        tests.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_DEV_DEBUG", "line-tables-only");
         Ok(tests)
     });
     report.check("interface since the last tag", || interface(workspace));
