@@ -1,4 +1,4 @@
-//! Files of bodies made by hand: awkward titles, long links, damage. What files of real designs hold is tested in `tests/export.rs`.
+//! Files of bodies made by hand: awkward titles, long links, damage. What files of real designs hold is tested in `tests/library/export.rs`.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};

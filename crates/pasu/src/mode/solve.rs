@@ -9,7 +9,7 @@ impl Equation {
     /// The solution with the given boundary data and force.
     ///
     /// Accuracy: `1e-10` of the largest datum for `q` and `1e-9 max(1, k sqrt(t/s))` of it for `q'`, for rates up to 1e3
-    /// (in practice about `1e-13`; see `tests/mode.rs`).
+    /// (in practice about `1e-13`; see `tests/library/mode.rs`).
     ///
     /// # Errors
     /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.

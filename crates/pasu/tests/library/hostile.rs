@@ -1,7 +1,5 @@
 //! What outsiders found that took too long, broke or lied: each case of `tests/reference/hostile.json` by its name.
 
-mod support;
-
 use std::time::{Duration, Instant};
 
 use pasu::{
@@ -10,7 +8,7 @@ use pasu::{
 };
 use serde_json::Value;
 
-const CASES: &str = include_str!("reference/hostile.json");
+const CASES: &str = include_str!("../reference/hostile.json");
 
 /// What is refused is refused at once, however busy the machine.
 const AT_ONCE: Duration = Duration::from_secs(10);

@@ -1,10 +1,7 @@
 //! Pots for the screen: where they are, against the closed meshes of files, and their water, against what is measured.
 
-#[path = "support/mod.rs"]
-mod support;
-
+use crate::support::design;
 use pasu::{Design, FaceKind, Making, MeasureOptions, Sketch, SketchOptions, drawn, measure, sketch, water};
-use support::design;
 
 type Point = [f64; 3];
 

@@ -1,11 +1,10 @@
 //! Random design documents of every kind, with numbers chosen for their awkwardness.
-#![allow(unreachable_pub)] // Each test file is a crate of its own.
 
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 
-use crate::value::Value;
+use super::value::Value;
 
 type Entry = (String, Value);
 
@@ -223,7 +222,7 @@ fn part() -> impl Strategy<Value = Vec<Entry>> {
 }
 
 /// A whole document that the format allows.
-pub fn document() -> impl Strategy<Value = Value> {
+pub(crate) fn document() -> impl Strategy<Value = Value> {
     let parts = prop_oneof![prop::collection::vec(part(), 1), prop::collection::vec(part(), 1..4)];
     let beside = some_of(vec![("title", label().boxed()), ("unit", name(&["mm", "cm", "in"]).boxed())]);
     (beside, parts).prop_map(|(mut fields, parts)| {

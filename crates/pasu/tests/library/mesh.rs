@@ -1,12 +1,10 @@
 //! The mesh contract, orientation, poles and tolerance.
 
-mod support;
-
 use std::collections::HashMap;
 
+use crate::support::{corpus, design, design_of, design_of_case};
 use glam::{DVec3, Vec3};
 use pasu::{Design, Mesh, MeshOptions, Surface, mesh};
-use support::{corpus, design, design_of, design_of_case};
 
 fn grid(rows: usize, columns: usize) -> MeshOptions {
     MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None }

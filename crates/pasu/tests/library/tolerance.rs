@@ -2,18 +2,13 @@
 //!
 //! What its time buys: distances sampled between the vertices of meshes of every reference design, which only many points can contradict a bound by.
 
-#[path = "support/documents.rs"]
-mod documents;
-mod support;
-#[path = "support/value.rs"]
-mod value;
-
 use std::collections::BTreeMap;
 
+use crate::support::documents::document;
+use crate::support::{Exhibit, corpus, design, design_of_case, gallery};
 use glam::{DMat3, DVec3, Vec3};
 use pasu::{Design, Mesh, MeshOptions, Surface, bound, mesh};
 use proptest::prelude::*;
-use support::{Exhibit, corpus, design, design_of_case, gallery};
 
 fn within(tolerance: f64) -> MeshOptions {
     MeshOptions { tolerance: Some(tolerance), ..MeshOptions::default() }
@@ -361,7 +356,7 @@ const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/tessel
 
 /// Grid, places of the rows and bound are the same bits on every machine; the tests in Node read the file too.
 ///
-/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test tolerance golden` writes the file anew; the CHANGELOG says why.
+/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library tolerance::golden` writes the file anew; the CHANGELOG says why.
 #[test]
 fn of_the_gallery_are_golden() {
     let tessellation = |exhibit: &Exhibit| {
@@ -382,7 +377,7 @@ proptest! {
 
     /// Numbers of any size, and tolerances too: a grid with a finite bound, or a refusal.
     #[test]
-    fn the_oddest_design_is_bounded_or_refused(value in documents::document(), tolerance in prop::option::of(-12.0..12.0f64)) {
+    fn the_oddest_design_is_bounded_or_refused(value in document(), tolerance in prop::option::of(-12.0..12.0f64)) {
         let design = value.design().unwrap();
         for (rows, columns) in [(None, None), (Some(7), None), (None, Some(9)), (Some(30), Some(40))] {
             let options = MeshOptions { rows, columns, tolerance: tolerance.map(|power| 10f64.powf(power)) };
@@ -430,7 +425,7 @@ fn placed_rows_take_markedly_fewer_vertices_than_even_ones() {
     assert!(median < 0.6, "{median} of the even grid");
 }
 
-/// The table of docs/tessellation.md: `cargo test -p pasu --release --test tolerance -- --ignored --nocapture`.
+/// The table of docs/tessellation.md: `cargo test -p pasu --release --test library tolerance -- --ignored --nocapture`.
 #[test]
 #[ignore = "prints a table"]
 fn table() {

@@ -1,10 +1,7 @@
 //! Every refusal of a document: its code, its path, and a message that says what was found and what was expected.
 
-#[path = "support/value.rs"]
-mod value;
-
+use crate::support::value::Value;
 use pasu::{Arg, Code, Design, Format, Making, MeshOptions, VERTEX_LIMIT, evaluate, mesh, write};
-use value::Value;
 
 const SHAPE: &str = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06] }"#;
 const GENERAL: &str = r#"{ "kind": "boundary-value", "span": 1, "x": X,

@@ -1,17 +1,15 @@
 //! Files hold the checked mesh to the bit, say what they were made from, and are the same everywhere.
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use crate::support::{design, gallery};
 use miniz_oxide::inflate::decompress_to_vec;
 use pasu::{
     Craft, Design, Face, Format, Making, Pot, Product, Size, SolidMesh, fingerprint, obj_materials, open, provenance,
     solid, write,
 };
 use serde_json::Value;
-use support::{design, gallery};
 use xxhash_rust::xxh64::xxh64;
 
 const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/files.json");
@@ -479,7 +477,7 @@ fn files_are_larger_by_what_the_clay_shrinks() {
 
 /// The tests in Node make the same files of the links in it.
 ///
-/// After a change that is meant, or of the version, `PASU_BLESS=1 cargo test -p pasu --test export` writes the file anew; the CHANGELOG says why.
+/// After a change that is meant, or of the version, `PASU_BLESS=1 cargo test -p pasu --test library export` writes the file anew; the CHANGELOG says why.
 #[test]
 fn files_are_golden() {
     let mut found = BTreeMap::from([("version".to_owned(), env!("CARGO_PKG_VERSION").to_owned())]);
@@ -499,7 +497,7 @@ fn files_are_golden() {
     assert_eq!(found, golden);
 }
 
-/// `PASU_FILES=folder cargo test -p pasu --test export kept` keeps the files of every specimen, and of the pots of the gallery, for other programs to read.
+/// `PASU_FILES=folder cargo test -p pasu --test library export::kept` keeps the files of every specimen, and of the pots of the gallery, for other programs to read.
 #[test]
 fn files_can_be_kept() {
     let Some(folder) = std::env::var_os("PASU_FILES") else { return };

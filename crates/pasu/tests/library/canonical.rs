@@ -1,16 +1,11 @@
 //! Canonical form: one document and one link for one design, and never another solid.
 
-#[path = "support/documents.rs"]
-mod documents;
-#[path = "support/value.rs"]
-mod value;
-
 use std::f64::consts::TAU;
 
-use documents::document;
+use crate::support::documents::document;
+use crate::support::value::Value;
 use pasu::{BoundaryValue, Component, Datum, Design, Part, Shape, Span};
 use proptest::prelude::*;
-use value::Value;
 
 #[test]
 fn written_in_the_order_of_the_format_without_defaults() {

@@ -34,7 +34,7 @@ fn every_type_goes_from_thread_to_thread() {
 
 /// The types that `lib.rs` lists.
 fn declared() -> BTreeSet<&'static str> {
-    let lists = include_str!("../src/lib.rs").split("pub use ").skip(1).filter_map(|list| list.split(';').next());
+    let lists = include_str!("../../src/lib.rs").split("pub use ").skip(1).filter_map(|list| list.split(';').next());
     let words = lists.flat_map(|list| list.split(|c: char| !c.is_alphanumeric() && c != '_'));
     words.filter(|word| word.starts_with(char::is_uppercase) && word.contains(char::is_lowercase)).collect()
 }

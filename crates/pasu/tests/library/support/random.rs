@@ -1,13 +1,12 @@
 //! Random designs with walls: what a person could ask for, and some of what nobody would.
-#![allow(dead_code, unreachable_pub)] // Each test file is a crate of its own and uses a part.
 
 use std::f64::consts::PI;
 
 /// Marsaglia's xorshift: the same numbers on every machine.
-pub struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
@@ -18,22 +17,22 @@ impl Random {
         self.0
     }
 
-    pub fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn between(&mut self, from: f64, to: f64) -> f64 {
         let x = from + (to - from) * (self.next() >> 11) as f64 / (1u64 << 53) as f64;
         // Few digits, as people write them.
         (x * 1e4).round() / 1e4
     }
 
-    pub fn whole(&mut self, from: u64, to: u64) -> u64 {
+    pub(crate) fn whole(&mut self, from: u64, to: u64) -> u64 {
         from + self.next() % (to - from + 1)
     }
 
-    pub fn chance(&mut self, one_in: u64) -> bool {
+    pub(crate) fn chance(&mut self, one_in: u64) -> bool {
         self.next().is_multiple_of(one_in)
     }
 
     /// A design of one part of about ten units.
-    pub fn design(&mut self) -> String {
+    pub(crate) fn design(&mut self) -> String {
         let shape = match self.whole(0, 5) {
             0 => self.second_order(),
             1 => self.mixed_order(),

@@ -1,10 +1,8 @@
 //! What sampling takes from memory once its arrays are there.
 
-mod support;
-
+use crate::support::{corpus, design_of_case, gallery};
 use allocation_counter::{AllocationInfo, measure};
 use pasu::{MeshOptions, Sampler};
-use support::{corpus, design_of_case, gallery};
 
 /// What one more mesh of the design takes.
 fn taken(design: &pasu::Design, rows: usize, columns: usize) -> AllocationInfo {

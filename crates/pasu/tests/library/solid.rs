@@ -2,14 +2,11 @@
 //!
 //! What its time buys: the crossings of all triangles of closed meshes, counted exactly, for walls of every form.
 
-#[path = "support/mod.rs"]
-mod support;
-
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
+use crate::support::{Exhibit, design, gallery};
 use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, check, solid};
-use support::{design, gallery};
 
 /// A cylinder of radius 2 and height 5 with a wall.
 fn cylinder(wall: &str) -> Design {
@@ -123,7 +120,7 @@ fn a_solid_is_closed_by_discs() {
 }
 
 /// Thick enough for clay, and coarse enough for a test.
-fn walled(exhibit: &support::Exhibit) -> (Design, Making) {
+fn walled(exhibit: &Exhibit) -> (Design, Making) {
     let shape = serde_json::to_string(&exhibit.shape).unwrap();
     let is_paper = !exhibit.name.starts_with("own");
     let (thickness, tolerance) = if is_paper { (0.06, 0.006) } else { (0.4, 0.04) };

@@ -1,11 +1,9 @@
 //! Meshes in single precision against the same meshes in double precision.
 
-mod support;
-
+use crate::support::{corpus, design_of, design_of_case, gallery};
 use glam::{DVec3, Vec3};
 use pasu::{Design, MeshOptions, Sampler, mesh};
 use proptest::prelude::*;
-use support::{corpus, design_of_case, gallery};
 
 /// The promise of `Mesh`: positions in parts of the largest coordinate.
 const POSITION_ERROR: f64 = 5e-7;
@@ -184,7 +182,7 @@ fn an_oval_vase_keeps_the_promise_from_pole_to_rim() {
         profile(1.0),
         profile(0.6)
     );
-    let design = support::design_of(&shape);
+    let design = design_of(&shape);
     for (rows, columns) in [(65, 129), (64, 128), (7, 9), (2, 4), (513, 62)] {
         check("oval", &design, rows, columns);
     }
@@ -210,7 +208,7 @@ fn a_foot_that_fades_away_keeps_the_promise() {
     };
     for z in [r#"{ "start_u": -1.548 }"#, r#"{ "end": 1 }"#] {
         for (rows, columns) in [(58, 62), (58, 114), (1000, 9), (65, 40)] {
-            check(z, &support::design_of(&shape(z)), rows, columns);
+            check(z, &design_of(&shape(z)), rows, columns);
         }
     }
 }
@@ -224,7 +222,7 @@ fn a_grid_that_cannot_tell_two_waves_apart_keeps_the_promise() {
             { "n": 8, "cos": { "start": 1.987, "end": -1.339 } }, { "n": 6, "cos": { "start": -1.939, "end": 1.306 } }] },
         "z": { "order": 4, "s": 1, "t": 1, "w": 1, "modes": [] } }"#;
     for (rows, columns) in [(315, 15), (20, 15), (2, 15), (64, 128)] {
-        check("aliased", &support::design_of(shape), rows, columns);
+        check("aliased", &design_of(shape), rows, columns);
     }
 }
 
@@ -236,7 +234,7 @@ fn where_a_flat_sheet_turns_back_its_normals_keep_the_promise() {
         "y": { "order": 4, "s": 1, "t": 0, "w": 0.4583889548357203, "modes": [] },
         "z": { "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{ "n": 0, "cos": { "start_u": -1.8634755089109516 } }] } }"#;
     for (rows, columns) in [(22, 4), (22, 40), (301, 4)] {
-        check("sheet", &support::design_of(shape), rows, columns);
+        check("sheet", &design_of(shape), rows, columns);
     }
     // With two components that are the same but for their size and the twelve digits of a design; row 5 is almost where it turns back.
     let shape = r#"{ "kind": "boundary-value", "span": "2pi",
@@ -244,13 +242,13 @@ fn where_a_flat_sheet_turns_back_its_normals_keep_the_promise() {
         "y": { "order": 4, "s": 1, "t": 0, "w": 0, "modes": [{ "n": 1, "sin": { "start": 0.34022809506866697, "end": 1.4546143017935278 } }] },
         "z": { "order": 4, "s": 1, "t": 1, "w": 1, "modes": [{ "n": 0, "cos": {
             "start": 0.009820772838878104, "end": -0.6450480523214672, "start_u": 0.4438647824101613, "end_u": -1.5568153163122576 } }] } }"#;
-    check("two sheets", &support::design_of(shape), 29, 46);
+    check("two sheets", &design_of(shape), 29, 46);
 }
 
 #[test]
 fn a_harmonic_may_come_twice() {
     let twice = r#"{ "kind": "second-order", "r": [2, 0.5, 1, 0.25], "n": [3, 3] }"#;
-    check("twice", &support::design_of(twice), 33, 65);
+    check("twice", &design_of(twice), 33, 65);
 }
 
 #[test]
@@ -289,7 +287,7 @@ fn after_an_error_a_sampler_is_as_good_as_a_new_one() {
             axis("sin")
         )
     };
-    let (beyond, vase) = (support::design_of(&ring(1e39)), support::design_of(&ring(0.5)));
+    let (beyond, vase) = (design_of(&ring(1e39)), design_of(&ring(0.5)));
     let grid = MeshOptions { rows: Some(40), columns: Some(33), tolerance: None };
     for options in [grid, MeshOptions { tolerance: Some(1.0), ..grid }] {
         let mut sampler = Sampler::new();

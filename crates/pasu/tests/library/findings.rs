@@ -8,7 +8,7 @@ use pasu::{
 };
 
 fn cases() -> Vec<serde_json::Value> {
-    serde_json::from_str(include_str!("reference/findings.json")).expect("cases")
+    serde_json::from_str(include_str!("../reference/findings.json")).expect("cases")
 }
 
 /// The design of a case, counted from 1.

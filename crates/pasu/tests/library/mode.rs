@@ -23,7 +23,7 @@ struct Case {
 
 #[test]
 fn agrees_with_the_reference() {
-    let cases: Vec<Case> = serde_json::from_str(include_str!("reference/modes.json")).unwrap();
+    let cases: Vec<Case> = serde_json::from_str(include_str!("../reference/modes.json")).unwrap();
     let (mut worst, mut failures) = ([0.0f64; 3], Vec::new());
     for case in &cases {
         let name = format!(

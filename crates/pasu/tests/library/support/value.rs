@@ -1,5 +1,4 @@
 //! Plain data as a program hands it over, which can hold what JSON cannot: NaN, infinities, nothing at all.
-#![allow(dead_code, unreachable_pub)] // Each test file is a crate of its own and uses a part.
 
 use pasu::{Design, Error, Result, Shape};
 use serde::de::value::{MapDeserializer, SeqDeserializer};
@@ -7,7 +6,7 @@ use serde::de::{Deserializer, IntoDeserializer, Visitor};
 use serde::forward_to_deserialize_any;
 
 #[derive(Debug, Clone, PartialEq)]
-pub enum Value {
+pub(crate) enum Value {
     Null,
     Bool(bool),
     Number(f64),
@@ -17,7 +16,7 @@ pub enum Value {
 }
 
 impl Value {
-    pub fn of_json(text: &str) -> Value {
+    pub(crate) fn of_json(text: &str) -> Value {
         Value::of(&serde_json::from_str(text).expect("a test's value is JSON"))
     }
 
@@ -34,12 +33,12 @@ impl Value {
         }
     }
 
-    pub fn design(&self) -> Result<Design> {
+    pub(crate) fn design(&self) -> Result<Design> {
         Design::read(self)
     }
 
     /// A shape as it is given, from the text that `JSON.stringify` would make of it.
-    pub fn shape(&self) -> Shape {
+    pub(crate) fn shape(&self) -> Shape {
         Shape::parse(&self.json()).unwrap_or_else(|e| panic!("{e}"))
     }
 

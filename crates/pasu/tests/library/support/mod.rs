@@ -1,5 +1,8 @@
 //! What several test files share: the reference corpus and designs written as JSON.
-#![allow(dead_code, unreachable_pub)] // Each test file is a crate of its own and uses a part.
+
+pub(crate) mod documents;
+pub(crate) mod random;
+pub(crate) mod value;
 
 use pasu::{Design, Shape, Surface};
 use serde::Deserialize;
@@ -7,59 +10,59 @@ use serde_json::Value;
 
 /// One case of `tests/reference/surfaces.json` or `digits.json`.
 #[derive(Deserialize)]
-pub struct Case {
-    pub name: String,
-    pub family: Option<Value>,
-    pub shape: Value,
-    pub points: Vec<Point>,
-    pub scale: f64,
+pub(crate) struct Case {
+    pub(crate) name: String,
+    pub(crate) family: Option<Value>,
+    pub(crate) shape: Value,
+    pub(crate) points: Vec<Point>,
+    pub(crate) scale: f64,
 }
 
 #[derive(Deserialize)]
-pub struct Point {
-    pub u: f64,
-    pub v: f64,
-    pub position: [f64; 3],
-    pub du: [f64; 3],
-    pub dv: [f64; 3],
+pub(crate) struct Point {
+    pub(crate) u: f64,
+    pub(crate) v: f64,
+    pub(crate) position: [f64; 3],
+    pub(crate) du: [f64; 3],
+    pub(crate) dv: [f64; 3],
 }
 
-pub fn corpus() -> Vec<Case> {
-    serde_json::from_str(include_str!("../reference/surfaces.json")).expect("the corpus is JSON")
+pub(crate) fn corpus() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../reference/surfaces.json")).expect("the corpus is JSON")
 }
 
 /// `tests/reference/digits.json`: data of twelve digits in every regime, values of full precision.
-pub fn digits() -> Vec<Case> {
-    serde_json::from_str(include_str!("../reference/digits.json")).expect("the corpus is JSON")
+pub(crate) fn digits() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../reference/digits.json")).expect("the corpus is JSON")
 }
 
-pub fn shape(value: &Value) -> Shape {
+pub(crate) fn shape(value: &Value) -> Shape {
     Shape::parse(&value.to_string()).unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn surface(value: &Value) -> Surface {
+pub(crate) fn surface(value: &Value) -> Surface {
     Surface::solve(&shape(value).boundary_value(), "shape").unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn surface_of(json: &str) -> Surface {
+pub(crate) fn surface_of(json: &str) -> Surface {
     surface(&serde_json::from_str(json).expect("a test's shape is JSON"))
 }
 
 /// A design of one part with the given shape.
-pub fn design_of(shape: &str) -> Design {
+pub(crate) fn design_of(shape: &str) -> Design {
     design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape} }}] }}"#))
 }
 
-pub fn design(json: &str) -> Design {
+pub(crate) fn design(json: &str) -> Design {
     Design::parse(json).unwrap_or_else(|e| panic!("{e}\n{json}"))
 }
 
-pub fn design_of_case(case: &Case) -> Design {
+pub(crate) fn design_of_case(case: &Case) -> Design {
     design_of(&serde_json::to_string(case.family.as_ref().unwrap_or(&case.shape)).expect("a value is JSON"))
 }
 
 /// The largest `k sqrt(|t/s|)` or `k (|w/s|)^(1/4)` of a shape, at least 1: what a derivative may grow by.
-pub fn rate(shape: &Shape) -> f64 {
+pub(crate) fn rate(shape: &Shape) -> f64 {
     let shape = shape.boundary_value();
     let span = shape.span.length();
     let mut rate = 1.0f64;
@@ -74,18 +77,18 @@ pub fn rate(shape: &Shape) -> f64 {
 
 /// One design of the designer's gallery.
 #[derive(Deserialize)]
-pub struct Exhibit {
-    pub name: String,
-    pub shape: Value,
+pub(crate) struct Exhibit {
+    pub(crate) name: String,
+    pub(crate) shape: Value,
 }
 
 /// `tests/reference/gallery.json`, which a test of the front end keeps equal to the gallery.
-pub fn gallery() -> Vec<Exhibit> {
-    serde_json::from_str(include_str!("../reference/gallery.json")).expect("the gallery is JSON")
+pub(crate) fn gallery() -> Vec<Exhibit> {
+    serde_json::from_str(include_str!("../../reference/gallery.json")).expect("the gallery is JSON")
 }
 
 impl Exhibit {
-    pub fn design(&self) -> Design {
+    pub(crate) fn design(&self) -> Design {
         design_of(&serde_json::to_string(&self.shape).expect("a value is JSON"))
     }
 }

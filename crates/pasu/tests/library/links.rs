@@ -1,18 +1,12 @@
 //! Links: what they look like, that they bring back the same design, and what damage is said to be.
 
-#[path = "support/documents.rs"]
-mod documents;
-mod support;
-#[path = "support/value.rs"]
-mod value;
-
 use std::collections::BTreeMap;
 
-use documents::document;
+use crate::support::documents::document;
+use crate::support::{corpus, design, design_of, design_of_case};
 use pasu::Design;
 use proptest::prelude::*;
 use proptest::sample::Index;
-use support::{corpus, design, design_of, design_of_case};
 
 const DINTS: &str = "1/bloor-wilson?a=6&n1=5";
 
@@ -77,7 +71,7 @@ fn everything_else_is_packed() {
 const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/links.json");
 
 /// Links that have been sent open for ever: the golden file maps each to its document. It may grow; `PASU_BLESS=1 cargo
-/// test -p pasu --test links` adds the reference corpus to it. No line of it may ever change within a format version.
+/// test -p pasu --test library links` adds the reference corpus to it. No line of it may ever change within a format version.
 #[test]
 fn links_of_this_version_are_golden() {
     let mut designs: Vec<Design> = corpus().iter().map(design_of_case).collect();

@@ -1,15 +1,13 @@
 //! Fingerprints are the same on every machine: the golden file is read by the native, the Node and the browser tests.
 
-mod support;
-
 use std::collections::BTreeMap;
 
+use crate::support::{corpus, design, design_of, design_of_case};
 use pasu::fingerprint;
-use support::{corpus, design, design_of, design_of_case};
 
 const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/fingerprints.json");
 
-/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test fingerprint` writes the file anew; the CHANGELOG says why.
+/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library fingerprint` writes the file anew; the CHANGELOG says why.
 #[test]
 fn of_the_corpus_are_golden() {
     let found: BTreeMap<String, String> =

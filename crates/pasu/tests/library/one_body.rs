@@ -1,10 +1,7 @@
 //! One pot, one truth: what is measured, checked and meshed is the same body. The links are of designs that others found told wrongly.
 
-#[path = "support/random.rs"]
-mod random;
-
+use crate::support::random::Random;
 use pasu::{Design, Making, MeasureOptions, Measures, Product, Size, SolidMesh, check, measure, solid};
-use random::Random;
 
 /// A lip that rolls over, whose lining is higher than the surface.
 const LIP: &str = "#1~eNqVj8EOgjAQRP9lzsUAEjX9FWNMgSYQsDTdIiLh392Wg8Ybl2Y7O_tmd4FVNEJmggvnCfK6gBplNeSCrjU1JMphNLVyc_JU_aghQFYZ1nPb8ucVnIOrtYMsuBdhHjIVmOL7GGq9gU3sVQOFEfIcCHkW0CHlKDblztskWRRjma_rbRWY96ZQa_anvHelpP-3XH7oWfGlnwKd8ZPq-2D3TVt1RhPPpgdeqVSkQ1kE3wfwG3hQ";

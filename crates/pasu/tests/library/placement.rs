@@ -1,15 +1,12 @@
 //! Placements: the unique form of ASB88 against the reference, and by its properties.
 
-#[path = "support/value.rs"]
-mod value;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::support::value::Value;
 use pasu::{Design, Placement};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
-use value::Value;
 
 fn record<const N: usize>(fields: [(&str, Value); N]) -> Value {
     Value::Record(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
@@ -97,7 +94,7 @@ fn bits(place: &Placement) -> Vec<u64> {
 
 #[test]
 fn every_reference_placement() {
-    let text = include_str!("reference/placements.json");
+    let text = include_str!("../reference/placements.json");
     let Value::List(cases) = Value::of_json(text) else { panic!("a list of cases") };
     assert!(cases.len() >= 25);
     for case in &cases {
@@ -179,7 +176,7 @@ proptest! {
     #[test]
     fn canonical_form_moves_nothing_and_is_its_own(given in place()) {
         let once = canonical(given.clone());
-        prop_assert_eq!(bits(&canonical(crate::given(&once))), bits(&once));
+        prop_assert_eq!(bits(&canonical(super::placement::given(&once))), bits(&once));
         let [sx, sy, sz] = once.scale;
         prop_assert!(sx > 0.0 && sy != 0.0 && sz > 0.0);
         let [h, k, _] = once.axis;

@@ -1,12 +1,6 @@
 //! Random pots in random attitudes, flooded from above: what stays in the triangles of `solid`, column by column of a fine grid, is what `measure` says they hold.
 //!
-//! `FLOODS=2000 cargo test -p pasu --release --test flood` floods as many.
-
-#[path = "support/mod.rs"]
-mod support;
-
-#[path = "support/random.rs"]
-mod random;
+//! `FLOODS=2000 cargo test -p pasu --release --test library flood` floods as many.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -14,11 +8,11 @@ use std::f64::consts::PI;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use crate::support::design;
+use crate::support::random::Random;
 use glam::DVec3;
 use pasu::{Code, Making, MeasureOptions, Pot, Product, Size, SolidMesh, measure, solid};
-use random::Random;
 use serde_json::{Value, json};
-use support::design;
 
 /// How many pots are flooded when nobody says otherwise.
 const FLOODS: u64 = 40;

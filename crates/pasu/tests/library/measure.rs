@@ -2,19 +2,15 @@
 //!
 //! What its time buys: sums over grids so fine that they are an independent judge of the errors that measures state, also of petalled and of thinned walls.
 
-#[path = "support/random.rs"]
-mod random;
-mod support;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::support::random::Random;
+use crate::support::{design, gallery};
 use glam::DVec3;
 use pasu::{
     Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product,
     Quantity, Size, measure, mesh, paint, water,
 };
-use random::Random;
-use support::design;
 
 fn measured(json: &str) -> Measures {
     measure(&design(json), &MeasureOptions::default()).unwrap_or_else(|e| panic!("{e}\n{json}"))
@@ -312,7 +308,7 @@ fn dense(pot: &Pot, level: f64, columns: usize, rows: usize) -> f64 {
 
 /// A design of the gallery with a wall in proportion to its height.
 fn exhibit(name: &str, rim: &str, extra: &str) -> String {
-    let exhibit = support::gallery().into_iter().find(|exhibit| exhibit.name == name).expect("in the gallery");
+    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == name).expect("in the gallery");
     let t = 0.015 * measure(&exhibit.design(), &MeasureOptions::default()).unwrap().whole.height.value;
     let shape = serde_json::to_string(&exhibit.shape).unwrap();
     format!(
@@ -367,7 +363,7 @@ fn dense_clay(pot: &Pot, rows: usize, columns: usize) -> [f64; 2] {
 /// A wall that had to be thinned is a spline whose second derivatives jump from place to place.
 #[test]
 fn thinned_walls_against_a_dense_sum() {
-    let exhibit = support::gallery().into_iter().find(|exhibit| exhibit.name == "own-fluted").expect("in the gallery");
+    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == "own-fluted").expect("in the gallery");
     let shape = serde_json::to_string(&exhibit.shape).unwrap();
     let wall = r#""wall": { "thickness": 0.6, "base": 0.6 }"#;
     let design = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, {wall} }}] }}"#));
@@ -605,7 +601,7 @@ fn colours_have_one_number_for_each_vertex() {
         assert!(values[..13].iter().all(|x| (f64::from(*x) - value).abs() < 1e-3), "{map:?} {values:?}");
     }
     assert!(paint(&bowl, Map::Thickness, &options).is_err());
-    for exhibit in support::gallery() {
+    for exhibit in gallery() {
         let options = MeshOptions { columns: Some(40), ..MeshOptions::default() };
         let (design, n) = (exhibit.design(), mesh(&exhibit.design(), &options).unwrap().n_vertices());
         for map in [Map::MeanCurvature, Map::GaussianCurvature, Map::Overhang] {
@@ -687,7 +683,7 @@ fn the_json_is_complete() {
 
 #[test]
 fn every_gallery_design_is_measured() {
-    for exhibit in support::gallery() {
+    for exhibit in gallery() {
         let m = measure(&exhibit.design(), &MeasureOptions::default()).unwrap();
         let brim = m.whole.capacity.expect(&exhibit.name).brim;
         assert!(brim.value > 0.0 && brim.error < 1e-6 * brim.value, "{}: {brim:?}", exhibit.name);

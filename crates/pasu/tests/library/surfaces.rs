@@ -1,11 +1,9 @@
 //! Two-sided surfaces against the reference corpus and against the properties that make them solutions.
 
-mod support;
-
+use crate::support::{Point, corpus, digits, rate, shape, surface, surface_of};
 use glam::DVec3;
 use pasu::{BoundaryValue, Component, Datum, Equation, Mode, ModeData, Order, Span, Surface, Unsolvable};
 use proptest::prelude::*;
-use support::{Point, corpus, digits, rate, shape, surface, surface_of};
 
 /// Positions within 1e-13 of the scale of the case, derivatives within 1e-12 of the largest of the same kind in the case: stricter than
 /// 1e-12 of what they may grow to, `scale * max(1, k sqrt(t/s))`. Found are 7e-15 and 1.2e-13.
