@@ -16,31 +16,48 @@ use crate::numeric::limit::limit;
 /// Faces seen from outside, each sampled on a grid from which searches begin.
 pub(crate) struct Outside<'a> {
     faces: Vec<(&'a dyn Face, Grid<FaceJet>)>,
-    /// How far the rows of these grids reach from above.
-    plans: Vec<Vec<Plan>>,
+    /// These grids from above.
+    plans: Vec<Plan>,
     size: f64,
     /// The highest harmonic.
     highest: f64,
 }
 
-/// The least and the greatest coordinates of a row, from above.
+/// A grid from above. Thousands of directions are asked of it, and of points without their derivatives many more are in the cache.
 struct Plan {
-    low: DVec2,
-    high: DVec2,
+    points: Grid<DVec2>,
+    /// The least and the greatest coordinates of each row.
+    boxes: Vec<[DVec2; 2]>,
 }
 
 impl Plan {
-    fn of(row: &[FaceJet]) -> Plan {
-        let points = || row.iter().map(|jet| jet.position.truncate());
-        let low = points().fold(DVec2::INFINITY, |low, p| DVec2::new(low.x.min(p.x), low.y.min(p.y)));
-        let high = points().fold(DVec2::NEG_INFINITY, |high, p| DVec2::new(high.x.max(p.x), high.y.max(p.y)));
-        Plan { low, high }
+    fn of(grid: &Grid<FaceJet>) -> Plan {
+        let points = grid.map(|jet| jet.position.truncate());
+        let extent = |row: &[DVec2]| {
+            let low = row.iter().fold(DVec2::INFINITY, |low, p| DVec2::new(low.x.min(p.x), low.y.min(p.y)));
+            let high = row.iter().fold(DVec2::NEG_INFINITY, |high, p| DVec2::new(high.x.max(p.x), high.y.max(p.y)));
+            [low, high]
+        };
+        let boxes = points.by_rows().map(extent).collect();
+        Plan { points, boxes }
     }
 
-    /// No point of the row reaches further in a level direction: products and sums that are rounded are in the order of what is rounded.
-    fn reach(&self, direction: DVec3) -> f64 {
+    /// No point of a row reaches further in a direction: products and sums that are rounded are in the order of what is rounded.
+    fn most(&self, row: usize, direction: DVec2) -> f64 {
+        let [low, high] = self.boxes[row];
         let far = |low: f64, high: f64, along: f64| if along > 0.0 { high * along } else { low * along };
-        far(self.low.x, self.high.x, direction.x) + far(self.low.y, self.high.y, direction.y)
+        far(low.x, high.x, direction.x) + far(low.y, high.y, direction.y)
+    }
+
+    /// How far the points reach in a direction.
+    fn reach(&self, direction: DVec2) -> f64 {
+        self.points.by_rows().enumerate().fold(f64::MIN, |most, (index, row)| {
+            if self.most(index, direction) <= most {
+                most
+            } else {
+                row.iter().map(|p| p.dot(direction)).fold(most, f64::max)
+            }
+        })
     }
 }
 
@@ -87,7 +104,7 @@ impl<'a> Outside<'a> {
         let faces: Vec<_> = faces.into_iter().map(sampled).collect();
         let points = faces.iter().flat_map(|(_, grid)| grid.points());
         let size = points.fold(0.0f64, |size, jet| size.max(jet.position.abs().max_element()));
-        let plans = faces.iter().map(|(_, grid)| grid.by_rows().map(Plan::of).collect()).collect();
+        let plans = faces.iter().map(|(_, grid)| Plan::of(grid)).collect();
         Outside { faces, plans, size, highest }
     }
 
@@ -138,31 +155,29 @@ impl<'a> Outside<'a> {
 
     /// Least and greatest caliper width from above.
     pub(crate) fn widths(&self) -> Widths {
-        widths::widths(self.highest, self.size, |angle| self.contact(level_direction(angle)))
+        widths::widths(self.highest, self.size, |angle| self.contact(direction(angle)))
     }
 
     /// How far it reaches in a level direction: from the best points of the grids, climbed.
-    fn contact(&self, direction: DVec3) -> Contact {
-        let of = |jet: &FaceJet| jet.position.dot(direction);
-        let end = |((_, grid), plans): (&(_, Grid<FaceJet>), &Vec<Plan>)| {
-            grid.by_rows().zip(plans).fold(f64::MIN, |most, (row, plan)| {
-                if plan.reach(direction) <= most { most } else { row.iter().map(of).fold(most, f64::max) }
-            })
-        };
-        let ends: Vec<f64> = self.faces.iter().zip(&self.plans).map(end).collect();
+    fn contact(&self, direction: DVec2) -> Contact {
+        let of = |p: &DVec2| p.dot(direction);
+        let ends: Vec<f64> = self.plans.iter().map(|plan| plan.reach(direction)).collect();
         let most = ends.iter().copied().fold(f64::MIN, f64::max);
         // What ends far from where another reaches cannot overtake it between the points of its grid; petals that reach about as far are all climbed.
         let near = most - BETWEEN * self.size;
         let mut best = Contact { reach: f64::MIN, point: DVec2::ZERO };
-        for (((face, grid), plans), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
+        for (((face, _), plan), _) in self.faces.iter().zip(&self.plans).zip(ends).filter(|(_, end)| *end >= near) {
             let mut walk = face.walk();
-            let may_have = |row: usize| !(plans[row].reach(direction) <= near);
+            let may_have = |row: usize| !(plan.most(row, direction) <= near);
             let rise = |start: Place, steps: (f64, f64)| {
-                let sloped = |jet: FaceJet| (of(&jet), [jet.da.dot(direction), jet.dv.dot(direction)]);
-                ascend((start.a, start.v), steps, |a, v| sloped(walk.jet(a, v)))
-                    .unwrap_or_else(|| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v))))
+                let sloped = |jet: FaceJet| [jet.position, jet.da, jet.dv].map(|x| of(&x.truncate()));
+                ascend((start.a, start.v), steps, |a, v| {
+                    let [value, da, dv] = sloped(walk.jet(a, v));
+                    (value, [da, dv])
+                })
+                .unwrap_or_else(|| climb(start, steps.0, steps.1, |a, v| of(&walk.jet(a, v).position.truncate())))
             };
-            for Place { a, v, value } in grid.tops(of, near, may_have, rise) {
+            for Place { a, v, value } in plan.points.tops(of, near, may_have, rise) {
                 if value > best.reach {
                     best = Contact { reach: value, point: walk.jet(a, v).position.truncate() };
                 }
@@ -257,9 +272,9 @@ pub(crate) fn off_the_end(a: f64) -> f64 {
     a.clamp(NEAR, 1.0 - NEAR)
 }
 
-/// The level unit vector in a direction.
-fn level_direction(angle: f64) -> DVec3 {
-    DVec3::new(libm::cos(angle), libm::sin(angle), 0.0)
+/// The unit vector in a direction.
+fn direction(angle: f64) -> DVec2 {
+    DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
 /// The convex hull of points, anticlockwise, without points in between.

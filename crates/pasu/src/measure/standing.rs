@@ -50,11 +50,31 @@ answers! {
 pub(crate) struct Standing<'a> {
     level: f64,
     points: Vec<DVec2>,
-    edges: Vec<(&'a dyn Face, f64)>,
+    edges: Vec<Edge<'a>>,
     touching: Vec<&'a dyn Face>,
     columns: usize,
     /// The largest coordinate of the bodies.
     size: f64,
+}
+
+/// An edge of a face on which a pot stands.
+struct Edge<'a> {
+    face: &'a dyn Face,
+    a: f64,
+    /// Points at even angles once round.
+    points: Vec<DVec2>,
+}
+
+impl<'a> Edge<'a> {
+    fn new(face: &'a dyn Face, a: f64, columns: usize) -> Edge<'a> {
+        Edge { face, a, points: points(face, a, columns).collect() }
+    }
+}
+
+/// Points of a face at even angles once round.
+fn points(face: &dyn Face, a: f64, n: usize) -> impl Iterator<Item = DVec2> {
+    let mut walk = face.walk();
+    round(n).map(move |v| walk.jet(a, v).position.truncate())
 }
 
 /// How closely a single point of contact is found, as a part of the size: the place of a lowest point is known to half of the digits of its height.
@@ -78,19 +98,15 @@ impl<'a> Standing<'a> {
             standing.points.extend(points.iter().map(|p| p.truncate()));
             for face in whole.into_iter().map(|index| body.face(index)) {
                 standing.touching.push(face);
-                standing.edges.extend([(face, 0.0), (face, 1.0)]);
+                standing.edges.extend([0.0, 1.0].map(|a| Edge::new(face, a, columns)));
             }
         }
         standing
     }
 
     fn edge(&self, n: usize) -> Vec<DVec2> {
-        let mut points = self.points.clone();
-        for &(face, a) in &self.edges {
-            let mut walk = face.walk();
-            points.extend(round(n).map(|v| walk.jet(a, v).position.truncate()));
-        }
-        points
+        let on_edges = self.edges.iter().flat_map(|edge| points(edge.face, edge.a, n));
+        self.points.iter().copied().chain(on_edges).collect()
     }
 
     pub(crate) fn footprint(&self, accuracy: &Accuracy) -> Footprint {
@@ -117,14 +133,15 @@ impl<'a> Standing<'a> {
     fn reach_of_edges(&self, from: DVec2, angle: f64) -> f64 {
         let direction = DVec2::new(libm::cos(angle), libm::sin(angle));
         let mut most = f64::MIN;
-        for &(face, a) in &self.edges {
-            let n = self.columns;
-            let mut walk = face.walk();
-            let mut at = |v: f64| (walk.jet(a, v).position.truncate() - from).dot(direction);
-            let far = round(n)
-                .map(|v| (v, at(v)))
+        let reach = |p: DVec2| (p - from).dot(direction);
+        for Edge { face, a, points } in &self.edges {
+            let far = round(points.len())
+                .zip(points)
+                .map(|(v, p)| (v, reach(*p)))
                 .fold((0.0, f64::MIN), |best, here| if here.1 > best.1 { here } else { best });
-            let step = TAU / n as f64;
+            let mut walk = face.walk();
+            let mut at = |v: f64| reach(walk.jet(*a, v).position.truncate());
+            let step = TAU / points.len() as f64;
             let (_, refined) = brent::least(far.0 - step, far.0 + step, 1e-9, |v| -at(v));
             most = most.max(far.1).max(-refined);
         }

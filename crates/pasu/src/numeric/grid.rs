@@ -29,6 +29,11 @@ impl<T> Grid<T> {
         Grid { rows, columns, points }
     }
 
+    /// Something of every point.
+    pub(crate) fn map<U>(&self, of: impl Fn(&T) -> U) -> Grid<U> {
+        Grid { rows: self.rows, columns: self.columns, points: self.points.iter().map(of).collect() }
+    }
+
     /// The points row by row.
     pub(crate) fn by_rows(&self) -> impl Iterator<Item = &[T]> {
         self.points.chunks(self.columns)
@@ -117,9 +122,10 @@ impl<T> Grid<T> {
                 values.iter_mut().zip(points).for_each(|(value, point)| *value = of(point));
             }
         }
-        let starts = (0..values.len())
-            .filter(|&index| rows[index / self.columns] && values[index] > above && self.is_top(&values, index));
-        starts
+        let meant = (0..self.rows).filter(|row| rows[*row]);
+        meant
+            .flat_map(|row| row * self.columns..(row + 1) * self.columns)
+            .filter(|&index| values[index] > above && self.is_top(&values, index))
             .map(|index| {
                 let (a, v) = self.place(index);
                 rise(Place { a, v, value: values[index] }, self.steps())

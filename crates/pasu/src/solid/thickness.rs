@@ -168,8 +168,8 @@ impl Thickness {
     /// together, and where the share is 1 its other side folds. Columns of the wall begin at `starts`.
     pub(crate) fn is_crowded(&self, skin: &Skin, sought: &Sought, starts: &[f64], limit: f64) -> bool {
         let Sought { rows, columns, samples, direction } = sought;
-        let n = *columns;
-        let is_near = |k: usize| samples.get(k).is_some_and(|sample| self.thickest() > NEAR * sample.bend);
+        let (n, thickest) = (*columns, self.thickest());
+        let is_near = |k: usize| samples.get(k).is_some_and(|sample| thickest > NEAR * sample.bend);
         let mut walk = skin.walk();
         let shares: Vec<f64> = (0..=CLOSER).map(|i| i as f64 / CLOSER as f64).collect();
         for (i, pair) in rows.windows(2).enumerate().take_while(|_| !watch::is_stopped()) {
