@@ -1,11 +1,11 @@
 /** Starts the page: the shell at once, the solver and the renderer beside each other. */
 
 import "./app/pasu-app";
-import { Designer } from "./app/designer";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
 import { browserShelf } from "./state/storage";
 import { registerOffline } from "./sw/register";
+import { Designer } from "./work/designer";
 
 const designer = new Designer(new SolverClient(startWorker), {
   shelf: browserShelf(),

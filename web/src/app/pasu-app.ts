@@ -3,30 +3,30 @@
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Design, Refusal } from "../document/types";
+import { DesignerElement } from "../element/designer-element";
 import type { Session } from "../state/session";
+import { icon } from "../ui/icons";
+import { UNFETCHED } from "../work/designer";
+import { fileName, pickFile, saveBlob } from "../work/files";
 import type { Command, CommandEvent } from "./command";
-import { UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
-import { fileName, pickFile, saveBlob } from "./files";
-import { icon } from "./icons";
-import type { PictureSize } from "./picture-dialog";
+import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
-import "./stage-view";
+import "../element/stage-view";
+import type { PasuStage } from "../element/stage-view";
+import { base, buttons } from "../ui/styles";
 import type { PasuPanel } from "./side-panel";
-import type { PasuStage } from "./stage-view";
-import { base, buttons } from "./styles";
 import "./top-bar";
 
 const NOTICE_MS = 6000;
 
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
-  new: () => import("./new-dialog"),
-  gallery: () => import("./gallery-dialog"),
-  help: () => import("./help-dialog"),
-  picture: () => import("./picture-dialog"),
-  export: () => import("./export-dialog"),
-  link: () => import("./link-dialog"),
+  new: () => import("./dialogs/new-dialog"),
+  gallery: () => import("./dialogs/gallery-dialog"),
+  help: () => import("./dialogs/help-dialog"),
+  picture: () => import("./dialogs/picture-dialog"),
+  export: () => import("./dialogs/export-dialog"),
+  link: () => import("./dialogs/link-dialog"),
 } as const;
 
 @customElement("pasu-app")
@@ -122,7 +122,7 @@ export class PasuApp extends DesignerElement {
       this.dialog = "none";
     };
     if (designer.conflict) {
-      void import("./conflict-dialog");
+      void import("./dialogs/conflict-dialog");
       return html`<pasu-conflict .designer=${designer}></pasu-conflict>`;
     }
     switch (this.dialog) {

@@ -2,11 +2,11 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
+import { DesignerElement } from "../element/designer-element";
 import { selectPart, selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
-import { UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
-import { base, fields } from "./styles";
+import { base, fields } from "../ui/styles";
+import { UNFETCHED } from "../work/designer";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = {
   shape: "Shape",
@@ -19,12 +19,12 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
-  shape: () => import("./parameters"),
-  profile: () => import("./profile-editor"),
-  order: () => import("./orders-panel"),
-  look: () => import("./look-panel"),
-  wall: () => import("./wall-panel"),
-  measures: () => import("./measures-panel"),
+  shape: () => import("./panels/parameters"),
+  profile: () => import("./panels/profile-editor"),
+  order: () => import("./panels/orders-panel"),
+  look: () => import("./panels/look-panel"),
+  wall: () => import("./panels/wall-panel"),
+  measures: () => import("./panels/measures-panel"),
 };
 
 @customElement("pasu-panel")

@@ -2,13 +2,13 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { DesignerElement } from "../element/designer-element";
 import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
 import { THEMES, type ThemeChoice } from "../state/session";
+import { type IconName, icon } from "../ui/icons";
 import { type Command, CommandEvent } from "./command";
-import { DesignerElement } from "./element";
-import { type IconName, icon } from "./icons";
-import "./menu";
-import { base, buttons } from "./styles";
+import "../ui/menu";
+import { base, buttons } from "../ui/styles";
 
 interface Item {
   readonly command: Command;

@@ -2,15 +2,15 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { type Group, type Line, measureGroups } from "../document/measure-words";
-import { asSentence, verdict } from "../document/report-words";
-import { DesignerElement } from "./element";
-import { icon } from "./icons";
+import { unitOf } from "../../document/look";
+import { type Group, type Line, measureGroups } from "../../document/measure-words";
+import { asSentence, verdict } from "../../document/report-words";
+import { DesignerElement } from "../../element/designer-element";
+import { icon } from "../../ui/icons";
 import "./map-choice";
+import { base, buttons } from "../../ui/styles";
+import { sentenceStyles, sentences } from "../sentences";
 import { remedies, remedyStyles } from "./remedies";
-import { sentenceStyles, sentences } from "./sentences";
-import { base, buttons } from "./styles";
 import "./water-control";
 
 @customElement("pasu-measures")

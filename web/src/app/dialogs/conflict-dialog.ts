@@ -2,9 +2,9 @@
 
 import { html } from "lit";
 import { customElement } from "lit/decorators.js";
-import "./dialog";
-import { DesignerElement } from "./element";
-import { base, buttons } from "./styles";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { base, buttons } from "../../ui/styles";
 
 @customElement("pasu-conflict")
 export class PasuConflict extends DesignerElement {

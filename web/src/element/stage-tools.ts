@@ -5,10 +5,10 @@ import { customElement, property } from "lit/decorators.js";
 import type { Stage } from "../render/stage";
 import { toggleOverlay } from "../state/actions";
 import type { Overlays } from "../state/session";
-import { DesignerElement } from "./element";
-import { type IconName, icon } from "./icons";
-import "./menu";
-import { base, buttons } from "./styles";
+import { type IconName, icon } from "../ui/icons";
+import { DesignerElement } from "./designer-element";
+import "../ui/menu";
+import { base, buttons } from "../ui/styles";
 import { VIEWS, ZOOM } from "./views";
 
 const OVERLAYS: readonly { readonly name: keyof Overlays; readonly label: string }[] = [

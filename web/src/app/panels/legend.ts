@@ -2,10 +2,10 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { type ColourMap, mapWords, scaleOf } from "../document/maps";
-import type { Unit } from "../document/types";
-import type { Painted } from "../maker/messages";
-import { base } from "./styles";
+import { type ColourMap, mapWords, scaleOf } from "../../document/maps";
+import type { Unit } from "../../document/types";
+import type { Painted } from "../../maker/messages";
+import { base } from "../../ui/styles";
 
 @customElement("pasu-legend")
 export class PasuLegend extends LitElement {

@@ -2,11 +2,11 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { CLAYS, GLAZES, lookOf, UNITS, unitOf } from "../document/look";
-import type { ClayName, GlazeName, Unit } from "../document/types";
-import { setLook, setUnit } from "../state/actions";
-import { DesignerElement } from "./element";
-import { base, fields } from "./styles";
+import { CLAYS, GLAZES, lookOf, UNITS, unitOf } from "../../document/look";
+import type { ClayName, GlazeName, Unit } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { setLook, setUnit } from "../../state/actions";
+import { base, fields } from "../../ui/styles";
 
 @customElement("pasu-look")
 export class PasuLook extends DesignerElement {

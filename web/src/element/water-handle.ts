@@ -6,8 +6,8 @@ import { unitOf } from "../document/look";
 import { volumeWords } from "../document/quantities";
 import type { Hold } from "../render/made/made";
 import { setFill } from "../state/wall-actions";
-import { DesignerElement } from "./element";
-import { base } from "./styles";
+import { base } from "../ui/styles";
+import { DesignerElement } from "./designer-element";
 import { fillAfter } from "./water-keys";
 
 @customElement("pasu-water-handle")

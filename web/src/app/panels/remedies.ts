@@ -1,11 +1,11 @@
 /** What would make a pot of a part that cannot be made, and what is made of one that was fitted, as buttons. */
 
 import { css, html, nothing } from "lit";
-import { unitOf } from "../document/look";
-import { remedyWords } from "../document/remedy-words";
-import type { Finding } from "../document/types";
-import { setWall } from "../state/wall-actions";
-import type { Designer } from "./designer";
+import { unitOf } from "../../document/look";
+import { remedyWords } from "../../document/remedy-words";
+import type { Finding } from "../../document/types";
+import { setWall } from "../../state/wall-actions";
+import type { Designer } from "../../work/designer";
 
 /** One button for each part that has a remedy. */
 export function remedies(designer: Designer) {

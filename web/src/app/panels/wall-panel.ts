@@ -2,22 +2,22 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { pathText } from "../document/path";
-import { fittedWords } from "../document/remedy-words";
-import { asSentence } from "../document/report-words";
-import type { Wall } from "../document/types";
-import { type WallField, wallFields, wallNumber, wallRange } from "../document/wall";
-import { toggleExplain } from "../state/actions";
-import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../state/wall-actions";
-import { choiceStyles, choices } from "./choices";
-import { CommandEvent } from "./command";
-import { DesignerElement } from "./element";
-import { icon } from "./icons";
-import "./number-field";
-import type { NumberChangeEvent } from "./number-field";
+import { unitOf } from "../../document/look";
+import { pathText } from "../../document/path";
+import { fittedWords } from "../../document/remedy-words";
+import { asSentence } from "../../document/report-words";
+import type { Wall } from "../../document/types";
+import { type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
+import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
+import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
+import { choiceStyles, choices } from "../../ui/choices";
+import { icon } from "../../ui/icons";
+import { CommandEvent } from "../command";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons } from "../../ui/styles";
 import { remedies, remedyStyles } from "./remedies";
-import { base, buttons } from "./styles";
 
 const SIDES = [
   { value: "inside", label: "Inwards", note: "What you shaped is the outside." },

@@ -2,13 +2,13 @@
 
 import { css, html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { formatNumber } from "../document/number";
-import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../document/profile";
-import type { Section } from "../solver/messages";
-import { dragHandle } from "../state/shape-actions";
-import { DesignerElement } from "./element";
-import { base } from "./styles";
+import { unitOf } from "../../document/look";
+import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../../document/profile";
+import { DesignerElement } from "../../element/designer-element";
+import { formatNumber } from "../../number";
+import type { Section } from "../../solver/messages";
+import { dragHandle } from "../../state/shape-actions";
+import { base } from "../../ui/styles";
 
 const WIDTH = 360;
 const HEIGHT = 400;

@@ -2,13 +2,13 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { MAPS, mapOf } from "../document/maps";
-import { asSentence } from "../document/report-words";
-import type { MapName } from "../document/types";
-import { setMap } from "../state/wall-actions";
-import { DesignerElement } from "./element";
-import { base, fields } from "./styles";
+import { unitOf } from "../../document/look";
+import { MAPS, mapOf } from "../../document/maps";
+import { asSentence } from "../../document/report-words";
+import type { MapName } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { setMap } from "../../state/wall-actions";
+import { base, fields } from "../../ui/styles";
 import "./legend";
 
 @customElement("pasu-maps")

@@ -2,7 +2,7 @@
 
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { formatNumber, parseNumber, stepped } from "../document/number";
+import { formatNumber, parseNumber, stepped } from "../number";
 import { icon } from "./icons";
 import { base, buttons, fields } from "./styles";
 import { symbol } from "./symbol";

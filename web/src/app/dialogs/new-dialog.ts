@@ -2,10 +2,10 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { BEGINNINGS, type Beginning, beginningOf } from "../document/beginnings";
-import "./dialog";
-import { DesignerElement } from "./element";
-import { base } from "./styles";
+import { BEGINNINGS, type Beginning, beginningOf } from "../../document/beginnings";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { base } from "../../ui/styles";
 
 @customElement("pasu-new")
 export class PasuNew extends DesignerElement {

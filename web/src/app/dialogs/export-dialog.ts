@@ -2,10 +2,9 @@
 
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { formatNumber } from "../document/number";
-import { lengthWords, millilitres } from "../document/quantities";
-import { asSentence, checked, madeOf, type Sentence } from "../document/report-words";
+import { unitOf } from "../../document/look";
+import { lengthWords, millilitres } from "../../document/quantities";
+import { asSentence, checked, madeOf, type Sentence } from "../../document/report-words";
 import {
   type Choices,
   choicesOf,
@@ -18,16 +17,17 @@ import {
   scaleOf,
   sizesOf,
   toleranceIn,
-} from "../document/saving";
-import type { Format, Making, Measures, Product, Refusal, Report } from "../document/types";
-import { setExport } from "../state/actions";
-import { choiceStyles, choices } from "./choices";
-import "./dialog";
-import { DesignerElement } from "./element";
+} from "../../document/saving";
+import type { Format, Making, Measures, Product, Refusal, Report } from "../../document/types";
+import { formatNumber } from "../../number";
+import { setExport } from "../../state/actions";
+import { choiceStyles, choices } from "../../ui/choices";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { base, buttons, fields } from "../../ui/styles";
+import { fileName, saveBlob } from "../../work/files";
+import { sentenceStyles, sentences } from "../sentences";
 import { exportStyles } from "./export-styles";
-import { fileName, saveBlob } from "./files";
-import { sentenceStyles, sentences } from "./sentences";
-import { base, buttons, fields } from "./styles";
 
 const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
   { value: "designed", label: "As designed" },

@@ -2,9 +2,9 @@
 
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
-import { parseNumber } from "../document/number";
-import "./dialog";
-import { base, buttons, fields } from "./styles";
+import { parseNumber } from "../../number";
+import "../../ui/dialog";
+import { base, buttons, fields } from "../../ui/styles";
 
 export interface PictureSize {
   readonly width: number;

@@ -4,8 +4,8 @@ import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { OrderKind } from "../document/convert";
 import { KIND_NAMES } from "../document/kinds";
-import { DesignerElement } from "./element";
-import { base } from "./styles";
+import { base } from "../ui/styles";
+import { DesignerElement } from "./designer-element";
 
 @customElement("pasu-captions")
 export class PasuCaptions extends DesignerElement {

@@ -4,11 +4,11 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { looksOf, unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
-import { type Comparison, type Shown, UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
+import { base } from "../ui/styles";
+import { type Comparison, type Shown, UNFETCHED } from "../work/designer";
+import { trace } from "../work/trace";
+import { DesignerElement } from "./designer-element";
 import type { StageMade } from "./stage-made";
-import { base } from "./styles";
-import { trace } from "./trace";
 import { VIEWS, ZOOM } from "./views";
 
 const TURN = Math.PI / 18;

@@ -2,15 +2,15 @@
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { SHELVES } from "../document/gallery";
-import { designOf, type Exhibit } from "../document/gallery/exhibit";
-import { lookOf } from "../document/look";
-import type { Thumbnails } from "../render/thumbnail";
-import { THUMBNAIL_GRID } from "./grid";
-import "./dialog";
-import { DesignerElement } from "./element";
-import { drawStill } from "./still-picture";
-import { base } from "./styles";
+import { SHELVES } from "../../document/gallery";
+import { designOf, type Exhibit } from "../../document/gallery/exhibit";
+import { lookOf } from "../../document/look";
+import type { Thumbnails } from "../../render/thumbnail";
+import { THUMBNAIL_GRID } from "../../work/grid";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { drawStill } from "../../element/still-picture";
+import { base } from "../../ui/styles";
 
 const WIDTH = 320;
 const HEIGHT = 320;
@@ -80,7 +80,7 @@ export class PasuGallery extends DesignerElement {
     const { rows, columns } = THUMBNAIL_GRID;
     const outcome = await this.designer.solver.mesh(`thumbnail ${exhibit.id}`, design, rows, columns);
     if (outcome.state !== "done" || !this.isConnected) return;
-    this.painter ??= import("../render/thumbnail").then(
+    this.painter ??= import("../../render/thumbnail").then(
       ({ thumbnails }) => thumbnails(),
       () => null,
     );

@@ -3,8 +3,8 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
-import { unitOf } from "../document/look";
-import { pathText } from "../document/path";
+import { unitOf } from "../../document/look";
+import { pathText } from "../../document/path";
 import {
   type Family,
   type Field,
@@ -15,15 +15,15 @@ import {
   type Row,
   rowsOf,
   sizeFactor,
-} from "../document/schema";
-import type { Shape } from "../document/types";
-import { toggleExplain } from "../state/actions";
-import { resetFields, setFields, setLock } from "../state/shape-actions";
-import { DesignerElement } from "./element";
-import { icon } from "./icons";
-import "./number-field";
-import type { NumberChangeEvent } from "./number-field";
-import { base, buttons } from "./styles";
+} from "../../document/schema";
+import type { Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
+import { resetFields, setFields, setLock } from "../../state/shape-actions";
+import { icon } from "../../ui/icons";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons } from "../../ui/styles";
 
 const NEVER = 1e-12;
 

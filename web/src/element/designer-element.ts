@@ -2,7 +2,7 @@
 
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
-import type { Designer } from "./designer";
+import type { Designer } from "../work/designer";
 
 export abstract class DesignerElement extends LitElement {
   #designer: Designer | null = null;

@@ -13,16 +13,16 @@ import {
   withMode,
   withOrder,
   withoutMode,
-} from "../document/boundary-value";
-import { formatNumber, parseNumber } from "../document/number";
-import { numberAt, type Path, pathText } from "../document/path";
-import type { BoundaryValue, Mode, Shape } from "../document/types";
-import { editShape, setNumber } from "../state/shape-actions";
-import { DesignerElement } from "./element";
-import { icon } from "./icons";
-import "./number-field";
-import type { NumberChangeEvent } from "./number-field";
-import { base, buttons, fields } from "./styles";
+} from "../../document/boundary-value";
+import { numberAt, type Path, pathText } from "../../document/path";
+import type { BoundaryValue, Mode, Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { formatNumber, parseNumber } from "../../number";
+import { editShape, setNumber } from "../../state/shape-actions";
+import { icon } from "../../ui/icons";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons, fields } from "../../ui/styles";
 
 const WAVES = ["cos", "sin"] as const;
 const AXIS_NAMES: Readonly<Record<Axis, string>> = { x: "x, to the right", y: "y, to the back", z: "z, upwards" };

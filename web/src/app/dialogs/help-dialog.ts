@@ -2,8 +2,8 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement } from "lit/decorators.js";
-import "./dialog";
-import { base } from "./styles";
+import "../../ui/dialog";
+import { base } from "../../ui/styles";
 
 const APPLE = /Mac|iPhone|iPad/.test(navigator.userAgent);
 

@@ -2,8 +2,8 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import "./dialog";
-import { base, fields } from "./styles";
+import "../../ui/dialog";
+import { base, fields } from "../../ui/styles";
 
 @customElement("pasu-link")
 export class PasuLink extends LitElement {

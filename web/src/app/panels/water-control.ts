@@ -2,14 +2,14 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { unitOf } from "../document/look";
-import { holdsText } from "../document/measure-words";
-import { lengthWords, volumeWords } from "../document/quantities";
-import { toggleOverlay } from "../state/actions";
-import { setFill, setWater } from "../state/wall-actions";
-import { DesignerElement } from "./element";
-import { base, buttons } from "./styles";
-import { fillAfter } from "./water-keys";
+import { unitOf } from "../../document/look";
+import { holdsText } from "../../document/measure-words";
+import { lengthWords, volumeWords } from "../../document/quantities";
+import { DesignerElement } from "../../element/designer-element";
+import { fillAfter } from "../../element/water-keys";
+import { toggleOverlay } from "../../state/actions";
+import { setFill, setWater } from "../../state/wall-actions";
+import { base, buttons } from "../../ui/styles";
 
 @customElement("pasu-water")
 export class PasuWater extends DesignerElement {

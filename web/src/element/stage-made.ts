@@ -10,10 +10,10 @@ import { type Hold, Made } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
-import type { Designer, Shown } from "./designer";
+import type { Designer, Shown } from "../work/designer";
 import "./water-handle";
+import type { Piece, Workshop } from "../work/workshop";
 import type { PasuWaterHandle } from "./water-handle";
-import type { Piece, Workshop } from "./workshop";
 
 export class StageMade {
   readonly #designer: Designer;

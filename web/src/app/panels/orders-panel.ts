@@ -2,14 +2,14 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { convert, ORDER_KINDS, ORDER_NOTES, type OrderKind } from "../document/convert";
-import { familyOf } from "../document/schema";
-import type { Shape } from "../document/types";
-import { compareWith } from "../state/actions";
-import { switchOrder } from "../state/shape-actions";
-import { DesignerElement } from "./element";
-import { icon } from "./icons";
-import { base, buttons } from "./styles";
+import { convert, ORDER_KINDS, ORDER_NOTES, type OrderKind } from "../../document/convert";
+import { familyOf } from "../../document/schema";
+import type { Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { compareWith } from "../../state/actions";
+import { switchOrder } from "../../state/shape-actions";
+import { icon } from "../../ui/icons";
+import { base, buttons } from "../../ui/styles";
 
 @customElement("pasu-orders")
 export class PasuOrders extends DesignerElement {
