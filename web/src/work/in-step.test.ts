@@ -1,9 +1,9 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design, Part } from "../document/types";
-import { MakerClient, type Port } from "../maker/client";
-import type { Ask, Quick, Reply, Request } from "../maker/messages";
-import type { Outcome } from "../solver/client";
+import { MakerClient } from "../maker/client";
+import type { Ask, MakerPort, Quick, Reply, Request } from "../maker/messages";
 import type { Solved } from "../solver/messages";
+import type { Outcome } from "../worker/port";
 import type { Designer } from "./designer";
 import { InStep } from "./in-step";
 import type { Piece } from "./workshop";
@@ -56,7 +56,7 @@ beforeEach(() => {
   } as unknown as Designer;
   const maker = new MakerClient(
     () => {
-      const port: Port = {
+      const port: MakerPort = {
         onmessage: null,
         onerror: null,
         postMessage: (message: Request) => void sent.push(message),

@@ -1,12 +1,12 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design, Part } from "../document/types";
-import { MakerClient, type Port } from "../maker/client";
-import type { Ask, Reply, Request } from "../maker/messages";
+import { MakerClient } from "../maker/client";
+import type { Ask, MakerPort, Reply, Request } from "../maker/messages";
 import { NEW_SESSION, type Session } from "../state/session";
 import type { Designer } from "./designer";
 import { Workshop } from "./workshop";
 
-class FakePort implements Port {
+class FakePort implements MakerPort {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
   constructor(private readonly sent: Request[]) {}
