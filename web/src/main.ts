@@ -6,6 +6,7 @@ import { startWorker } from "./solver/start";
 import { browserShelf } from "./state/storage";
 import { registerOffline } from "./sw/register";
 import { Designer } from "./work/designer";
+import { saveBlob } from "./work/files";
 
 const designer = new Designer(new SolverClient(startWorker), {
   shelf: browserShelf(),
@@ -18,11 +19,13 @@ const designer = new Designer(new SolverClient(startWorker), {
       // Some browsers refuse after a hundred changes in half a minute: the next gesture writes the address again.
     }
   },
+  download: saveBlob,
 });
+designer.connect();
 const app = document.createElement("pasu-app");
 app.designer = designer;
 document.querySelector(".skeleton")?.remove();
 document.body.append(app);
-void designer.start();
-window.addEventListener("hashchange", () => void designer.addressChanged());
-registerOffline(() => designer.announceNewVersion());
+void designer.opening.start();
+window.addEventListener("hashchange", () => void designer.opening.addressChanged());
+registerOffline(() => designer.notices.announceNewVersion());

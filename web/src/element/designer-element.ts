@@ -1,5 +1,6 @@
-/** The base of the page's components: given the designer, they draw themselves again when it changed. */
+/** The base of the page's components: given the designer, they draw themselves again when what they looked at while drawing has changed. */
 
+import { effect } from "@preact/signals-core";
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import type { Designer } from "../work/designer";
@@ -16,23 +17,41 @@ export abstract class DesignerElement extends LitElement {
 
   /** May come before or after the element is on the page: a component that is fetched late is upgraded in its place. */
   set designer(designer: Designer) {
-    this.#leave?.();
     this.#designer = designer;
-    this.#leave = this.isConnected ? designer.subscribe(() => this.told()) : null;
   }
 
+  /**
+   * What is looked at from here on, in `willUpdate`, `render` and `updated`, is watched. An update that ends only after the element was
+   * removed watches nothing, or what left the page would be held by what it looked at.
+   */
+  protected override performUpdate(): void {
+    if (!this.isUpdatePending) return;
+    this.#unwatch();
+    let drawn = false;
+    const leave = effect(() => {
+      if (drawn) {
+        this.requestUpdate();
+        return;
+      }
+      drawn = true;
+      super.performUpdate();
+    });
+    if (this.isConnected) this.#leave = leave;
+    else leave();
+  }
+
+  /** Draws again what may have changed while the element was not on the page, and watches it. */
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#leave ??= this.#designer?.subscribe(() => this.told()) ?? null;
-  }
-
-  /** The designer changed. */
-  protected told(): void {
     this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.#unwatch();
+  }
+
+  #unwatch(): void {
     this.#leave?.();
     this.#leave = null;
   }

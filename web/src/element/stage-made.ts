@@ -1,4 +1,4 @@
-/** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with the workshop. */
+/** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
 
 import { looksOf, unitOf } from "../document/look";
 import { mapOf, scaleOf } from "../document/maps";
@@ -6,19 +6,21 @@ import { lengthWords, volumeWords } from "../document/quantities";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
-import { type Hold, Made } from "../render/made/made";
+import { Made as Drawing, type Hold } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
-import type { Designer, Shown } from "../work/designer";
+import type { Designer } from "../work/designer";
+import type { Made } from "../work/made";
+import type { Piece } from "../work/piece";
+import type { Shown } from "../work/surface";
 import "./water-handle";
-import type { Piece, Workshop } from "../work/workshop";
 import type { PasuWaterHandle } from "./water-handle";
 
 export class StageMade {
   readonly #designer: Designer;
   readonly #host: HTMLElement;
-  readonly #made: Made;
+  readonly #drawing: Drawing;
   readonly #handle: PasuWaterHandle;
   #mesh: Shown["solved"]["mesh"] | null = null;
   #last: readonly unknown[] = [];
@@ -27,54 +29,61 @@ export class StageMade {
   constructor(designer: Designer, stage: Stage, host: HTMLElement) {
     this.#designer = designer;
     this.#host = host;
-    this.#made = stage.invite((place) => new Made(place));
+    this.#drawing = stage.invite((place) => new Drawing(place));
     this.#handle = document.createElement("pasu-water-handle");
     this.#handle.designer = designer;
     (host.shadowRoot ?? host).append(this.#handle);
-    this.#made.onHold = (hold: Hold | null) => this.#handle.hold(hold);
+    this.#drawing.onHold = (hold: Hold | null) => this.#handle.hold(hold);
+  }
+
+  /** Takes the handle away; the rest goes with the stage. */
+  dispose(): void {
+    this.#handle.remove();
+    delete this.#host.dataset.wall;
   }
 
   /** Brings the stage up to date with the designer; cheap when nothing changed. */
   update(): void {
-    const { workshop, shown, state } = this.#designer;
-    if (!workshop || !shown) return;
-    const { map, overlays, fill } = state.session;
-    const { solid, water, painted, measures } = workshop;
+    const { made, store, surface } = this.#designer;
+    const { shown } = surface;
+    if (!made || !shown) return;
+    const { map, overlays, fill } = store.session;
+    const { solid, water, painted, measures } = made;
     const now = [shown, solid, water, painted, measures, map, overlays, fill];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
-    this.#show(workshop, fits(solid) ? solid : null, shown);
-    this.#made.cut(overlays.cut);
-    this.#made.pour(fits(water) ? water.value : null, fill === null ? null : workshop.level);
-    this.#paint(workshop, shown, map);
-    this.#made.say(measures.of === shown.design ? wordsOf(workshop, shown) : []);
+    this.#show(made, fits(solid) ? solid : null, shown);
+    this.#drawing.cut(overlays.cut);
+    this.#drawing.pour(fits(water) ? water.value : null, fill === null ? null : made.level);
+    this.#paint(made, shown, map);
+    this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);
   }
 
   /** What was shown before is written over by what is made under the hand. */
-  #show({ inStep, solid }: Workshop, wall: Piece<Solid> | null, { design }: Shown): void {
-    const before = this.#made.show(wall?.value ?? null, looksOf(design));
+  #show({ inStep, solid }: Made, wall: Piece<Solid> | null, { design }: Shown): void {
+    const before = this.#drawing.show(wall?.value ?? null, looksOf(design));
     if (before && before !== solid.value) inStep.recycle(before);
     // For whoever watches from outside.
     if (wall?.value) this.#host.dataset.wall = wall.key;
     else delete this.#host.dataset.wall;
   }
 
-  #paint({ painted }: Workshop, shown: Shown, map: MapName | null): void {
+  #paint({ painted }: Made, shown: Shown, map: MapName | null): void {
     const another = shown.solved.mesh !== this.#mesh;
     this.#mesh = shown.solved.mesh;
-    if (map === null) this.#made.paint(null);
+    if (map === null) this.#drawing.paint(null);
     else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
       const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
       const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
       const next: StageMap = { values: painted.value.values, low, high, ramp };
-      this.#made.paint(fits ? next : undefined);
-    } else if (another || painted.of !== shown.design) this.#made.paint(undefined);
+      this.#drawing.paint(fits ? next : undefined);
+    } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
   }
 }
 
 /** The thickness at the rim and how much the pot holds, where each can be seen. */
-function wordsOf({ measures, solid }: Workshop, { design }: Shown): readonly Word[] {
+function wordsOf({ measures, solid }: Made, { design }: Shown): readonly Word[] {
   const unit = unitOf(design);
   const words: Word[] = [];
   const { value } = measures;

@@ -68,7 +68,7 @@ export class PasuStageTools extends DesignerElement {
 
   private overlays() {
     const { designer } = this;
-    const { overlays } = designer.state.session;
+    const { overlays } = designer.store.session;
     return OVERLAYS.map(
       ({ name, label }) => html`<label class="check">
         <input

@@ -1,11 +1,14 @@
 /** The stage in the page: loads the renderer beside the solver, gives it what was solved, and passes the keyboard on. */
 
+import { effect } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { looksOf, unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { base } from "../ui/styles";
-import { type Comparison, type Shown, UNFETCHED } from "../work/designer";
+import type { Compared } from "../work/comparison";
+import { UNFETCHED } from "../work/notices";
+import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
 import { DesignerElement } from "./designer-element";
 import type { StageMade } from "./stage-made";
@@ -26,10 +29,13 @@ export class PasuStage extends DesignerElement {
   @query(".still") private readonly still!: HTMLCanvasElement | null;
   private stage: Stage | null = null;
   private drawn: Shown | null = null;
-  private compared: Comparison | null = null;
+  private compared: Compared | null = null;
   private said = "";
   private made: StageMade | null = null;
   private making = false;
+  private leave: (() => void) | null = null;
+  /** The stage that is being fetched: one that nobody waits for any more is not put up. */
+  private loading: object | null = null;
   private framed = -1;
   private framedSize = 0;
   private readonly dark = matchMedia(DARK);
@@ -40,17 +46,37 @@ export class PasuStage extends DesignerElement {
     super.connectedCallback();
     this.dark.addEventListener("change", this.mediaChanged);
     this.reduced.addEventListener("change", this.mediaChanged);
+    // A new surface goes to the stage before the page writes about it.
+    this.leave = effect(() => this.display());
+    if (this.hasUpdated && !this.stage) void this.load();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.dark.removeEventListener("change", this.mediaChanged);
     this.reduced.removeEventListener("change", this.mediaChanged);
+    this.leave?.();
+    this.leave = null;
+    // Whoever is only moved to another place is connected again by then, and the stage lives on.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.close();
+    });
+  }
+
+  /** Gives back what the stage holds of the graphics card. */
+  private close(): void {
+    this.loading = null;
     this.resizes.disconnect();
-    this.stage?.dispose();
-    this.stage = null;
+    this.made?.dispose();
     this.made = null;
     this.making = false;
+    this.stage?.dispose();
+    this.stage = null;
+    this.drawn = null;
+    this.compared = null;
+    this.framed = -1;
+    this.framedSize = 0;
+    this.mode = "loading";
   }
 
   override firstUpdated(): void {
@@ -67,9 +93,11 @@ export class PasuStage extends DesignerElement {
   }
 
   private async load(): Promise<void> {
+    const mine = {};
+    this.loading = mine;
     try {
       const { Stage } = await import("../render/stage");
-      if (!this.isConnected) return;
+      if (!this.isConnected || this.loading !== mine || this.stage) return;
       if (!Stage.supported()) {
         this.mode = "still";
         return;
@@ -77,7 +105,7 @@ export class PasuStage extends DesignerElement {
       this.stage = new Stage(this.host, {
         theme: this.theme(),
         reducedMotion: this.reduced.matches,
-        unit: unitOf(this.designer.state.design),
+        unit: unitOf(this.designer.store.design),
         onContextLost: () => {
           this.mode = "lost";
         },
@@ -89,7 +117,7 @@ export class PasuStage extends DesignerElement {
         },
         onCost: (milliseconds, coarsest) => {
           const times = this.drawn?.solved.times;
-          if (times) this.designer.pace.learn(times.done - times.begun + milliseconds, coarsest);
+          if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
         },
       });
       this.mode = "live";
@@ -112,12 +140,16 @@ export class PasuStage extends DesignerElement {
         aria-describedby="description keys"
         @keydown=${this.key}
       ></div>
-      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
+      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.surface.description}></canvas>` : nothing}
       ${this.note()}
-      ${designer.comparison ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.order}></pasu-captions>` : nothing}
+      ${
+        designer.comparison.shown
+          ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
+          : nothing
+      }
       <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
       <div class="foot">
-        <p id="description">${designer.description}${this.accuracy()}</p>
+        <p id="description">${designer.surface.description}${this.accuracy()}</p>
         ${
           this.mode === "still"
             ? nothing
@@ -129,7 +161,7 @@ export class PasuStage extends DesignerElement {
 
   /** Keeps its place while a gesture is under way, when nobody knows it. */
   private accuracy() {
-    const { accuracy } = this.designer;
+    const { accuracy } = this.designer.surface;
     if (accuracy !== "") this.said = accuracy;
     return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
   }
@@ -145,7 +177,7 @@ export class PasuStage extends DesignerElement {
           This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.
         </p>`;
       case "live":
-        return this.designer.shown === null && this.designer.problem === null
+        return this.designer.surface.shown === null && this.designer.surface.problem === null
           ? html`<div class="wheel" aria-hidden="true"></div>`
           : nothing;
     }
@@ -153,18 +185,19 @@ export class PasuStage extends DesignerElement {
 
   override updated(_changed: PropertyValues): void {
     const { designer, stage } = this;
-    const { comparison, state: now } = designer;
+    const { design, session } = designer.store;
+    const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (designer.shown !== this.drawn) void this.drawStill();
-      this.drawn = designer.shown;
+      if (designer.surface.shown !== this.drawn) void this.drawStill();
+      this.drawn = designer.surface.shown;
     }
     if (!stage) return;
     stage.theme(this.theme());
-    stage.unit(unitOf(now.design));
+    stage.unit(unitOf(design));
     this.display();
-    stage.overlays(now.session.overlays);
-    if (designer.workshop && !this.making) void this.make(stage);
+    stage.overlays(session.overlays);
+    if (designer.made && !this.making) void this.make(stage);
     this.made?.update();
     if (comparison !== this.compared) {
       this.compared = comparison;
@@ -182,23 +215,17 @@ export class PasuStage extends DesignerElement {
       this.made = new StageMade(this.designer, stage, this);
       this.requestUpdate();
     } catch {
-      this.designer.say(UNFETCHED);
+      this.designer.notices.say(UNFETCHED);
     }
-  }
-
-  /** A new surface goes to the stage before the page writes about it. */
-  protected override told(): void {
-    this.display();
-    super.told();
   }
 
   private display(): void {
     const { designer, stage } = this;
-    const { shown } = designer;
+    const { shown } = designer.surface;
     if (!stage || !shown || shown === this.drawn) return;
     this.drawn = shown;
     const before = stage.show(shown.solved.mesh, looksOf(shown.design));
-    if (before) designer.solver.recycle(before);
+    if (before) designer.surface.recycle(before);
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
     this.frame(shown, stage);
@@ -217,7 +244,7 @@ export class PasuStage extends DesignerElement {
   }
 
   private theme(): "light" | "dark" {
-    const choice = this.designer.state.session.theme;
+    const choice = this.designer.store.session.theme;
     if (choice !== "auto") return choice;
     return this.dark.matches ? "dark" : "light";
   }
@@ -231,7 +258,7 @@ export class PasuStage extends DesignerElement {
     if (!this.still) return;
     const { drawStill } = await import("./still-picture");
     const canvas = this.still;
-    const shown = this.designer.shown;
+    const shown = this.designer.surface.shown;
     if (!canvas || !shown) return;
     const ratio = Math.min(2, devicePixelRatio || 1);
     canvas.width = Math.round(canvas.clientWidth * ratio);

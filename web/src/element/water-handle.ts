@@ -24,7 +24,7 @@ export class PasuWaterHandle extends DesignerElement {
   }
 
   override render() {
-    const { fill } = this.designer.state.session;
+    const { fill } = this.designer.store.session;
     const words = this.words();
     return html`<div
         role="slider"
@@ -45,14 +45,14 @@ export class PasuWaterHandle extends DesignerElement {
   }
 
   private words(): string {
-    const water = this.designer.workshop?.water;
+    const water = this.designer.made?.water;
     const volume = water?.value?.volume ?? null;
     return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 3) : "";
   }
 
   private readonly key = (event: KeyboardEvent): void => {
     const { designer } = this;
-    const fill = fillAfter(event, designer.state.session.fill);
+    const fill = fillAfter(event, designer.store.session.fill);
     if (fill === null) return;
     event.preventDefault();
     event.stopPropagation();
@@ -60,8 +60,8 @@ export class PasuWaterHandle extends DesignerElement {
   };
 
   private readonly down = (event: PointerEvent): void => {
-    const range = this.designer.workshop?.waterRange;
-    const fill = this.designer.state.session.fill;
+    const range = this.designer.made?.waterRange;
+    const fill = this.designer.store.session.fill;
     if (!range || !this.held || fill === null || event.button !== 0) return;
     event.preventDefault();
     const target = event.currentTarget as HTMLElement;

@@ -1,15 +1,12 @@
-import { afterEach, expect, test } from "vitest";
+import { expect, test } from "vitest";
+import { JAR } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
-import { designOf } from "../document/gallery/exhibit";
-import { FIRST } from "../document/gallery/first";
 
-const { solver, asked } = realSolver();
-afterEach(() => solver.dispose());
+const { solver, worker } = realSolver({ free: true });
 
 test("a design is solved, drawn and told by the real solver across a channel", async () => {
-  const design = designOf(FIRST);
   const options = { rows: 13, columns: 25, lines: true, section: 0, settle: true };
-  const outcome = await solver.solve(design, options);
+  const outcome = await solver.solve(JAR, options);
   if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
   const { mesh, lines, section, facts, bound, link, fingerprint } = outcome.value;
   expect(mesh.positions.length).toBe(3 * 13 * 25);
@@ -21,11 +18,11 @@ test("a design is solved, drawn and told by the real solver across a channel", a
   expect(bound).toBeGreaterThan(0);
   expect(link).not.toBe("");
   expect(fingerprint).not.toBe("");
-  expect(asked).toHaveLength(1);
+  expect(worker.sent).toHaveLength(1);
   // The lattice of a grid that the page has does not travel again, and the arrays that it gave back are written over.
   solver.recycle(mesh);
-  const again = await solver.solve(design, { ...options, settle: false });
-  expect(asked.at(-1)?.known).toEqual([mesh.topology]);
+  const again = await solver.solve(JAR, { ...options, settle: false });
+  expect(worker.last.known).toEqual([mesh.topology]);
   expect(again.state === "done" && again.value.mesh.uvs).toBe(mesh.uvs);
 });
 

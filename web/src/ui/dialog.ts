@@ -23,6 +23,12 @@ export class PasuDialog extends LitElement {
     this.dialog.showModal();
   }
 
+  /** A dialogue that was moved stays open. */
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (this.hasUpdated) this.dialog.showModal();
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.dialog.close();
@@ -48,7 +54,7 @@ export class PasuDialog extends LitElement {
   };
 
   private readonly closed = (): void => {
-    if (this.isConnected) this.dispatchEvent(new Event("dialog-closed"));
+    if (this.isConnected && !this.dialog.open) this.dispatchEvent(new Event("dialog-closed"));
   };
 
   /** A press on the veil. */

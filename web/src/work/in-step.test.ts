@@ -1,182 +1,183 @@
-import { beforeEach, expect, test } from "vitest";
-import type { Design, Part } from "../document/types";
-import { MakerClient } from "../maker/client";
-import type { Ask, MakerPort, Quick, Reply, Request } from "../maker/messages";
-import type { Solved } from "../solver/messages";
-import type { Outcome } from "../worker/port";
-import type { Designer } from "./designer";
+import { expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
+import { JAR, POT, tall, WALL } from "../../testing/jar";
+import { type Options, type Workbench, workbench } from "../../testing/workbench";
+import { setPath } from "../document/path";
+import type { Design } from "../document/types";
+import type { Ask, Quick } from "../maker/messages";
 import { InStep } from "./in-step";
-import type { Piece } from "./workshop";
-
-const WALLED = { shape: { kind: "fourth-order" }, wall: { thickness: 1, base: 1 } } as unknown as Part;
-const design = (title: string, part: Part = WALLED): Design => ({
-  pasu: 1,
-  title,
-  parts: [{ ...part, shape: { ...part.shape } }],
-});
-
-/** What the solver answers, as far as this looks at it; the mesh is known by its name. */
-const solved = (name: string): Outcome<Solved> =>
-  ({ state: "done", value: { mesh: { name, bounds: null }, facts: null } }) as unknown as Outcome<Solved>;
-
-const quick = (took = 10): Quick => {
-  const positions = new Float32Array(3);
-  const solid = { positions, normals: positions, wares: positions, indices: new Uint32Array(3), bounds: null };
-  return { solid, water: null, took } as unknown as Quick;
-};
-
-let sent: Request[];
-let answer: (value: Quick | null) => Promise<void>;
-let clocks: (() => void)[];
-let pieces: Piece<Quick>[];
-let recycled: unknown[];
-let now: { shown: Design; inGesture: boolean };
-let inStep: InStep;
-
-/** Lets promises settle. */
-const settle = async () => {
-  for (let i = 0; i < 20; i += 1) await Promise.resolve();
-};
-
-beforeEach(() => {
-  sent = [];
-  clocks = [];
-  pieces = [];
-  recycled = [];
-  now = { shown: design("shown"), inGesture: true };
-  const designer = {
-    get shown() {
-      return { design: now.shown, solved: { facts: { height: 150, width: 70, depth: 70 } } };
-    },
-    get store() {
-      return { inGesture: now.inGesture };
-    },
-    state: { session: { fill: null } },
-    solver: { recycle: (mesh: unknown) => recycled.push(mesh) },
-  } as unknown as Designer;
-  const maker = new MakerClient(
-    () => {
-      const port: MakerPort = {
-        onmessage: null,
-        onerror: null,
-        postMessage: (message: Request) => void sent.push(message),
-        terminate: () => {},
-      };
-      answer = async (value) => {
-        const id = sent.at(-1)?.id ?? 0;
-        const refusal = { code: "no-room", path: "parts[0].wall", message: "There is no room." };
-        const reply: Reply = value ? { id, ok: true, answer: value } : { id, ok: false, refusal, broken: false };
-        port.onmessage?.({ data: reply } as MessageEvent<Reply>);
-        await settle();
-      };
-      return port;
-    },
-    () => () => {},
-  );
-  const later = (run: () => void) => {
-    clocks.push(run);
-    return () => {
-      clocks = clocks.filter((each) => each !== run);
-    };
-  };
-  inStep = new InStep(designer, maker, (piece) => pieces.push(piece), later);
-});
+import type { Piece } from "./piece";
 
 type QuickAsk = Extract<Ask, { kind: "quick" }>;
-const titles = () => sent.map(({ ask }) => (ask as QuickAsk).design.title);
-const last = () => sent.at(-1)?.ask as QuickAsk;
+
+interface Bench extends Workbench {
+  readonly inStep: InStep;
+  /** What was put on the stage. */
+  readonly pieces: Piece<Quick>[];
+  /** The clocks that run. */
+  readonly clocks: (() => void)[];
+  /** Moves the hand on. */
+  readonly drag: (height: number) => void;
+  readonly height: () => number | undefined;
+  readonly asked: () => readonly QuickAsk[];
+}
+
+async function bench(design: Design, options: Options = {}): Promise<Bench> {
+  const there = await workbench(design, options);
+  const { maker, making, store, surface } = there;
+  const pieces: Piece<Quick>[] = [];
+  const clocks: (() => void)[] = [];
+  const later = (run: () => void) => {
+    clocks.push(run);
+    return () => void clocks.splice(clocks.indexOf(run), 1);
+  };
+  const inStep = new InStep(store, surface, maker, (piece) => pieces.push(piece), later);
+  surface.accompany(inStep);
+  return {
+    ...there,
+    inStep,
+    pieces,
+    clocks,
+    drag: (height) => store.apply({ design: tall(store.design, height), undo: "merge", key: "height" }),
+    height: () => surface.shown?.solved.facts?.height,
+    asked: () => making.sent.flatMap(({ ask }) => (ask.kind === "quick" ? [ask] : [])),
+  };
+}
 
 test("a surface is shown with its wall, not before", async () => {
-  let shown: Outcome<Solved> | null = null;
-  void inStep.join(design("a"), Promise.resolve(solved("mesh")))?.then((outcome) => {
-    shown = outcome;
-  });
-  await settle();
-  expect(titles()).toEqual(["a"]);
-  expect(shown).toBeNull();
-  await answer(quick());
-  expect(shown).toEqual(solved("mesh"));
-  expect(pieces).toMatchObject([{ problem: null, key: "quick" }]);
+  const { asked, drag, height, making, pieces, solved, store } = await bench(POT);
+  drag(21);
+  expect(asked()).toMatchObject([{ design: store.design }]);
+  await solved();
+  expect(height()).toBeCloseTo(20);
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(pieces).toMatchObject([{ of: store.design, problem: null, key: "quick" }]);
+  const { value } = pieces[0] ?? {};
+  expect(value?.solid.positions.length).toBeGreaterThan(0);
+  // The bounds are those of all of the pot.
+  expect(value?.solid.bounds?.centre[2]).toBeCloseTo(10.5, 0);
 });
 
-test("one pair is under way at a time, and what waits is run after it", async () => {
-  void inStep.join(design("a"), Promise.resolve(solved("mesh")));
-  const runs: string[] = [];
-  expect(inStep.waits(() => runs.push("older"))).toBe(true);
-  expect(inStep.waits(() => runs.push("latest"))).toBe(true);
-  await answer(quick());
-  expect(runs).toEqual(["latest"]);
-  expect(inStep.waits(() => runs.push("free"))).toBe(false);
+test("one pair is under way at a time, and what waits is asked for after it, as it is by then", async () => {
+  const { asked, drag, height, making, solved, solving } = await bench(POT);
+  for (const each of [21, 22, 23]) drag(each);
+  expect(solving.sent).toHaveLength(2);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(solving.sent).toHaveLength(3);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(23);
+  expect(asked()).toHaveLength(2);
 });
 
-test("surfaces without a wall, changes of the wall alone and changes without a hand are not held back", () => {
-  const solving = Promise.resolve(solved("mesh"));
-  const { wall: _, ...bare } = WALLED;
-  expect(inStep.join(design("a", bare as Part), solving)).toBeNull();
-  const rewalled = {
-    ...now.shown,
-    parts: now.shown.parts.map((part) => ({ ...part, wall: { thickness: 2, base: 1 } })),
-  };
-  expect(inStep.join(rewalled, solving)).toBeNull();
-  now.inGesture = false;
-  expect(inStep.join(design("b"), solving)).toBeNull();
-  expect(sent).toEqual([]);
+test("surfaces without a wall, changes of the wall alone and changes without a hand are not held back", async () => {
+  const bare = await bench(JAR);
+  bare.drag(21);
+  await bare.solved();
+  expect(bare.height()).toBeCloseTo(21);
+  expect(bare.asked()).toEqual([]);
+  const { asked, height, solved, store } = await bench(POT);
+  const thicker = setPath(POT, ["parts", 0, "wall"], { ...WALL, thickness: 0.5 });
+  store.apply({ design: thicker, undo: "merge", key: "wall" });
+  await solved();
+  store.endGesture();
+  store.apply({ design: tall(thicker, 22), undo: "step" });
+  await solved();
+  expect(height()).toBeCloseTo(22);
+  expect(asked()).toEqual([]);
 });
 
 test("letting go settles with a wall, and what was under way is thrown away", async () => {
-  const first = inStep.join(design("a"), Promise.resolve(solved("a")));
-  now.inGesture = false;
-  expect(inStep.waits(() => {})).toBe(false);
-  const last = inStep.join(design("b"), Promise.resolve(solved("b")));
-  expect(last).not.toBeNull();
-  await answer(quick());
-  expect(await first).toEqual({ state: "superseded" });
-  expect(recycled).toMatchObject([{ name: "a" }]);
+  const { asked, drag, making, pieces, solved, solving, store, surface } = await bench(POT);
+  drag(21);
+  await solved();
+  store.endGesture();
+  expect(solving.sent).toHaveLength(3);
+  await solved();
+  await making.answer();
   expect(pieces).toEqual([]);
-  await answer(quick());
-  expect(await last).toEqual(solved("b"));
+  expect(surface.shown?.change).toBe(1);
+  await making.answer();
   expect(pieces).toHaveLength(1);
+  expect(surface.settled?.change).toBe(3);
+  expect(asked()).toHaveLength(2);
   // The next change without a hand is none of a drag.
-  expect(inStep.join(design("c"), Promise.resolve(solved("c")))).toBeNull();
+  store.apply({ design: tall(POT, 22), undo: "step" });
+  await solved();
+  expect(surface.settled?.change).toBe(4);
+  expect(asked()).toHaveLength(2);
+  // What was thrown away is written over by the next of its grid.
+  expect(solving.sent.map(({ spare }) => spare !== null)).toEqual([false, false, false, true]);
 });
 
 test("what cannot be a pot is shown bare, with the reason", async () => {
-  const shown = inStep.join(design("a"), Promise.resolve(solved("mesh")));
-  await answer(null);
-  expect(await shown).toEqual(solved("mesh"));
-  expect(pieces).toMatchObject([{ value: null, problem: { code: "no-room" } }]);
+  const { drag, height, making, pieces, solved } = await bench(
+    setPath(JAR, ["parts", 0, "wall"], { thickness: 0.3, base: 30 }),
+  );
+  drag(21);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(pieces).toMatchObject([{ value: null, key: "quick" }]);
+  expect(pieces[0]?.problem?.path).toMatch(/^parts\[0\]/);
 });
 
 test("a surface does not wait for long, nor at all while the maker is busy with an older wall", async () => {
-  const shown = inStep.join(design("a"), Promise.resolve(solved("mesh")));
+  const { asked, clocks, drag, height, making, pieces, solved } = await bench(POT);
+  drag(21);
+  await solved();
   for (const run of [...clocks]) run();
-  expect(await shown).toEqual(solved("mesh"));
+  await settled();
+  expect(height()).toBeCloseTo(21);
   expect(pieces).toEqual([]);
-  expect(inStep.join(design("b"), Promise.resolve(solved("mesh")))).toBeNull();
-  await answer(quick(400));
-  expect(inStep.join(design("c"), Promise.resolve(solved("mesh")))).not.toBeNull();
+  drag(22);
+  await solved();
+  expect(height()).toBeCloseTo(22);
+  expect(asked()).toHaveLength(1);
+  await making.answer();
+  drag(23);
+  expect(asked()).toHaveLength(2);
+  expect(height()).toBeCloseTo(22);
 });
 
 test("walls are made as coarsely as it takes, and left out for the rest of a drag when even that takes too long", async () => {
-  const tolerances: number[] = [];
-  for (let i = 0; i < 20; i += 1) {
-    if (!inStep.join(design(`${i}`), Promise.resolve(solved("mesh")))) break;
-    tolerances.push(last().tolerance);
-    await answer(quick(130));
+  const { asked, drag, height, making, solved, store } = await bench(POT, { took: 130 });
+  for (let i = 1; i <= 20; i += 1) {
+    const before = asked().length;
+    drag(20 + i / 10);
+    await solved();
+    if (asked().length === before) break;
+    await making.answer();
   }
-  expect(Math.max(...tolerances)).toBe(0.5);
+  const tolerances = asked().map(({ tolerance }) => tolerance);
   expect(tolerances).toEqual([...tolerances].sort((a, b) => a - b));
+  expect(tolerances.at(-1)).toBeGreaterThan(tolerances[0] ?? 0);
   expect(tolerances.length).toBeLessThan(10);
   // The next drag tries again.
-  now.inGesture = false;
-  expect(inStep.join(design("let go"), Promise.resolve(solved("mesh")))).toBeNull();
-  now.inGesture = true;
-  expect(inStep.join(design("again"), Promise.resolve(solved("mesh")))).not.toBeNull();
+  const before = asked().length;
+  store.endGesture();
+  await solved();
+  expect(asked()).toHaveLength(before);
+  drag(25);
+  expect(asked()).toHaveLength(before + 1);
+  await solved();
+  expect(height()).toBeLessThan(25);
 });
 
 test("arrays that are not shown any more go back to be written over", async () => {
-  const { solid } = quick();
+  const { asked, drag, inStep, making, pieces, solved } = await bench(POT);
+  drag(21);
+  await solved();
+  await making.answer();
+  const solid = pieces[0]?.value?.solid;
+  if (!solid) throw new Error("there is no wall");
+  const { length } = solid.positions;
   inStep.recycle(solid);
-  void inStep.join(design("a"), Promise.resolve(solved("mesh")));
-  expect(last().spare?.positions).toBe(solid.positions);
+  drag(22);
+  expect(asked().at(-1)?.spare?.positions.length).toBe(length);
+  // They travel: nobody else writes to them.
+  expect(solid.positions.length).toBe(0);
 });

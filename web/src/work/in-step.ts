@@ -9,10 +9,11 @@ import type { MakerClient } from "../maker/client";
 import type { Quick, Solid, Spare } from "../maker/messages";
 import { around } from "../solver/bounds";
 import type { Solved } from "../solver/messages";
+import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
-import type { Designer } from "./designer";
 import { Pace } from "./pace";
-import type { Piece } from "./workshop";
+import { type Piece, QUICK } from "./piece";
+import type { Companion, Surface } from "./surface";
 
 /**
  * How far the picture may be from the faces, as a share of the size of the pot, from that at rest to the coarsest. Most of the time goes into what a
@@ -38,8 +39,9 @@ const SPARES = 2;
 /** Runs something after so many milliseconds; what comes back takes that back. */
 type Later = (run: () => void, milliseconds: number) => () => void;
 
-export class InStep {
-  readonly #designer: Designer;
+export class InStep implements Companion {
+  readonly #store: Store;
+  readonly #surface: Surface;
   readonly #maker: MakerClient;
   readonly #put: (piece: Piece<Quick>) => void;
   readonly #later: Later;
@@ -54,8 +56,15 @@ export class InStep {
   #tries = 0;
   #spares: Spare[] = [];
 
-  constructor(designer: Designer, maker: MakerClient, put: (piece: Piece<Quick>) => void, later: Later = timer) {
-    this.#designer = designer;
+  constructor(
+    store: Store,
+    surface: Surface,
+    maker: MakerClient,
+    put: (piece: Piece<Quick>) => void,
+    later: Later = timer,
+  ) {
+    this.#store = store;
+    this.#surface = surface;
     this.#maker = maker;
     this.#put = put;
     this.#later = later;
@@ -63,7 +72,7 @@ export class InStep {
 
   /** Whether the next change has to wait for the pair that is under way; `run` is called after it. */
   waits(run: () => void): boolean {
-    const waits = this.#pair !== null && this.#designer.store.inGesture;
+    const waits = this.#pair !== null && this.#store.inGesture;
     this.#held = waits ? run : null;
     return waits;
   }
@@ -84,9 +93,9 @@ export class InStep {
 
   /** Whether the shape of a pot is under the hand, or was until now. */
   #dragged(design: Design): boolean {
-    const { shown, store } = this.#designer;
+    const { shown } = this.#surface;
     const began = this.#made;
-    if (!store.inGesture) {
+    if (!this.#store.inGesture) {
       this.#made = null;
       if (!began || this.#tries >= TRIES) {
         this.#tries = 0;
@@ -100,7 +109,7 @@ export class InStep {
 
   async #together(pair: object, design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> {
     const walling = this.#wall(design, this.#made ? PATIENCE_MS : FIRST_PATIENCE_MS);
-    if (this.#designer.store.inGesture) this.#made = design;
+    if (this.#store.inGesture) this.#made = design;
     const solved = await solving;
     const piece = solved.state === "done" ? await walling : null;
     const current = this.#pair === pair;
@@ -116,18 +125,18 @@ export class InStep {
       return solved;
     }
     // Something newer is on its way already.
-    this.#designer.solver.recycle(solved.value.mesh);
+    this.#surface.recycle(solved.value.mesh);
     if (piece?.value) this.recycle(piece.value.solid);
     return { state: "superseded" };
   }
 
   /** The wall; null when it takes too long. */
   async #wall(design: Design, patience: number): Promise<Piece<Quick> | null> {
-    const { facts } = this.#designer.shown?.solved ?? {};
+    const { facts } = this.#surface.shown?.solved ?? {};
     const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
     const { step } = this.#pace;
     const tolerance = size * (TOLERANCES[step] ?? TOLERANCES[0]);
-    const fill = this.#designer.state.session.fill;
+    const fill = this.#store.session.fill;
     const spare = this.#spares.pop() ?? null;
     const asking = this.#maker.ask({ kind: "quick", design, tolerance, fill, spare });
     let wait = () => {};
@@ -152,7 +161,7 @@ export class InStep {
       value: done ? outcome.value : null,
       of: design,
       problem: done ? null : outcome.refusal,
-      key: "quick",
+      key: QUICK,
     };
   }
 

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
-import type { Provenance } from "../document/types";
+import { settled } from "../../testing/held-worker";
+import { JAR } from "../../testing/jar";
+import { realMaker } from "../../testing/real-maker";
 import { isDocument, readFile } from "./open-file";
-import type { Workshop } from "./workshop";
 
 test.each([
   ["vase.json", "milk, eggs", true],
@@ -19,27 +20,39 @@ test.each([
   expect(isDocument(name, beginning)).toBe(document);
 });
 
-/** A workshop that finds this in every file. */
-const finding = (value: Provenance | null) => async () =>
-  ({ maker: { ask: async () => ({ state: "done", value }) } }) as unknown as Workshop;
+const none = async () => null;
 
 test.each([
   ["vase.STL", /^“vase\.STL” cannot be opened: an STL holds triangles/],
   ["vase.3mf", /^“vase\.3mf” cannot be opened: it holds no design, because Pasu did not save it/],
 ])("%s without a design says why there is nothing to open", async (name, why) => {
+  const { maker } = realMaker({ free: true });
   const file = new File([new Uint8Array(84)], name);
-  expect(await readFile(file, finding(null))).toMatchObject({
+  expect(await readFile(file, async () => maker)).toMatchObject({
     refusal: { code: "no-design", message: expect.stringMatching(why) },
   });
-  const made = { product: "solid", shrinkage: 12 } as const;
-  expect(await readFile(file, finding({ link: "1/second-order", making: made }))).toEqual({
-    text: "1/second-order",
-    made,
-  });
-  expect(await readFile(file, finding({ link: "1/x", making: null }))).toEqual({ text: "1/x", made: null });
+});
+
+test("what Pasu saved opens again, and says how it was made", async () => {
+  const { maker } = realMaker({ free: true });
+  const making = { product: "solid", shrinkage: 12 } as const;
+  const written = await maker.ask({ kind: "write", design: JAR, format: "glb", making });
+  if (written.state !== "done") throw new Error(JSON.stringify(written));
+  const found = await readFile(new File([written.value.bytes], "jar.glb"), async () => maker);
+  expect(found).toMatchObject({ text: expect.stringContaining("fourth-order"), made: making });
+});
+
+test("nothing is opened where the maker cannot be fetched, or was asked for something newer", async () => {
+  const file = new File([new Uint8Array(84)], "vase.glb");
+  expect(await readFile(file, none)).toBeNull();
+  const { maker } = realMaker();
+  const reading = readFile(file, async () => maker);
+  await settled();
+  maker.cancel("open");
+  expect(await reading).toBeNull();
 });
 
 test("a document does not say how it is to be made", async () => {
   const file = new File(['{"pasu": 1}'], "vase.json");
-  expect(await readFile(file, finding(null))).toEqual({ text: '{"pasu": 1}', made: null });
+  expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });
 });

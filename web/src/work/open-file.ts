@@ -1,7 +1,7 @@
 /** What a file that was dropped or chosen stands for: the text of a design, or the link in something that Pasu made. */
 
 import type { Making, Refusal } from "../document/types";
-import type { Workshop } from "./workshop";
+import type { MakerClient } from "../maker/client";
 
 /** Documents are read as text; the format's own limit is 1 MiB of JSON. */
 const MAX_TEXT_BYTES = 4 * 1024 * 1024;
@@ -16,16 +16,16 @@ const BEGINNING = 64;
 export type Found = { readonly text: string; readonly made: Making | null } | { readonly refusal: Refusal } | null;
 
 /** Null when something newer was opened meanwhile. */
-export async function readFile(file: File, workshop: () => Promise<Workshop | null>): Promise<Found> {
+export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
   const document = isDocument(file.name, await file.slice(0, BEGINNING).text());
   if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
     return refused("too-large", `“${file.name}” is too large to be a design of Pasu.`);
   }
   if (document) return { text: await file.text(), made: null };
-  const makers = await workshop();
-  if (!makers) return null;
+  const reader = await maker();
+  if (!reader) return null;
   const bytes = new Uint8Array(await file.arrayBuffer());
-  const outcome = await makers.maker.ask({ kind: "open", bytes });
+  const outcome = await reader.ask({ kind: "open", bytes });
   switch (outcome.state) {
     case "superseded":
       return null;

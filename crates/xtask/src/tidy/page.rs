@@ -22,12 +22,6 @@ const PAGE: House = House {
         ("document/families/second-order.ts", "document/schema.ts"),
         // The material of a pot takes the uniforms that the pot declares.
         ("render/ceramic.ts", "render/pot.ts"),
-        // The Designer holds what follows it.
-        ("work/in-step.ts", "work/designer.ts"),
-        ("work/in-step.ts", "work/workshop.ts"),
-        ("work/open-file.ts", "work/workshop.ts"),
-        ("work/open-workshop.ts", "work/designer.ts"),
-        ("work/workshop.ts", "work/designer.ts"),
     ],
 };
 

@@ -10,13 +10,13 @@ import { base, buttons } from "../../ui/styles";
 export class PasuConflict extends DesignerElement {
   override render() {
     const { designer } = this;
-    const { title } = designer.state.design;
-    return html`<pasu-dialog heading="Open this link?" @dialog-closed=${() => designer.settleConflict("mine")}>
+    const { title } = designer.store.design;
+    return html`<pasu-dialog heading="Open this link?" @dialog-closed=${() => designer.opening.settleConflict("mine")}>
       <p>
         This link differs from your unsaved work${title ? html` “${title}”` : ""}. Opening it can be undone as long as this page stays open.
       </p>
-      <button slot="actions" class="button outlined" type="button" @click=${() => designer.settleConflict("mine")}>Keep mine</button>
-      <button slot="actions" class="button primary" type="button" @click=${() => designer.settleConflict("theirs")}>Open the link</button>
+      <button slot="actions" class="button outlined" type="button" @click=${() => designer.opening.settleConflict("mine")}>Keep mine</button>
+      <button slot="actions" class="button primary" type="button" @click=${() => designer.opening.settleConflict("theirs")}>Open the link</button>
     </pasu-dialog>`;
   }
 

@@ -62,23 +62,28 @@ export class PasuExport extends DesignerElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.ended = false;
+    if (!this.hasUpdated) this.begin();
+    void this.measure();
+  }
+
+  private begin(): void {
     const { design, session } = this.designer.state;
     const walled = design.parts.some((part) => part.wall !== undefined);
     // A file that was opened is made again as it was; otherwise the clay is that of the last pot.
-    const made = this.designer.made ?? { shrinkage: session.export.shrinkage };
+    const made = this.designer.opening.making ?? { shrinkage: session.export.shrinkage };
     this.chosen = { ...this.chosen, ...choicesOf(made, unitOf(design), walled) };
-    void this.measure();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.ended = true;
     clearTimeout(this.timer);
-    this.designer.workshop?.maker.cancel("write", MEASURING, CHECKING);
+    this.designer.made?.maker.cancel("write", MEASURING, CHECKING);
   }
 
   private get format(): Format {
-    return this.designer.state.session.export.format;
+    return this.designer.store.session.export.format;
   }
 
   override render() {
@@ -138,7 +143,7 @@ export class PasuExport extends DesignerElement {
   }
 
   private products() {
-    const walled = this.designer.state.design.parts.some((part) => part.wall !== undefined);
+    const walled = this.designer.store.design.parts.some((part) => part.wall !== undefined);
     return [
       ...(walled ? [{ value: "pot" as Product, label: "Hollow pot", note: "With its wall, floor and foot." }] : []),
       {
@@ -182,7 +187,7 @@ export class PasuExport extends DesignerElement {
     if (refusal)
       return html`<section class="outcome">${sentences([{ severity: "error", text: asSentence(refusal.message) }])}</section>`;
     if (!measures) return html`<section class="outcome" aria-busy="true"><p class="wait">Measuring…</p></section>`;
-    const unit = unitOf(this.designer.state.design);
+    const unit = unitOf(this.designer.store.design);
     if (!making) return nothing;
     const { file, fired, applied } = sizesOf(making, measures, unit);
     return html`<section class="outcome" aria-label="What is saved">
@@ -200,7 +205,7 @@ export class PasuExport extends DesignerElement {
 
   private fineness(report: Report, making: Making, measures: Measures) {
     if (!formatNote(this.format).triangles) return nothing;
-    const { millimetres } = scaleOf(making, measures, unitOf(this.designer.state.design));
+    const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
     const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
     return html`
       <div><dt>Triangles</dt><dd>${report.triangles.toLocaleString("en").replaceAll(",", "\u202f")}</dd></div>
@@ -210,8 +215,8 @@ export class PasuExport extends DesignerElement {
 
   /** All that the checks say, and how thin the wall is at this size. */
   private found(report: Report, making: Making, measures: Measures): readonly Sentence[] {
-    const { shown, state: now } = this.designer;
-    const [outline, unit] = [shown?.solved.facts?.outline ?? [], unitOf(now.design)];
+    const { state: now, surface } = this.designer;
+    const [outline, unit] = [surface.shown?.solved.facts?.outline ?? [], unitOf(now.design)];
     // A closed solid has no wall: how thick it is printed is the slicer's.
     return this.chosen.product === "pot"
       ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
@@ -249,7 +254,7 @@ export class PasuExport extends DesignerElement {
   /** Begins at the size that the pot has. */
   private resize(size: SizeKind): void {
     const { measures } = this;
-    const unit = unitOf(this.designer.state.design);
+    const unit = unitOf(this.designer.store.design);
     const now = {
       designed: undefined,
       height: measures?.height.value,
@@ -262,13 +267,13 @@ export class PasuExport extends DesignerElement {
   private async measure(): Promise<void> {
     const { designer } = this;
     const { product } = this.chosen;
-    const workshop = await designer.openWorkshop();
-    if (!workshop) {
+    const opened = await designer.openMade();
+    if (!opened) {
       this.close();
       return;
     }
     const { design } = designer.state;
-    const outcome = await workshop.maker.ask({ kind: "measure", design, product, fill: null }, MEASURING);
+    const outcome = await opened.maker.ask({ kind: "measure", design, product, fill: null }, MEASURING);
     if (this.ended || outcome.state === "superseded" || product !== this.chosen.product) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     this.measures = outcome.state === "done" ? outcome.value : null;
@@ -279,10 +284,10 @@ export class PasuExport extends DesignerElement {
   /** The first time, as finely as the file that was opened: a tolerance goes by the size, which is known only now. */
   private beAsFine(): void {
     const { measures } = this;
-    const { made, state: now } = this.designer;
-    if (!measures || !made || this.fine) return;
+    const { opening, store } = this.designer;
+    if (!measures || !opening.making || this.fine) return;
     this.fine = true;
-    const tolerance = toleranceIn(made, measures, unitOf(now.design));
+    const tolerance = toleranceIn(opening.making, measures, unitOf(store.design));
     if (this.chosen.tolerance === "") this.chosen = { ...this.chosen, tolerance };
   }
 
@@ -302,7 +307,7 @@ export class PasuExport extends DesignerElement {
 
   /** What the fields ask for, to be compared; empty when that makes no sense. */
   private making(): string {
-    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.state.design));
+    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.store.design));
     return made && !("field" in made) ? JSON.stringify(made) : "";
   }
 
@@ -314,7 +319,7 @@ export class PasuExport extends DesignerElement {
     if (asked === "") return;
     this.asked = asked;
     const making = JSON.parse(asked) as Making;
-    const outcome = await designer.workshop?.maker.ask({ kind: "check", design, making }, CHECKING);
+    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING);
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     if (outcome.state === "done") this.report = outcome.value;
@@ -324,7 +329,7 @@ export class PasuExport extends DesignerElement {
   private async save(making: Making): Promise<void> {
     const { designer, format } = this;
     const { design } = designer.state;
-    const maker = designer.workshop?.maker;
+    const maker = designer.made?.maker;
     if (!maker) return;
     this.saving = true;
     this.failure = "";
@@ -339,12 +344,12 @@ export class PasuExport extends DesignerElement {
     designer.apply(setExport(designer.state, { shrinkage }));
     const name = fileName(design.title, format);
     saveBlob(new Blob([outcome.value.bytes], { type: formatNote(format).type }), name);
-    designer.say(`Saved as “${name}”.`);
+    designer.notices.say(`Saved as “${name}”.`);
     this.close();
   }
 
   private readonly stop = (): void => {
-    this.designer.workshop?.maker.cancel("write");
+    this.designer.made?.maker.cancel("write");
   };
 
   private readonly close = (): void => {

@@ -24,6 +24,11 @@ export class PasuGallery extends DesignerElement {
   private queue: Promise<void> = Promise.resolve();
   private readonly sights = new IntersectionObserver((entries) => this.seen(entries), { rootMargin: "160px" });
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.watchPictures();
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.sights.disconnect();
@@ -54,11 +59,15 @@ export class PasuGallery extends DesignerElement {
   }
 
   override firstUpdated(): void {
+    this.watchPictures();
+  }
+
+  private watchPictures(): void {
     for (const picture of this.renderRoot.querySelectorAll(".picture")) this.sights.observe(picture);
   }
 
   private choose(exhibit: Exhibit): void {
-    this.designer.open(designOf(exhibit));
+    this.designer.opening.open(designOf(exhibit));
     this.dispatchEvent(new Event("gallery-closed"));
   }
 

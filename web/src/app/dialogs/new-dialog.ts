@@ -25,7 +25,7 @@ export class PasuNew extends DesignerElement {
   }
 
   private choose(beginning: Beginning): void {
-    this.designer.open(beginningOf(beginning.kind));
+    this.designer.opening.open(beginningOf(beginning.kind));
     this.close();
   }
 

@@ -18,7 +18,7 @@ export class PasuMaps extends DesignerElement {
     const { design, session } = designer.state;
     const walled = design.parts.some((part) => part.wall !== undefined);
     const { map } = session;
-    const painted = designer.workshop?.painted;
+    const painted = designer.made?.painted;
     return html`<label>
         <span>Colours show</span>
         <select

@@ -29,14 +29,14 @@ export class PasuMeasures extends DesignerElement {
 
   private canBeMade() {
     const { designer } = this;
-    const { workshop, shown, state: now } = designer;
+    const { made, state: now, surface } = designer;
     if (!now.design.parts.some((part) => part.wall)) {
       return html`<p class="lead">A surface without a wall: what it would hold is told, and a wall makes it a pot (under Wall).</p>`;
     }
-    const measures = workshop?.measures;
-    const problem = workshop?.solid.problem ?? workshop?.report.problem ?? measures?.problem;
-    const outline = shown?.solved.facts?.outline ?? [];
-    const found = verdict(measures?.value ?? null, workshop?.report.value ?? null, outline, unitOf(now.design));
+    const measures = made?.measures;
+    const problem = made?.solid.problem ?? made?.report.problem ?? measures?.problem;
+    const outline = surface.shown?.solved.facts?.outline ?? [];
+    const found = verdict(measures?.value ?? null, made?.report.value ?? null, outline, unitOf(now.design));
     return html`<section aria-labelledby="made">
       <h3 id="made">Can it be made?</h3>
       ${
@@ -51,8 +51,8 @@ export class PasuMeasures extends DesignerElement {
   }
 
   private numbers() {
-    const { workshop, state: now } = this.designer;
-    const piece = workshop?.measures;
+    const { made, state: now } = this.designer;
+    const piece = made?.measures;
     if (!piece?.value || !piece.of) {
       const why = piece?.problem && asSentence(piece.problem.message);
       return why

@@ -207,7 +207,8 @@ export class PasuModes extends DesignerElement {
   }
 
   private problemOf(path: Path): string {
-    const { problem, state } = this.designer;
+    const { state, surface } = this.designer;
+    const { problem } = surface;
     return problem?.path === pathText(["parts", state.session.part, "shape", ...path]) ? problem.message : "";
   }
 

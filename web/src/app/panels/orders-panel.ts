@@ -34,7 +34,7 @@ export class PasuOrders extends DesignerElement {
   }
 
   private problem() {
-    const problem = this.designer.comparisonProblem;
+    const problem = this.designer.comparison.problem;
     return problem
       ? html`<p class="problem" role="status">${icon("warn")}<span>${problem.message}</span></p>`
       : nothing;
@@ -43,7 +43,7 @@ export class PasuOrders extends DesignerElement {
   private card(shape: Shape, kind: OrderKind) {
     const { designer } = this;
     const here = shape.kind === kind;
-    const compared = designer.state.session.compare === kind;
+    const compared = designer.store.session.compare === kind;
     const note = ORDER_NOTES[kind];
     const lost = here ? [] : (convert(shape, kind)?.lost ?? []);
     return html`<section aria-labelledby=${kind} class=${here ? "here" : ""}>

@@ -77,7 +77,7 @@ export class PasuParameters extends DesignerElement {
   }
 
   private openNote(shape: Shape) {
-    if (this.designer.shown?.solved.facts?.closed !== false) return nothing;
+    if (this.designer.surface.shown?.solved.facts?.closed !== false) return nothing;
     const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petal frequency and the turns";
     return html`<p class="notice" role="note">The wall does not close. It closes when ${which} are whole numbers.</p>`;
   }
@@ -88,7 +88,7 @@ export class PasuParameters extends DesignerElement {
     const pair = [first, second] as const;
     const apart =
       Math.abs(fieldValue(shape, first) - fieldValue(shape, second)) > NEVER ||
-      this.designer.state.session.unlocked.includes(row.id);
+      this.designer.store.session.unlocked.includes(row.id);
     return html`<div class="pair">
       ${
         apart
@@ -118,14 +118,14 @@ export class PasuParameters extends DesignerElement {
       .label=${field.name}
       .qualifier=${qualifier}
       .symbol=${symbol}
-      .unit=${field.length ? unitOf(designer.state.design) : ""}
+      .unit=${field.length ? unitOf(designer.store.design) : ""}
       .help=${field.help}
       .problem=${this.problemOf(fields)}
       .value=${fieldValue(shape, field)}
       .min=${factor * field.min}
       .max=${factor * field.max}
       .step=${factor * field.step}
-      .explain=${designer.state.session.explain}
+      .explain=${designer.store.session.explain}
       resettable
       data-family=${family.kind}
       @number-change=${(event: NumberChangeEvent) =>
@@ -138,7 +138,8 @@ export class PasuParameters extends DesignerElement {
 
   /** The solver's objection, when it names one of these fields. */
   private problemOf(fields: readonly Field[]): string {
-    const { problem, state } = this.designer;
+    const { state, surface } = this.designer;
+    const { problem } = surface;
     if (!problem) return "";
     const named = fields.some(
       (field) => pathText(["parts", state.session.part, "shape", ...field.path]) === problem.path,

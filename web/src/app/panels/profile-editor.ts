@@ -52,7 +52,7 @@ export class PasuProfile extends DesignerElement {
     const { designer } = this;
     const { design, session } = designer.state;
     const shape = design.parts[session.part]?.shape;
-    const section = designer.shown?.solved.section;
+    const section = designer.surface.shown?.solved.section;
     if (!shape || !section) return html`<p class="lead">The section appears with the pot.</p>`;
     const marks = marksOf(section, rimAt(shape));
     const all = handles(shape);
@@ -178,7 +178,7 @@ export class PasuProfile extends DesignerElement {
 
   /** What a screen reader says after a key moved the handle that has the focus. */
   override willUpdate(): void {
-    const section = this.designer.shown?.solved.section;
+    const section = this.designer.surface.shown?.solved.section;
     const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
     if (!section || !active || this.last) return;
     const { design, session } = this.designer.state;

@@ -9,12 +9,12 @@ import type { Designer } from "../../work/designer";
 
 /** One button for each part that has a remedy. */
 export function remedies(designer: Designer) {
-  const { workshop, state } = designer;
-  const findings = (workshop?.report.value?.findings ?? []).filter(({ remedy }) => remedy);
+  const { made, state } = designer;
+  const findings = (made?.report.value?.findings ?? []).filter(({ remedy }) => remedy);
   // A ring and a drain that were fitted have one wall that says so.
   const first = findings.filter(({ part }, i) => findings.findIndex((finding) => finding.part === part) === i);
   const found = first.flatMap((finding) => button(designer, finding));
-  return found.length > 0 && workshop?.report.of === state.design ? html`<p class="remedies">${found}</p>` : nothing;
+  return found.length > 0 && made?.report.of === state.design ? html`<p class="remedies">${found}</p>` : nothing;
 }
 
 function button(designer: Designer, { part, remedy }: Finding) {

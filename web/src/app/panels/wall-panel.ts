@@ -35,7 +35,7 @@ export class PasuWall extends DesignerElement {
   private size = 1;
 
   override willUpdate(): void {
-    const facts = this.designer.shown?.solved.facts;
+    const facts = this.designer.surface.shown?.solved.facts;
     if (facts && !this.designer.store.inGesture) this.size = Math.max(facts.height, facts.width, facts.depth);
   }
 
@@ -87,12 +87,12 @@ export class PasuWall extends DesignerElement {
   /** Why it is no pot, in the solver's words; or how much it holds, and what of it was fitted. */
   private verdict() {
     const { designer } = this;
-    const { workshop } = designer;
-    const problem = workshop?.solid.problem;
+    const { made } = designer;
+    const problem = made?.solid.problem;
     if (problem)
       return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
         ${remedies(designer)}`;
-    const held = workshop?.holds;
+    const held = made?.holds;
     return html`<p class="holds" role="status">${held ?? nothing}</p>
       ${this.fitted()}`;
   }
@@ -100,9 +100,9 @@ export class PasuWall extends DesignerElement {
   /** What is made otherwise than asked for, for want of room, with a button that says so in the document. */
   private fitted() {
     const { designer } = this;
-    const { workshop, state } = designer;
-    if (workshop?.report.of !== state.design) return nothing;
-    const found = (workshop.report.value?.findings ?? []).filter(({ part }) => part === state.session.part);
+    const { made, state } = designer;
+    if (made?.report.of !== state.design) return nothing;
+    const found = (made.report.value?.findings ?? []).filter(({ part }) => part === state.session.part);
     const told = found.flatMap((finding) => fittedWords(finding, unitOf(state.design)) ?? []);
     if (told.length === 0) return nothing;
     return html`${told.map((text) => html`<p class="problem" role="status">${icon("warn")}<span>${text}</span></p>`)}
@@ -116,14 +116,14 @@ export class PasuWall extends DesignerElement {
       return html`<pasu-number
         data-field=${field.path.join("-")}
         .label=${field.name}
-        .unit=${unitOf(designer.state.design)}
+        .unit=${unitOf(designer.store.design)}
         .help=${field.help}
         .problem=${this.problemOf(field)}
         .value=${wallNumber(wall, field)}
         .min=${0}
         .max=${max}
         .step=${step}
-        .explain=${designer.state.session.explain}
+        .explain=${designer.store.session.explain}
         @number-change=${(event: NumberChangeEvent) =>
           designer.apply(setWallNumber(designer.state, field, event.value, event.gesture))}
         @number-done=${() => designer.store.endGesture()}
@@ -134,9 +134,9 @@ export class PasuWall extends DesignerElement {
 
   /** The objection of whoever objects first, when it names this number. */
   private problemOf(field: WallField): string {
-    const { problem, state, workshop } = this.designer;
+    const { made, state, surface } = this.designer;
     const path = pathText(["parts", state.session.part, "wall", ...field.path]);
-    const named = [problem, workshop?.solid.problem].find((each) => each?.path === path);
+    const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
     return named ? asSentence(named.message) : "";
   }
 

@@ -16,8 +16,8 @@ export class PasuWater extends DesignerElement {
   override render() {
     const { designer } = this;
     const { session, design } = designer.state;
-    const range = designer.workshop?.waterRange;
-    const measures = designer.workshop?.measures.value;
+    const range = designer.made?.waterRange;
+    const measures = designer.made?.measures.value;
     if (!measures) return nothing;
     const { fill } = session;
     const unit = unitOf(design);
@@ -69,8 +69,8 @@ export class PasuWater extends DesignerElement {
   }
 
   private words(): string {
-    const { workshop } = this.designer;
-    const water = workshop?.water;
+    const { made } = this.designer;
+    const water = made?.water;
     if (water?.problem) return water.problem.message;
     const volume = water?.value?.volume ?? null;
     return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 4) : "…";
@@ -79,7 +79,7 @@ export class PasuWater extends DesignerElement {
   /** The browser's own steps of a slider without steps differ from one to the next. */
   private readonly key = (event: KeyboardEvent): void => {
     const { designer } = this;
-    const fill = fillAfter(event, designer.state.session.fill);
+    const fill = fillAfter(event, designer.store.session.fill);
     if (fill === null) return;
     event.preventDefault();
     designer.apply(setFill(designer.state, fill));

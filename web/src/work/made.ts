@@ -1,117 +1,104 @@
 /**
  * What is made of the design besides its picture: the pot with its wall, its measures, the verdict of the checks, colour maps
- * and water. It follows the designer, asks the maker once the design rests (or when nothing but a wall changes), and only
+ * and water. It follows the document and its surface, asks the maker once the design rests (or when nothing but a wall changes), and only
  * for what somebody looks at.
  */
 
+import { batch, effect, type Signal, signal } from "@preact/signals-core";
 import { unitOf } from "../document/look";
 import { holdsText, waterRange } from "../document/measure-words";
-import type { Design, MapName, Measures, Refusal, Report } from "../document/types";
+import type { Design, Measures, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
-import type { Designer } from "./designer";
+import type { Store } from "../state/store";
 import { InStep } from "./in-step";
-
-/** What the maker made last, and of what. */
-export interface Piece<T> {
-  readonly value: T | null;
-  readonly of: Design | null;
-  /** Why there is none. */
-  readonly problem: Refusal | null;
-  /** What the value was asked with besides the design. */
-  readonly key: string;
-}
-
-const NOTHING: Piece<never> = { value: null, of: null, problem: null, key: "" };
+import { NOTHING, type Piece, QUICK } from "./piece";
+import type { Surface } from "./surface";
 
 /** What is shown in the panels; the export dialogue asks for itself. */
-interface Pieces {
-  readonly solid: Piece<Solid>;
-  readonly measure: Piece<Measures>;
-  readonly check: Piece<Report>;
-  readonly paint: Piece<Painted>;
-  readonly water: Piece<Filled>;
-}
-
-type Shown = keyof Pieces;
+type Shown = "solid" | "measure" | "check" | "paint" | "water";
 
 /** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
 const COARSE = 1 / 150;
 const FINE = 1 / 700;
-
-/** What is made under the hand. */
-export const QUICK = "quick";
 
 /** Of these, what is made of an earlier change is better to look at than what was there before. */
 const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
 
 type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
-export class Workshop {
+export class Made {
   readonly maker: MakerClient;
   /** What keeps the wall on the screen while the shape is dragged. */
   readonly inStep: InStep;
-  readonly #designer: Designer;
-  #pieces: Pieces = { solid: NOTHING, measure: NOTHING, check: NOTHING, paint: NOTHING, water: NOTHING };
+  readonly #store: Store;
+  readonly #surface: Surface;
+  readonly #pieces: { readonly [K in Shown]: Signal<Piece<Answers[K]>> } = {
+    solid: signal<Piece<Solid>>(NOTHING),
+    measure: signal<Piece<Measures>>(NOTHING),
+    check: signal<Piece<Report>>(NOTHING),
+    paint: signal<Piece<Painted>>(NOTHING),
+    water: signal<Piece<Filled>>(NOTHING),
+  };
   /** What is asked for, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
 
-  constructor(designer: Designer, maker: MakerClient) {
-    this.#designer = designer;
+  constructor(store: Store, surface: Surface, maker: MakerClient) {
+    this.#store = store;
+    this.#surface = surface;
     this.maker = maker;
-    this.inStep = new InStep(designer, maker, (piece) => this.#putQuick(piece));
-    designer.subscribe(() => this.#follow());
-    this.#follow();
+    this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece));
+  }
+
+  /** Follows the document and its surface until what comes back is called. */
+  connect(): () => void {
+    this.#surface.accompany(this.inStep);
+    const leave = effect(() => this.#follow());
+    return () => {
+      leave();
+      this.#surface.accompany(null);
+      this.#rest();
+    };
   }
 
   /** The pot with its wall. */
   get solid(): Piece<Solid> {
-    return this.#pieces.solid;
+    return this.#pieces.solid.value;
   }
 
   get measures(): Piece<Measures> {
-    return this.#pieces.measure;
+    return this.#pieces.measure.value;
   }
 
   get report(): Piece<Report> {
-    return this.#pieces.check;
+    return this.#pieces.check.value;
   }
 
   get painted(): Piece<Painted> {
-    return this.#pieces.paint;
+    return this.#pieces.paint.value;
   }
 
   get water(): Piece<Filled> {
-    return this.#pieces.water;
-  }
-
-  /** The map that the colours on the stage show, if any. */
-  get map(): MapName | null {
-    return this.#designer.state.session.map;
-  }
-
-  /** Whether something that is looked at is not there yet. */
-  get busy(): boolean {
-    return this.#asked.size > 0;
+    return this.#pieces.water.value;
   }
 
   /** How much the pot holds, in words; null while that is not known, also where it is known of the surface without its wall alone. */
   get holds(): string | null {
     const { value, of } = this.measures;
-    const { design } = this.#designer.state;
+    const { design } = this.#store;
     return value && of && walls(of) === walls(design) ? holdsText(value, unitOf(of)) : null;
   }
 
   /** How high the water is to stand, which its surface may still have to follow; null without water. */
   get level(): number | null {
     const { value, of, key } = this.water;
-    const follows = key === QUICK && of === this.#designer.shown?.design;
+    const follows = key === QUICK && of === this.#surface.shown?.design;
     return this.#measured ?? (follows ? (value?.level ?? null) : null);
   }
 
   get #measured(): number | null {
-    const { design, session } = this.#designer.state;
+    const { design, session } = this.#store;
     const range = this.measures.of === design ? this.waterRange : null;
     return range && session.fill !== null ? range.low + session.fill * (range.high - range.low) : null;
   }
@@ -122,8 +109,8 @@ export class Workshop {
   }
 
   #follow(): void {
-    const { design, session } = this.#designer.state;
-    const { shown } = this.#designer;
+    const { design, session } = this.#store;
+    const { shown } = this.#surface;
     const rests = shown?.settled === true && shown.design === design;
     const { of } = this.solid;
     const same = of !== null && sameSurface(of.parts, design.parts);
@@ -142,10 +129,10 @@ export class Workshop {
       const checked = walled && (session.tab === "measures" || helped);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
       const { map } = session;
-      const { rows, columns } = this.#designer.grid(design);
+      const { rows, columns } = this.#surface.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
     }
-    if (this.#designer.store.inGesture && !rests && !same) this.#rest();
+    if (this.#store.inGesture && !rests && !same) this.#rest();
     else this.#pour();
   }
 
@@ -157,7 +144,7 @@ export class Workshop {
 
   /** Coarsely at once, and finely once that is there and the hand rests. */
   #draw(design: Design | null, fine: boolean): void {
-    const facts = this.#designer.shown?.solved.facts;
+    const facts = this.#surface.shown?.solved.facts;
     const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
     const tolerance = size * (fine ? FINE : COARSE);
     // What was refused is not tried again, unless that was said in haste.
@@ -167,16 +154,18 @@ export class Workshop {
 
   /** A wall that was dragged along, and its water. */
   #putQuick({ value, of, problem }: Piece<Quick>): void {
-    if (value?.water) {
-      const water = { value: { ...value.water, volume: null, error: null }, of, problem: null, key: QUICK };
-      this.#pieces = { ...this.#pieces, water };
-    }
-    this.#put("solid", { value: value?.solid ?? null, of, problem, key: QUICK });
+    batch(() => {
+      if (value?.water) {
+        const water = { ...value.water, volume: null, error: null };
+        this.#put("water", { value: water, of, problem: null, key: QUICK });
+      }
+      this.#put("solid", { value: value?.solid ?? null, of, problem, key: QUICK });
+    });
   }
 
   /** The water follows the hand as soon as its range is known. */
   #pour(): void {
-    const { design, session } = this.#designer.state;
+    const { design, session } = this.#store;
     if (session.fill === null) {
       this.#want("water", null, "");
       return;
@@ -194,7 +183,7 @@ export class Workshop {
         this.#asked.delete(name);
         this.maker.cancel(name);
       }
-      if (this.#pieces[name] !== NOTHING) this.#put(name, NOTHING);
+      if (this.#pieces[name].value !== NOTHING) this.#put(name, NOTHING);
       return;
     }
     const { design }: DesignAsk = ask;
@@ -217,15 +206,12 @@ export class Workshop {
   }
 
   #has(name: Shown, design: Design, key: string): boolean {
-    const piece = this.#pieces[name];
+    const piece = this.#pieces[name].value;
     return piece.of === design && piece.key === key;
   }
 
   #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
-    this.#pieces = { ...this.#pieces, [name]: piece };
-    this.#designer.touched();
-    // What was just made may be what something else waits for.
-    this.#follow();
+    this.#pieces[name].value = piece;
   }
 }
 
