@@ -3,7 +3,9 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
+const inPackage = (file: string) => fileURLToPath(new URL(`../crates/pasu-wasm/pkg/${file}`, import.meta.url));
+
 export default defineConfig({
-  resolve: { alias: { pasu: fileURLToPath(new URL("../crates/pasu-wasm/pkg/node.js", import.meta.url)) } },
+  resolve: { alias: { "pasu/drawing": inPackage("drawing.js"), pasu: inPackage("pasu.js") } },
   test: { environment: "node", include: ["src/**/*.test.ts", "build/**/*.test.ts"], passWithNoTests: true },
 });

@@ -96,8 +96,10 @@ export class Visit {
   async draw(grid: GridSize): Promise<void> {
     await this.context.addInitScript(async (size) => {
       await customElements.whenDefined("pasu-app");
-      const { designer } = document.querySelector("pasu-app") as unknown as { designer: { grid: () => GridSize } };
-      designer.grid = () => size;
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: { surface: { grid: () => GridSize } };
+      };
+      designer.surface.grid = () => size;
     }, grid);
   }
 

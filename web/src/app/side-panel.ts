@@ -1,12 +1,13 @@
 /** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders, the look, the wall and what it measures. */
 
-import { css, html, nothing } from "lit";
+import { css, html } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { selectPart, selectTab } from "../state/actions";
+import { DesignerElement } from "../element/designer-element";
+import { selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
-import { UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
-import { base, fields } from "./styles";
+import { base } from "../ui/styles";
+import "./panels/part-choice";
+import { UNFETCHED } from "../work/notices";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = {
   shape: "Shape",
@@ -19,12 +20,12 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
-  shape: () => import("./parameters"),
-  profile: () => import("./profile-editor"),
-  order: () => import("./orders-panel"),
-  look: () => import("./look-panel"),
-  wall: () => import("./wall-panel"),
-  measures: () => import("./measures-panel"),
+  shape: () => import("./panels/parameters"),
+  profile: () => import("./panels/profile-editor"),
+  order: () => import("./panels/orders-panel"),
+  look: () => import("./panels/look-panel"),
+  wall: () => import("./panels/wall-panel"),
+  measures: () => import("./panels/measures-panel"),
 };
 
 @customElement("pasu-panel")
@@ -39,17 +40,17 @@ export class PasuPanel extends DesignerElement {
   }
 
   override willUpdate(): void {
-    const { tab } = this.designer.state.session;
+    const { tab } = this.designer.store.session;
     if (tab === this.fetched) return;
     this.fetched = tab;
     PANELS[tab]().catch(() => {
       this.fetched = null;
-      this.designer.say(UNFETCHED);
+      this.designer.notices.say(UNFETCHED);
     });
   }
 
   override render() {
-    const { tab } = this.designer.state.session;
+    const { tab } = this.designer.store.session;
     return html`
       <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.key}>
         ${TABS.map(
@@ -68,7 +69,8 @@ export class PasuPanel extends DesignerElement {
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
         <h2 class="spoken">${TAB_NAMES[tab]}</h2>
-        ${this.parts()} ${this.content(tab)}
+        <pasu-part-choice .designer=${this.designer}></pasu-part-choice>
+        ${this.content(tab)}
       </div>
     `;
   }
@@ -91,31 +93,13 @@ export class PasuPanel extends DesignerElement {
     }
   }
 
-  private parts() {
-    const { design, session } = this.designer.state;
-    if (design.parts.length < 2) return nothing;
-    return html`<label class="part">
-      <span>Part</span>
-      <select
-        class="field"
-        @change=${(event: Event) =>
-          this.designer.apply(selectPart(this.designer.state, Number((event.target as HTMLSelectElement).value)))}
-      >
-        ${design.parts.map(
-          (part, index) =>
-            html`<option value=${index} ?selected=${index === session.part}>${part.name ?? `Part ${index + 1}`}</option>`,
-        )}
-      </select>
-    </label>`;
-  }
-
   private select(tab: Tab): void {
     this.designer.apply(selectTab(tab));
     this.body.scrollTop = 0;
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    const now = TABS.indexOf(this.designer.state.session.tab);
+    const now = TABS.indexOf(this.designer.store.session.tab);
     const to =
       event.key === "ArrowRight"
         ? now + 1
@@ -135,7 +119,6 @@ export class PasuPanel extends DesignerElement {
 
   static override readonly styles = [
     base,
-    fields,
     css`
       :host {
         display: grid;
@@ -177,15 +160,6 @@ export class PasuPanel extends DesignerElement {
         overscroll-behavior: contain;
         scrollbar-gutter: stable;
         outline-offset: -3px;
-      }
-      .part {
-        display: flex;
-        align-items: center;
-        gap: 12px;
-        padding-bottom: 12px;
-      }
-      .part .field {
-        flex: 1;
       }
       @media (max-width: 379px) {
         .tabs {

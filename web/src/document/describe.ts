@@ -1,6 +1,6 @@
 /** The shape in words: what someone who cannot see the pot should know about it. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import type { Triple, Unit } from "./types";
 
 /** The vertices of one part as a grid, row by row from `u = 0` to `u = 1`. */

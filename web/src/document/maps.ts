@@ -1,6 +1,6 @@
 /** The colour maps: what each shows, its unit, and its colours, told apart with every kind of colour vision. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import type { MapName, Unit } from "./types";
 
 export type Rgb = readonly [number, number, number];

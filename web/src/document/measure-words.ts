@@ -1,6 +1,6 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import {
   angleWords,
   areaShown,

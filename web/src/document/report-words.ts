@@ -1,6 +1,6 @@
 /** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import { type Outline, placeWords } from "./places";
 import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
 import { fittedWords } from "./remedy-words";

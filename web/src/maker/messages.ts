@@ -1,18 +1,9 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
-import type {
-  Design,
-  Format,
-  Making,
-  MapName,
-  Measures,
-  Product,
-  Provenance,
-  Refusal,
-  Report,
-} from "../document/types";
+import type { Design, Format, Making, MapName, Measures, Product, Provenance, Report } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
+import type * as worker from "../worker/port";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
@@ -112,11 +103,6 @@ export interface Request {
   readonly ask: Ask;
 }
 
-/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
-export interface Begin {
-  readonly module: WebAssembly.Module | null;
-}
+export type Reply = worker.Reply<Answers[Kind]>;
 
-export type Reply =
-  | { readonly id: number; readonly ok: true; readonly answer: Answers[Kind] }
-  | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };
+export type MakerPort = worker.Port<Request, Answers[Kind]>;

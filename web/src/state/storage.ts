@@ -6,7 +6,6 @@
 import { FORMAT_NAMES } from "../document/format";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
-import type { State } from "./store";
 
 export type Place = "link and browser" | "browser" | "nowhere";
 
@@ -65,9 +64,9 @@ export function readWork(shelf: Shelf | null): Work | null {
   return { text, link, unsaved };
 }
 
-export function keepSettings(shelf: Shelf | null, state: State): boolean {
+export function keepSettings(shelf: Shelf | null, session: Session): boolean {
   const kept: Record<string, unknown> = {};
-  for (const [key, value] of Object.entries(state.session)) {
+  for (const [key, value] of Object.entries(session)) {
     if (KEPT[key as keyof Session] === "browser") kept[key] = value;
   }
   return write(shelf, SETTINGS_KEY, JSON.stringify(kept));

@@ -1,5 +1,6 @@
 /** The one place that holds what the page knows: a frozen document with its history, beside a session that is not undone. */
 
+import { batch, computed, type Signal, signal } from "@preact/signals-core";
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
@@ -22,84 +23,97 @@ export interface Change {
   readonly key?: string;
 }
 
-export type Listener = (state: State, before: State) => void;
-
 export class Store {
-  #state: State;
-  #history: History = EMPTY;
-  readonly #listeners = new Set<Listener>();
+  readonly #design: Signal<Design>;
+  readonly #session: Signal<Session>;
+  readonly #history = signal(EMPTY);
+  readonly #title = computed(() => this.#design.value.title ?? "");
+  readonly #canUndo = computed(() => canUndo(this.#history.value));
+  readonly #canRedo = computed(() => canRedo(this.#history.value));
+  readonly #inGesture = computed(() => this.#history.value.merging !== null);
+  #travelled = false;
 
   constructor(design: Design, session: Session) {
-    this.#state = { design: frozen(design), session: frozen(session) };
+    this.#design = signal(frozen(design));
+    this.#session = signal(frozen(session));
   }
 
+  // Everything here is a signal behind its name: who reads it in an effect or in a component's template hears of its next change.
+
+  get design(): Design {
+    return this.#design.value;
+  }
+
+  get session(): Session {
+    return this.#session.value;
+  }
+
+  get title(): string {
+    return this.#title.value;
+  }
+
+  /** Both, as actions take them; who looks at one of them alone had better ask for that. */
   get state(): State {
-    return this.#state;
+    return { design: this.design, session: this.session };
   }
 
   get canUndo(): boolean {
-    return canUndo(this.#history);
+    return this.#canUndo.value;
   }
 
   get canRedo(): boolean {
-    return canRedo(this.#history);
+    return this.#canRedo.value;
   }
 
   /** Whether a gesture (a drag, a held key) is under way. */
   get inGesture(): boolean {
-    return this.#history.merging !== null;
+    return this.#inGesture.value;
+  }
+
+  /** Whether undo or redo led to this design. */
+  get travelled(): boolean {
+    return this.#travelled;
   }
 
   apply(change: Change): void {
-    const before = this.#state;
-    const design = frozen(change.design ?? before.design);
-    const session = change.session ? frozen({ ...before.session, ...change.session }) : before.session;
-    if (design === before.design && session === before.session) return;
-    if (design !== before.design) this.#history = record(this.#history, before.design, change);
-    this.#set({ design, session });
+    const before = this.#design.peek();
+    const design = frozen(change.design ?? before);
+    batch(() => {
+      if (change.session) this.#session.value = frozen({ ...this.#session.peek(), ...change.session });
+      if (design === before) return;
+      this.#travelled = false;
+      this.#history.value = record(this.#history.peek(), before, change);
+      this.#design.value = design;
+    });
   }
 
-  /** Ends the gesture: the next change is a step of its own. Listeners hear of it so that they can settle. */
+  /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
-    if (!this.inGesture) return;
-    this.#history = endMerge(this.#history);
-    this.#tell(this.#state);
+    this.#history.value = endMerge(this.#history.peek());
   }
 
   /** The gesture was not meant (the page scrolled instead): nothing happened. */
   cancelGesture(): void {
-    this.#travel(cancelMerge(this.#history));
+    this.#travel(cancelMerge(this.#history.peek()));
   }
 
   undo(): void {
-    this.#travel(undo(this.#history, this.#state.design));
+    this.#travel(undo(this.#history.peek(), this.#design.peek()), true);
   }
 
   redo(): void {
-    this.#travel(redo(this.#history, this.#state.design));
+    this.#travel(redo(this.#history.peek(), this.#design.peek()), true);
   }
 
-  subscribe(listener: Listener): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
-  }
-
-  #travel(trip: { readonly history: History; readonly design: Design } | null): void {
+  #travel(trip: { readonly history: History; readonly design: Design } | null, travelled = false): void {
     if (trip === null) return;
-    this.#history = trip.history;
-    const parts = trip.design.parts.length;
-    const session = this.#state.session;
-    const part = Math.min(session.part, parts - 1);
-    this.#set({ design: trip.design, session: part === session.part ? session : frozen({ ...session, part }) });
-  }
-
-  #set(state: State): void {
-    const before = this.#state;
-    this.#state = state;
-    this.#tell(before);
-  }
-
-  #tell(before: State): void {
-    for (const listener of [...this.#listeners]) listener(this.#state, before);
+    const session = this.#session.peek();
+    const part = Math.min(session.part, trip.design.parts.length - 1);
+    batch(() => {
+      this.#travelled = travelled;
+      this.#history.value = trip.history;
+      this.#design.value = trip.design;
+      if (part !== session.part) this.#session.value = frozen({ ...session, part });
+    });
   }
 }
