@@ -43,7 +43,7 @@ export interface Family {
   readonly name: string;
   readonly source: string;
   readonly fields: readonly Field[];
-  /** The complete shape that an empty readable link stands for; what "reset" goes back to. */
+  /** The complete shape that an empty readable link stands for: the pot of the paper. */
   readonly reset: Shape;
 }
 
@@ -61,11 +61,6 @@ export function familyOf(kind: Kind): Family | null {
 
 export function fieldValue(shape: Shape, field: Field): number {
   return numberAt(filled(shape), field.path, Number.NaN);
-}
-
-export function resetValue(kind: Kind, field: Field): number {
-  const family = familyOf(kind);
-  return family === null ? 0 : numberAt(filled(family.reset), field.path, 0);
 }
 
 /** The shape with one number changed; the same shape when it had that value already. */

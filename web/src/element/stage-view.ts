@@ -201,6 +201,8 @@ export class PasuStage extends DesignerElement {
     if (before) designer.solver.recycle(before);
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
+    // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
+    this.made?.update();
     this.frame(shown, stage);
   }
 

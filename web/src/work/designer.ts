@@ -14,6 +14,7 @@ import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays, Parsed, Solved } from "../solver/messages";
 import * as actions from "../state/actions";
+import { Origins } from "../state/origins";
 import type { Shelf } from "../state/storage";
 import { keepSettings, keepWork, readSettings, readWork } from "../state/storage";
 import type { Change, State } from "../state/store";
@@ -78,6 +79,9 @@ export class Designer {
   grid = (design: Design): GridSize => gridFor(design, this.store.inGesture ? this.pace.step : 0);
   readonly #around: Surroundings;
   readonly #listeners = new Set<() => void>();
+  readonly #origins = new Origins();
+  /** How large each design was when it was first solved. */
+  readonly #sizes = new WeakMap<Design, number>();
   #told = false;
   #framing = 0;
   #changes = 0;
@@ -121,6 +125,16 @@ export class Designer {
   /** How the file was made that this design was opened from; null for any other, and for the design before it, to which undo leads. */
   get made(): Making | null {
     return this.state.design === this.#replaced ? null : this.#made;
+  }
+
+  /** What the design was opened as: where a reset leads. */
+  get origin(): Design {
+    return this.#origins.of(this.state.design);
+  }
+
+  /** How high or wide the pot was when it was opened, whichever is more; null before it was solved. */
+  get openedSize(): number | null {
+    return this.#sizes.get(this.origin) ?? null;
   }
 
   get unsaved(): boolean {
@@ -167,19 +181,22 @@ export class Designer {
     if (linked?.state === "refused") this.openProblem = linked.refusal;
     const theirs = linked?.state === "done" ? linked.value : null;
     if (theirs && (!work?.unsaved || work.link === theirs.link)) {
-      this.#begin(theirs.design, !(work?.unsaved ?? false));
+      await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
       return;
     }
     const mine = work ? await this.solver.parse(work.text) : null;
     if (mine?.state === "done") {
-      this.#begin(mine.value.design, !work?.unsaved);
+      await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
       if (theirs) this.#ask({ theirs });
     } else {
-      this.#begin(theirs?.design ?? this.state.design, true);
+      await this.#begin(theirs?.design ?? this.state.design, true);
     }
   }
 
-  #begin(design: Design, saved: boolean): void {
+  /** `origin` is the document that the design was opened as in an earlier visit. */
+  async #begin(design: Design, saved: boolean, origin?: string): Promise<void> {
+    const opened = origin === undefined ? null : await this.solver.parse(origin);
+    this.#origins.open(design, opened?.state === "done" ? opened.value.design : design);
     this.#started = true;
     if (design === this.state.design) {
       this.#solve();
@@ -254,6 +271,7 @@ export class Designer {
     const before = this.state.design;
     this.openProblem = null;
     this.#framing += 1;
+    this.#origins.open(design);
     this.apply(actions.openDesign(this.state, design));
     this.#made = made;
     this.#replaced = this.state.design === before ? null : before;
@@ -333,6 +351,7 @@ export class Designer {
   #follow(state: State, before: State): void {
     const { design, session } = state;
     const redesigned = design !== before.design;
+    this.#origins.follow(design, before.design);
     // Who goes on working has read why a link or file was not opened; the address may be written again.
     if (redesigned && this.shown !== null) this.openProblem = null;
     const gestureEnded = !this.store.inGesture && !(this.shown?.settled && this.shown.design === design);
@@ -381,6 +400,7 @@ export class Designer {
         return;
       }
       trace("solved", change, outcome.value.times);
+      this.#learnSize(design, outcome.value);
       this.shown = { design, solved: outcome.value, change, settled: options.settle, framing, travelled };
       if (current) {
         this.#travelled = false;
@@ -395,6 +415,11 @@ export class Designer {
       }
       this.#tell();
     });
+  }
+
+  #learnSize(design: Design, { facts }: Solved): void {
+    const origin = this.#origins.of(design);
+    if (facts && !this.#sizes.has(origin)) this.#sizes.set(origin, Math.max(facts.height, facts.width, facts.depth));
   }
 
   async #compare(): Promise<void> {
@@ -432,7 +457,8 @@ export class Designer {
     if (!shown?.settled) return;
     const text = JSON.stringify(shown.design);
     const unsaved = shown.design !== this.#saved;
-    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved });
+    const origin = JSON.stringify(this.#origins.of(shown.design));
+    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved, origin });
     if (kept || !unsaved || this.#warned) return;
     this.#warned = true;
     this.say("This browser keeps no copy of your work. Save it, or copy its link, before you leave.");

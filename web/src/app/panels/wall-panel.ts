@@ -31,12 +31,11 @@ const RIMS = [
 
 @customElement("pasu-wall")
 export class PasuWall extends DesignerElement {
-  /** The sliders' ranges stand still under the hand. */
   private size = 1;
 
   override willUpdate(): void {
     const facts = this.designer.shown?.solved.facts;
-    if (facts && !this.designer.store.inGesture) this.size = Math.max(facts.height, facts.width, facts.depth);
+    if (facts) this.size = Math.max(facts.height, facts.width, facts.depth);
   }
 
   override render() {
@@ -112,7 +111,8 @@ export class PasuWall extends DesignerElement {
   private numbers(wall: Wall) {
     const { designer } = this;
     return wallFields(wall).map((field) => {
-      const { max, step } = wallRange(field, this.size);
+      // The ranges go by the pot that was opened: no number moves the range of another.
+      const { max, step } = wallRange(field, designer.openedSize ?? this.size);
       return html`<pasu-number
         data-field=${field.path.join("-")}
         .label=${field.name}

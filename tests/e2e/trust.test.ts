@@ -1,0 +1,98 @@
+// What the page says is so: numbers, thumbs and ranges agree, a reset says where it leads, and what was said of one pot ends with it.
+
+import { expect, test } from "vitest";
+import { stay } from "../support/stay.ts";
+import type { Visit } from "../support/visit.ts";
+
+const here = stay();
+
+const slider = (pot: Visit, name: string) =>
+  pot.slider(name).evaluate((input: HTMLInputElement) => ({
+    value: input.valueAsNumber,
+    min: Number(input.min),
+    max: Number(input.max),
+    fill: Number.parseFloat(getComputedStyle((input.getRootNode() as ShadowRoot).host).getPropertyValue("--fill")),
+  }));
+
+/** Where the camera is, as the stage says it. */
+const distance = (pot: Visit) =>
+  pot.page.locator("pasu-stage").evaluate((element) => {
+    const { stage } = element as unknown as { stage: { pose: { distance: number } } };
+    return stage.pose.distance;
+  });
+
+async function exhibit(pot: Visit, title: string): Promise<void> {
+  const before = await pot.fingerprint();
+  await pot.command("Gallery");
+  await pot.page
+    .locator("pasu-gallery li button")
+    .filter({ has: pot.page.getByText(title, { exact: true }) })
+    .click();
+  await pot.fingerprintOtherThan(before);
+}
+
+test("a reset leads back to the pot that was opened, says to what, and still knows it after a reload", async () => {
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  await pot.type("Height", "26");
+  const higher = await pot.fingerprintOtherThan(jar);
+  await pot.button("Reset Height to 20 cm, as opened").click();
+  await pot.shows(jar);
+  await pot.undo();
+  await pot.shows(higher);
+  await pot.page.reload();
+  await pot.shows(higher);
+  await pot.button("Set Height to 2 cm, as in the paper").click();
+  await pot.fingerprintOtherThan(higher);
+  await pot.button("Reset Height to 20 cm, as opened").click();
+  await pot.shows(jar);
+  expect(await pot.button(/^Reset Height/).count()).toBe(0);
+});
+
+test("a typed number beyond the slider widens it, and no other number changes its range", async () => {
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  expect(await slider(pot, "Height")).toMatchObject({ value: 20, min: 1, max: 50 });
+  const rim = await slider(pot, "Rim radius");
+  await pot.type("Height", "80");
+  const tall = await pot.fingerprintOtherThan(jar);
+  expect(await slider(pot, "Height")).toEqual({ value: 80, min: 1, max: 100, fill: 79.8 });
+  expect(await slider(pot, "Rim radius")).toEqual(rim);
+  await pot.type("Belly radius", "50");
+  await pot.fingerprintOtherThan(tall);
+  expect(await slider(pot, "Height")).toMatchObject({ value: 80, min: 1, max: 100 });
+  await pot.type("Height", "30");
+  expect(await slider(pot, "Height")).toMatchObject({ value: 30, min: 1, max: 100 });
+});
+
+test("the thumb of a wall's thickness is where its number is, after a reload too", async () => {
+  const pot = await here.enter();
+  await pot.makePot();
+  await pot.type("Thickness", "1.2");
+  await expect.poll(() => slider(pot, "Thickness")).toMatchObject({ value: 1.2 });
+  const before = await slider(pot, "Thickness");
+  expect(before.fill).toBeCloseTo(120 / before.max, 2);
+  await expect.poll(() => pot.page.evaluate(() => localStorage.getItem("pasu.work"))).toContain('thickness\\":1.2');
+  await pot.page.reload();
+  await pot.fingerprint();
+  await expect.poll(() => slider(pot, "Thickness")).toEqual(before);
+});
+
+test("a pot that is opened is fitted and whole, whatever the one before was", async () => {
+  const fresh = await here.enter();
+  await fresh.fingerprint();
+  await exhibit(fresh, "Carafe");
+  const fitted = await distance(fresh);
+
+  const pot = await here.enter({ link: "#1/fourth-order" });
+  await pot.makePot();
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  const map = pot.page.getByLabel("Colours show");
+  await map.selectOption("overhang");
+  await exhibit(pot, "Carafe");
+  expect(await distance(pot)).toBeCloseTo(fitted, 3);
+  await pot.button("Fill it").waitFor();
+  expect(await map.inputValue()).toBe("");
+  expect(await pot.page.getByRole("checkbox", { name: "Cut open" }).count()).toBe(0);
+});
