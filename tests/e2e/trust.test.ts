@@ -96,3 +96,30 @@ test("a pot that is opened is fitted and whole, whatever the one before was", as
   expect(await map.inputValue()).toBe("");
   expect(await pot.page.getByRole("checkbox", { name: "Cut open" }).count()).toBe(0);
 });
+
+test("what hangs over inside is told, and nothing is told of the surface once it is a pot", async () => {
+  const pot = await here.enter();
+  await pot.fingerprint();
+  await pot.tab("Measures");
+  await pot.page.getByText("To the brim", { exact: true }).waitFor();
+  await pot.tab("Wall");
+  // Every word that the panel of measures shows from now on, frame by frame.
+  await pot.page.evaluate(() => {
+    const watched = globalThis as unknown as { pasuSaid: string[] };
+    watched.pasuSaid = [];
+    const look = () => {
+      const panel = document.querySelector("pasu-app")?.shadowRoot?.querySelector("pasu-panel");
+      const text = panel?.shadowRoot?.querySelector("pasu-measures")?.shadowRoot?.textContent;
+      if (text && text !== watched.pasuSaid.at(-1)) watched.pasuSaid.push(text);
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await pot.button("Make it a pot").click();
+  await pot.tab("Measures");
+  await pot.page.getByText(/Overhang of 7\d degrees inside the rim: a printer needs support there/).waitFor();
+  await pot.page.getByText("Largest overhang, inside").waitFor();
+  const said = await pot.page.evaluate(() => (globalThis as unknown as { pasuSaid: string[] }).pasuSaid);
+  expect(said[0]).toContain("Checking…");
+  expect(said.filter((text) => /no wall|prints without support/.test(text))).toEqual([]);
+});

@@ -147,7 +147,7 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
 }
 
 function wall(part: PartMeasures, unit: Unit): readonly Group[] {
-  const { thickness, overhang, curvature } = part;
+  const { thickness, overhang, overhangInside, curvature } = part;
   const length = (value: number) => lengthWords(value, unit);
   const lines: Line[] = [];
   if (thickness) {
@@ -160,13 +160,17 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
       ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
     });
   }
-  if (overhang) {
-    const { degrees } = overhang;
-    const error = errorWords(overhang.error);
+  for (const [name, hangs] of [
+    [overhangInside ? "Largest overhang, outside" : "Largest overhang", overhang],
+    ["Largest overhang, inside", overhangInside],
+  ] as const) {
+    if (!hangs) continue;
+    const { degrees } = hangs;
+    const error = errorWords(hangs.error);
     lines.push(
       degrees > 0
-        ? { name: "Largest overhang", value: angleWords(degrees), error, note: "from upright, where it faces down" }
-        : { name: "Largest overhang", value: "none", error, note: "nothing faces down" },
+        ? { name, value: angleWords(degrees), error, note: "from upright, where it faces down" }
+        : { name, value: "none", error, note: "nothing faces down" },
     );
   }
   lines.push(...curved("Mean curvature", curvature.mean, `/${unit}`));

@@ -161,9 +161,15 @@ test("what a surface would hold is not said of a pot whose wall is new", async (
   await answer("coarse");
   await answer(holding(475));
   expect(workshop.holds).toMatch(/^Holds 475.ml to/);
-  // A wall that changes says what the last one held until it is measured.
+  await answer("fine");
+  // Nor what the wall before held.
   change({ design: design({ ...PART, wall: { thickness: 2, base: 1 } }) });
-  expect(workshop.holds).toMatch(/^Holds 475.ml to/);
+  expect(workshop.holds).toBeNull();
+  expect(workshop.isOfNow(workshop.measures)).toBe(false);
+  await answer("coarse");
+  await answer(holding(420));
+  expect(workshop.holds).toMatch(/^Holds 420.ml to/);
+  expect(workshop.isOfNow(workshop.measures)).toBe(true);
 });
 
 test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {

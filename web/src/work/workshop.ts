@@ -96,11 +96,15 @@ export class Workshop {
     return this.#asked.size > 0;
   }
 
-  /** How much the pot holds, in words; null while that is not known, also where it is known of the surface without its wall alone. */
+  /** Whether a piece is of the design as it is now; of an earlier one nothing is said. */
+  isOfNow({ of }: Piece<unknown>): boolean {
+    return of === this.#designer.state.design;
+  }
+
+  /** How much the pot holds, in words; null while that is not known of the design as it is now. */
   get holds(): string | null {
     const { value, of } = this.measures;
-    const { design } = this.#designer.state;
-    return value && of && walls(of) === walls(design) ? holdsText(value, unitOf(of)) : null;
+    return value && of && this.isOfNow(this.measures) ? holdsText(value, unitOf(of)) : null;
   }
 
   /** How high the water is to stand, which its surface may still have to follow; null without water. */
@@ -227,9 +231,4 @@ export class Workshop {
     // What was just made may be what something else waits for.
     this.#follow();
   }
-}
-
-/** Which parts have a wall, to be compared. */
-function walls({ parts }: Design): string {
-  return parts.map(({ wall }) => (wall ? "pot" : "surface")).join();
 }

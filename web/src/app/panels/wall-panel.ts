@@ -87,12 +87,15 @@ export class PasuWall extends DesignerElement {
   private verdict() {
     const { designer } = this;
     const { workshop } = designer;
-    const problem = workshop?.solid.problem;
+    // Nothing is said of the wall before this one.
+    const problem = workshop?.isOfNow(workshop.solid) ? workshop.solid.problem : null;
     if (problem)
       return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
         ${remedies(designer)}`;
-    const held = workshop?.holds;
-    return html`<p class="holds" role="status">${held ?? nothing}</p>
+    const measures = workshop?.measures;
+    const unmeasured = measures && workshop.isOfNow(measures) && measures.problem;
+    const held = unmeasured ? asSentence(unmeasured.message) : workshop?.holds;
+    return html`<p class="holds" role="status">${held ?? html`<span class="wait">Checking…</span>`}</p>
       ${this.fitted()}`;
   }
 
@@ -163,6 +166,9 @@ export class PasuWall extends DesignerElement {
       .holds {
         min-height: 1.5em;
         margin: 6px 0 8px;
+        color: var(--soft);
+      }
+      .wait {
         color: var(--soft);
       }
       .problem {
