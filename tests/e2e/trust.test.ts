@@ -123,3 +123,57 @@ test("what hangs over inside is told, and nothing is told of the surface once it
   expect(said[0]).toContain("Checking…");
   expect(said.filter((text) => /no wall|prints without support/.test(text))).toEqual([]);
 });
+
+test("the camera follows a pot that grows beyond the stage, and stays where a person put it", async () => {
+  const pot = await here.enter();
+  const jar = await pot.fingerprint();
+  const fitted = await distance(pot);
+  await pot.type("Height", "21");
+  const higher = await pot.fingerprintOtherThan(jar);
+  expect(await distance(pot)).toBe(fitted);
+  await pot.type("Height", "60");
+  const tall = await pot.fingerprintOtherThan(higher);
+  const followed = await distance(pot);
+  expect(followed).toBeGreaterThan(2 * fitted);
+  // Smaller again, it is still seen whole.
+  await pot.type("Height", "15");
+  const small = await pot.fingerprintOtherThan(tall);
+  expect(await distance(pot)).toBe(followed);
+  // Whoever looks at a detail goes on looking at it.
+  for (let i = 0; i < 9; i += 1) await pot.button("Zoom in").click();
+  const close = await distance(pot);
+  await pot.type("Height", "60");
+  await pot.fingerprintOtherThan(small);
+  expect(await distance(pot)).toBe(close);
+});
+
+test("caption, dimension lines and measures say one height and one width, with and without a wall", async () => {
+  const pot = await here.enter();
+  await pot.fingerprint();
+  await pot.button("Overlays").click();
+  await pot.page.getByLabel("Axes and dimensions").check();
+  await pot.page.keyboard.press("Escape");
+  for (const [title, wall] of [
+    ["Dint vase", false],
+    ["Tulip vase", false],
+    ["Amphora", true],
+  ] as const) {
+    await exhibit(pot, title);
+    if (wall) {
+      await pot.makePot();
+    }
+    await pot.tab("Measures");
+    const value = async (name: RegExp) => {
+      const line = pot.page.locator("pasu-measures dl div").filter({ has: pot.page.getByText(name) });
+      return (await line.locator("dd").innerText()).replace(/\s*cm\s*/, "");
+    };
+    await pot.page.locator("pasu-measures .groups:not([data-old])").waitFor();
+    const [height, width] = [await value(/^Height$/), await value(/^(Greatest width|Width)$/)];
+    await expect
+      .poll(() => pot.page.locator("pasu-stage #description").innerText())
+      .toContain(` ${height} cm high and ${width} cm wide`);
+    const labels = () => pot.page.locator("pasu-stage .host").innerText();
+    await expect.poll(labels).toContain(`${height} cm`);
+    await expect.poll(labels).toContain(`${width} cm`);
+  }
+});

@@ -18,7 +18,7 @@ function pot(radius: (u: number, v: number) => number, height: (u: number, v: nu
 }
 
 const box = (grid: Grid) => boundsOf(grid.positions) as Box;
-const words = (grid: Grid) => describe(facts([grid], box(grid)) as Facts, "cm");
+const words = (grid: Grid) => describe(facts([grid], box(grid), grid.positions) as Facts, "cm");
 const up = (height: number) => (u: number) => height * (1 - u);
 
 group("a pot in words", () => {
@@ -49,17 +49,23 @@ group("a pot in words", () => {
     expect(words(wavy(2))).toContain("a saddle-shaped rim");
     expect(words(wavy(1))).toContain("a slanting rim");
   });
+  test("a tulip is widest at the tips of its petals, where it is as wide as is said", () => {
+    const text = words(pot((u, v) => 7 + 0.1 * Math.sin(Math.PI * u) + 0.6 * (1 - u) ** 3 * Math.cos(6 * v), up(20.9)));
+    expect(text).toMatch(/^A vase 20.9 cm high and 15.2 cm wide, widest at the rim, with 6 petals/);
+  });
   test("an open wall", () => {
     expect(words(pot(() => 1, up(3), 0.8))).toContain("The wall does not close.");
   });
   test("several parts", () => {
     const grid = pot(() => 1, up(3));
-    expect(describe(facts([grid, grid], box(grid)) as Facts, "mm")).toContain("It is made of two parts.");
+    expect(describe(facts([grid, grid], box(grid), grid.positions) as Facts, "mm")).toContain(
+      "It is made of two parts.",
+    );
   });
 });
 
 test("nothing is said of nothing", () => {
-  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] })).toBeNull();
+  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] }, new Float32Array())).toBeNull();
 });
 
 test.each([

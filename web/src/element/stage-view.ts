@@ -163,6 +163,7 @@ export class PasuStage extends DesignerElement {
     stage.theme(this.theme());
     stage.unit(unitOf(now.design));
     this.display();
+    stage.measure(designer.extents);
     stage.overlays(now.session.overlays);
     if (designer.workshop && !this.making) void this.make(stage);
     this.made?.update();
@@ -201,6 +202,7 @@ export class PasuStage extends DesignerElement {
     if (before) designer.solver.recycle(before);
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
+    stage.measure(designer.extents);
     // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
     this.made?.update();
     this.frame(shown, stage);

@@ -69,7 +69,7 @@ function solve(design: Sent, options: SolveOptions, given: Given): Solved<SentMe
         )
       : null,
     section: part && options.section !== null ? sectionOf(design, part, options.section) : null,
-    facts: bounds && facts(gridsOf(made.coarse, made.mesh.ware), bounds),
+    facts: bounds && facts(gridsOf(made.coarse, made.mesh.ware), bounds, options.settle ? positions : made.coarse),
     bound: options.settle ? bound(design, { rows: options.rows, columns: options.columns }) : null,
     fingerprint: options.settle ? fingerprint(design) : "",
     link: options.settle ? link(design) : "",

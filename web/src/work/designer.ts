@@ -5,6 +5,7 @@
 
 import type { OrderKind } from "../document/convert";
 import { describe, describeAccuracy } from "../document/describe";
+import type { Extents } from "../document/extents";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
@@ -144,7 +145,16 @@ export class Designer {
   /** The shape on the stage in words. */
   get description(): string {
     const facts = this.shown?.solved.facts;
-    return this.shown && facts ? describe(facts, unitOf(this.shown.design)) : "";
+    const extents = this.extents;
+    return this.shown && facts && extents ? describe(facts, unitOf(this.shown.design), extents) : "";
+  }
+
+  /** How high and wide the pot on the stage is: with its wall where it has one, and as it was measured where that is known. */
+  get extents(): Extents | null {
+    const { shown, workshop } = this;
+    const facts = shown?.solved.facts;
+    if (!shown || !facts) return null;
+    return workshop?.extentsOf(shown.design, facts.extents) ?? facts.extents;
   }
 
   /** How true the picture is, in words; empty while it is not known. */

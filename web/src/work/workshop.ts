@@ -4,6 +4,7 @@
  * for what somebody looks at.
  */
 
+import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
 import { holdsText, waterRange } from "../document/measure-words";
 import type { Design, MapName, Measures, Refusal, Report } from "../document/types";
@@ -94,6 +95,20 @@ export class Workshop {
   /** Whether something that is looked at is not there yet. */
   get busy(): boolean {
     return this.#asked.size > 0;
+  }
+
+  /** How high and wide a design is whose surface was `drawn` so: with its wall, if it has one, and as it was measured, if that is known. */
+  extentsOf(design: Design, drawn: Extents): Extents {
+    const extents = (this.solid.of === design ? this.solid.value?.extents : null) ?? drawn;
+    const measured = this.measures.of === design ? this.measures.value : null;
+    if (!measured) return extents;
+    const { height, width } = measured;
+    return {
+      ...extents,
+      height: height.value,
+      greatest: { ...extents.greatest, width: width.greatest.value },
+      least: { ...extents.least, width: width.least.value },
+    };
   }
 
   /** Whether a piece is of the design as it is now; of an earlier one nothing is said. */
