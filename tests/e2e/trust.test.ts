@@ -177,3 +177,18 @@ test("caption, dimension lines and measures say one height and one width, with a
     await expect.poll(labels).toContain(`${width} cm`);
   }
 });
+
+test("petals are asked for and counted as the eye counts them", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const before = await pot.fingerprint();
+  const caption = () => pot.page.locator("pasu-stage #description").innerText();
+  expect(await pot.field("Petals").inputValue()).toBe("7");
+  expect(await caption()).toContain("7 petals");
+  await pot.type("Petals", "8");
+  const eight = await pot.fingerprintOtherThan(before);
+  expect(await caption()).toContain("8 petals");
+  await expect.poll(() => pot.address()).toContain("n=1,9");
+  await pot.type("Petals", "999");
+  await pot.fingerprintOtherThan(eight);
+  expect(await caption()).toContain("999 petals");
+});

@@ -3,8 +3,13 @@ import { boundsOf } from "../solver/bounds";
 import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
-function pot(radius: (u: number, v: number) => number, height: (u: number, v: number) => number, turn = 1): Grid {
-  const [rows, columns] = [33, 121];
+function pot(
+  radius: (u: number, v: number) => number,
+  height: (u: number, v: number) => number,
+  turn = 1,
+  columns = 121,
+): Grid {
+  const rows = 33;
   const positions = new Float32Array(3 * rows * columns);
   for (let i = 0; i < rows; i += 1) {
     for (let j = 0; j < columns; j += 1) {
@@ -28,6 +33,15 @@ group("a pot in words", () => {
   test("petals are counted as the eye counts them", () => {
     const text = words(pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(8 * v), up(3)));
     expect(text).toContain("with 8 petals");
+  });
+  test("a thousand petals are counted where the grid is fine enough for them, and not guessed where there is none", () => {
+    const many = (columns: number) => {
+      return pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(999 * v), up(3), 1, columns);
+    };
+    const [coarse, fine] = [many(121), many(16 * 999 + 1)];
+    const said = (edges: Grid | null) => describe(facts([coarse], box(coarse), coarse.positions, edges) as Facts, "cm");
+    expect(said(fine)).toContain("with 999 petals");
+    expect(said(null)).not.toContain("petals");
   });
   test("petals at the foot alone", () => {
     const text = words(pot((u, v) => 1 + 0.1 * u * Math.cos(5 * v), up(3)));

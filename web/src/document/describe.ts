@@ -69,8 +69,16 @@ export interface Box {
   readonly max: Triple;
 }
 
-/** Measures the placed mesh, whose vertices are `positions`. `grids` has at least one part; the outline is read from the first. */
-export function facts(grids: readonly Grid[], { min: low, max: high }: Box, positions: Float32Array): Facts | null {
+/**
+ * Measures the placed mesh, whose vertices are `positions`. `grids` has at least one part; the outline is read from the first. Petals and waves are
+ * counted on `edges`, the first part's rim and foot sampled finely enough for every wave; none are where there is no such grid, because there are too many.
+ */
+export function facts(
+  grids: readonly Grid[],
+  { min: low, max: high }: Box,
+  positions: Float32Array,
+  edges: Grid | null = grids[0] ?? null,
+): Facts | null {
   const body = grids[0];
   const extents = extentsOf(positions);
   if (!extents || !body || body.rows < 2 || body.columns < 3) return null;
@@ -78,12 +86,14 @@ export function facts(grids: readonly Grid[], { min: low, max: high }: Box, posi
   const start = rings[0];
   const end = rings[rings.length - 1];
   if (!start || !end) return null;
-  const [rim, foot] = start.height >= end.height ? [start, end] : [end, start];
+  const rim = start.height >= end.height ? start : end;
   // Where it reaches out furthest, petals included: that is where it is as wide as is said.
   const widest = rings.reduce((best, ring) => (ring.reach > best.reach * 1.0005 ? ring : best), rim);
   const height = high[2] - low[2];
-  const rimPetals = peaks(rim.radii, VISIBLE * rim.radius);
-  const footPetals = peaks(foot.radii, VISIBLE * foot.radius);
+  const ends = edges && [ringOf(edges, 0), ringOf(edges, edges.rows - 1)];
+  const [atRim, atFoot] = rim === start ? (ends ?? []) : (ends?.toReversed() ?? []);
+  const rimPetals = atRim ? peaks(atRim.radii, VISIBLE * atRim.radius) : 0;
+  const footPetals = atFoot ? peaks(atFoot.radii, VISIBLE * atFoot.radius) : 0;
   return {
     parts: grids.length,
     height,
@@ -94,7 +104,7 @@ export function facts(grids: readonly Grid[], { min: low, max: high }: Box, posi
     mouth: widest.radius > 0 ? rim.radius / widest.radius : 0,
     petals: rimPetals > 1 ? rimPetals : footPetals,
     petalsAt: rimPetals > 1 || footPetals <= 1 ? "rim" : "foot",
-    waves: peaks(rim.heights, VISIBLE * height),
+    waves: atRim ? peaks(atRim.heights, VISIBLE * height) : 0,
     closed: grids.every(isClosed),
     outline: (rim === end ? rings : rings.toReversed()).map((ring) => [ring.height, ring.radius] as const),
   };

@@ -68,7 +68,7 @@ export class PasuParameters extends DesignerElement {
 
   private openNote(shape: Shape) {
     if (this.designer.shown?.solved.facts?.closed !== false) return nothing;
-    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petal frequency and the turns";
+    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petals and the turns";
     return html`<p class="notice" role="note">The wall does not close. It closes when ${which} are whole numbers.</p>`;
   }
 
