@@ -48,7 +48,7 @@ export class PasuApp extends DesignerElement {
       outward(designer, this),
       fetchMadeWhenWanted(designer),
       effect(() => {
-        if (designer.surface.status === "ready" && designer.surface.settled) this.spoken = designer.surface.description;
+        if (designer.surface.status === "ready" && designer.surface.settled) this.spoken = designer.description;
       }),
       effect(() => {
         const { notice } = designer.notices;

@@ -63,7 +63,7 @@ export const MAPS: readonly ColourMap[] = [
   {
     name: "overhang",
     label: "Overhang",
-    note: "From upright, where it faces down: above 45° a printer needs support.",
+    note: "From upright, where it faces down, outside and inside: above 45° a printer needs support. What it stands on is grey.",
     ramp: RISING,
     diverging: false,
     needsWall: false,

@@ -76,7 +76,7 @@ export class StageMade {
     else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
       const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
       const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
-      const next: StageMap = { values: painted.value.values, low, high, ramp };
+      const next: StageMap = { values: painted.value.values, low, high, ramp, lean: map === "overhang" };
       this.#drawing.paint(fits ? next : undefined);
     } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
   }

@@ -140,7 +140,7 @@ export class PasuStage extends DesignerElement {
         aria-describedby="description keys"
         @keydown=${this.key}
       ></div>
-      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.surface.description}></canvas>` : nothing}
+      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
       ${
         designer.comparison.shown
@@ -149,7 +149,7 @@ export class PasuStage extends DesignerElement {
       }
       <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
       <div class="foot">
-        <p id="description">${designer.surface.description}${this.accuracy()}</p>
+        <p id="description">${designer.description}${this.accuracy()}</p>
         ${
           this.mode === "still"
             ? nothing
@@ -196,6 +196,7 @@ export class PasuStage extends DesignerElement {
     stage.theme(this.theme());
     stage.unit(unitOf(design));
     this.display();
+    stage.measure(designer.extents);
     stage.overlays(session.overlays);
     if (designer.made && !this.making) void this.make(stage);
     this.made?.update();
@@ -228,6 +229,9 @@ export class PasuStage extends DesignerElement {
     if (before) designer.surface.recycle(before);
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
+    stage.measure(designer.extents);
+    // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
+    this.made?.update();
     this.frame(shown, stage);
   }
 

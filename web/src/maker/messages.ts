@@ -1,5 +1,6 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { Extents } from "../document/extents";
 import type { Design, Format, Making, MapName, Measures, Product, Provenance, Report } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
@@ -18,6 +19,8 @@ export interface Solid {
   readonly groups: Uint32Array;
   /** What the whole pot fills, wall included. */
   readonly bounds: Bounds | null;
+  /** How high and wide it is with its wall. */
+  readonly extents: Extents | null;
   /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
   readonly sides: readonly ("inside" | "outside" | null)[];
 }

@@ -6,6 +6,7 @@ import type { StageLook } from "./glaze";
 import type { Unit } from "./length";
 import { Loop } from "./loop";
 import type { StageMesh } from "./mesh";
+import type { Size } from "./overlay/dimensions";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
@@ -58,6 +59,9 @@ const TURN_PER_HEIGHT = Math.PI;
 
 /** After the last movement the full resolution is drawn, this many milliseconds later. */
 const REST_DELAY = 120;
+
+/** So many points tell whether a pot is on the stage. */
+const FEW = 2000;
 
 /** The 3D view: shows a mesh, turns it, and draws only when something changed. */
 export class Stage {
@@ -155,18 +159,32 @@ export class Stage {
 
   /**
    * Shows a mesh; `looks[part]` is the glaze and clay of each part. Its arrays belong to the stage until it gives the mesh back, which it
-   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view.
+   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view, and that one that was seen whole and grows beyond the
+   * stage is followed.
    */
   show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
+    const whole = this.placed && this.sees();
     const before = this.tableau.show(mesh, looks);
     this.overlay.forget();
     this.guest?.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place("three-quarter", true);
+    } else if (whole && !this.sees()) {
+      const { fitted } = this;
+      this.place(null, false);
+      this.fitted = fitted;
     }
     this.changed();
     return before;
+  }
+
+  /** Whether all of the pot is on the stage, where the camera is going to be. */
+  private sees(): boolean {
+    const { goal } = this.camera;
+    const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
+    const points = this.tableau.outline(FEW);
+    return fitDistance(points, goal.target, axesOf(goal.azimuth, goal.polar), aspect, false) <= goal.distance;
   }
 
   /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
@@ -185,7 +203,10 @@ export class Stage {
 
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
-    if (this.differs("overlays", JSON.stringify(overlays))) this.overlay.overlays = overlays;
+    if (!this.differs("overlays", JSON.stringify(overlays))) return;
+    this.overlay.overlays = overlays;
+    // Dimension lines stand off the pot: a fitted view has them in it.
+    if (this.fitted) this.place(null, false);
   }
 
   /** Lets something else be drawn from now on. */
@@ -241,6 +262,11 @@ export class Stage {
     if (!this.differs("theme", theme)) return;
     this.tableau.theme = theme;
     this.overlay.appearance = theme;
+  }
+
+  /** What the dimension lines say. */
+  measure(size: Size | null): void {
+    if (this.differs("size", JSON.stringify(size))) this.overlay.measures = size;
   }
 
   /** The unit of the dimension labels. */

@@ -98,14 +98,14 @@ export class Tableau implements Tenant {
     return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
   }
 
-  /** Points (xyz, model units) that a fitted view must contain: some thousands of the vertices. */
-  outline(): number[] {
+  /** Points (xyz, model units) that a fitted view must contain: about so many of the vertices. */
+  outline(count = 20_000): number[] {
     const points: number[] = [];
     const add = (pot: Pot, by: Triple) => {
       const p = pot.positions;
       const vertices = p.length / 3;
       // An odd stride wanders over the columns of a grid instead of following some of them.
-      const stride = 2 * Math.floor(vertices / 20_000) + 1;
+      const stride = 2 * Math.floor(vertices / count) + 1;
       for (let v = 0; v < vertices; v += stride) {
         for (let k = 0; k < 3; k++) points.push((p[3 * v + k] as number) + (by[k] as number));
       }

@@ -44,7 +44,14 @@ function solve(design: Sent, options: SolveOptions, given: Given): Solved<SentMe
         )
       : null,
     section: part && options.section !== null ? sectionOf(design, part, options.section) : null,
-    facts: bounds && facts(gridsOf(made.coarse, made.mesh.ware), bounds),
+    facts:
+      bounds &&
+      facts(
+        gridsOf(made.coarse, made.mesh.ware),
+        bounds,
+        options.settle ? positions : made.coarse,
+        edgesOf(design, made),
+      ),
     bound: options.settle ? bound(design, { rows: options.rows, columns: options.columns }) : null,
     fingerprint: options.settle ? fingerprint(design) : "",
     link: options.settle ? link(design) : "",
@@ -88,6 +95,24 @@ function meshed(design: Sent, { rows, columns }: GridSize, { known, spare }: Giv
     coarse: round.positions,
     times: { meshed: meshedAt, glazed },
   };
+}
+
+/** Samples per wave, with which every crest and trough is met nearly enough to be counted. */
+const PER_WAVE = 16;
+
+/** With more waves than this no eye counts petals, and no grid is made to do so. */
+const MOST_COUNTED = 4000;
+
+/** The rim and the foot of the first part, sampled finely enough for its waves; null where those are too many. */
+function edgesOf(design: Sent, made: { readonly coarse: Float32Array; readonly mesh: SentMesh }): Grid | null {
+  const waves = wavesOf(design);
+  const [first] = gridsOf(made.coarse, made.mesh.ware);
+  if (first && first.columns > PER_WAVE * waves) return first;
+  const part = design.parts[0];
+  if (!part || !(waves <= MOST_COUNTED)) return null;
+  const [rows, columns] = [2, PER_WAVE * Math.ceil(waves) + 1];
+  const { positions } = mesh({ ...design, parts: [part] }, { rows, columns });
+  return { positions, first: 0, rows, columns };
 }
 
 function wareOf(round: Mesh, size: GridSize, old: Float32Array | undefined): Ware {

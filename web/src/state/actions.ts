@@ -10,9 +10,14 @@ import type { Change, State } from "./store";
 export const MAX_TITLE = 200;
 const NOTHING: Change = { undo: "none" };
 
-/** Replaces the design, as one step: undo brings the old one back. */
+/** Replaces the design, as one step: undo brings the old one back. Water, cut and colours were those of the other pot. */
 export function openDesign(state: State, design: Design): Change {
-  return { design, session: { part: 0, compare: null }, undo: state.design === design ? "none" : "step" };
+  const overlays = state.session.overlays.cut ? { ...state.session.overlays, cut: false } : state.session.overlays;
+  return {
+    design,
+    session: { part: 0, compare: null, map: null, fill: null, overlays },
+    undo: state.design === design ? "none" : "step",
+  };
 }
 
 export function setTitle(state: State, title: string): Change {

@@ -32,6 +32,8 @@ export interface Work {
   readonly link: string;
   /** Whether it differs from what was last opened or saved. */
   readonly unsaved: boolean;
+  /** The document that it was opened as, where a reset leads. */
+  readonly origin?: string;
 }
 
 /** The part of the Storage interface that is used, so that tests can pass a map and a broken disk. */
@@ -59,9 +61,9 @@ export function keepWork(shelf: Shelf | null, work: Work): boolean {
 export function readWork(shelf: Shelf | null): Work | null {
   const kept = read(shelf, WORK_KEY);
   if (!isRecord(kept)) return null;
-  const { text, link, unsaved } = kept;
+  const { text, link, unsaved, origin } = kept;
   if (typeof text !== "string" || typeof link !== "string" || typeof unsaved !== "boolean") return null;
-  return { text, link, unsaved };
+  return { text, link, unsaved, ...(typeof origin === "string" && { origin }) };
 }
 
 export function keepSettings(shelf: Shelf | null, session: Session): boolean {

@@ -7,6 +7,7 @@ import * as actions from "./actions";
 import { NEW_SESSION } from "./session";
 import * as shapeActions from "./shape-actions";
 import { Store } from "./store";
+import { setMap, setWater } from "./wall-actions";
 
 const family = familyOf("second-order");
 const named = (symbol: string) => family?.fields.find((field) => field.symbol === symbol) as Field;
@@ -130,10 +131,18 @@ describe("actions", () => {
     expect(store.state.session.unlocked).toEqual([]);
   });
 
-  test("reset goes back to what the family starts with", () => {
-    drag(2.5);
-    store.apply(shapeActions.resetFields(store.state, [RIM]));
-    expect(rim()).toBe(1);
+  test("opening another design ends the water, the cut and the colours of the one before", () => {
+    store.apply(setWater(store.state, true));
+    store.apply(setMap("overhang"));
+    store.apply(actions.toggleOverlay(store.state, "axes"));
+    store.apply(actions.openDesign(store.state, { ...START, title: "Other" }));
+    const { fill, map, overlays } = store.state.session;
+    expect({ fill, map, cut: overlays.cut, axes: overlays.axes }).toEqual({
+      fill: null,
+      map: null,
+      cut: false,
+      axes: true,
+    });
   });
 
   test("a title is at most 200 characters and one line", () => {

@@ -25,6 +25,7 @@ const PATHS = {
   fit: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",
   close: "M6 6l12 12M18 6 6 18",
   more: "M5.5 12h.01M12 12h.01M18.5 12h.01",
+  paper: "M6 3.5h8l4 4v13H6zM14 3.5v4h4M9 12h6M9 16h6",
   reset: "M5 5v4h4M5.6 9A7.5 7.5 0 1 1 4.5 13",
   check: "M5 12.5 10 17.5 19.5 7",
   warn: "M12 4 2.5 20h19zM12 10v4.5M12 17.3h.01",

@@ -4,6 +4,7 @@ import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { formatNumber, parseNumber, stepped } from "../number";
 import { icon } from "./icons";
+import { type Range, reaching } from "./range";
 import { base, buttons, fields } from "./styles";
 import { symbol } from "./symbol";
 
@@ -17,6 +18,15 @@ export class NumberChangeEvent extends Event {
     super("number-change", { bubbles: true, composed: true });
     this.value = value;
     this.gesture = gesture;
+  }
+}
+
+/** The person wants the number back that was opened, or the one that the paper printed. */
+export class NumberResetEvent extends Event {
+  readonly to: "opened" | "paper";
+  constructor(to: "opened" | "paper") {
+    super("number-reset", { bubbles: true, composed: true });
+    this.to = to;
   }
 }
 
@@ -37,14 +47,22 @@ export class PasuNumber extends LitElement {
   @property({ type: Boolean }) explain = false;
   /** Without a slider, in a table. */
   @property({ type: Boolean }) compact = false;
-  @property({ type: Boolean }) resettable = false;
+  /** What a reset leads back to. */
+  @property({ type: Number }) opened: number | null = null;
+  /** What the paper printed, to go back to as well. */
+  @property({ type: Number }) paper: number | null = null;
   /** What is typed and not (yet) a number, or not yet left. */
   @state() private draft: string | null = null;
   @state() private typo = "";
   @query("#field") private readonly field!: HTMLInputElement;
+  @query(".slider") private readonly slider!: HTMLInputElement | null;
   private inGesture = false;
+  /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them. */
+  private range: Range = { low: 0, high: 1 };
 
   override willUpdate(changed: Map<PropertyKey, unknown>): void {
+    const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
+    this.range = reaching(kept, this.value);
     // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything.
     if (changed.has("value") && this.draft !== null) {
       const typed = parseNumber(this.draft);
@@ -64,13 +82,7 @@ export class PasuNumber extends LitElement {
           ${this.qualifier === "" ? nothing : html`<span class="qualifier">${this.qualifier}</span>`}
           ${this.symbol === "" ? nothing : html`<span class="symbol" aria-hidden="true">${symbol(this.symbol)}</span>`}
         </label>
-        ${
-          this.resettable && !this.compact
-            ? html`<button class="button bare reset" type="button" aria-label="Reset ${name}" title="Reset" @click=${this.reset}>
-                ${icon("reset")}
-              </button>`
-            : nothing
-        }
+        <span class="ways">${this.back(name, "paper", this.paper)}${this.back(name, "opened", this.opened)}</span>
         <span class="typed" @dblclick=${keepToItself}>
           <input
             id="field"
@@ -102,10 +114,9 @@ export class PasuNumber extends LitElement {
                 type="range"
                 aria-label=${name}
                 aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
-                min=${this.min}
-                max=${this.max}
+                min=${this.range.low}
+                max=${this.range.high}
                 step="any"
-                .value=${String(this.value)}
                 @input=${this.slid}
                 @change=${this.finish}
                 @pointerup=${this.finish}
@@ -121,8 +132,29 @@ export class PasuNumber extends LitElement {
     `;
   }
 
+  /** A way back to a number, which it names; there is none to where the number is. */
+  private back(name: string, to: "opened" | "paper", goal: number | null) {
+    if (goal === null || !Number.isFinite(goal) || goal === this.value || this.compact) return nothing;
+    // In the paper's pot and in this one a number of the same name may be the same.
+    if (to === "paper" && goal === this.opened) return nothing;
+    const text = this.unit === "" ? formatNumber(goal) : `${formatNumber(goal)} ${this.unit}`;
+    const words = to === "opened" ? `Reset ${name} to ${text}, as opened` : `Set ${name} to ${text}, as in the paper`;
+    return html`<button
+      class="button bare reset"
+      type="button"
+      aria-label=${words}
+      title=${words}
+      @click=${() => this.goBack(to)}
+    >
+      ${icon(to === "opened" ? "reset" : "paper")}${to === "opened" ? html`<span>${formatNumber(goal, 4)}</span>` : nothing}
+    </button>`;
+  }
+
   override updated(): void {
-    const share = (this.value - this.min) / (this.max - this.min);
+    // The browser cuts a value off at the ends that it has at the time: the ends come first, and every time.
+    if (this.slider) this.slider.value = String(this.value);
+    const { low, high } = this.range;
+    const share = (this.value - low) / (high - low);
     const fill = Number.isFinite(share) ? Math.min(1, Math.max(0, share)) : 0;
     this.style.setProperty("--fill", `${(100 * fill).toFixed(2)}%`);
   }
@@ -136,7 +168,8 @@ export class PasuNumber extends LitElement {
     const raw = Number((event.target as HTMLInputElement).value);
     this.forget();
     // The browser's own rounding to a step would start at `min`; ours starts at 0 and leaves the ends within reach.
-    const value = raw <= this.min || raw >= this.max ? raw : stepped(0, this.step, Math.round(raw / this.step));
+    const { low, high } = this.range;
+    const value = raw <= low || raw >= high ? raw : stepped(0, this.step, Math.round(raw / this.step));
     if (value !== this.value) this.send(value, true);
   };
 
@@ -211,11 +244,16 @@ export class PasuNumber extends LitElement {
   };
 
   private readonly reset = (): void => {
-    if (!this.resettable) return;
+    if (this.opened !== null && this.opened !== this.value) this.goBack("opened");
+  };
+
+  private goBack(to: "opened" | "paper"): void {
     this.forget();
     this.finish();
-    this.dispatchEvent(new Event("number-reset", { bubbles: true, composed: true }));
-  };
+    this.dispatchEvent(new NumberResetEvent(to));
+    // The button is gone with the way that it went.
+    this.field.focus({ preventScroll: true });
+  }
 
   private forget(): void {
     this.draft = null;
@@ -243,6 +281,8 @@ export class PasuNumber extends LitElement {
         align-items: baseline;
         gap: 8px;
         min-width: 0;
+        /* Two lines are no higher than the field beside them. */
+        line-height: 1.2;
       }
       .qualifier {
         color: var(--soft);
@@ -282,8 +322,19 @@ export class PasuNumber extends LitElement {
       .typed:has(.unit) .field {
         padding-right: 34px;
       }
-      .reset {
+      .ways {
         grid-column: 2;
+        display: flex;
+      }
+      .reset span {
+        font-size: 0.84em;
+        font-variant-numeric: tabular-nums;
+      }
+      .reset:has(span) {
+        gap: 3px;
+        padding-inline: 4px;
+      }
+      .reset {
         min-width: 30px;
         min-height: 30px;
         opacity: 0;

@@ -6,7 +6,7 @@
 import type { Design } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
-import type { Quick, Solid, Spare } from "../maker/messages";
+import type { Quick, Spare } from "../maker/messages";
 import { around } from "../solver/bounds";
 import type { Solved } from "../solver/messages";
 import type { Store } from "../state/store";
@@ -87,7 +87,7 @@ export class InStep implements Companion {
   }
 
   /** Takes back the arrays of a wall that is not shown any more. */
-  recycle({ positions, normals, wares, indices }: Solid): void {
+  recycle({ positions, normals, wares, indices }: Spare): void {
     this.#spares = [...this.#spares, { positions, normals, wares, indices }].slice(-SPARES);
   }
 

@@ -7,11 +7,14 @@ import { selectTab } from "../state/actions";
 import { readSettings, readWork } from "../state/storage";
 import { Keeper } from "./keeper";
 import { Notices } from "./notices";
+import { Origin } from "./origin";
 
 async function bench(page = new Page()) {
   const there = await workbench(JAR);
   const notices = new Notices();
-  const keeper = new Keeper(there.store, there.surface, there.solver, notices, page);
+  const origin = new Origin(there.store, there.surface);
+  origin.connect();
+  const keeper = new Keeper(there.store, there.surface, origin, there.solver, notices, page);
   const leave = keeper.connect();
   const change = async (height: number) => {
     there.store.apply({ design: tall(there.store.design, height), undo: "step" });
@@ -26,7 +29,12 @@ test("every settled change is kept in this browser and in the address", async ()
   await change(21);
   const link = surface.settled?.solved.link ?? "";
   expect(page.hash).toBe(`#${link}`);
-  expect(readWork(page.shelf)).toEqual({ text: JSON.stringify(store.design), link, unsaved: true });
+  expect(readWork(page.shelf)).toEqual({
+    text: JSON.stringify(store.design),
+    link,
+    unsaved: true,
+    origin: JSON.stringify(JAR),
+  });
   expect(keeper.unsaved).toBe(true);
   expect(keeper.foreignFragment).toBe("");
   page.hash = "#1/second-order";

@@ -9,6 +9,7 @@ import { keepSettings, keepWork, readWork } from "../state/storage";
 import type { Store } from "../state/store";
 import { fileName } from "./files";
 import type { Notices } from "./notices";
+import type { Origin } from "./origin";
 import type { Shown, Surface } from "./surface";
 
 /** What the page itself provides, so that tests can do without one. */
@@ -25,6 +26,7 @@ export interface Surroundings {
 export class Keeper {
   readonly #store: Store;
   readonly #surface: Surface;
+  readonly #origin: Origin;
   readonly #solver: SolverClient;
   readonly #notices: Notices;
   readonly #around: Surroundings;
@@ -37,9 +39,17 @@ export class Keeper {
   #warned = false;
   #lastWritten = "";
 
-  constructor(store: Store, surface: Surface, solver: SolverClient, notices: Notices, around: Surroundings) {
+  constructor(
+    store: Store,
+    surface: Surface,
+    origin: Origin,
+    solver: SolverClient,
+    notices: Notices,
+    around: Surroundings,
+  ) {
     this.#store = store;
     this.#surface = surface;
+    this.#origin = origin;
     this.#solver = solver;
     this.#notices = notices;
     this.#around = around;
@@ -145,7 +155,8 @@ export class Keeper {
     if (!shown?.settled) return;
     const text = JSON.stringify(shown.design);
     const unsaved = shown.design !== this.#saved.peek();
-    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved });
+    const origin = JSON.stringify(this.#origin.of(shown.design));
+    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved, origin });
     if (kept || !unsaved || this.#warned) return;
     this.#warned = true;
     this.#notices.say("This browser keeps no copy of your work. Save it, or copy its link, before you leave.");

@@ -130,9 +130,15 @@ test("what a surface would hold is not said of a pot whose wall is new", async (
   const pot = made.holds;
   expect(pot).toMatch(/^Holds /);
   expect(pot).not.toBe(surface);
-  // A wall that changes says what the last one held until it is measured.
+  // Nor what the wall before held.
   store.apply({ design: rewalled({ thickness: 0.6 }), undo: "step" });
-  expect(made.holds).toBe(pot);
+  expect(made.holds).toBeNull();
+  expect(made.isOfNow(made.measures)).toBe(false);
+  await rests();
+  await making.finish();
+  expect(made.holds).toMatch(/^Holds /);
+  expect(made.holds).not.toBe(pot);
+  expect(made.isOfNow(made.measures)).toBe(true);
 });
 
 test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {

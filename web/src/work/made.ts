@@ -5,6 +5,7 @@
  */
 
 import { batch, effect, type Signal, signal } from "@preact/signals-core";
+import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
 import { holdsText, waterRange } from "../document/measure-words";
 import type { Design, Measures, Report } from "../document/types";
@@ -83,11 +84,30 @@ export class Made {
     return this.#pieces.water.value;
   }
 
-  /** How much the pot holds, in words; null while that is not known, also where it is known of the surface without its wall alone. */
+  /** How high and wide a design is whose surface was `drawn` so: with its wall, if it has one, and as it was measured, if that is known. */
+  extentsOf(design: Design, drawn: Extents): Extents {
+    const { solid, measures } = this;
+    const extents = (solid.of === design ? solid.value?.extents : null) ?? drawn;
+    const measured = measures.of === design ? measures.value : null;
+    if (!measured) return extents;
+    const { height, width } = measured;
+    return {
+      ...extents,
+      height: height.value,
+      greatest: { ...extents.greatest, width: width.greatest.value },
+      least: { ...extents.least, width: width.least.value },
+    };
+  }
+
+  /** Whether a piece is of the design as it is now; of an earlier one nothing is said. */
+  isOfNow({ of }: Piece<unknown>): boolean {
+    return of === this.#store.design;
+  }
+
+  /** How much the pot holds, in words; null while that is not known of the design as it is now. */
   get holds(): string | null {
     const { value, of } = this.measures;
-    const { design } = this.#store;
-    return value && of && walls(of) === walls(design) ? holdsText(value, unitOf(of)) : null;
+    return value && of && this.isOfNow(this.measures) ? holdsText(value, unitOf(of)) : null;
   }
 
   /** How high the water is to stand, which its surface may still have to follow; null without water. */
@@ -213,9 +233,4 @@ export class Made {
   #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
     this.#pieces[name].value = piece;
   }
-}
-
-/** Which parts have a wall, to be compared. */
-function walls({ parts }: Design): string {
-  return parts.map(({ wall }) => (wall ? "pot" : "surface")).join();
 }

@@ -10,6 +10,7 @@ import { Store } from "../state/store";
 import { Keeper } from "./keeper";
 import { Notices } from "./notices";
 import { Opening } from "./opening";
+import { Origin } from "./origin";
 import { Surface } from "./surface";
 
 const VASE = "#1/second-order?height=5";
@@ -20,14 +21,15 @@ function bench(page = new Page()) {
   const store = new Store(JAR, NEW_SESSION);
   const surface = new Surface(store, solver);
   surface.grid = () => ({ rows: 13, columns: 25 });
-  const keeper = new Keeper(store, surface, solver, new Notices(), page);
-  const opening = new Opening(store, surface, keeper, solver, async () => maker);
-  for (const each of [surface, keeper, opening]) each.connect();
+  const origin = new Origin(store, surface);
+  const keeper = new Keeper(store, surface, origin, solver, new Notices(), page);
+  const opening = new Opening(store, surface, origin, keeper, solver, async () => maker);
+  for (const each of [origin, surface, keeper, opening]) each.connect();
   const rests = async () => {
     while (surface.settled === null) await settled();
   };
   const kind = () => store.design.parts[0]?.shape.kind;
-  return { keeper, kind, maker, opening, page, rests, solver, store, surface };
+  return { keeper, kind, maker, opening, origin, page, rests, solver, store, surface };
 }
 
 /** A page with work that was kept. */
@@ -149,4 +151,16 @@ test("what is no design is told of and changes nothing", async () => {
   await opening.openFile(new File([new Uint8Array(84)], "holiday.stl"));
   expect(opening.problem?.message).toMatch(/holiday\.stl/);
   expect(store.design).toBe(JAR);
+});
+
+test("work of an earlier visit goes on from where it was opened then", async () => {
+  const page = new Page();
+  const text = JSON.stringify(tall(JAR, 33));
+  keepWork(page.shelf, { text, link: "1/fourth-order?h1=33", unsaved: true, origin: JSON.stringify(tall(JAR, 25)) });
+  const { opening, origin, rests, store } = bench(page);
+  await opening.start();
+  await rests();
+  expect(store.design.parts[0]?.shape).toMatchObject({ h1: 33 });
+  expect(origin.design.parts[0]?.shape).toMatchObject({ h1: 25 });
+  expect(origin.size).toBeGreaterThan(30);
 });

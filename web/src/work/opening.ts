@@ -8,6 +8,7 @@ import type { Parsed } from "../solver/messages";
 import { openDesign } from "../state/actions";
 import type { Store } from "../state/store";
 import type { Keeper } from "./keeper";
+import type { Origin } from "./origin";
 import type { Surface } from "./surface";
 
 /** A link that waits for the person's decision because there is unsaved work. */
@@ -18,6 +19,7 @@ export interface Conflict {
 export class Opening {
   readonly #store: Store;
   readonly #surface: Surface;
+  readonly #origin: Origin;
   readonly #keeper: Keeper;
   readonly #solver: SolverClient;
   readonly #maker: () => Promise<MakerClient | null>;
@@ -36,12 +38,14 @@ export class Opening {
   constructor(
     store: Store,
     surface: Surface,
+    origin: Origin,
     keeper: Keeper,
     solver: SolverClient,
     maker: () => Promise<MakerClient | null>,
   ) {
     this.#store = store;
     this.#surface = surface;
+    this.#origin = origin;
     this.#keeper = keeper;
     this.#solver = solver;
     this.#maker = maker;
@@ -83,19 +87,22 @@ export class Opening {
     if (linked?.state === "refused") this.#problem.value = linked.refusal;
     const theirs = linked?.state === "done" ? linked.value : null;
     if (theirs && (!work?.unsaved || work.link === theirs.link)) {
-      this.#begin(theirs.design, !(work?.unsaved ?? false));
+      await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
       return;
     }
     const mine = work ? await this.#solver.parse(work.text) : null;
     if (mine?.state === "done") {
-      this.#begin(mine.value.design, !work?.unsaved);
+      await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
       if (theirs) this.#conflict.value = { theirs };
     } else {
-      this.#begin(theirs?.design ?? this.#store.design, true);
+      await this.#begin(theirs?.design ?? this.#store.design, true);
     }
   }
 
-  #begin(design: Design, saved: boolean): void {
+  /** `origin` is the document that the design was opened as in an earlier visit. */
+  async #begin(design: Design, saved: boolean, origin?: string): Promise<void> {
+    const opened = origin === undefined ? null : await this.#solver.parse(origin);
+    this.#origin.open(design, opened?.state === "done" ? opened.value.design : design);
     this.#begun = true;
     batch(() => {
       if (saved) this.#keeper.markSaved(design);
@@ -145,6 +152,7 @@ export class Opening {
       const before = this.#store.design;
       this.#problem.value = null;
       this.#surface.reframe();
+      this.#origin.open(design);
       this.#store.apply(openDesign(this.#store.state, design));
       this.#opened.value = { making, replaced: this.#store.design === before ? null : before };
       this.#keeper.markSaved(this.#store.design);

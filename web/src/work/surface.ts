@@ -1,7 +1,7 @@
 /** The surface on the stage: asks the solver for the mesh of what the document says, as finely as the hand allows. */
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
-import { describe, describeAccuracy } from "../document/describe";
+import { describeAccuracy } from "../document/describe";
 import { unitOf } from "../document/look";
 import type { Design, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
@@ -59,10 +59,6 @@ export class Surface {
   readonly #status = signal<Status>("starting");
   readonly #problem = signal<Refusal | null>(null);
   readonly #wanted = computed(() => this.#want());
-  readonly #description = computed(() => {
-    const shown = this.#shown.value;
-    return shown?.solved.facts ? describe(shown.solved.facts, unitOf(shown.design)) : "";
-  });
   readonly #accuracy = computed(() => {
     const shown = this.#shown.value;
     return shown && shown.solved.bound !== null ? describeAccuracy(shown.solved.bound, unitOf(shown.design)) : "";
@@ -96,11 +92,6 @@ export class Surface {
   get settled(): Shown | null {
     const shown = this.#shown.value;
     return shown?.settled && shown.design === this.#store.design ? shown : null;
-  }
-
-  /** The shape on the stage in words. */
-  get description(): string {
-    return this.#description.value;
   }
 
   /** How true the picture is, in words; empty while it is not known. */

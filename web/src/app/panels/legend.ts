@@ -25,7 +25,7 @@ export class PasuLegend extends LitElement {
         <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
         ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
       </p>
-      <p class="note">${note} On this pot: ${words(painted.least)} to ${words(painted.greatest)}.</p>
+      <p class="note">${note} On ${map.name === "overhang" ? "the outside" : "this pot"}: ${words(painted.least)} to ${words(painted.greatest)}.</p>
     `;
   }
 

@@ -5,6 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { type Group, type Line, measureGroups } from "../../document/measure-words";
 import { asSentence, verdict } from "../../document/report-words";
+import type { Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import "./map-choice";
@@ -33,10 +34,12 @@ export class PasuMeasures extends DesignerElement {
     if (!now.design.parts.some((part) => part.wall)) {
       return html`<p class="lead">A surface without a wall: what it would hold is told, and a wall makes it a pot (under Wall).</p>`;
     }
-    const measures = made?.measures;
-    const problem = made?.solid.problem ?? made?.report.problem ?? measures?.problem;
+    // Nothing is said of the pot before this one.
+    const pieces = made ? [made.solid, made.report, made.measures] : [];
+    const problem = pieces.find((piece) => piece.problem && made?.isOfNow(piece))?.problem;
     const outline = surface.shown?.solved.facts?.outline ?? [];
-    const found = verdict(measures?.value ?? null, made?.report.value ?? null, outline, unitOf(now.design));
+    const known = made?.isOfNow(made.measures) && made.isOfNow(made.report) ? made : null;
+    const found = verdict(known?.measures.value ?? null, known?.report.value ?? null, outline, unitOf(now.design));
     return html`<section aria-labelledby="made">
       <h3 id="made">Can it be made?</h3>
       ${
@@ -44,7 +47,7 @@ export class PasuMeasures extends DesignerElement {
           ? sentences([{ severity: "error", text: asSentence(problem.message) }])
           : found.length > 0
             ? sentences(found)
-            : html`<p class="wait">Measuring…</p>`
+            : html`<p class="wait" role="status">Checking…</p>`
       }
       ${remedies(designer)}
     </section>`;
@@ -53,16 +56,18 @@ export class PasuMeasures extends DesignerElement {
   private numbers() {
     const { made, state: now } = this.designer;
     const piece = made?.measures;
-    if (!piece?.value || !piece.of) {
-      const why = piece?.problem && asSentence(piece.problem.message);
+    const rewalled = piece?.of && wallsOf(piece.of) !== wallsOf(now.design);
+    if (!piece?.value || !piece.of || rewalled) {
+      const why = piece?.problem && !rewalled && asSentence(piece.problem.message);
       return why
         ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
-        : html`<p class="wait">Measuring…</p>`;
+        : html`<p class="wait">Checking…</p>`;
     }
-    const groups = measureGroups(piece.value, now.session.part, unitOf(piece.of));
+    const old = !made?.isOfNow(piece);
+    const groups = measureGroups(piece.value, now.session.part, unitOf(piece.of), this.exact);
     return html`
       <div class="bar">
-        <h3>Measures</h3>
+        <h3>Measures ${old ? html`<span class="wait">Checking…</span>` : nothing}</h3>
         <button
           class="button outlined"
           type="button"
@@ -81,7 +86,7 @@ export class PasuMeasures extends DesignerElement {
             </p>`
           : nothing
       }
-      <div class="groups" ?data-old=${piece.of !== now.design}>${groups.map((group) => this.group(group))}</div>
+      <div class="groups" ?data-old=${old}>${groups.map((group) => this.group(group))}</div>
     `;
   }
 
@@ -175,15 +180,19 @@ export class PasuMeasures extends DesignerElement {
       }
       .wait {
         color: var(--soft);
-        animation: appear 0s 0.5s both;
       }
-      @keyframes appear {
-        from {
-          visibility: hidden;
-        }
+      h3 .wait {
+        padding-left: 6px;
+        font-size: 0.84rem;
+        font-weight: 400;
       }
     `,
   ];
+}
+
+/** Which parts have a wall, to be compared: measures of a surface say nothing of a pot. */
+function wallsOf({ parts }: Design): string {
+  return parts.map(({ wall }) => (wall ? "pot" : "surface")).join();
 }
 
 declare global {

@@ -22,23 +22,13 @@ import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import "../../ui/number-field";
-import type { NumberChangeEvent } from "../../ui/number-field";
+import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
 
 const NEVER = 1e-12;
 
 @customElement("pasu-parameters")
 export class PasuParameters extends DesignerElement {
-  /** The slider's ranges stand still under the hand. */
-  private factor = 1;
-
-  override willUpdate(): void {
-    const { state, store } = this.designer;
-    const shape = state.design.parts[state.session.part]?.shape;
-    const family = shape ? familyOf(shape.kind) : null;
-    if (shape && family && !store.inGesture) this.factor = sizeFactor(family, shape);
-  }
-
   override render() {
     const { state } = this.designer;
     const part = state.design.parts[state.session.part];
@@ -78,7 +68,7 @@ export class PasuParameters extends DesignerElement {
 
   private openNote(shape: Shape) {
     if (this.designer.surface.shown?.solved.facts?.closed !== false) return nothing;
-    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petal frequency and the turns";
+    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petals and the turns";
     return html`<p class="notice" role="note">The wall does not close. It closes when ${which} are whole numbers.</p>`;
   }
 
@@ -111,7 +101,9 @@ export class PasuParameters extends DesignerElement {
     const [field] = fields;
     if (!field) return nothing;
     const { designer } = this;
-    const factor = field.length ? this.factor : 1;
+    // The ranges go by the pot that was opened: no number moves the range of another.
+    const origin = this.originOf(shape);
+    const factor = field.length ? sizeFactor(family, origin) : 1;
     const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
     return html`<pasu-number
       data-field=${field.path.join("-")}
@@ -126,14 +118,22 @@ export class PasuParameters extends DesignerElement {
       .max=${factor * field.max}
       .step=${factor * field.step}
       .explain=${designer.store.session.explain}
-      resettable
+      .opened=${fieldValue(origin, field)}
+      .paper=${fieldValue(family.reset, field)}
       data-family=${family.kind}
       @number-change=${(event: NumberChangeEvent) =>
         designer.apply(setFields(designer.state, fields, event.value, event.gesture))}
       @number-done=${() => designer.store.endGesture()}
       @number-cancel=${() => designer.store.cancelGesture()}
-      @number-reset=${() => designer.apply(resetFields(designer.state, fields))}
+      @number-reset=${({ to }: NumberResetEvent) =>
+        designer.apply(resetFields(designer.state, fields, to === "opened" ? origin : family.reset))}
     ></pasu-number>`;
+  }
+
+  private originOf(shape: Shape): Shape {
+    const { origin, state } = this.designer;
+    const opened = origin.design.parts[state.session.part]?.shape;
+    return opened?.kind === shape.kind ? opened : shape;
   }
 
   /** The solver's objection, when it names one of these fields. */

@@ -31,12 +31,11 @@ const RIMS = [
 
 @customElement("pasu-wall")
 export class PasuWall extends DesignerElement {
-  /** The sliders' ranges stand still under the hand. */
   private size = 1;
 
   override willUpdate(): void {
     const facts = this.designer.surface.shown?.solved.facts;
-    if (facts && !this.designer.store.inGesture) this.size = Math.max(facts.height, facts.width, facts.depth);
+    if (facts) this.size = Math.max(facts.height, facts.width, facts.depth);
   }
 
   override render() {
@@ -88,12 +87,15 @@ export class PasuWall extends DesignerElement {
   private verdict() {
     const { designer } = this;
     const { made } = designer;
-    const problem = made?.solid.problem;
+    // Nothing is said of the wall before this one.
+    const problem = made?.isOfNow(made.solid) ? made.solid.problem : null;
     if (problem)
       return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
         ${remedies(designer)}`;
-    const held = made?.holds;
-    return html`<p class="holds" role="status">${held ?? nothing}</p>
+    const measures = made?.measures;
+    const unmeasured = measures && made.isOfNow(measures) && measures.problem;
+    const held = unmeasured ? asSentence(unmeasured.message) : made?.holds;
+    return html`<p class="holds" role="status">${held ?? html`<span class="wait">Checking…</span>`}</p>
       ${this.fitted()}`;
   }
 
@@ -112,7 +114,8 @@ export class PasuWall extends DesignerElement {
   private numbers(wall: Wall) {
     const { designer } = this;
     return wallFields(wall).map((field) => {
-      const { max, step } = wallRange(field, this.size);
+      // The ranges go by the pot that was opened: no number moves the range of another.
+      const { max, step } = wallRange(field, designer.origin.size ?? this.size);
       return html`<pasu-number
         data-field=${field.path.join("-")}
         .label=${field.name}
@@ -163,6 +166,9 @@ export class PasuWall extends DesignerElement {
       .holds {
         min-height: 1.5em;
         margin: 6px 0 8px;
+        color: var(--soft);
+      }
+      .wait {
         color: var(--soft);
       }
       .problem {

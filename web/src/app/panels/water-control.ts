@@ -3,7 +3,6 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { holdsText } from "../../document/measure-words";
 import { lengthWords, volumeWords } from "../../document/quantities";
 import { DesignerElement } from "../../element/designer-element";
 import { fillAfter } from "../../element/water-keys";
@@ -63,7 +62,7 @@ export class PasuWater extends DesignerElement {
                 />
                 <span>Cut open</span>
               </label>`
-          : html`<p class="hint">${holdsText(measures, unit)}</p>`
+          : html`<p class="hint">${designer.made?.holds ?? "Checking…"}</p>`
       }
     </section>`;
   }
@@ -73,7 +72,7 @@ export class PasuWater extends DesignerElement {
     const water = made?.water;
     if (water?.problem) return water.problem.message;
     const volume = water?.value?.volume ?? null;
-    return volume !== null && water?.of ? volumeWords(volume, unitOf(water.of), 4) : "…";
+    return volume !== null && water?.of && made?.isOfNow(water) ? volumeWords(volume, unitOf(water.of), 4) : "…";
   }
 
   /** The browser's own steps of a slider without steps differ from one to the next. */

@@ -184,7 +184,9 @@ export class Made implements Guest {
     const used: RawShaderMaterial[] = [];
     for (let g = 0; g < made.groups.length; g += 3) {
       const look = this.looks[at(made.groups, g + 2)] ?? DEFAULT_LOOK;
-      const material = this.mapped ? this.mapMaterial(null, -1) : this.glazed(look, -1, true);
+      const material = this.mapped
+        ? this.mapMaterial(this.map?.lean ? this.map : null, -1)
+        : this.glazed(look, -1, true);
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
       const last = geometry.groups.at(-1);
       if (last && used.at(-1) === material && last.start + last.count === start) last.count += count;

@@ -7,6 +7,8 @@ export interface StageMap {
   readonly low: number;
   readonly high: number;
   readonly ramp: readonly (readonly [number, number, number])[];
+  /** Whether the values are how far faces lean, in degrees. Then every face has its own, by its normal: the inside and what the wall adds too. */
+  readonly lean: boolean;
 }
 
 /** As many colours as every ramp has. */
@@ -42,6 +44,8 @@ uniform vec2 range;
 uniform float known;
 uniform vec4 cut;
 uniform float core;
+uniform float lean;
+uniform float table;
 out vec4 colour;
 void main() {
   if (dot(vScene, cut.xyz) > cut.w) discard;
@@ -52,8 +56,11 @@ void main() {
   }
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
   if (!gl_FrontFacing) n = -n;
-  if (known > 0.5 && !isnan(vValue)) {
-    float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0) * ${STOPS - 1}.0;
+  float value = lean > 0.5 ? degrees(asin(clamp(-n.z, -1.0, 1.0))) : vValue;
+  // What lies on the table hangs over nothing.
+  bool stands = lean > 0.5 && vScene.z < table + 1e-4 && n.z < -0.999;
+  if (known > 0.5 && !isnan(value) && !stands) {
+    float t = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0) * ${STOPS - 1}.0;
     int i = int(min(t, ${STOPS - 2}.0));
     paint = mix(ramp[i], ramp[i + 1], t - float(i));
   }
@@ -86,6 +93,8 @@ export function mapCoat(
       known: { value: map ? 1 : 0 },
       cut,
       core: { value: core },
+      lean: { value: map?.lean ? 1 : 0 },
+      table: studio.table,
     },
   });
 }

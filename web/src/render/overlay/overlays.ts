@@ -5,7 +5,7 @@ import type { Bounds } from "../mesh";
 import type { Pot } from "../pot";
 import type { Studio, Theme } from "../studio";
 import type { Triple } from "../triple";
-import { type Dimension, dimensionsOf } from "./dimensions";
+import { type Dimension, dimensionsOf, type Size } from "./dimensions";
 import { Label, paint, type Spot } from "./label";
 import { ofArrows, ofPolylines } from "./segments";
 import { type Pen, Stroke, type StrokeStyle } from "./stroke";
@@ -78,6 +78,7 @@ export class Overlays implements Tenant {
   private given: StageLines = NO_LINES;
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
   private dimensions: Dimension[] = [];
+  private size: Size | null = null;
   private stale = true;
   /** Which sides of the pot face the eye: the dimension lines change their place with it. */
   private side = "";
@@ -129,6 +130,12 @@ export class Overlays implements Tenant {
     this.extra = words;
   }
 
+  /** How high and wide the pot is said to be. */
+  set measures(size: Size | null) {
+    this.size = size;
+    this.stale = true;
+  }
+
   set measure(unit: Unit) {
     this.unit = unit;
   }
@@ -165,8 +172,10 @@ export class Overlays implements Tenant {
 
   /** Points (xyz, model units) that a fitted view must contain besides the pot: the dimension lines, when they are seen. */
   outline(bounds: Bounds, azimuth: number): number[] {
-    if (!this.shown.axes) return [];
-    return dimensionsOf(bounds, [Math.cos(azimuth), Math.sin(azimuth)]).flatMap((dimension) => dimension.segments);
+    if (!this.shown.axes || !this.size) return [];
+    return dimensionsOf(bounds, [Math.cos(azimuth), Math.sin(azimuth)], this.size).flatMap(
+      (dimension) => dimension.segments,
+    );
   }
 
   /** Sets the size of what is drawn next, in device pixels, and device pixels per CSS pixel. */
@@ -208,7 +217,7 @@ export class Overlays implements Tenant {
   }
 
   private measureUp(bounds: Bounds, towards: readonly [number, number]): void {
-    this.dimensions = dimensionsOf(bounds, towards);
+    this.dimensions = this.size ? dimensionsOf(bounds, towards, this.size) : [];
     this.strokes.axes.segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
   }
 
