@@ -5,6 +5,7 @@ import { Designer } from "./app/designer";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
 import { browserShelf } from "./state/storage";
+import { pictured } from "./sw/pictured";
 import { registerOffline } from "./sw/register";
 
 const designer = new Designer(new SolverClient(startWorker), {
@@ -25,4 +26,4 @@ document.querySelector(".skeleton")?.remove();
 document.body.append(app);
 void designer.start();
 window.addEventListener("hashchange", () => void designer.addressChanged());
-registerOffline(() => designer.announceNewVersion());
+registerOffline(() => designer.announceNewVersion(), pictured(app));
