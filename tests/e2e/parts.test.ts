@@ -2,6 +2,7 @@
 // several stages on a page, which draw with one context.
 
 import { beforeEach, expect, test } from "vitest";
+import { fineWall } from "../support/drag.ts";
 import { contexts, countUploads, type PartBehind, type StageBehind, stageOf, uploads } from "../support/on-stage.ts";
 import { difference } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
@@ -193,6 +194,32 @@ test("a point of the picture belongs to the part that is seen there", async () =
   expect(found.outside).toEqual([null, null, null]);
 });
 
+test("what only a wall shows belongs to its part too, and what is cut away to none", async () => {
+  pot = await here.enter({ link: "#1/fourth-order" });
+  await pot.fingerprint();
+  const stage = await stageOf(pot);
+  /** What is seen from the middle of the picture downwards. */
+  const column = (view: string) =>
+    stage.evaluate(async (it: StageBehind, name) => {
+      it.view(name);
+      await it.whenIdle();
+      const { clientWidth, clientHeight } = it.root;
+      return Array.from({ length: 20 }, (_, i) => it.pick(clientWidth / 2, (0.5 + i / 40) * clientHeight));
+    }, view);
+  // From below one looks through the open foot and the mouth.
+  expect((await column("below"))[0]).toBeNull();
+  await pot.makePot();
+  await fineWall(pot);
+  expect((await column("below"))[0]).toBe(0);
+  const whole = await column("top");
+  expect(whole.filter((part) => part === 0).length).toBeGreaterThan(5);
+  await pot.button("Overlays").click();
+  await pot.page.getByRole("checkbox", { name: "Cut open" }).check();
+  await pot.page.keyboard.press("Escape");
+  // The half before the eye is the lower one of the picture from above.
+  await expect.poll(async () => (await column("top")).slice(1).every((part) => part === null)).toBe(true);
+});
+
 test("two stages draw with one context, and one that is left alone has it to itself", async () => {
   const canvases = () =>
     pot.page.evaluate(() => {
@@ -241,4 +268,22 @@ test("two stages draw with one context, and one that is left alone has it to its
   await pot.type("Height", "5");
   await pot.fingerprintOtherThan(before);
   expect(pot.troubles).toEqual([]);
+});
+
+test("a gallery that opens while the context is lost shows its exhibits all the same", async () => {
+  const card = await pot.page
+    .locator("pasu-stage .host canvas")
+    .evaluateHandle((element) =>
+      (element as HTMLCanvasElement).getContext("webgl2")?.getExtension("WEBGL_lose_context"),
+    );
+  await card.evaluate((extension) => extension?.loseContext());
+  const note = pot.page.getByText("The graphics card was taken away");
+  await note.waitFor();
+  await pot.command("Gallery");
+  const drawn = pot.page.locator('pasu-gallery canvas[data-drawn="true"]');
+  await drawn.nth(2).waitFor();
+  await pot.page.keyboard.press("Escape");
+  await card.evaluate((extension) => extension?.restoreContext());
+  await note.waitFor({ state: "detached" });
+  expect(await contexts(pot)).toBe(1);
 });

@@ -140,6 +140,11 @@ export class Stage {
         this.loop.invalidate();
       },
     });
+    if (this.device.lost) {
+      this.loop.pause();
+      // Not before whoever made the stage has it.
+      queueMicrotask(() => options.onContextLost?.());
+    }
     this.resizes = new ResizeObserver(() => this.resize());
     this.resizes.observe(this.root);
     this.watchPixels();

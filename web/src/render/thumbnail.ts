@@ -6,6 +6,9 @@ import { axesOf, fitDistance, VIEWS } from "./pose";
 import { partsOf, type StageMesh } from "./stage-mesh";
 import { Tableau } from "./tableau";
 
+/** So many milliseconds a lost context is waited for. */
+const PATIENCE = 3000;
+
 /** Draws small pictures of pots into 2D canvases. */
 export interface Thumbnails {
   /**
@@ -28,7 +31,7 @@ export function thumbnails(): Thumbnails {
   const drawNow = async (mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement) => {
     if (disposed) return;
     device ??= Device.share();
-    await device.whenThere();
+    await device.whenThere(PATIENCE);
     if (disposed) return;
     tableau ??= new Tableau("light");
     device.admit(tableau);

@@ -106,16 +106,24 @@ export class Device {
     return () => this.watchers.delete(watcher);
   }
 
-  /** Resolves when there is something to draw with: at once, but while the context is lost. */
-  whenThere(): Promise<void> {
+  /**
+   * Resolves when there is something to draw with: at once, but while the context is lost.
+   *
+   * @throws {Error} when it has not come back after so many milliseconds: some never do
+   */
+  whenThere(patience: number): Promise<void> {
     if (!this.lost) return Promise.resolve();
-    return new Promise((resolve) => {
-      const forget = this.watch({
-        restored: () => {
-          forget();
-          resolve();
-        },
-      });
+    return new Promise((resolve, reject) => {
+      const end = (how: () => void) => () => {
+        clearTimeout(timer);
+        forget();
+        how();
+      };
+      const forget = this.watch({ restored: end(resolve) });
+      const timer = setTimeout(
+        end(() => reject(new Error("the graphics context is lost"))),
+        patience,
+      );
     });
   }
 
