@@ -20,13 +20,13 @@ export function newPlacing(shift: Uniform<Triple> = { value: [0, 0, 0] }): Placi
 /** Puts a part where a matrix says. Whether it is turned inside out by that, as in a mirror. */
 export function place(placing: Placing, matrix: Matrix): boolean {
   placing.model.value = matrix;
-  placing.turned.value = mat3.normalFromMat4([...placing.turned.value], [...matrix]) as number[];
-  return mat4.determinant([...matrix]) < 0;
+  placing.turned.value = mat3.normalFromMat4([...placing.turned.value], matrix as number[]) as number[];
+  return mat4.determinant(matrix as number[]) < 0;
 }
 
 /** Where a point of the mesh stands. */
 export function placed(matrix: Matrix, point: Triple): Triple {
-  return vec3.transformMat4([0, 0, 0], [...point], [...matrix]) as Triple;
+  return vec3.transformMat4([0, 0, 0], point, matrix as number[]) as Triple;
 }
 
 /** A vertex of a mesh, and the same in scene space but for `shift`. */
