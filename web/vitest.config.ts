@@ -7,5 +7,10 @@ const inPackage = (file: string) => fileURLToPath(new URL(`../crates/pasu-wasm/p
 
 export default defineConfig({
   resolve: { alias: { "pasu/drawing": inPackage("drawing.js"), pasu: inPackage("pasu.js") } },
-  test: { environment: "node", include: ["src/**/*.test.ts", "build/**/*.test.ts"], passWithNoTests: true },
+  test: {
+    environment: "node",
+    include: ["src/**/*.test.ts", "build/**/*.test.ts"],
+    passWithNoTests: true,
+    testTimeout: 60_000,
+  },
 });

@@ -1,4 +1,5 @@
-import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial } from "three";
+import { Material, type Uniform } from "../gl/material";
+import { PLACING_GLSL } from "../placing";
 import type { Studio } from "../studio";
 
 /** A map on the pot: values of its vertices, and the colours (sRGB, 0 to 255) that stand for the range from `low` to `high`. */
@@ -21,13 +22,13 @@ in vec3 normal;
 in float value;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
-uniform vec4 frame;
+${PLACING_GLSL}
 out vec3 vScene;
 out vec3 vNormal;
 out float vValue;
 void main() {
-  vScene = (position - frame.xyz) * frame.w;
-  vNormal = normal;
+  vScene = inFrame(position);
+  vNormal = turned * normal;
   vValue = value;
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
@@ -73,18 +74,12 @@ void main() {
 `;
 
 /** The material of a map; without values, plain grey. `core` is as in a glaze that is cut open. */
-export function mapCoat(
-  studio: Studio,
-  map: Omit<StageMap, "values"> | null,
-  cut: IUniform,
-  core: number,
-): RawShaderMaterial {
+export function mapCoat(studio: Studio, map: Omit<StageMap, "values"> | null, cut: Uniform, core: number): Material {
   const ramp = Array.from({ length: STOPS }, (_, i) => (map?.ramp[i] ?? [0, 0, 0]).map((channel) => channel / 255));
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    side: DoubleSide,
+  return new Material({
+    vertex: VERTEX,
+    fragment: FRAGMENT,
+    bothSides: true,
     uniforms: {
       frame: studio.frame,
       eye: studio.eye,
