@@ -4,6 +4,7 @@ import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
 import type { Design, Look, Unit } from "../document/types";
+import { freshIds } from "./parts";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
@@ -12,7 +13,12 @@ const NOTHING: Change = { undo: "none" };
 
 /** Replaces the design, as one step: undo brings the old one back. */
 export function openDesign(state: State, design: Design): Change {
-  return { design, session: { part: 0, compare: null }, undo: state.design === design ? "none" : "step" };
+  return {
+    design,
+    ids: freshIds(design.parts.length, state.fresh),
+    session: { selection: [], compare: null },
+    undo: state.design === design ? "none" : "step",
+  };
 }
 
 export function setTitle(state: State, title: string): Change {
@@ -32,16 +38,11 @@ export function setUnit(state: State, unit: Unit): Change {
 }
 
 export function setLook(state: State, look: Look): Change {
-  const path: Path = ["parts", state.session.part, "look"];
+  const path: Path = ["parts", state.part, "look"];
   const before = getPath(state.design, path) as Look | undefined;
   const next: Look = { ...before, ...look };
   if (before?.glaze === next.glaze && before?.clay === next.clay) return NOTHING;
   return { design: setPath(state.design, path, next), undo: "step" };
-}
-
-export function selectPart(state: State, part: number): Change {
-  const last = state.design.parts.length - 1;
-  return { undo: "none", session: { part: Math.max(0, Math.min(last, part)) } };
 }
 
 export function selectTab(tab: Tab): Change {

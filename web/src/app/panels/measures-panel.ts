@@ -59,7 +59,7 @@ export class PasuMeasures extends DesignerElement {
         ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
         : html`<p class="wait">Measuring…</p>`;
     }
-    const groups = measureGroups(piece.value, now.session.part, unitOf(piece.of));
+    const groups = measureGroups(piece.value, now.part, unitOf(piece.of));
     return html`
       <div class="bar">
         <h3>Measures</h3>

@@ -34,14 +34,14 @@ export class PasuParameters extends DesignerElement {
 
   override willUpdate(): void {
     const { state, store } = this.designer;
-    const shape = state.design.parts[state.session.part]?.shape;
+    const shape = state.design.parts[state.part]?.shape;
     const family = shape ? familyOf(shape.kind) : null;
     if (shape && family && !store.inGesture) this.factor = sizeFactor(family, shape);
   }
 
   override render() {
     const { state } = this.designer;
-    const part = state.design.parts[state.session.part];
+    const part = state.design.parts[state.part];
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
     if (!family) {
@@ -141,9 +141,7 @@ export class PasuParameters extends DesignerElement {
     const { state, surface } = this.designer;
     const { problem } = surface;
     if (!problem) return "";
-    const named = fields.some(
-      (field) => pathText(["parts", state.session.part, "shape", ...field.path]) === problem.path,
-    );
+    const named = fields.some((field) => pathText(["parts", state.part, "shape", ...field.path]) === problem.path);
     return named ? problem.message : "";
   }
 
