@@ -14,7 +14,7 @@ async function countDrawings(pot: Visit): Promise<void> {
   await pot.page.evaluate(() => {
     const drawings: Record<string, number> = {};
     const drawn: Record<string, Set<object>> = {};
-    const tags = ["app", "top-bar", "panel", "part-choice", "stage-tools", "stage", "parameters", "number"];
+    const tags = ["app", "top-bar", "panel", "stage-tools", "stage", "parameters", "number"];
     for (const tag of tags.map((name) => `pasu-${name}`)) {
       const component = customElements.get(tag)?.prototype as { render(): unknown } | undefined;
       if (!component) throw new Error(`there is no ${tag}`);

@@ -1,12 +1,11 @@
 /** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders, the look, the wall and what it measures. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { DesignerElement } from "../element/designer-element";
 import { selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
 import { base } from "../ui/styles";
-import "./panels/part-choice";
 import { UNFETCHED } from "../work/notices";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = {
@@ -34,12 +33,16 @@ export class PasuPanel extends DesignerElement {
   @query(".body") private readonly body!: HTMLElement;
 
   private fetched: Tab | null = null;
+  private listed = false;
 
   override focus(options?: FocusOptions): void {
     this.selected.focus(options);
   }
 
   override willUpdate(): void {
+    const list = this.shadowRoot?.activeElement?.localName === "pasu-parts";
+    // With the last but one part the list goes, and with it what had the focus.
+    if (list && this.designer.store.ids.length < 2) void this.updateComplete.then(() => this.focus());
     const { tab } = this.designer.store.session;
     if (tab === this.fetched) return;
     this.fetched = tab;
@@ -69,7 +72,7 @@ export class PasuPanel extends DesignerElement {
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
         <h2 class="spoken">${TAB_NAMES[tab]}</h2>
-        <pasu-part-choice .designer=${this.designer}></pasu-part-choice>
+        ${this.parts()}
         ${this.content(tab)}
       </div>
     `;
@@ -91,6 +94,20 @@ export class PasuPanel extends DesignerElement {
       case "measures":
         return html`<pasu-measures .designer=${designer}></pasu-measures>`;
     }
+  }
+
+  /** A list of one part would say nothing. */
+  private parts() {
+    const { designer } = this;
+    if (designer.store.ids.length < 2) return nothing;
+    if (!this.listed) {
+      this.listed = true;
+      import("./panels/parts-list").catch(() => {
+        this.listed = false;
+        designer.notices.say(UNFETCHED);
+      });
+    }
+    return html`<pasu-parts .designer=${designer}></pasu-parts>`;
   }
 
   private select(tab: Tab): void {

@@ -12,8 +12,8 @@ export class PasuCaptions extends DesignerElement {
   @property() order: OrderKind = "second-order";
 
   override render() {
-    const { design, session } = this.designer.state;
-    const kind = design.parts[session.part]?.shape.kind ?? "second-order";
+    const { design, part } = this.designer.state;
+    const kind = design.parts[part]?.shape.kind ?? "second-order";
     return html`
       <p>${KIND_NAMES[kind]} <span>as it is</span></p>
       <p>${KIND_NAMES[this.order]} <span>to compare</span></p>

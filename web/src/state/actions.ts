@@ -4,6 +4,7 @@ import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
 import type { Design, Look, Unit } from "../document/types";
+import { freshIds } from "./parts";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
@@ -15,7 +16,8 @@ export function openDesign(state: State, design: Design): Change {
   const overlays = state.session.overlays.cut ? { ...state.session.overlays, cut: false } : state.session.overlays;
   return {
     design,
-    session: { part: 0, compare: null, map: null, fill: null, overlays },
+    ids: freshIds(design.parts.length, state.fresh),
+    session: { selection: [], compare: null, map: null, fill: null, overlays },
     undo: state.design === design ? "none" : "step",
   };
 }
@@ -37,16 +39,11 @@ export function setUnit(state: State, unit: Unit): Change {
 }
 
 export function setLook(state: State, look: Look): Change {
-  const path: Path = ["parts", state.session.part, "look"];
+  const path: Path = ["parts", state.part, "look"];
   const before = getPath(state.design, path) as Look | undefined;
   const next: Look = { ...before, ...look };
   if (before?.glaze === next.glaze && before?.clay === next.clay) return NOTHING;
   return { design: setPath(state.design, path, next), undo: "step" };
-}
-
-export function selectPart(state: State, part: number): Change {
-  const last = state.design.parts.length - 1;
-  return { undo: "none", session: { part: Math.max(0, Math.min(last, part)) } };
 }
 
 export function selectTab(tab: Tab): Change {

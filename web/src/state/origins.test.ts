@@ -5,6 +5,7 @@ import { type Field, familyOf } from "../document/schema";
 import type { Design, Shape } from "../document/types";
 import { openDesign } from "./actions";
 import { Origins } from "./origins";
+import { deletePart, duplicatePart, movePart, selectParts } from "./scene-actions";
 import { NEW_SESSION } from "./session";
 import { resetFields, setFields, switchOrder } from "./shape-actions";
 import { Store } from "./store";
@@ -30,10 +31,11 @@ let origins: Origins;
 beforeEach(() => {
   store = new Store(FIRST, NEW_SESSION);
   origins = new Origins();
-  let before = store.design;
+  let [before, were] = [store.design, store.ids];
   effect(() => {
-    origins.follow(store.design, before);
-    before = store.design;
+    const { design, ids } = store;
+    origins.follow(design, before, (place) => were.indexOf(ids[place] ?? -1));
+    [before, were] = [design, ids];
   });
 });
 
@@ -85,4 +87,21 @@ test("work of an earlier visit goes on from where it was opened then", () => {
   store.apply({ design: OTHER, undo: "none" });
   type(32);
   expect(height(origin())).toBe(20);
+});
+
+test("a reset leads each part to what that part was, wherever it stands by now, and a copy to what it was made as", () => {
+  open({ pasu: 1, parts: [{ shape: JAR }, { shape: { ...JAR, h1: 31 } }] });
+  const [first, second] = store.ids as [number, number];
+  store.apply(selectParts(second));
+  type(44);
+  store.apply(movePart(store.state, second, -1));
+  expect(height()).toBe(44);
+  expect(height(origin())).toBe(31);
+  store.apply(duplicatePart(store.state, second, 20));
+  expect(getPath(origin(), ["parts", 1, "shape", "h1"])).toBe(44);
+  expect(getPath(origin(), ["parts", 2, "shape", "h1"])).toBe(20);
+  store.apply(deletePart(store.state, second));
+  expect(height(origin())).toBe(44);
+  store.apply(deletePart(store.state, first));
+  expect(origin().parts).toHaveLength(1);
 });

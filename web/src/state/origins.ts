@@ -18,11 +18,14 @@ export class Origins {
     this.#of.set(design, origin);
   }
 
-  /** The design changed. A part that became another kind of shape begins anew: what it was has none of its numbers. */
-  follow(design: Design, before: Design): void {
+  /**
+   * The design changed; `was` is the place that a part had before, -1 if it is new. A new part begins anew, and so does one that became another kind of shape:
+   * what it was has none of its numbers.
+   */
+  follow(design: Design, before: Design, was: (place: number) => number): void {
     if (this.#of.has(design)) return;
     const origin = this.of(before);
-    const parts = design.parts.map((part, index) => partOf(origin.parts[index], part));
+    const parts = design.parts.map((part, index) => partOf(origin.parts[was(index)], part));
     const same = parts.length === origin.parts.length && parts.every((part, index) => part === origin.parts[index]);
     this.#of.set(design, same ? origin : { ...origin, parts });
   }

@@ -72,9 +72,9 @@ function reshape(
   edit: (shape: Shape) => Shape,
   policy: { readonly undo: "step" | "merge"; readonly key?: string },
 ): Change {
-  const part = state.design.parts[state.session.part];
+  const part = state.design.parts[state.part];
   if (!part) return { undo: "none" };
   const shape = edit(part.shape);
   if (shape === part.shape) return { undo: "none" };
-  return { design: setPath(state.design, ["parts", state.session.part, "shape"], shape), ...policy };
+  return { design: setPath(state.design, ["parts", state.part, "shape"], shape), ...policy };
 }

@@ -25,7 +25,7 @@ test("settings come back, and only those that are kept in the browser", () => {
   const session = {
     ...NEW_SESSION,
     theme: "dark",
-    part: 3,
+    selection: [3],
     compare: "mixed-order",
     tab: "look",
     explain: true,

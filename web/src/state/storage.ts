@@ -12,7 +12,7 @@ export type Place = "link and browser" | "browser" | "nowhere";
 /** The one table. What is kept in the link is written by the solver's own canonical form. */
 export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   design: "link and browser",
-  part: "nowhere",
+  selection: "nowhere",
   tab: "browser",
   theme: "browser",
   overlays: "browser",

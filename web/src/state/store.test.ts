@@ -108,7 +108,6 @@ describe("actions", () => {
     set(1, true);
     store.apply(actions.setTitle(store.state, "Start"));
     store.apply(actions.setUnit(store.state, "cm"));
-    store.apply(actions.selectPart(store.state, 9));
     expect(store.state.design).toBe(before.design);
     expect(store.canUndo).toBe(false);
   });

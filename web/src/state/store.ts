@@ -5,11 +5,15 @@ import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, record, redo, undo } from "./history";
+import { freshIds, type Identified, type PartId, placeOf } from "./parts";
 import type { Session } from "./session";
 
-export interface State {
-  readonly design: Design;
+export interface State extends Identified {
   readonly session: Session;
+  /** The place of the part that panels are about. */
+  readonly part: number;
+  /** The least identity that no part ever had. */
+  readonly fresh: PartId;
 }
 
 /**
@@ -18,6 +22,8 @@ export interface State {
  */
 export interface Change {
   readonly design?: Design;
+  /** Who the parts of the design are, where it has not the same ones in the same order. */
+  readonly ids?: readonly PartId[];
   readonly session?: Partial<Session>;
   readonly undo: "step" | "merge" | "none";
   readonly key?: string;
@@ -25,16 +31,20 @@ export interface Change {
 
 export class Store {
   readonly #design: Signal<Design>;
+  readonly #ids: Signal<readonly PartId[]>;
   readonly #session: Signal<Session>;
   readonly #history = signal(EMPTY);
   readonly #title = computed(() => this.#design.value.title ?? "");
   readonly #canUndo = computed(() => canUndo(this.#history.value));
   readonly #canRedo = computed(() => canRedo(this.#history.value));
   readonly #inGesture = computed(() => this.#history.value.merging !== null);
+  readonly #part = computed(() => placeOf(this.#session.value.selection, this.#ids.value));
+  #fresh: PartId = 0;
   #travelled = false;
 
   constructor(design: Design, session: Session) {
     this.#design = signal(frozen(design));
+    this.#ids = signal(this.#newIds(design));
     this.#session = signal(frozen(session));
   }
 
@@ -42,6 +52,16 @@ export class Store {
 
   get design(): Design {
     return this.#design.value;
+  }
+
+  /** Who the parts are, in the order of the design. */
+  get ids(): readonly PartId[] {
+    return this.#ids.value;
+  }
+
+  /** The place of the part that panels are about. */
+  get part(): number {
+    return this.#part.value;
   }
 
   get session(): Session {
@@ -52,9 +72,10 @@ export class Store {
     return this.#title.value;
   }
 
-  /** Both, as actions take them; who looks at one of them alone had better ask for that. */
+  /** Everything, as actions take it; who looks at some of it alone had better ask for that. */
   get state(): State {
-    return { design: this.design, session: this.session };
+    const { design, ids, part, session } = this;
+    return { design, ids, part, session, fresh: this.#fresh };
   }
 
   get canUndo(): boolean {
@@ -82,8 +103,9 @@ export class Store {
       if (change.session) this.#session.value = frozen({ ...this.#session.peek(), ...change.session });
       if (design === before) return;
       this.#travelled = false;
-      this.#history.value = record(this.#history.peek(), before, change);
+      this.#history.value = record(this.#history.peek(), this.#identified, change);
       this.#design.value = design;
+      this.#ids.value = this.#idsOf(design, change.ids);
     });
   }
 
@@ -98,22 +120,38 @@ export class Store {
   }
 
   undo(): void {
-    this.#travel(undo(this.#history.peek(), this.#design.peek()), true);
+    this.#travel(undo(this.#history.peek(), this.#identified), true);
   }
 
   redo(): void {
-    this.#travel(redo(this.#history.peek(), this.#design.peek()), true);
+    this.#travel(redo(this.#history.peek(), this.#identified), true);
   }
 
-  #travel(trip: { readonly history: History; readonly design: Design } | null, travelled = false): void {
+  get #identified(): Identified {
+    return { design: this.#design.peek(), ids: this.#ids.peek() };
+  }
+
+  /** Those that the change tells, or the same as before; a design of other parts of which nothing is told has new ones. */
+  #idsOf(design: Design, told: readonly PartId[] | undefined): readonly PartId[] {
+    const ids = told ?? this.#ids.peek();
+    if (ids.length !== design.parts.length) return this.#newIds(design);
+    this.#fresh = Math.max(this.#fresh, ...ids.map((id) => id + 1));
+    return ids;
+  }
+
+  #newIds({ parts }: Design): readonly PartId[] {
+    const ids = freshIds(parts.length, this.#fresh);
+    this.#fresh += parts.length;
+    return ids;
+  }
+
+  #travel(trip: { readonly history: History; readonly now: Identified } | null, travelled = false): void {
     if (trip === null) return;
-    const session = this.#session.peek();
-    const part = Math.min(session.part, trip.design.parts.length - 1);
     batch(() => {
       this.#travelled = travelled;
       this.#history.value = trip.history;
-      this.#design.value = trip.design;
-      if (part !== session.part) this.#session.value = frozen({ ...session, part });
+      this.#design.value = trip.now.design;
+      this.#ids.value = trip.now.ids;
     });
   }
 }

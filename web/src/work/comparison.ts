@@ -22,7 +22,6 @@ export class Comparison {
   readonly #surface: Surface;
   readonly #solver: SolverClient;
   readonly #order = computed(() => this.#store.session.compare);
-  readonly #part = computed(() => this.#store.session.part);
   readonly #shown = signal<Compared | null>(null);
   readonly #problem = signal<Refusal | null>(null);
 
@@ -45,7 +44,7 @@ export class Comparison {
   connect(): () => void {
     return effect(() => {
       const order = this.#order.value;
-      if (order) void this.#compare(order, this.#store.design, this.#part.value);
+      if (order) void this.#compare(order, this.#store.design, this.#store.part);
       else this.#put(null, null);
     });
   }

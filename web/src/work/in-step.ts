@@ -37,7 +37,7 @@ const TRIES = 2;
 const SPARES = 2;
 
 /** Runs something after so many milliseconds; what comes back takes that back. */
-type Later = (run: () => void, milliseconds: number) => () => void;
+export type Later = (run: () => void, milliseconds: number) => () => void;
 
 export class InStep implements Companion {
   readonly #store: Store;

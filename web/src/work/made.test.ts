@@ -8,6 +8,9 @@ import { selectTab, toggleOverlay } from "../state/actions";
 import { setFill, setMap } from "../state/wall-actions";
 import { Made } from "./made";
 
+/** No clock runs: a surface waits for its wall as long as it takes. */
+const never = () => () => {};
+
 interface Bench extends Workbench {
   readonly made: Made;
   readonly leave: () => void;
@@ -19,7 +22,7 @@ interface Bench extends Workbench {
 async function bench(design: Design): Promise<Bench> {
   const there = await workbench(design);
   const { maker, making, store, surface } = there;
-  const made = new Made(store, surface, maker);
+  const made = new Made(store, surface, maker, never);
   const leave = made.connect();
   const asked = () => making.sent.splice(0).map(({ ask }) => ask);
   return { ...there, made, leave, asked, kinds: () => asked().map(({ kind }) => kind) };

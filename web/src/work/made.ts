@@ -13,7 +13,7 @@ import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
 import type { Store } from "../state/store";
-import { InStep } from "./in-step";
+import { InStep, type Later } from "./in-step";
 import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";
 
@@ -45,11 +45,12 @@ export class Made {
   /** What is asked for, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
 
-  constructor(store: Store, surface: Surface, maker: MakerClient) {
+  /** `later` is the clock by which a surface waits for its wall. */
+  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later) {
     this.#store = store;
     this.#surface = surface;
     this.maker = maker;
-    this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece));
+    this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
   }
 
   /** Follows the document and its surface until what comes back is called. */

@@ -3,6 +3,7 @@
 import { effect, untracked } from "@preact/signals-core";
 import type { Design } from "../document/types";
 import { Origins } from "../state/origins";
+import type { PartId } from "../state/parts";
 import type { Store } from "../state/store";
 import type { Surface } from "./surface";
 
@@ -12,13 +13,15 @@ export class Origin {
   readonly #origins = new Origins();
   /** How large each design was when it was first solved. */
   readonly #sizes = new WeakMap<Design, number>();
-  /** The design that was followed last. */
+  /** The design that was followed last, and who its parts were. */
   #last: Design;
+  #lastIds: readonly PartId[];
 
   constructor(store: Store, surface: Surface) {
     this.#store = store;
     this.#surface = surface;
     this.#last = store.design;
+    this.#lastIds = store.ids;
   }
 
   /** The design as it was opened. */
@@ -52,10 +55,12 @@ export class Origin {
   }
 
   #follow(): void {
-    const { design } = this.#store;
+    const { design, ids } = this.#store;
     if (design === this.#last) return;
-    this.#origins.follow(design, this.#last);
+    const before = this.#lastIds;
+    this.#origins.follow(design, this.#last, (place) => before.indexOf(ids[place] ?? -1));
     this.#last = design;
+    this.#lastIds = ids;
   }
 
   #learn(): void {

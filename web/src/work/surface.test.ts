@@ -4,7 +4,8 @@ import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
-import { selectPart, selectTab, toggleOverlay } from "../state/actions";
+import { selectTab, toggleOverlay } from "../state/actions";
+import { selectParts } from "../state/scene-actions";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { type Companion, Surface } from "./surface";
@@ -94,7 +95,7 @@ test("the section is that of the selected part", async () => {
   store.apply({ design: two, undo: "step" });
   await begun();
   expect(options().section).toBe(0);
-  store.apply(selectPart(store.state, 1));
+  store.apply(selectParts(...store.ids.slice(1)));
   expect(options().section).toBe(1);
 });
 

@@ -129,8 +129,8 @@ export class Surface {
 
   #want(): Wanted | null {
     if (!this.#begun.value) return null;
-    const { design, inGesture, session } = this.#store;
-    const { overlays, part, tab } = session;
+    const { design, inGesture, part, session } = this.#store;
+    const { overlays, tab } = session;
     return {
       design,
       settle: !inGesture,

@@ -37,6 +37,16 @@ const KEYS: readonly (readonly [string, readonly (readonly [string, string])[]])
     ],
   ],
   [
+    "In the list of parts",
+    [
+      ["Arrows", "Select"],
+      ["Alt arrows", "Move the part up or down the list"],
+      ["D", "Make a copy beside it"],
+      ["F2", "Name it"],
+      ["Delete", "Take it away; undo brings it back"],
+    ],
+  ],
+  [
     "On a number",
     [
       ["Arrows", "One step"],

@@ -12,8 +12,8 @@ import { base, fields } from "../../ui/styles";
 export class PasuLook extends DesignerElement {
   override render() {
     const { designer } = this;
-    const { design, session } = designer.state;
-    const look = lookOf(design.parts[session.part]);
+    const { design, part } = designer.state;
+    const look = lookOf(design.parts[part]);
     return html`
       <fieldset>
         <legend>Glaze</legend>

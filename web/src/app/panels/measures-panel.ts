@@ -64,7 +64,7 @@ export class PasuMeasures extends DesignerElement {
         : html`<p class="wait">Checking…</p>`;
     }
     const old = !made?.isOfNow(piece);
-    const groups = measureGroups(piece.value, now.session.part, unitOf(piece.of), this.exact);
+    const groups = measureGroups(piece.value, now.part, unitOf(piece.of), this.exact);
     return html`
       <div class="bar">
         <h3>Measures ${old ? html`<span class="wait">Checking…</span>` : nothing}</h3>

@@ -35,8 +35,8 @@ export class PasuModes extends DesignerElement {
   @state() private forceProblem: { readonly key: string; readonly message: string } | null = null;
 
   override render() {
-    const { design, session } = this.designer.state;
-    const shape = design.parts[session.part]?.shape;
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
     if (shape?.kind !== "boundary-value") return nothing;
     return html`
       <p class="intro">
@@ -209,7 +209,7 @@ export class PasuModes extends DesignerElement {
   private problemOf(path: Path): string {
     const { state, surface } = this.designer;
     const { problem } = surface;
-    return problem?.path === pathText(["parts", state.session.part, "shape", ...path]) ? problem.message : "";
+    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? problem.message : "";
   }
 
   private edit(change: (shape: BoundaryValue) => BoundaryValue): void {

@@ -14,8 +14,8 @@ import { base, buttons } from "../../ui/styles";
 @customElement("pasu-orders")
 export class PasuOrders extends DesignerElement {
   override render() {
-    const { design, session } = this.designer.state;
-    const shape = design.parts[session.part]?.shape;
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
     if (!shape) return nothing;
     if (shape.kind === "boundary-value") {
       return html`<p class="lead">

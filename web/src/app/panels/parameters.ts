@@ -31,7 +31,7 @@ const NEVER = 1e-12;
 export class PasuParameters extends DesignerElement {
   override render() {
     const { state } = this.designer;
-    const part = state.design.parts[state.session.part];
+    const part = state.design.parts[state.part];
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
     if (!family) {
@@ -132,7 +132,7 @@ export class PasuParameters extends DesignerElement {
 
   private originOf(shape: Shape): Shape {
     const { origin, state } = this.designer;
-    const opened = origin.design.parts[state.session.part]?.shape;
+    const opened = origin.design.parts[state.part]?.shape;
     return opened?.kind === shape.kind ? opened : shape;
   }
 
@@ -141,9 +141,7 @@ export class PasuParameters extends DesignerElement {
     const { state, surface } = this.designer;
     const { problem } = surface;
     if (!problem) return "";
-    const named = fields.some(
-      (field) => pathText(["parts", state.session.part, "shape", ...field.path]) === problem.path,
-    );
+    const named = fields.some((field) => pathText(["parts", state.part, "shape", ...field.path]) === problem.path);
     return named ? problem.message : "";
   }
 

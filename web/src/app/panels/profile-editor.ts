@@ -50,8 +50,8 @@ export class PasuProfile extends DesignerElement {
 
   override render() {
     const { designer } = this;
-    const { design, session } = designer.state;
-    const shape = design.parts[session.part]?.shape;
+    const { design, part } = designer.state;
+    const shape = design.parts[part]?.shape;
     const section = designer.surface.shown?.solved.section;
     if (!shape || !section) return html`<p class="lead">The section appears with the pot.</p>`;
     const marks = marksOf(section, rimAt(shape));
@@ -161,7 +161,7 @@ export class PasuProfile extends DesignerElement {
   /** Moves a handle by a distance in the section. */
   private move(id: HandleId, x: number, z: number): void {
     const { state } = this.designer;
-    const shape = state.design.parts[state.session.part]?.shape;
+    const shape = state.design.parts[state.part]?.shape;
     if (!shape) return;
     const factor = id.endsWith("slope") ? towards(id, rimAt(shape)) / SLOPE_SHARE : 1;
     this.designer.apply(dragHandle(state, id, factor * x, factor * z));
@@ -181,8 +181,8 @@ export class PasuProfile extends DesignerElement {
     const section = this.designer.surface.shown?.solved.section;
     const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
     if (!section || !active || this.last) return;
-    const { design, session } = this.designer.state;
-    const shape = design.parts[session.part]?.shape;
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
     if (shape) this.spoken = reading(active, section, rimAt(shape), unitOf(design));
   }
 

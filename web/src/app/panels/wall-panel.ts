@@ -40,8 +40,8 @@ export class PasuWall extends DesignerElement {
 
   override render() {
     const { designer } = this;
-    const { design, session } = designer.state;
-    const wall = design.parts[session.part]?.wall;
+    const { design, part, session } = designer.state;
+    const wall = design.parts[part]?.wall;
     if (!wall) {
       return html`<p class="lead">
           This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or
@@ -104,7 +104,7 @@ export class PasuWall extends DesignerElement {
     const { designer } = this;
     const { made, state } = designer;
     if (made?.report.of !== state.design) return nothing;
-    const found = (made.report.value?.findings ?? []).filter(({ part }) => part === state.session.part);
+    const found = (made.report.value?.findings ?? []).filter(({ part }) => part === state.part);
     const told = found.flatMap((finding) => fittedWords(finding, unitOf(state.design)) ?? []);
     if (told.length === 0) return nothing;
     return html`${told.map((text) => html`<p class="problem" role="status">${icon("warn")}<span>${text}</span></p>`)}
@@ -138,7 +138,7 @@ export class PasuWall extends DesignerElement {
   /** The objection of whoever objects first, when it names this number. */
   private problemOf(field: WallField): string {
     const { made, state, surface } = this.designer;
-    const path = pathText(["parts", state.session.part, "wall", ...field.path]);
+    const path = pathText(["parts", state.part, "wall", ...field.path]);
     const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
     return named ? asSentence(named.message) : "";
   }
