@@ -18,6 +18,11 @@ export class Origins {
     this.#of.set(design, origin);
   }
 
+  /** The design was made larger or smaller, or said in another unit: so is what it was opened as. */
+  convert(design: Design, before: Design, convert: (origin: Design) => Design): void {
+    if (design !== before && !this.#of.has(design)) this.#of.set(design, convert(this.of(before)));
+  }
+
   /** The design changed. A part that became another kind of shape begins anew: what it was has none of its numbers. */
   follow(design: Design, before: Design): void {
     if (this.#of.has(design)) return;

@@ -169,6 +169,10 @@ export class Designer {
   }
 
   apply(change: Change): void {
+    if (change.design && change.convert) {
+      this.#origins.convert(change.design, this.state.design, change.convert);
+      this.#framing += 1;
+    }
     this.store.apply(change);
   }
 
