@@ -46,7 +46,7 @@ export class PasuSize extends DesignerElement {
     const unit = unitOf(design);
     return html`<section aria-labelledby="size">
       <div class="bar">
-        <h3 id="size">Size</h3>
+        <h3 id="size">How large</h3>
         <select
           class="field"
           aria-label="Unit"
