@@ -276,12 +276,33 @@ export class PasuApp extends DesignerElement {
   private readonly drop = (event: DragEvent): void => {
     this.dropping = false;
     const data = event.dataTransfer;
-    const file = data?.files[0];
+    const files = [...(data?.files ?? [])];
     const text = data?.getData("text/uri-list") || data?.getData("text/plain") || "";
-    if (!file && (text === "" || isText(event.composedPath()[0]))) return;
+    if (files.length === 0 && (text === "" || isText(event.composedPath()[0]))) return;
     event.preventDefault();
-    void (file ? this.designer.opening.openFile(file) : this.designer.opening.openText(text));
+    void (files.length > 0 ? this.openFiles(files) : this.designer.opening.openText(text));
   };
+
+  /** Opens the first that is a design, and says of each of several what became of it. */
+  private async openFiles(files: readonly File[]): Promise<void> {
+    const { designer } = this;
+    const refused: File[] = [];
+    for (const file of files) {
+      await designer.opening.openFile(file);
+      if (designer.opening.problem === null) break;
+      refused.push(file);
+    }
+    if (files.length === 1) return;
+    const opened = files[refused.length];
+    const names = (some: readonly File[]) => new Intl.ListFormat("en").format(some.map(({ name }) => `“${name}”`));
+    const left = opened ? files.slice(refused.length + 1) : [];
+    const told = [
+      opened ? `Opened ${names([opened])}.` : `None of ${names(files)} could be opened.`,
+      opened && refused.length > 0 ? `${names(refused)} could not be opened.` : "",
+      left.length > 0 ? `Not opened: ${names(left)}, because one design is shown at a time.` : "",
+    ];
+    designer.notices.say(told.filter(Boolean).join(" "));
+  }
 
   static override readonly styles = [
     base,

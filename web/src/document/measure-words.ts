@@ -1,6 +1,6 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
-import { formatNumber } from "../number";
+import { formatNumber, ouncesWords } from "../number";
 import {
   angleWords,
   areaShown,
@@ -8,6 +8,7 @@ import {
   errorWords,
   lengthWords,
   massShown,
+  millilitres,
   type Shown,
   volumeShown,
   volumeWords,
@@ -87,7 +88,12 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
           "To the brim",
           brim,
           volumeShown(brim.value, unit),
-          stopped ? "with the drain hole stopped" : undefined,
+          [
+            stopped ? "with the drain hole stopped" : "",
+            unit === "in" ? ouncesWords(millilitres(brim.value, unit)) : "",
+          ]
+            .filter(Boolean)
+            .join(", ") || undefined,
         ),
         quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), { factor: 1, unit }),
       ],

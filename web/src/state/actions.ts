@@ -3,6 +3,7 @@
 import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
+import { inUnit, scaled, type Walls } from "../document/scaled";
 import type { Design, Look, Unit } from "../document/types";
 import { freshIds } from "./parts";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
@@ -33,9 +34,17 @@ export function setTitle(state: State, title: string): Change {
   };
 }
 
+/** Says the pot in another unit: it stays as large as it is, and its numbers change. */
 export function setUnit(state: State, unit: Unit): Change {
-  if ((state.design.unit ?? "cm") === unit) return NOTHING;
-  return { design: setPath(state.design, ["unit"], unit), undo: "step" };
+  const design = inUnit(state.design, unit);
+  return design === state.design ? NOTHING : { design, undo: "step", convert: (origin) => inUnit(origin, unit) };
+}
+
+/** Makes the pot so many times as large. */
+export function resize(state: State, factor: number, walls: Walls): Change {
+  if (!(factor > 0 && Number.isFinite(factor)) || factor === 1) return NOTHING;
+  const convert = (design: Design) => scaled(design, factor, walls);
+  return { design: convert(state.design), undo: "step", convert };
 }
 
 export function setLook(state: State, look: Look): Change {

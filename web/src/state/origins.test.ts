@@ -3,12 +3,12 @@ import { beforeEach, expect, test } from "vitest";
 import { getPath } from "../document/path";
 import { type Field, familyOf } from "../document/schema";
 import type { Design, Shape } from "../document/types";
-import { openDesign } from "./actions";
+import { openDesign, resize, setUnit } from "./actions";
 import { Origins } from "./origins";
 import { deletePart, duplicatePart, movePart, selectParts } from "./scene-actions";
 import { NEW_SESSION } from "./session";
 import { resetFields, setFields, switchOrder } from "./shape-actions";
-import { Store } from "./store";
+import { type Change, Store } from "./store";
 
 const JAR: Shape = {
   kind: "fourth-order",
@@ -80,6 +80,21 @@ test("a part of another order begins anew, since what it was has none of its num
   expect(origin().parts[0]?.shape).toBe(store.state.design.parts[0]?.shape);
   store.undo();
   expect(height(origin())).toBe(20);
+});
+
+test("another unit or size converts what the pot was opened as along with it", () => {
+  const convert = (change: Change) => {
+    if (change.design && change.convert) origins.convert(change.design, store.state.design, change.convert);
+    store.apply(change);
+  };
+  type(30);
+  convert(setUnit(store.state, "mm"));
+  expect([height(), height(origin())]).toEqual([300, 200]);
+  convert(resize(store.state, 2, "scale"));
+  expect([height(), height(origin())]).toEqual([600, 400]);
+  store.undo();
+  store.undo();
+  expect([height(), height(origin())]).toEqual([30, 20]);
 });
 
 test("work of an earlier visit goes on from where it was opened then", () => {

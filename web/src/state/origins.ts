@@ -18,6 +18,11 @@ export class Origins {
     this.#of.set(design, origin);
   }
 
+  /** The design was made larger or smaller, or said in another unit: so is what it was opened as. */
+  convert(design: Design, before: Design, convert: (origin: Design) => Design): void {
+    if (design !== before && !this.#of.has(design)) this.#of.set(design, convert(this.of(before)));
+  }
+
   /**
    * The design changed; `was` is the place that a part had before, -1 if it is new. A new part begins anew, and so does one that became another kind of shape:
    * what it was has none of its numbers.

@@ -27,6 +27,8 @@ export interface Change {
   readonly session?: Partial<Session>;
   readonly undo: "step" | "merge" | "none";
   readonly key?: string;
+  /** Where all numbers of the design are converted at once (to another unit or size): how what it was opened as is converted along. */
+  readonly convert?: (design: Design) => Design;
 }
 
 export class Store {

@@ -2,7 +2,7 @@
 
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { formatNumber, parseNumber, stepped } from "../number";
+import { formatNumber, parseLength, parseNumber, stepped } from "../number";
 import { icon } from "./icons";
 import { type Range, reaching } from "./range";
 import { base, buttons, fields } from "./styles";
@@ -65,7 +65,7 @@ export class PasuNumber extends LitElement {
     this.range = reaching(kept, this.value);
     // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything.
     if (changed.has("value") && this.draft !== null) {
-      const typed = parseNumber(this.draft);
+      const typed = this.read(this.draft);
       if (!("value" in typed) || typed.value !== this.value) this.forget();
     }
   }
@@ -88,7 +88,7 @@ export class PasuNumber extends LitElement {
             id="field"
             class="field"
             type="text"
-            inputmode="decimal"
+            inputmode=${this.unit === "" && this.range.low >= 0 ? "decimal" : "text"}
             role="spinbutton"
             autocomplete="off"
             spellcheck="false"
@@ -159,6 +159,11 @@ export class PasuNumber extends LitElement {
     this.style.setProperty("--fill", `${(100 * fill).toFixed(2)}%`);
   }
 
+  /** A field of a length takes any unit of length. */
+  private read(text: string) {
+    return this.unit === "" ? parseNumber(text) : parseLength(text, this.unit);
+  }
+
   private send(value: number, gesture: boolean): void {
     this.inGesture = gesture;
     this.dispatchEvent(new NumberChangeEvent(value, gesture));
@@ -189,7 +194,7 @@ export class PasuNumber extends LitElement {
 
   private readonly typedInto = (event: Event): void => {
     this.draft = (event.target as HTMLInputElement).value;
-    const typed = parseNumber(this.draft);
+    const typed = this.read(this.draft);
     this.typo = "problem" in typed ? typed.problem : "";
     if ("value" in typed && typed.value !== this.value) this.send(typed.value, true);
   };

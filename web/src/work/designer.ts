@@ -79,6 +79,10 @@ export class Designer {
   }
 
   apply(change: Change): void {
+    if (change.design && change.convert) {
+      this.origin.convert(change.design, change.convert);
+      this.surface.reframe();
+    }
     this.store.apply(change);
   }
 

@@ -46,6 +46,12 @@ export class Origin {
     this.#origins.open(design, origin);
   }
 
+  /** The design is made larger or smaller, or said in another unit: so is what it was opened as. */
+  convert(design: Design, convert: (origin: Design) => Design): void {
+    this.#follow();
+    this.#origins.convert(design, this.#last, convert);
+  }
+
   /** Follows the document and what is on the stage until what comes back is called. */
   connect(): () => void {
     return effect(() => {

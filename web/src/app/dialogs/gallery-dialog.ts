@@ -1,28 +1,31 @@
-/** The gallery: every exhibit with a picture that is rendered when it comes into sight. */
+/** The gallery: every exhibit with its picture, and how large the figures of the papers are opened. */
 
-import { css, html } from "lit";
-import { customElement } from "lit/decorators.js";
-import { SHELVES } from "../../document/gallery";
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { SHELVES, type Shelf } from "../../document/gallery";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
-import { lookOf } from "../../document/look";
-import type { Thumbnails } from "../../render/thumbnail";
-import { THUMBNAIL_GRID } from "../../work/grid";
+import { scaled } from "../../document/scaled";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
-import { drawStill } from "../../element/still-picture";
+import { choiceStyles, choices } from "../../ui/choices";
 import { base } from "../../ui/styles";
+import { gridFor } from "../../work/grid";
+import { Pictures, tileStyles, tiles } from "./pictures";
 
-const WIDTH = 320;
-const HEIGHT = 320;
+type Size = "hand" | "printed";
 
-/** Pictures once drawn are kept: the gallery opens at once the second time. */
-const drawn = new Map<string, HTMLCanvasElement>();
+/** So many centimetres high is a figure of a paper that a person can use. */
+const USABLE = 20;
+
+const SIZES: readonly { readonly value: Size; readonly label: string; readonly note: string }[] = [
+  { value: "hand", label: `${USABLE} cm high`, note: "A pot to use." },
+  { value: "printed", label: "As printed", note: "With the numbers of the paper." },
+];
 
 @customElement("pasu-gallery")
 export class PasuGallery extends DesignerElement {
-  private painter: Promise<Thumbnails | null> | null = null;
-  private queue: Promise<void> = Promise.resolve();
-  private readonly sights = new IntersectionObserver((entries) => this.seen(entries), { rootMargin: "160px" });
+  @state() private size: Size = "hand";
+  private pictures: Pictures | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -31,28 +34,25 @@ export class PasuGallery extends DesignerElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.sights.disconnect();
-    void this.painter?.then((painter) => painter?.dispose());
-    this.painter = null;
+    this.pictures?.end();
+    this.pictures = null;
   }
 
   override render() {
+    const first = SHELVES.find(({ printed }) => printed);
     return html`<pasu-dialog wide heading="Gallery" @dialog-closed=${() => this.dispatchEvent(new Event("gallery-closed"))}>
       ${SHELVES.map(
         (shelf) => html`<section aria-label=${shelf.title}>
+          ${
+            shelf === first
+              ? choices("Open the figures of the papers", SIZES, this.size, (size) => {
+                  this.size = size;
+                })
+              : nothing
+          }
           <h3>${shelf.title}</h3>
           <p class="source">${shelf.source}</p>
-          <ul>
-            ${shelf.exhibits.map(
-              (exhibit) => html`<li>
-                <button type="button" data-exhibit=${exhibit.id} @click=${() => this.choose(exhibit)}>
-                  <span class="picture" data-exhibit=${exhibit.id} aria-hidden="true">${canvasOf(exhibit)}</span>
-                  <span class="title">${exhibit.title}</span>
-                  <span class="note">${exhibit.note}</span>
-                </button>
-              </li>`,
-            )}
-          </ul>
+          ${tiles(shelf.exhibits, (exhibit) => void this.choose(exhibit, shelf))}
         </section>`,
       )}
     </pasu-dialog>`;
@@ -63,53 +63,39 @@ export class PasuGallery extends DesignerElement {
   }
 
   private watchPictures(): void {
-    for (const picture of this.renderRoot.querySelectorAll(".picture")) this.sights.observe(picture);
+    if (this.pictures || !this.hasUpdated) return;
+    const exhibits = SHELVES.flatMap((shelf) => shelf.exhibits);
+    this.pictures = new Pictures(this.designer, exhibits, this.renderRoot);
   }
 
-  private choose(exhibit: Exhibit): void {
-    this.designer.opening.open(designOf(exhibit));
+  private async choose(exhibit: Exhibit, { printed }: Shelf): Promise<void> {
+    const { designer } = this;
+    const design = designOf(exhibit);
+    const height = printed && this.size === "hand" ? await this.heightOf(exhibit) : null;
+    designer.opening.open(height === null ? design : scaled(design, USABLE / height, "scale"));
     this.dispatchEvent(new Event("gallery-closed"));
   }
 
-  private seen(entries: readonly IntersectionObserverEntry[]): void {
-    for (const { isIntersecting, target } of entries) {
-      if (!isIntersecting) continue;
-      this.sights.unobserve(target);
-      const id = target.getAttribute("data-exhibit");
-      const exhibit = SHELVES.flatMap((shelf) => shelf.exhibits).find((candidate) => candidate.id === id);
-      // One after the other, so that the pot on the stage never waits for more than one of them.
-      if (exhibit) this.queue = this.queue.then(() => this.draw(exhibit));
-    }
-  }
-
-  private async draw(exhibit: Exhibit): Promise<void> {
-    const canvas = canvasOf(exhibit);
-    if (canvas.dataset.drawn === "true" || !this.isConnected) return;
+  /** Of the surface as it is drawn; null where it cannot be. */
+  private async heightOf(exhibit: Exhibit): Promise<number | null> {
     const design = designOf(exhibit);
-    const { rows, columns } = THUMBNAIL_GRID;
-    const outcome = await this.designer.solver.mesh(`thumbnail ${exhibit.id}`, design, rows, columns);
-    if (outcome.state !== "done" || !this.isConnected) return;
-    this.painter ??= import("../../render/thumbnail").then(
-      ({ thumbnails }) => thumbnails(),
-      () => null,
-    );
-    const painter = await this.painter.catch(() => null);
-    try {
-      if (!painter) throw new Error("no WebGL2");
-      await painter.draw(outcome.value, lookOf(design.parts[0]), canvas);
-    } catch {
-      // Once is enough to know: the rest are drawn without trying again.
-      this.painter = Promise.resolve(null);
-      drawStill(outcome.value, canvas, [0.66, 0.8, 0.73]);
-    }
-    canvas.dataset.drawn = "true";
+    const { rows, columns } = gridFor(design, 0);
+    const outcome = await this.designer.solver.mesh(`height ${exhibit.id}`, design, rows, columns);
+    const bounds = outcome.state === "done" ? outcome.value.bounds : null;
+    const height = bounds ? bounds.max[2] - bounds.min[2] : 0;
+    return height > 0 ? height : null;
   }
 
   static override readonly styles = [
     base,
+    choiceStyles,
+    tileStyles,
     css`
       section {
         padding: 8px 0 14px;
+      }
+      .choices {
+        padding-bottom: 16px;
       }
       h3 {
         font: 600 1.08rem var(--font-brand);
@@ -119,75 +105,8 @@ export class PasuGallery extends DesignerElement {
         font-size: 0.88rem;
         padding-bottom: 10px;
       }
-      ul {
-        display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(158px, 1fr));
-        gap: 14px;
-      }
-      li {
-        display: grid;
-      }
-      button {
-        display: flex;
-        flex-direction: column;
-        gap: 3px;
-        padding: 0 0 10px;
-        border: 1px solid var(--line);
-        border-radius: 14px;
-        background: var(--sheet);
-        text-align: left;
-        cursor: pointer;
-        overflow: hidden;
-        transition: border-color 120ms;
-      }
-      button:hover {
-        border-color: var(--accent);
-      }
-      .picture {
-        display: block;
-        width: 100%;
-        aspect-ratio: 1;
-        margin-bottom: 7px;
-        background: var(--paper);
-      }
-      canvas {
-        display: block;
-        width: 100%;
-        height: 100%;
-      }
-      .title,
-      .note {
-        padding: 0 12px;
-      }
-      .title {
-        font-weight: 600;
-        font-size: 0.92rem;
-        line-height: 1.3;
-      }
-      .note {
-        color: var(--soft);
-        font-size: 0.84rem;
-        line-height: 1.35;
-        text-wrap: pretty;
-      }
-      @media (max-width: 420px) {
-        ul {
-          grid-template-columns: 1fr 1fr;
-          gap: 10px;
-        }
-      }
     `,
   ];
-}
-
-function canvasOf(exhibit: Exhibit): HTMLCanvasElement {
-  const known = drawn.get(exhibit.id);
-  if (known) return known;
-  const canvas = document.createElement("canvas");
-  canvas.width = WIDTH;
-  canvas.height = HEIGHT;
-  drawn.set(exhibit.id, canvas);
-  return canvas;
 }
 
 declare global {

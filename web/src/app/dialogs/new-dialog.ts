@@ -1,31 +1,47 @@
-/** Choosing what a new design begins as. */
+/** Choosing what a new design begins as, by its picture. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { BEGINNINGS, type Beginning, beginningOf } from "../../document/beginnings";
+import { BEGINNINGS, beginningOf } from "../../document/beginnings";
+import type { Exhibit } from "../../document/gallery/exhibit";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { base } from "../../ui/styles";
+import { Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
 export class PasuNew extends DesignerElement {
+  private pictures: Pictures | null = null;
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.pictures?.end();
+    this.pictures = null;
+  }
+
   override render() {
-    return html`<pasu-dialog heading="New pot" @dialog-closed=${this.close}>
+    return html`<pasu-dialog wide heading="New pot" @dialog-closed=${this.close}>
       <p>Your present pot stays within reach: undo brings it back.</p>
-      <ul>
-        ${BEGINNINGS.map(
-          (beginning) => html`<li>
-            <button type="button" @click=${() => this.choose(beginning)}>
-              <strong>${beginning.title}</strong><span>${beginning.note}</span>
-            </button>
-          </li>`,
-        )}
-      </ul>
+      ${tiles(BEGINNINGS, (beginning) => this.choose(beginning))}
     </pasu-dialog>`;
   }
 
-  private choose(beginning: Beginning): void {
-    this.designer.opening.open(beginningOf(beginning.kind));
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.watchPictures();
+  }
+
+  override firstUpdated(): void {
+    this.watchPictures();
+  }
+
+  private watchPictures(): void {
+    if (this.pictures || !this.hasUpdated) return;
+    this.pictures = new Pictures(this.designer, BEGINNINGS, this.renderRoot);
+  }
+
+  private choose(beginning: Exhibit): void {
+    this.designer.opening.open(beginningOf(beginning));
     this.close();
   }
 
@@ -35,33 +51,11 @@ export class PasuNew extends DesignerElement {
 
   static override readonly styles = [
     base,
+    tileStyles,
     css`
       p {
         color: var(--soft);
         padding-bottom: 12px;
-      }
-      ul {
-        display: grid;
-        gap: 8px;
-      }
-      button {
-        display: grid;
-        gap: 2px;
-        width: 100%;
-        padding: 11px 16px;
-        border: 1px solid var(--line);
-        border-radius: 12px;
-        background: var(--sheet);
-        text-align: left;
-        cursor: pointer;
-      }
-      button:hover {
-        border-color: var(--accent);
-        background: var(--accent-wash);
-      }
-      span {
-        color: var(--soft);
-        font-size: 0.92rem;
       }
     `,
   ];

@@ -48,7 +48,7 @@ export class PasuLook extends DesignerElement {
         </div>
       </fieldset>
       <label class="unit">
-        <span>One unit is one</span>
+        <span>Unit</span>
         <select
           class="field"
           aria-label="Unit of length"
@@ -61,7 +61,7 @@ export class PasuLook extends DesignerElement {
           )}
         </select>
       </label>
-      <p class="hint">The numbers stay as they are; the unit says how large they are meant.</p>
+      <p class="hint">The pot stays as large as it is; its numbers are converted.</p>
     `;
   }
 

@@ -9,6 +9,7 @@ import type { Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import "./map-choice";
+import "./size-panel";
 import { base, buttons } from "../../ui/styles";
 import { sentenceStyles, sentences } from "../sentences";
 import { remedies, remedyStyles } from "./remedies";
@@ -21,6 +22,7 @@ export class PasuMeasures extends DesignerElement {
   override render() {
     const { designer } = this;
     return html`
+      <pasu-size .designer=${designer}></pasu-size>
       ${this.canBeMade()}
       <pasu-water .designer=${designer}></pasu-water>
       <pasu-maps .designer=${designer}></pasu-maps>
