@@ -4,12 +4,13 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
-import { leanRenderer } from "./build/lean-renderer.ts";
 import { offline } from "./build/offline.ts";
 import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const folderOf = (module: string | null) => module?.split("/").at(-2);
+const DRAWING =
+  /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
 
 export default defineConfig({
   base: "./",
@@ -45,9 +46,8 @@ export default defineConfig({
       output: {
         codeSplitting: {
           groups: [
-            { name: "three", test: /[\\/]node_modules[\\/]three[\\/]/ },
             // What draws, in one piece: the parts that are fetched later share it.
-            { name: "tableau", test: /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])/ },
+            { name: "tableau", test: DRAWING },
             { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
           ],
         },
@@ -55,7 +55,6 @@ export default defineConfig({
     },
   },
   plugins: [
-    leanRenderer({ sources: here("src") }),
     contentSecurityPolicy(),
     preload({ renderer: here("src/render/stage.ts") }),
     offline({ worker: here("src/sw/worker.ts") }),

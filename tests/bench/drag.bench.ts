@@ -155,9 +155,9 @@ async function watchPassages(pot: Visit): Promise<void> {
       if (gl) finish(gl);
       const drawn = now();
       const { designer } = document.querySelector("pasu-app") as unknown as {
-        designer: { shown: { solved: { mesh: { ware: { rows: number; columns: number } } } } };
+        designer: { surface: { shown: { solved: { mesh: { ware: { rows: number; columns: number } } } } } };
       };
-      const { rows, columns } = designer.shown.solved.mesh.ware;
+      const { rows, columns } = designer.surface.shown.solved.mesh.ware;
       const at = (name: string) => moments.get(name) ?? Number.NaN;
       resolve?.({
         input: at("asked") - event,
@@ -186,8 +186,10 @@ async function watchPassages(pot: Visit): Promise<void> {
 /** Drags the slider with a grid of this many vertices either way. */
 async function dragAt(pot: Visit, size: number): Promise<readonly Passage[]> {
   await pot.page.evaluate((side) => {
-    const { designer } = document.querySelector("pasu-app") as unknown as { designer: { grid: () => object } };
-    designer.grid = () => ({ rows: side, columns: side });
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { surface: { grid: () => object } };
+    };
+    designer.surface.grid = () => ({ rows: side, columns: side });
   }, size);
   await pot.slider(SLIDER).scrollIntoViewIfNeeded();
   const box = await pot.slider(SLIDER).boundingBox();

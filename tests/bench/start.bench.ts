@@ -90,7 +90,7 @@ async function started(browser: Browser, url: string): Promise<Start> {
     return {
       ...moments,
       solver: there(/\.wasm$/),
-      renderer: there(/three-[^/]*\.js$/),
+      renderer: there(/tableau-[^/]*\.js$/),
       files: before.map(({ name }) => name),
     };
   });
@@ -100,16 +100,16 @@ async function started(browser: Browser, url: string): Promise<Start> {
 
 /** What was fetched for the picture, by part, as a host sends it. */
 function weights(files: readonly string[]): string {
-  const parts = { wasm: 0, three: 0, ours: gzipped("index.html") };
+  const parts = { wasm: 0, drawing: 0, page: gzipped("index.html") };
   for (const address of new Set(files)) {
     const file = /assets\/[^/?]*$/.exec(address)?.[0];
     if (!file) continue;
-    const part = file.endsWith(".wasm") ? "wasm" : /\/three-/.test(file) ? "three" : "ours";
+    const part = file.endsWith(".wasm") ? "wasm" : /\/(tableau|stage)-/.test(file) ? "drawing" : "page";
     parts[part] += gzipped(file);
   }
-  const all = parts.wasm + parts.three + parts.ours;
+  const all = parts.wasm + parts.drawing + parts.page;
   const kilobytes = (bytes: number) => `${(bytes / 1000).toFixed(1)} kB`;
-  return `${kilobytes(all)} gzip until then: wasm ${kilobytes(parts.wasm)}, three ${kilobytes(parts.three)}, ours ${kilobytes(parts.ours)}.`;
+  return `${kilobytes(all)} gzip until then: wasm ${kilobytes(parts.wasm)}, drawing ${kilobytes(parts.drawing)}, page ${kilobytes(parts.page)}.`;
 }
 
 function gzipped(file: string): number {

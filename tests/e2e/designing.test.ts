@@ -106,7 +106,7 @@ test("double click and the reset button bring one number back", async () => {
   await pot.fingerprintOtherThan(higher);
   await pot.page.locator('pasu-number[data-field="r-0"] label').dblclick();
   await pot.shows(higher);
-  await pot.button("Reset Height").click();
+  await pot.button("Reset Height to 3.6 cm, as opened").click();
   await pot.shows(before);
 });
 

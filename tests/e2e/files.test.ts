@@ -98,8 +98,8 @@ test("a verdict that comes while something else is typed saves nothing", async (
   const { pot } = await exporting("#1/fourth-order");
   await pot.page.evaluate(() => {
     type Maker = { ask(request: { readonly kind: string }, lane: string): Promise<unknown> };
-    const app = document.querySelector("pasu-app") as unknown as { designer: { workshop: { maker: Maker } } };
-    const { maker } = app.designer.workshop;
+    const app = document.querySelector("pasu-app") as unknown as { designer: { made: { maker: Maker } } };
+    const { maker } = app.designer.made;
     const ask = maker.ask.bind(maker);
     const held: (() => void)[] = [];
     maker.ask = async (request, lane) => {

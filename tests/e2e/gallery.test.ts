@@ -35,6 +35,8 @@ test("every exhibit is rendered, and opens as the pot that it shows", { timeout:
     expect(covered, `how much of its picture ${id} covers`).toBeLessThan(0.98);
     expect(tones, `how many tones the picture of ${id} has`).toBeGreaterThan(30);
 
+    // The goldens are of the numbers that the papers printed.
+    await pot.page.getByLabel("As printed").check();
     const title = await exhibit.locator(".title").innerText();
     await exhibit.click();
     await expect.poll(() => pot.page.title()).toBe(`${title} · Pasu`);

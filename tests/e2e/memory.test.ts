@@ -15,7 +15,7 @@ const FIRST = 1000;
 
 /** What the test asks of the designer behind the page. */
 interface Designer {
-  grid: () => { rows: number; columns: number };
+  readonly surface: { grid: () => { rows: number; columns: number } };
   readonly state: { readonly design: { readonly parts: readonly { readonly shape: object }[] } };
   readonly store: { endGesture(): void };
   apply(change: object): void;
@@ -29,7 +29,7 @@ async function change(pot: Visit, times: number): Promise<number> {
   const solved = await pot.page.evaluate(async (count) => {
     const { designer } = document.querySelector("pasu-app") as unknown as { designer: Designer };
     // A small grid, because it is the number of changes that counts: a buffer that is left behind is seen at any size.
-    designer.grid = () => ({ rows: 13, columns: 25 });
+    designer.surface.grid = () => ({ rows: 13, columns: 25 });
     let asked = 0;
     const next = () => {
       asked += 1;

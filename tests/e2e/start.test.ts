@@ -48,13 +48,13 @@ test("the solver and the renderer are asked for before either has arrived, and o
     return found[0] as (typeof files)[number];
   };
   const wasm = one(/\.wasm$/);
-  const three = one(/^three-/);
+  const renderer = one(/^tableau-/);
   const entry = one(/^index-.*\.js$/);
-  expect(wasm.startTime).toBeLessThan(three.responseEnd);
-  expect(three.startTime).toBeLessThan(wasm.responseEnd);
+  expect(wasm.startTime).toBeLessThan(renderer.responseEnd);
+  expect(renderer.startTime).toBeLessThan(wasm.responseEnd);
   // Both by the hints of the page itself: no script had to run for that.
   expect(wasm.startTime).toBeLessThan(entry.responseEnd);
-  expect(three.startTime).toBeLessThan(entry.responseEnd);
+  expect(renderer.startTime).toBeLessThan(entry.responseEnd);
 });
 
 test("the module is compiled while it arrives", async () => {

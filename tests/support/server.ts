@@ -4,7 +4,7 @@ import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
-import { extname, join, normalize, sep } from "node:path";
+import { extname, join, normalize, relative, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const TYPES: Readonly<Record<string, string>> = {
@@ -27,6 +27,8 @@ export interface Site {
   readonly url: string;
   /** Paths that were asked for and are not there. */
   readonly missing: string[];
+  /** Files that were asked for and are there, below the site, and when, in milliseconds as `Date.now()` has them. */
+  readonly asked: { readonly file: string; readonly at: number }[];
   /** Serves another folder from now on, as after a deployment. */
   replace(folder: string): void;
   /** Ends the server and every connection. Serving the site again takes a new one. */
@@ -53,6 +55,7 @@ export async function serve(
 ): Promise<Site> {
   let current = folder;
   const missing: string[] = [];
+  const asked: { file: string; at: number }[] = [];
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname);
     const file = path.startsWith(SUB_PATH) ? await fileBelow(current, path.slice(SUB_PATH.length)) : undefined;
@@ -61,6 +64,7 @@ export async function serve(
       response.writeHead(404, { "content-type": "text/plain; charset=utf-8" }).end("There is nothing here.\n");
       return;
     }
+    asked.push({ file: relative(current, file), at: Date.now() });
     const type = TYPES[extname(file)] ?? "application/octet-stream";
     response.writeHead(200, {
       "content-type": type,
@@ -80,6 +84,7 @@ export async function serve(
     // Service workers run on plain http for this name only.
     url: `http://localhost:${address.port}${SUB_PATH}`,
     missing,
+    asked,
     replace(next) {
       current = next;
     },

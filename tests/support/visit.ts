@@ -96,8 +96,10 @@ export class Visit {
   async draw(grid: GridSize): Promise<void> {
     await this.context.addInitScript(async (size) => {
       await customElements.whenDefined("pasu-app");
-      const { designer } = document.querySelector("pasu-app") as unknown as { designer: { grid: () => GridSize } };
-      designer.grid = () => size;
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: { surface: { grid: () => GridSize } };
+      };
+      designer.surface.grid = () => size;
     }, grid);
   }
 
@@ -237,14 +239,21 @@ export class Visit {
 
   /** Drops a file onto the page. */
   async dropFile(name: string, content: string | Buffer): Promise<void> {
+    await this.dropFiles([[name, content]]);
+  }
+
+  /** Drops several files onto the page at once. */
+  async dropFiles(files: readonly (readonly [name: string, content: string | Buffer])[]): Promise<void> {
     const data = await this.page.evaluateHandle(
-      ([fileName, base64]) => {
+      (all) => {
         const transfer = new DataTransfer();
-        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-        transfer.items.add(new File([bytes], fileName));
+        for (const [fileName, base64] of all) {
+          const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+          transfer.items.add(new File([bytes], fileName));
+        }
         return transfer;
       },
-      [name, Buffer.from(content).toString("base64")] as const,
+      files.map(([name, content]) => [name, Buffer.from(content).toString("base64")] as const),
     );
     for (const event of ["dragenter", "dragover", "drop"]) {
       await this.page.dispatchEvent("pasu-app", event, { dataTransfer: data });

@@ -8,6 +8,10 @@ import { type Plugin, type ResolvedConfig, transformWithOxc } from "vite";
 /** Built files that no page ever asks for. */
 const NOT_CACHED = [/^sw\.js$/, /^\.vite\//, /\.map$/];
 
+/** Files that only browsers with SIMD can use, and only those without. */
+const SIMD = /\/pasu(_drawing)?_bg-[^/]*\.wasm$/;
+const SCALAR = /\/pasu_scalar_bg-[^/]*\.wasm$/;
+
 /** Emits the service worker after everything else has been written. */
 export function offline(options: { worker: string }): Plugin {
   let config: ResolvedConfig;
@@ -23,14 +27,18 @@ export function offline(options: { worker: string }): Plugin {
       async handler() {
         const folder = join(config.root, config.build.outDir);
         const files = await cachedFiles(folder);
-        const precache = files.map((file) => (file === "index.html" ? "./" : `./${file}`));
+        const paths = files.map((file) => (file === "index.html" ? "./" : `./${file}`));
+        const simd = paths.filter((path) => SIMD.test(path));
+        const scalar = paths.filter((path) => SCALAR.test(path));
+        if (simd.length !== 2 || scalar.length !== 1) throw new Error("the solver's modules are not called as before");
+        const all = paths.filter((path) => !simd.includes(path) && !scalar.includes(path));
         const version = await contentHash(folder, files);
         const source = await readFile(options.worker, "utf8");
         const { code } = await transformWithOxc(source, options.worker, { sourcemap: false });
         await writeFile(
           join(folder, "sw.js"),
           code
-            .replaceAll("__PASU_PRECACHE__", JSON.stringify(precache))
+            .replaceAll("__PASU_PRECACHE__", JSON.stringify({ all, simd, scalar }))
             .replaceAll("__PASU_VERSION__", JSON.stringify(version)),
         );
       },

@@ -1,11 +1,13 @@
 /** Starts the page: the shell at once, the solver and the renderer beside each other. */
 
 import "./app/pasu-app";
-import { Designer } from "./app/designer";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
 import { browserShelf } from "./state/storage";
+import { pictured } from "./sw/pictured";
 import { registerOffline } from "./sw/register";
+import { Designer } from "./work/designer";
+import { saveBlob } from "./work/files";
 
 const designer = new Designer(new SolverClient(startWorker), {
   shelf: browserShelf(),
@@ -18,11 +20,13 @@ const designer = new Designer(new SolverClient(startWorker), {
       // Some browsers refuse after a hundred changes in half a minute: the next gesture writes the address again.
     }
   },
+  download: saveBlob,
 });
+designer.connect();
 const app = document.createElement("pasu-app");
 app.designer = designer;
 document.querySelector(".skeleton")?.remove();
 document.body.append(app);
-void designer.start();
-window.addEventListener("hashchange", () => void designer.addressChanged());
-registerOffline(() => designer.announceNewVersion());
+void designer.opening.start();
+window.addEventListener("hashchange", () => void designer.opening.addressChanged());
+registerOffline(() => designer.notices.announceNewVersion(), pictured(app));

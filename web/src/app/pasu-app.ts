@@ -1,32 +1,34 @@
 /** The page: bar, stage and panel, the keys that work everywhere, what is dropped on it, and its dialogues. */
 
+import { effect } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import type { Design, Refusal } from "../document/types";
-import type { Session } from "../state/session";
+import type { Refusal } from "../document/types";
+import { DesignerElement } from "../element/designer-element";
+import { icon } from "../ui/icons";
+import { fileName, pickFile, saveBlob } from "../work/files";
+import { UNFETCHED } from "../work/notices";
 import type { Command, CommandEvent } from "./command";
-import { UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
-import { fileName, pickFile, saveBlob } from "./files";
-import { icon } from "./icons";
-import type { PictureSize } from "./picture-dialog";
+import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
-import "./stage-view";
+import "../element/stage-view";
+import type { PasuStage } from "../element/stage-view";
+import { base, buttons } from "../ui/styles";
+import { outward } from "./outward";
 import type { PasuPanel } from "./side-panel";
-import type { PasuStage } from "./stage-view";
-import { base, buttons } from "./styles";
 import "./top-bar";
+import { fetchMadeWhenWanted } from "./wanted-making";
 
 const NOTICE_MS = 6000;
 
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
-  new: () => import("./new-dialog"),
-  gallery: () => import("./gallery-dialog"),
-  help: () => import("./help-dialog"),
-  picture: () => import("./picture-dialog"),
-  export: () => import("./export-dialog"),
-  link: () => import("./link-dialog"),
+  new: () => import("./dialogs/new-dialog"),
+  gallery: () => import("./dialogs/gallery-dialog"),
+  help: () => import("./dialogs/help-dialog"),
+  picture: () => import("./dialogs/picture-dialog"),
+  export: () => import("./dialogs/export-dialog"),
+  link: () => import("./dialogs/link-dialog"),
 } as const;
 
 @customElement("pasu-app")
@@ -34,14 +36,26 @@ export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
   @state() private address = "";
   @state() private dropping = false;
-  private spoken = "";
+  @state() private spoken = "";
   @query("pasu-stage") private readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
-  private noticeTimer: ReturnType<typeof setTimeout> | undefined;
-  private noticed = 0;
+  private leave: readonly (() => void)[] = [];
 
   override connectedCallback(): void {
     super.connectedCallback();
+    const { designer } = this;
+    this.leave = [
+      outward(designer, this),
+      fetchMadeWhenWanted(designer),
+      effect(() => {
+        if (designer.surface.status === "ready" && designer.surface.settled) this.spoken = designer.description;
+      }),
+      effect(() => {
+        const { notice } = designer.notices;
+        const timer = notice && setTimeout(() => designer.notices.dismiss(notice.id), NOTICE_MS);
+        return () => clearTimeout(timer ?? undefined);
+      }),
+    ];
     window.addEventListener("keydown", this.key);
     window.addEventListener("dragover", this.dragOver);
     window.addEventListener("dragleave", this.dragLeave);
@@ -50,6 +64,7 @@ export class PasuApp extends DesignerElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    for (const leave of this.leave) leave();
     window.removeEventListener("keydown", this.key);
     window.removeEventListener("dragover", this.dragOver);
     window.removeEventListener("dragleave", this.dragLeave);
@@ -73,7 +88,7 @@ export class PasuApp extends DesignerElement {
       </aside>
       <p class="spoken" role="status">${this.spoken}</p>
       <div class="toasts" role="status">
-        ${designer.notice ? html`<p class="toast">${icon("check")}<span>${designer.notice.text}</span></p>` : nothing}
+        ${designer.notices.notice ? html`<p class="toast">${icon("check")}<span>${designer.notices.notice.text}</span></p>` : nothing}
       </div>
       ${this.dialogues()}
     `;
@@ -81,13 +96,14 @@ export class PasuApp extends DesignerElement {
 
   private banners() {
     const { designer } = this;
-    const { problem, openProblem } = designer;
+    const { problem } = designer.surface;
+    const openProblem = designer.opening.problem;
     return html`
       ${
         openProblem
           ? html`<div class="banner" role="alert">
               ${icon("warn")} ${explain(openProblem, "Your pot stays as it is.")}
-              <button class="button bare" type="button" aria-label="Dismiss" @click=${() => designer.dismissOpenProblem()}>
+              <button class="button bare" type="button" aria-label="Dismiss" @click=${() => designer.opening.dismissProblem()}>
                 ${icon("close")}
               </button>
             </div>`
@@ -96,17 +112,17 @@ export class PasuApp extends DesignerElement {
       ${
         problem
           ? html`<div class="banner" role="alert">
-              ${icon("warn")} ${explain(problem, designer.shown ? "The pot on the stage is the last one that worked." : "")}
+              ${icon("warn")} ${explain(problem, designer.surface.shown ? "The pot on the stage is the last one that worked." : "")}
               ${
                 designer.store.canUndo
-                  ? html`<button class="button outlined" type="button" @click=${() => designer.undo()}>Undo</button>`
+                  ? html`<button class="button outlined" type="button" @click=${() => designer.store.undo()}>Undo</button>`
                   : nothing
               }
             </div>`
           : nothing
       }
       ${
-        designer.newVersion
+        designer.notices.newVersion
           ? html`<div class="banner calm" role="status">
               <p>A new version of Pasu is ready. Your pot is kept.</p>
               <button class="button outlined" type="button" @click=${() => location.reload()}>Reload</button>
@@ -121,8 +137,8 @@ export class PasuApp extends DesignerElement {
     const close = () => {
       this.dialog = "none";
     };
-    if (designer.conflict) {
-      void import("./conflict-dialog");
+    if (designer.opening.conflict) {
+      void import("./dialogs/conflict-dialog");
       return html`<pasu-conflict .designer=${designer}></pasu-conflict>`;
     }
     switch (this.dialog) {
@@ -143,31 +159,6 @@ export class PasuApp extends DesignerElement {
     }
   }
 
-  override willUpdate(): void {
-    const { description, shown, state, status } = this.designer;
-    if (status === "ready" && shown?.settled && shown.design === state.design) this.spoken = description;
-  }
-
-  override updated(): void {
-    const { designer } = this;
-    const { shown, status } = designer;
-    const { design, session } = designer.state;
-    document.title = design.title ? `${design.title} · Pasu` : "Pasu";
-    if (session.theme === "auto") delete document.documentElement.dataset.theme;
-    else document.documentElement.dataset.theme = session.theme;
-    const settled = shown?.settled === true && shown.design === design;
-    if (settled && !designer.workshop && wantsMaking(design, session)) void designer.openWorkshop();
-    this.dataset.state = status === "starting" ? "solving" : status;
-    this.dataset.fingerprint = settled ? shown.solved.fingerprint : "";
-    this.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
-    const notice = designer.notice;
-    if (notice && notice.id !== this.noticed) {
-      this.noticed = notice.id;
-      clearTimeout(this.noticeTimer);
-      this.noticeTimer = setTimeout(() => designer.dismissNotice(notice.id), NOTICE_MS);
-    }
-  }
-
   private readonly commanded = (event: CommandEvent): void => void this.perform(event.command);
 
   private async perform(command: Command): Promise<void> {
@@ -181,11 +172,11 @@ export class PasuApp extends DesignerElement {
         return;
       case "open": {
         const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
-        if (file) await this.designer.openFile(file);
+        if (file) await this.designer.opening.openFile(file);
         return;
       }
       case "save":
-        await this.designer.save();
+        await this.designer.keeper.save();
         return;
       case "link":
         await this.copyLink();
@@ -201,7 +192,7 @@ export class PasuApp extends DesignerElement {
       await DIALOGUES[dialogue]();
       this.dialog = dialogue;
     } catch {
-      this.designer.say(UNFETCHED);
+      this.designer.notices.say(UNFETCHED);
     }
   }
 
@@ -210,30 +201,31 @@ export class PasuApp extends DesignerElement {
     if (address === null) return;
     try {
       await navigator.clipboard.writeText(address);
-      this.designer.say("Link copied. Whoever opens it sees this very pot.");
+      this.designer.notices.say("Link copied. Whoever opens it sees this very pot.");
     } catch {
       this.address = address;
       await this.show("link");
     }
-    this.designer.markShared();
+    this.designer.keeper.markShared();
   }
 
   private async share(): Promise<void> {
     const url = await this.linkOrSay();
     if (url === null) return;
     try {
-      await navigator.share({ title: this.designer.state.design.title ?? "A pot", url });
-      this.designer.markShared();
+      await navigator.share({ title: this.designer.store.design.title ?? "A pot", url });
+      this.designer.keeper.markShared();
     } catch (error) {
       // Closing the share sheet is not a failure.
       if (!(error instanceof DOMException && error.name === "AbortError"))
-        this.designer.say("Sharing did not work here.");
+        this.designer.notices.say("Sharing did not work here.");
     }
   }
 
   private async linkOrSay(): Promise<string | null> {
-    const address = await this.designer.address();
-    if (address === null) this.designer.say("There is no link yet: the design has a value that the solver cannot use.");
+    const address = await this.designer.keeper.address();
+    if (address === null)
+      this.designer.notices.say("There is no link yet: the design has a value that the solver cannot use.");
     return address;
   }
 
@@ -241,9 +233,9 @@ export class PasuApp extends DesignerElement {
     try {
       const blob = await this.stage.picture(width, height, transparent);
       if (!blob) return "Pictures need WebGL2, which this browser does not have.";
-      const name = fileName(this.designer.state.design.title, "png");
+      const name = fileName(this.designer.store.design.title, "png");
       saveBlob(blob, name);
-      this.designer.say(`Saved as “${name}”.`);
+      this.designer.notices.say(`Saved as “${name}”.`);
       return null;
     } catch {
       return "The graphics card could not draw a picture of this size. Try a smaller one.";
@@ -251,7 +243,7 @@ export class PasuApp extends DesignerElement {
   };
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (event.defaultPrevented || this.designer.conflict || this.dialog !== "none") return;
+    if (event.defaultPrevented || this.designer.opening.conflict || this.dialog !== "none") return;
     const typing = isText(event.composedPath()[0]);
     const command = event.ctrlKey || event.metaKey;
     const key = event.key.toLowerCase();
@@ -259,9 +251,9 @@ export class PasuApp extends DesignerElement {
       if (key === "s") void this.perform("save");
       else if (key === "o") void this.perform("open");
       else if (typing) return;
-      else if (key === "z" && event.shiftKey) this.designer.redo();
-      else if (key === "z") this.designer.undo();
-      else if (key === "y") this.designer.redo();
+      else if (key === "z" && event.shiftKey) this.designer.store.redo();
+      else if (key === "z") this.designer.store.undo();
+      else if (key === "y") this.designer.store.redo();
       else return;
     } else if (event.key === "?" && !typing) {
       void this.show("help");
@@ -284,12 +276,33 @@ export class PasuApp extends DesignerElement {
   private readonly drop = (event: DragEvent): void => {
     this.dropping = false;
     const data = event.dataTransfer;
-    const file = data?.files[0];
+    const files = [...(data?.files ?? [])];
     const text = data?.getData("text/uri-list") || data?.getData("text/plain") || "";
-    if (!file && (text === "" || isText(event.composedPath()[0]))) return;
+    if (files.length === 0 && (text === "" || isText(event.composedPath()[0]))) return;
     event.preventDefault();
-    void (file ? this.designer.openFile(file) : this.designer.openText(text));
+    void (files.length > 0 ? this.openFiles(files) : this.designer.opening.openText(text));
   };
+
+  /** Opens the first that is a design, and says of each of several what became of it. */
+  private async openFiles(files: readonly File[]): Promise<void> {
+    const { designer } = this;
+    const refused: File[] = [];
+    for (const file of files) {
+      await designer.opening.openFile(file);
+      if (designer.opening.problem === null) break;
+      refused.push(file);
+    }
+    if (files.length === 1) return;
+    const opened = files[refused.length];
+    const names = (some: readonly File[]) => new Intl.ListFormat("en").format(some.map(({ name }) => `“${name}”`));
+    const left = opened ? files.slice(refused.length + 1) : [];
+    const told = [
+      opened ? `Opened ${names([opened])}.` : `None of ${names(files)} could be opened.`,
+      opened && refused.length > 0 ? `${names(refused)} could not be opened.` : "",
+      left.length > 0 ? `Not opened: ${names(left)}, because one design is shown at a time.` : "",
+    ];
+    designer.notices.say(told.filter(Boolean).join(" "));
+  }
 
   static override readonly styles = [
     base,
@@ -429,12 +442,6 @@ export class PasuApp extends DesignerElement {
 /** The solver's sentence first; where it happened and what it means for the stage in small print. */
 function explain(problem: Refusal, comfort: string) {
   return html`<p>${problem.message}<small>${[comfort, problem.path].filter(Boolean).join(" ")}</small></p>`;
-}
-
-/** Whether anything is looked at that the maker makes. */
-function wantsMaking({ parts }: Design, { tab, fill, map, overlays }: Session): boolean {
-  const looked = tab === "wall" || tab === "measures" || overlays.cut;
-  return looked || fill !== null || map !== null || parts.some(({ wall }) => wall);
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

@@ -2,7 +2,7 @@
 
 import { css, html } from "lit";
 import type { Sentence, Severity } from "../document/report-words";
-import { type IconName, icon } from "./icons";
+import { type IconName, icon } from "../ui/icons";
 
 const SIGNS: Readonly<Record<Severity, { readonly icon: IconName; readonly spoken: string }>> = {
   error: { icon: "close", spoken: "Fault: " },

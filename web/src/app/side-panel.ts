@@ -2,11 +2,11 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { selectPart, selectTab } from "../state/actions";
+import { DesignerElement } from "../element/designer-element";
+import { selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
-import { UNFETCHED } from "./designer";
-import { DesignerElement } from "./element";
-import { base, fields } from "./styles";
+import { base } from "../ui/styles";
+import { UNFETCHED } from "../work/notices";
 
 const TAB_NAMES: Readonly<Record<Tab, string>> = {
   shape: "Shape",
@@ -19,12 +19,12 @@ const TAB_NAMES: Readonly<Record<Tab, string>> = {
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
-  shape: () => import("./parameters"),
-  profile: () => import("./profile-editor"),
-  order: () => import("./orders-panel"),
-  look: () => import("./look-panel"),
-  wall: () => import("./wall-panel"),
-  measures: () => import("./measures-panel"),
+  shape: () => import("./panels/parameters"),
+  profile: () => import("./panels/profile-editor"),
+  order: () => import("./panels/orders-panel"),
+  look: () => import("./panels/look-panel"),
+  wall: () => import("./panels/wall-panel"),
+  measures: () => import("./panels/measures-panel"),
 };
 
 @customElement("pasu-panel")
@@ -33,23 +33,27 @@ export class PasuPanel extends DesignerElement {
   @query(".body") private readonly body!: HTMLElement;
 
   private fetched: Tab | null = null;
+  private listed = false;
 
   override focus(options?: FocusOptions): void {
     this.selected.focus(options);
   }
 
   override willUpdate(): void {
-    const { tab } = this.designer.state.session;
+    const list = this.shadowRoot?.activeElement?.localName === "pasu-parts";
+    // With the last but one part the list goes, and with it what had the focus.
+    if (list && this.designer.store.ids.length < 2) void this.updateComplete.then(() => this.focus());
+    const { tab } = this.designer.store.session;
     if (tab === this.fetched) return;
     this.fetched = tab;
     PANELS[tab]().catch(() => {
       this.fetched = null;
-      this.designer.say(UNFETCHED);
+      this.designer.notices.say(UNFETCHED);
     });
   }
 
   override render() {
-    const { tab } = this.designer.state.session;
+    const { tab } = this.designer.store.session;
     return html`
       <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.key}>
         ${TABS.map(
@@ -68,7 +72,8 @@ export class PasuPanel extends DesignerElement {
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
         <h2 class="spoken">${TAB_NAMES[tab]}</h2>
-        ${this.parts()} ${this.content(tab)}
+        ${this.parts()}
+        ${this.content(tab)}
       </div>
     `;
   }
@@ -91,22 +96,18 @@ export class PasuPanel extends DesignerElement {
     }
   }
 
+  /** A list of one part would say nothing. */
   private parts() {
-    const { design, session } = this.designer.state;
-    if (design.parts.length < 2) return nothing;
-    return html`<label class="part">
-      <span>Part</span>
-      <select
-        class="field"
-        @change=${(event: Event) =>
-          this.designer.apply(selectPart(this.designer.state, Number((event.target as HTMLSelectElement).value)))}
-      >
-        ${design.parts.map(
-          (part, index) =>
-            html`<option value=${index} ?selected=${index === session.part}>${part.name ?? `Part ${index + 1}`}</option>`,
-        )}
-      </select>
-    </label>`;
+    const { designer } = this;
+    if (designer.store.ids.length < 2) return nothing;
+    if (!this.listed) {
+      this.listed = true;
+      import("./panels/parts-list").catch(() => {
+        this.listed = false;
+        designer.notices.say(UNFETCHED);
+      });
+    }
+    return html`<pasu-parts .designer=${designer}></pasu-parts>`;
   }
 
   private select(tab: Tab): void {
@@ -115,7 +116,7 @@ export class PasuPanel extends DesignerElement {
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    const now = TABS.indexOf(this.designer.state.session.tab);
+    const now = TABS.indexOf(this.designer.store.session.tab);
     const to =
       event.key === "ArrowRight"
         ? now + 1
@@ -135,7 +136,6 @@ export class PasuPanel extends DesignerElement {
 
   static override readonly styles = [
     base,
-    fields,
     css`
       :host {
         display: grid;
@@ -177,15 +177,6 @@ export class PasuPanel extends DesignerElement {
         overscroll-behavior: contain;
         scrollbar-gutter: stable;
         outline-offset: -3px;
-      }
-      .part {
-        display: flex;
-        align-items: center;
-        gap: 12px;
-        padding-bottom: 12px;
-      }
-      .part .field {
-        flex: 1;
       }
       @media (max-width: 379px) {
         .tabs {

@@ -2,13 +2,13 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { DesignerElement } from "../element/designer-element";
 import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
 import { THEMES, type ThemeChoice } from "../state/session";
+import { type IconName, icon } from "../ui/icons";
 import { type Command, CommandEvent } from "./command";
-import { DesignerElement } from "./element";
-import { type IconName, icon } from "./icons";
-import "./menu";
-import { base, buttons } from "./styles";
+import "../ui/menu";
+import { base, buttons } from "../ui/styles";
 
 interface Item {
   readonly command: Command;
@@ -35,7 +35,7 @@ const THEME_ICONS: Readonly<Record<ThemeChoice, IconName>> = { auto: "auto", lig
 export class PasuTopBar extends DesignerElement {
   override render() {
     const { designer } = this;
-    const { state, store } = designer;
+    const { keeper, store } = designer;
     const sharing = typeof navigator.share === "function";
     return html`
       <div class="brand">
@@ -47,7 +47,7 @@ export class PasuTopBar extends DesignerElement {
           placeholder="Untitled pot"
           maxlength=${MAX_TITLE}
           autocomplete="off"
-          .value=${state.design.title ?? ""}
+          .value=${store.title}
           @input=${(event: Event) => designer.apply(setTitle(designer.state, (event.target as HTMLInputElement).value))}
           @change=${() => store.endGesture()}
           @blur=${() => store.endGesture()}
@@ -55,11 +55,11 @@ export class PasuTopBar extends DesignerElement {
             if (event.key === "Enter") (event.target as HTMLInputElement).blur();
           }}
         />
-        ${designer.unsaved ? html`<span class="unsaved" title="Changed since it was opened or saved">Edited</span>` : nothing}
+        ${keeper.unsaved ? html`<span class="unsaved" title="Changed since it was opened or saved">Edited</span>` : nothing}
       </div>
       <div class="history">
-        ${this.plain("Undo", "undo", "Undo (Ctrl Z)", !store.canUndo, () => designer.undo())}
-        ${this.plain("Redo", "redo", "Redo (Ctrl Shift Z)", !store.canRedo, () => designer.redo())}
+        ${this.plain("Undo", "undo", "Undo (Ctrl Z)", !store.canUndo, () => designer.store.undo())}
+        ${this.plain("Redo", "redo", "Redo (Ctrl Shift Z)", !store.canRedo, () => designer.store.redo())}
       </div>
       <div class="wide files">
         ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
@@ -102,7 +102,7 @@ export class PasuTopBar extends DesignerElement {
   }
 
   private theme(bare: boolean) {
-    const now = this.designer.state.session.theme;
+    const now = this.designer.store.session.theme;
     const next = THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "auto";
     const act = () => this.designer.apply(setTheme(next));
     if (bare)

@@ -1,31 +1,140 @@
-/** What a new design may begin as: one plain pot of each kind. */
+/** What a new design may begin as: plain forms at the size of a hand, in centimetres, of every kind of shape. */
 
-import { familyOf } from "./schema";
-import type { Design, Kind, Shape } from "./types";
+import type { Exhibit } from "./gallery/exhibit";
+import type { Design } from "./types";
 
-export interface Beginning {
-  readonly kind: Kind;
-  readonly title: string;
-  readonly note: string;
-}
-
-export const BEGINNINGS: readonly Beginning[] = [
-  { kind: "fourth-order", title: "Fourth order", note: "Bellies and necks: the slopes at rim and foot are yours." },
-  { kind: "second-order", title: "Second order", note: "Petals and a waist between two edges." },
-  { kind: "mixed-order", title: "Mixed order", note: "Petals, and how steeply the wall leaves the rim." },
-  { kind: "bloor-wilson", title: "Bloor–Wilson", note: "The dint vase: waves in the rim that fade in the wall." },
-  { kind: "boundary-value", title: "Free boundary data", note: "Any edges, wave by wave. For those who like tables." },
+export const BEGINNINGS: readonly Exhibit[] = [
+  {
+    id: "new-vase",
+    title: "Vase",
+    note: "Fourth order: the slopes at rim and foot are yours.",
+    shape: {
+      kind: "fourth-order",
+      r0: 4,
+      r1: 3.4,
+      rm: 6.4,
+      h1: 20,
+      eta: [1.2, 0.6],
+      dz: [24, 30],
+      s: [1, 1],
+      t: [2, 2],
+      w: [1, 1],
+    },
+  },
+  {
+    id: "new-jar",
+    title: "Jar",
+    note: "Fourth order: a shoulder under a wide mouth.",
+    shape: {
+      kind: "fourth-order",
+      r0: 4,
+      r1: 4,
+      rm: 6.6,
+      h1: 13,
+      eta: [1.3, -1.4],
+      dz: [20, 12],
+      s: [1, 1],
+      t: [2, 2],
+      w: [1, 1],
+    },
+    look: { glaze: "shino", clay: "stoneware" },
+  },
+  {
+    id: "new-bowl",
+    title: "Bowl",
+    note: "Fourth order: from a narrow foot to an open rim.",
+    shape: {
+      kind: "fourth-order",
+      r0: 3.4,
+      r1: 7.5,
+      rm: 6.5,
+      h1: 7.5,
+      eta: [1.6, 0.3],
+      dz: [5, 12],
+      s: [1, 1],
+      t: [2, 2],
+      w: [1, 1],
+    },
+    look: { glaze: "tenmoku", clay: "stoneware" },
+  },
+  {
+    id: "new-bottle",
+    title: "Bottle",
+    note: "Fourth order: a low belly and a long neck.",
+    shape: {
+      kind: "fourth-order",
+      r0: 3.3,
+      r1: 2.5,
+      rm: 5.2,
+      h1: 20,
+      eta: [2.6, 1.6],
+      dz: [7.5, 30],
+      s: [1, 1],
+      t: [0, 0],
+      w: [0, 0],
+    },
+    look: { glaze: "cobalt", clay: "porcelain" },
+  },
+  {
+    id: "new-cup",
+    title: "Cup",
+    note: "Second order: two edges, and a straight wall between them.",
+    shape: { kind: "second-order", r: [4, 0, 3.4, 0], height: 9.5, s: [1, 1], t: [0, 0] },
+    look: { glaze: "tin-white", clay: "porcelain" },
+  },
+  {
+    id: "new-petals",
+    title: "Petalled vase",
+    note: "Second order: petals, and a waist that the equation draws in.",
+    shape: { kind: "second-order", r: [5.2, 0.5, 4, 0.25], n: [1, 8], height: 17, s: [1, 1], t: [0.08, 0.08] },
+    look: { glaze: "copper-red", clay: "porcelain" },
+  },
+  {
+    id: "new-lip",
+    title: "Vase with a lip",
+    note: "Mixed order: petals, and how steeply the wall leaves the rim.",
+    shape: {
+      kind: "mixed-order",
+      r: [5.2, 0.4, 4.2, 0.2],
+      n: [1, 7],
+      height: 17,
+      s: [1, 1],
+      t: [0.08, 0.08],
+      rise: -8,
+    },
+    look: { glaze: "clear", clay: "terracotta" },
+  },
+  {
+    id: "new-dints",
+    title: "Dint vase",
+    note: "Bloor–Wilson: waves in the rim that fade in the wall.",
+    shape: {
+      kind: "bloor-wilson",
+      a: 0.3,
+      r: [4.6, 0, 0, 4],
+      R: [-11, 0, 0, -8],
+      h: [15, 0.8],
+      H: [-10, -2.5],
+      n1: 5,
+    },
+    look: { glaze: "cobalt", clay: "porcelain" },
+  },
+  {
+    id: "new-free",
+    title: "Free boundary data",
+    note: "Any edges, wave by wave. For those who like tables.",
+    shape: {
+      kind: "boundary-value",
+      span: "2pi",
+      x: { order: 4, s: 1, t: 2, w: 1, modes: [{ n: 1, cos: { start: 5, end: 4, start_u: -4, end_u: -6 } }] },
+      y: { order: 4, s: 1, t: 2, w: 1, modes: [{ n: 1, sin: { start: 5, end: 4, start_u: -4, end_u: -6 } }] },
+      z: { order: 2, s: 1, t: 1, modes: [{ n: 0, cos: { start: 14, end: 0 } }] },
+    },
+    look: { glaze: "bare", clay: "black" },
+  },
 ];
 
-/** A round pot of free boundary data, to add waves to. */
-const FREE: Shape = {
-  kind: "boundary-value",
-  span: "2pi",
-  x: { order: 4, s: 1, t: 2, w: 1, modes: [{ n: 1, cos: { start: 1, end: 0.6, start_u: -1.6, end_u: -1.2 } }] },
-  y: { order: 4, s: 1, t: 2, w: 1, modes: [{ n: 1, sin: { start: 1, end: 0.6, start_u: -1.6, end_u: -1.2 } }] },
-  z: { order: 2, s: 1, t: 1, modes: [{ n: 0, cos: { start: 2.4, end: 0 } }] },
-};
-
-export function beginningOf(kind: Kind): Design {
-  return { pasu: 1, parts: [{ shape: familyOf(kind)?.reset ?? FREE }] };
+/** The form as a document of its own; its title is left to the person. */
+export function beginningOf({ shape, look }: Exhibit): Design {
+  return { pasu: 1, parts: [{ shape, ...(look && { look }) }] };
 }

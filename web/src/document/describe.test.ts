@@ -3,8 +3,13 @@ import { boundsOf } from "../solver/bounds";
 import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
-function pot(radius: (u: number, v: number) => number, height: (u: number, v: number) => number, turn = 1): Grid {
-  const [rows, columns] = [33, 121];
+function pot(
+  radius: (u: number, v: number) => number,
+  height: (u: number, v: number) => number,
+  turn = 1,
+  columns = 121,
+): Grid {
+  const rows = 33;
   const positions = new Float32Array(3 * rows * columns);
   for (let i = 0; i < rows; i += 1) {
     for (let j = 0; j < columns; j += 1) {
@@ -18,7 +23,7 @@ function pot(radius: (u: number, v: number) => number, height: (u: number, v: nu
 }
 
 const box = (grid: Grid) => boundsOf(grid.positions) as Box;
-const words = (grid: Grid) => describe(facts([grid], box(grid)) as Facts, "cm");
+const words = (grid: Grid) => describe(facts([grid], box(grid), grid.positions) as Facts, "cm");
 const up = (height: number) => (u: number) => height * (1 - u);
 
 group("a pot in words", () => {
@@ -28,6 +33,15 @@ group("a pot in words", () => {
   test("petals are counted as the eye counts them", () => {
     const text = words(pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(8 * v), up(3)));
     expect(text).toContain("with 8 petals");
+  });
+  test("a thousand petals are counted where the grid is fine enough for them, and not guessed where there is none", () => {
+    const many = (columns: number) => {
+      return pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(999 * v), up(3), 1, columns);
+    };
+    const [coarse, fine] = [many(121), many(16 * 999 + 1)];
+    const said = (edges: Grid | null) => describe(facts([coarse], box(coarse), coarse.positions, edges) as Facts, "cm");
+    expect(said(fine)).toContain("with 999 petals");
+    expect(said(null)).not.toContain("petals");
   });
   test("petals at the foot alone", () => {
     const text = words(pot((u, v) => 1 + 0.1 * u * Math.cos(5 * v), up(3)));
@@ -49,17 +63,23 @@ group("a pot in words", () => {
     expect(words(wavy(2))).toContain("a saddle-shaped rim");
     expect(words(wavy(1))).toContain("a slanting rim");
   });
+  test("a tulip is widest at the tips of its petals, where it is as wide as is said", () => {
+    const text = words(pot((u, v) => 7 + 0.1 * Math.sin(Math.PI * u) + 0.6 * (1 - u) ** 3 * Math.cos(6 * v), up(20.9)));
+    expect(text).toMatch(/^A vase 20.9 cm high and 15.2 cm wide, widest at the rim, with 6 petals/);
+  });
   test("an open wall", () => {
     expect(words(pot(() => 1, up(3), 0.8))).toContain("The wall does not close.");
   });
   test("several parts", () => {
     const grid = pot(() => 1, up(3));
-    expect(describe(facts([grid, grid], box(grid)) as Facts, "mm")).toContain("It is made of two parts.");
+    expect(describe(facts([grid, grid], box(grid), grid.positions) as Facts, "mm")).toContain(
+      "It is made of two parts.",
+    );
   });
 });
 
 test("nothing is said of nothing", () => {
-  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] })).toBeNull();
+  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] }, new Float32Array())).toBeNull();
 });
 
 test.each([

@@ -1,6 +1,7 @@
 /** The shape in words: what someone who cannot see the pot should know about it. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
+import { type Extents, extentsOf } from "./extents";
 import type { Triple, Unit } from "./types";
 
 /** The vertices of one part as a grid, row by row from `u = 0` to `u = 1`. */
@@ -16,8 +17,11 @@ export interface Grid {
 export interface Facts {
   readonly parts: number;
   readonly height: number;
+  /** Along x and y. */
   readonly width: number;
   readonly depth: number;
+  /** In every direction. */
+  readonly extents: Extents;
   /** Height of the widest place, 0 at the bottom, 1 at the top. */
   readonly widestAt: number;
   /** Width of the mouth as a share of the widest width. */
@@ -54,6 +58,8 @@ interface Ring {
   readonly radii: readonly number[];
   readonly heights: readonly number[];
   readonly radius: number;
+  /** How far it swings out. */
+  readonly reach: number;
   readonly height: number;
 }
 
@@ -63,29 +69,42 @@ export interface Box {
   readonly max: Triple;
 }
 
-/** Measures the placed mesh. `grids` has at least one part; the outline is read from the first. */
-export function facts(grids: readonly Grid[], { min: low, max: high }: Box): Facts | null {
+/**
+ * Measures the placed mesh, whose vertices are `positions`. `grids` has at least one part; the outline is read from the first. Petals and waves are
+ * counted on `edges`, the first part's rim and foot sampled finely enough for every wave; none are where there is no such grid, because there are too many.
+ */
+export function facts(
+  grids: readonly Grid[],
+  { min: low, max: high }: Box,
+  positions: Float32Array,
+  edges: Grid | null = grids[0] ?? null,
+): Facts | null {
   const body = grids[0];
-  if (!body || body.rows < 2 || body.columns < 3) return null;
+  const extents = extentsOf(positions);
+  if (!extents || !body || body.rows < 2 || body.columns < 3) return null;
   const rings = Array.from({ length: body.rows }, (_, row) => ringOf(body, row));
   const start = rings[0];
   const end = rings[rings.length - 1];
   if (!start || !end) return null;
-  const [rim, foot] = start.height >= end.height ? [start, end] : [end, start];
-  const widest = rings.reduce((best, ring) => (ring.radius > best.radius * 1.0005 ? ring : best), rim);
+  const rim = start.height >= end.height ? start : end;
+  // Where it reaches out furthest, petals included: that is where it is as wide as is said.
+  const widest = rings.reduce((best, ring) => (ring.reach > best.reach * 1.0005 ? ring : best), rim);
   const height = high[2] - low[2];
-  const rimPetals = peaks(rim.radii, VISIBLE * rim.radius);
-  const footPetals = peaks(foot.radii, VISIBLE * foot.radius);
+  const ends = edges && [ringOf(edges, 0), ringOf(edges, edges.rows - 1)];
+  const [atRim, atFoot] = rim === start ? (ends ?? []) : (ends?.toReversed() ?? []);
+  const rimPetals = atRim ? peaks(atRim.radii, VISIBLE * atRim.radius) : 0;
+  const footPetals = atFoot ? peaks(atFoot.radii, VISIBLE * atFoot.radius) : 0;
   return {
     parts: grids.length,
     height,
     width: high[0] - low[0],
     depth: high[1] - low[1],
+    extents,
     widestAt: height > 0 ? (widest.height - low[2]) / height : 0,
     mouth: widest.radius > 0 ? rim.radius / widest.radius : 0,
     petals: rimPetals > 1 ? rimPetals : footPetals,
     petalsAt: rimPetals > 1 || footPetals <= 1 ? "rim" : "foot",
-    waves: peaks(rim.heights, VISIBLE * height),
+    waves: atRim ? peaks(atRim.heights, VISIBLE * height) : 0,
     closed: grids.every(isClosed),
     outline: (rim === end ? rings : rings.toReversed()).map((ring) => [ring.height, ring.radius] as const),
   };
@@ -113,7 +132,7 @@ function ringOf(grid: Grid, row: number): Ring {
     heights.push(at(column, 2));
     radius += r / count;
   }
-  return { radii, heights, radius, height };
+  return { radii, heights, radius, reach: Math.max(...radii), height };
 }
 
 /** How many hills a closed line of values has that rise at least `visible` above the valleys beside them. */
@@ -163,10 +182,9 @@ function isClosed(grid: Grid): boolean {
 }
 
 /** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." */
-export function describe(shape: Facts, unit: Unit): string {
-  const across = Math.max(shape.width, shape.depth);
-  const size = `${length(shape.height)} ${unit} high and ${length(across)} ${unit} wide`;
-  const clauses = [`${capital(noun(shape, across))} ${size}`, `widest ${place(shape.widestAt)}`];
+export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents = shape.extents): string {
+  const size = `${length(height)} ${unit} high and ${length(greatest.width)} ${unit} wide`;
+  const clauses = [`${capital(noun(shape, greatest.width))} ${size}`, `widest ${place(shape.widestAt)}`];
   const marks: string[] = [];
   if (shape.petals === 2) marks.push(`an oval ${shape.petalsAt}`);
   if (shape.petals > 2) marks.push(`${shape.petals} petals${shape.petalsAt === "foot" ? " at the foot" : ""}`);

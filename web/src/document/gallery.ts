@@ -8,6 +8,8 @@ export interface Shelf {
   readonly title: string;
   readonly source: string;
   readonly exhibits: readonly Exhibit[];
+  /** Whether they are as a paper printed them, whose units are nobody's. */
+  readonly printed?: boolean;
 }
 
 export const SHELVES: readonly Shelf[] = [
@@ -20,10 +22,12 @@ export const SHELVES: readonly Shelf[] = [
     title: "Zhang and You",
     source: "Surface representation using second, fourth and mixed order partial differential equations, 2001",
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("zhang-you")),
+    printed: true,
   },
   {
     title: "Ishak and Ali",
     source: "Parametric surface generation using partial differential equation based approach",
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("ishak-ali")),
+    printed: true,
   },
 ];

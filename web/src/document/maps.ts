@@ -1,6 +1,6 @@
 /** The colour maps: what each shows, its unit, and its colours, told apart with every kind of colour vision. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import type { MapName, Unit } from "./types";
 
 export type Rgb = readonly [number, number, number];
@@ -63,7 +63,7 @@ export const MAPS: readonly ColourMap[] = [
   {
     name: "overhang",
     label: "Overhang",
-    note: "From upright, where it faces down: above 45° a printer needs support.",
+    note: "From upright, where it faces down, outside and inside: above 45° a printer needs support. What it stands on is grey.",
     ramp: RISING,
     diverging: false,
     needsWall: false,

@@ -1,6 +1,6 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
-import { formatNumber } from "./number";
+import { formatNumber, ouncesWords } from "../number";
 import {
   angleWords,
   areaShown,
@@ -8,6 +8,7 @@ import {
   errorWords,
   lengthWords,
   massShown,
+  millilitres,
   type Shown,
   volumeShown,
   volumeWords,
@@ -18,6 +19,10 @@ import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Uni
 
 /** Areas whose difference nobody can measure are the same. */
 const SAME = 1e-4;
+
+/** Digits of heights and widths, as in the caption and on the dimension lines; and where they are told exactly. */
+const SIZE_DIGITS = 3;
+const EXACT_DIGITS = 7;
 
 /** One line of the panel. */
 export interface Line {
@@ -36,25 +41,30 @@ export interface Group {
   readonly reason?: string;
 }
 
-/** Everything that was measured; `part` is the one whose wall and curvature are told. */
-export function measureGroups(measures: Measures, part: number, unit: Unit): readonly Group[] {
+/** Everything that was measured; `part` is the one whose wall and curvature are told. Sizes have the digits that the stage shows, unless they are told as exactly as they are known. */
+export function measureGroups(measures: Measures, part: number, unit: Unit, exact = false): readonly Group[] {
   const own = measures.parts[part];
-  return [sizes(measures, unit), ...held(measures, unit), ...clay(measures, unit), ...standing(measures, unit)].concat(
-    own ? wall(own, unit) : [],
-  );
+  return [
+    sizes(measures, unit, exact),
+    ...held(measures, unit),
+    ...clay(measures, unit),
+    ...standing(measures, unit),
+  ].concat(own ? wall(own, unit) : []);
 }
 
-function sizes({ height, width, area }: Measures, unit: Unit): Group {
+function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): Group {
   const length: Shown = { factor: 1, unit };
+  const size = (name: string, measure: Quantity, note?: string) =>
+    quantity(name, measure, length, note, exact ? EXACT_DIGITS : SIZE_DIGITS);
   return {
     title: "Size",
     lines: [
-      quantity("Height", height, length),
+      size("Height", height),
       ...(isRound(width)
-        ? [quantity("Width", width.greatest, length, "the same all round")]
+        ? [size("Width", width.greatest, "the same all round")]
         : [
-            quantity("Greatest width", width.greatest, length, `across, at ${angleWords(width.greatestDirection)}`),
-            quantity("Least width", width.least, length, `across, at ${angleWords(width.leastDirection)}`),
+            size("Greatest width", width.greatest, `across, at ${angleWords(width.greatestDirection)}`),
+            size("Least width", width.least, `across, at ${angleWords(width.leastDirection)}`),
           ]),
       quantity("Area of the surface", area, areaShown(unit)),
     ],
@@ -78,7 +88,12 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
           "To the brim",
           brim,
           volumeShown(brim.value, unit),
-          stopped ? "with the drain hole stopped" : undefined,
+          [
+            stopped ? "with the drain hole stopped" : "",
+            unit === "in" ? ouncesWords(millilitres(brim.value, unit)) : "",
+          ]
+            .filter(Boolean)
+            .join(", ") || undefined,
         ),
         quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), { factor: 1, unit }),
       ],
@@ -147,7 +162,7 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
 }
 
 function wall(part: PartMeasures, unit: Unit): readonly Group[] {
-  const { thickness, overhang, curvature } = part;
+  const { thickness, overhang, overhangInside, curvature } = part;
   const length = (value: number) => lengthWords(value, unit);
   const lines: Line[] = [];
   if (thickness) {
@@ -160,13 +175,17 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
       ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
     });
   }
-  if (overhang) {
-    const { degrees } = overhang;
-    const error = errorWords(overhang.error);
+  for (const [name, hangs] of [
+    [overhangInside ? "Largest overhang, outside" : "Largest overhang", overhang],
+    ["Largest overhang, inside", overhangInside],
+  ] as const) {
+    if (!hangs) continue;
+    const { degrees } = hangs;
+    const error = errorWords(hangs.error);
     lines.push(
       degrees > 0
-        ? { name: "Largest overhang", value: angleWords(degrees), error, note: "from upright, where it faces down" }
-        : { name: "Largest overhang", value: "none", error, note: "nothing faces down" },
+        ? { name, value: angleWords(degrees), error, note: "from upright, where it faces down" }
+        : { name, value: "none", error, note: "nothing faces down" },
     );
   }
   lines.push(...curved("Mean curvature", curvature.mean, `/${unit}`));
@@ -185,8 +204,8 @@ function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {
   return { value: value - bottom, error };
 }
 
-function quantity(name: string, { value, error }: Quantity, shown: Shown, note?: string): Line {
-  const line = { name, value: words(value, shown), error: errorWords(error * shown.factor) };
+function quantity(name: string, { value, error }: Quantity, shown: Shown, note?: string, digits?: number): Line {
+  const line = { name, value: words(value, shown, digits), error: errorWords(error * shown.factor) };
   return note === undefined ? line : { ...line, note };
 }
 

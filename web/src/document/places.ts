@@ -41,6 +41,15 @@ export function placeWords(at: Triple, outline: Outline): string {
   return place === "middle" ? "half way up" : `at the ${place}`;
 }
 
+/**
+ * Where on the inside a lining hangs over, inside a sentence: "inside the neck". A lining that faces down belongs to a wall that leans in above the belly, however
+ * thick it is and however far below the outside's shoulder its own lies.
+ */
+export function hangingInsideWords(at: Triple, outline: Outline): string {
+  const place = placeOf(at, outline);
+  return `inside the ${place === "rim" || place === "neck" ? place : "shoulder"}`;
+}
+
 /** The radius at a height and how it changes there. */
 function ringAt(z: number, outline: Outline): { readonly radius: number; readonly slope: number } {
   for (let i = 1; i < outline.length; i += 1) {

@@ -1,6 +1,6 @@
 /** Numbers of the workbench as people read them: lengths, areas, volumes, masses and angles with their units. */
 
-import { formatNumber } from "./number";
+import { formatNumber } from "../number";
 import type { Unit } from "./types";
 
 /** Digits that a person reads; the error tells how many more are known. */

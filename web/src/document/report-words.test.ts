@@ -15,7 +15,16 @@ const SHOULDER: Triple = [3, 0, 5.5];
 const RIM: Triple = [1.5, 0, 10];
 
 const part = (given: Partial<PartMeasures>): PartMeasures =>
-  ({ part: 0, name: null, isPot: true, reason: null, thickness: null, overhang: null, ...given }) as PartMeasures;
+  ({
+    part: 0,
+    name: null,
+    isPot: true,
+    reason: null,
+    thickness: null,
+    overhang: null,
+    overhangInside: null,
+    ...given,
+  }) as PartMeasures;
 const measures = (given: Partial<Measures>, ...parts: readonly Partial<PartMeasures>[]): Measures =>
   ({ tipping: { empty: null, full: null }, parts: parts.map(part), ...given }) as Measures;
 const texts = (made: Measures, report: Report | null = null) =>
@@ -30,6 +39,31 @@ test("an overhang is told by its angle and place", () => {
     "good: The steepest overhang is 30 degrees, at the shoulder: it prints without support.",
   ]);
   expect(texts(overhang(-3))).toEqual(["good: Nothing hangs over: it prints without support."]);
+});
+
+test("the inside hangs over too, and is told by its own place however thick the wall is", () => {
+  const hangs = (outside: number, inside: number, z: number) =>
+    measures(
+      {},
+      {
+        overhang: { degrees: outside, error: 0, at: [2, 0, 0.3], face: "outer" },
+        overhangInside: { degrees: inside, error: 0, at: [1, 0, z], face: "lining" },
+      },
+    );
+  // A lining whose shoulder lies as low as the belly of the outside.
+  expect(texts(hangs(33, 72.6, 4.1))).toEqual([
+    "warning: Overhang of 73 degrees inside the shoulder: a printer needs support there.",
+  ]);
+  expect(texts(hangs(61, 50, 8))).toEqual([
+    "warning: Overhang of 61 degrees at the foot: a printer needs support there.",
+    "warning: Overhang of 50 degrees inside the neck: a printer needs support there.",
+  ]);
+  expect(texts(hangs(20, 44, 9.9))).toEqual([
+    "good: The steepest overhang is 44 degrees, inside the rim: it prints without support.",
+  ]);
+  expect(texts(hangs(33, -2, 5))).toEqual([
+    "good: The steepest overhang is 33 degrees, at the foot: it prints without support.",
+  ]);
 });
 
 /** A wall that is thin at the rim, and thinner than asked for in such a share of it. */

@@ -1,7 +1,7 @@
 /** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
 
-import { formatNumber } from "./number";
-import { type Outline, placeWords } from "./places";
+import { formatNumber } from "../number";
+import { hangingInsideWords, type Outline, placeWords } from "./places";
 import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
 import { fittedWords } from "./remedy-words";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
@@ -141,7 +141,7 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
   const say = (severity: Severity, text: string) => sentences.push({ severity, text });
   const where = (at: Triple | null) => whereWords(at, outline);
   if (!part.isPot && part.reason) say("error", asSentence(part.reason));
-  const { thickness, overhang } = part;
+  const { thickness } = part;
   if (thickness) {
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
@@ -153,15 +153,32 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
     }
   }
   sentences.push(...thinWords(part, outline, MILLIMETRES[unit]));
-  if (overhang) {
-    const { degrees, at } = overhang;
-    if (degrees > SUPPORT_DEGREES) {
-      say("warning", `Overhang of ${degreesWords(degrees)} ${where(at)}: a printer needs support there.`);
-    } else if (degrees > 1) {
-      say("good", `The steepest overhang is ${degreesWords(degrees)}, ${where(at)}: it prints without support.`);
-    } else say("good", "Nothing hangs over: it prints without support.");
-  }
+  sentences.push(...overhangs(part, outline));
   return sentences;
+}
+
+/** A printer builds both sides of the wall: the pot prints without support where neither hangs over too far. */
+function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline): readonly Sentence[] {
+  const sides = [
+    ...(overhang ? [{ degrees: overhang.degrees, place: placeWords(overhang.at, outline) }] : []),
+    ...(overhangInside
+      ? [{ degrees: overhangInside.degrees, place: hangingInsideWords(overhangInside.at, outline) }]
+      : []),
+  ].sort((a, b) => b.degrees - a.degrees);
+  const [steepest] = sides;
+  if (!steepest) return [];
+  const hanging = sides.filter(({ degrees }) => degrees > SUPPORT_DEGREES);
+  if (hanging.length > 0) {
+    return hanging.map(({ degrees, place }) => ({
+      severity: "warning",
+      text: `Overhang of ${degreesWords(degrees)} ${place}: a printer needs support there.`,
+    }));
+  }
+  const text =
+    steepest.degrees > 1
+      ? `The steepest overhang is ${degreesWords(steepest.degrees)}, ${steepest.place}: it prints without support.`
+      : "Nothing hangs over: it prints without support.";
+  return [{ severity: "good", text }];
 }
 
 function stands({ tipping: { empty, full } }: Measures): readonly Sentence[] {

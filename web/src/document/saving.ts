@@ -1,6 +1,6 @@
 /** From what a person chooses in the export dialogue to what is made, and how large that will be. */
 
-import { formatNumber, parseNumber } from "./number";
+import { formatNumber, parseNumber } from "../number";
 import { MILLIMETRES, millilitres } from "./quantities";
 import type { Format, Making, Measures, Product, Unit } from "./types";
 

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { PAPERS } from "./gallery/papers";
 import { filled } from "./kinds";
 import { pathText } from "./path";
-import { type Family, familyOf, fieldValue, GROUPS, resetValue, rowsOf, sizeFactor, withField } from "./schema";
+import { type Family, familyOf, fieldValue, GROUPS, rowsOf, sizeFactor, withField } from "./schema";
 
 const FAMILIES = (["second-order", "mixed-order", "fourth-order", "bloor-wilson"] as const).map(
   (kind) => familyOf(kind) as Family,
@@ -28,7 +28,7 @@ describe.each(FAMILIES.map((family) => [family.kind, family] as const))("%s", (_
       expect(field.step).toBeGreaterThan(0);
       expect(field.step).toBeLessThanOrEqual((field.max - field.min) / 3);
       expect(field.help).toMatch(/\.$/);
-      const reset = resetValue(family.kind, field);
+      const reset = fieldValue(family.reset, field);
       expect(reset).toBeGreaterThanOrEqual(field.min);
       expect(reset).toBeLessThanOrEqual(field.max);
     }

@@ -6,7 +6,8 @@ import { MIXED_ORDER } from "./families/mixed-order";
 import { SECOND_ORDER } from "./families/second-order";
 import { filled } from "./kinds";
 import type { Path } from "./path";
-import { getPath, numberAt, setPath } from "./path";
+import { numberAt, setPath } from "./path";
+import { petalsAt, withPetals } from "./petals";
 import type { Kind, Shape } from "./types";
 
 export type Group = "Rim" | "Foot" | "Wall" | "Height" | "Equation" | "Force";
@@ -43,7 +44,7 @@ export interface Family {
   readonly name: string;
   readonly source: string;
   readonly fields: readonly Field[];
-  /** The complete shape that an empty readable link stands for; what "reset" goes back to. */
+  /** The complete shape that an empty readable link stands for: the pot of the paper. */
   readonly reset: Shape;
 }
 
@@ -60,19 +61,13 @@ export function familyOf(kind: Kind): Family | null {
 }
 
 export function fieldValue(shape: Shape, field: Field): number {
-  return numberAt(filled(shape), field.path, Number.NaN);
-}
-
-export function resetValue(kind: Kind, field: Field): number {
-  const family = familyOf(kind);
-  return family === null ? 0 : numberAt(filled(family.reset), field.path, 0);
+  return petalsAt(shape, field.path) ?? numberAt(filled(shape), field.path, Number.NaN);
 }
 
 /** The shape with one number changed; the same shape when it had that value already. */
 export function withField<S extends Shape>(shape: S, field: Field, value: number): S {
-  const whole = filled(shape);
-  if (Object.is(getPath(whole, field.path), value)) return shape;
-  return setPath(whole, field.path, value);
+  if (Object.is(fieldValue(shape, field), value)) return shape;
+  return withPetals(shape, field.path, value) ?? setPath(filled(shape), field.path, value);
 }
 
 /** A row of the panel: one number, or the `x` and `y` of a vector-valued parameter. */

@@ -1,9 +1,9 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design } from "../document/types";
-import { MakerClient, type Port } from "./client";
-import type { Reply, Request } from "./messages";
+import { MakerClient } from "./client";
+import type { MakerPort, Reply, Request } from "./messages";
 
-class FakePort implements Port {
+class FakePort implements MakerPort {
   readonly sent: Request[] = [];
   stopped = false;
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;

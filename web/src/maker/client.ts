@@ -5,20 +5,8 @@
  */
 
 import type { Refusal } from "../document/types";
-import type { Answers, Ask, Kind, Reply, Request } from "./messages";
-
-export type Outcome<T> =
-  | { readonly state: "done"; readonly value: T }
-  | { readonly state: "refused"; readonly refusal: Refusal }
-  | { readonly state: "superseded" };
-
-/** The part of the Worker interface that is used, so that tests need no browser. */
-export interface Port {
-  postMessage(message: Request, transfer: Transferable[]): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<Reply>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-}
+import type { Outcome } from "../worker/port";
+import type { Answers, Ask, Kind, MakerPort, Reply } from "./messages";
 
 /** Runs something after so many milliseconds; what comes back takes that back. */
 export type Later = (run: () => void, milliseconds: number) => () => void;
@@ -45,15 +33,15 @@ const CRASHED: Refusal = {
 const SUPERSEDED = { state: "superseded" } as const;
 
 export class MakerClient {
-  readonly #start: () => Port;
+  readonly #start: () => MakerPort;
   readonly #later: Later;
   readonly #waiting = new Map<string, Job>();
-  #port: Port | null = null;
+  #port: MakerPort | null = null;
   #under: { readonly id: number; readonly job: Job } | null = null;
   #nextId = 1;
   #stay: (() => void) | null = null;
 
-  constructor(start: () => Port, later: Later = timer) {
+  constructor(start: () => MakerPort, later: Later = timer) {
     this.#start = start;
     this.#later = later;
   }
@@ -106,7 +94,7 @@ export class MakerClient {
     this.#connect().postMessage({ id, ask: job.ask }, spare ? Object.values(spare).map(({ buffer }) => buffer) : []);
   }
 
-  #connect(): Port {
+  #connect(): MakerPort {
     if (this.#port) return this.#port;
     const port = this.#start();
     port.onmessage = (event) => {

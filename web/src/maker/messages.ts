@@ -1,18 +1,10 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
-import type {
-  Design,
-  Format,
-  Making,
-  MapName,
-  Measures,
-  Product,
-  Provenance,
-  Refusal,
-  Report,
-} from "../document/types";
+import type { Extents } from "../document/extents";
+import type { Design, Format, Making, MapName, Measures, Product, Provenance, Report } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
+import type * as worker from "../worker/port";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
@@ -27,6 +19,8 @@ export interface Solid {
   readonly groups: Uint32Array;
   /** What the whole pot fills, wall included. */
   readonly bounds: Bounds | null;
+  /** How high and wide it is with its wall. */
+  readonly extents: Extents | null;
   /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
   readonly sides: readonly ("inside" | "outside" | null)[];
 }
@@ -112,11 +106,6 @@ export interface Request {
   readonly ask: Ask;
 }
 
-/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
-export interface Begin {
-  readonly module: WebAssembly.Module | null;
-}
+export type Reply = worker.Reply<Answers[Kind]>;
 
-export type Reply =
-  | { readonly id: number; readonly ok: true; readonly answer: Answers[Kind] }
-  | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };
+export type MakerPort = worker.Port<Request, Answers[Kind]>;

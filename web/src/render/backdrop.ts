@@ -1,4 +1,7 @@
-import { BufferAttribute, BufferGeometry, GLSL3, Mesh, RawShaderMaterial } from "three";
+import type { Tenant } from "./gl/device";
+import type { Drawable } from "./gl/drawable";
+import { Material } from "./gl/material";
+import { Sheet } from "./gl/sheet";
 import { GRAIN_GLSL, type Studio } from "./studio";
 
 const VERTEX = /* glsl */ `
@@ -30,19 +33,17 @@ void main() {
 `;
 
 /** The paper behind the pot: one large triangle at the far end of the depth range, with a glow behind the middle. */
-export class Backdrop {
-  readonly object: Mesh;
+export class Backdrop implements Tenant {
+  readonly drawable: Drawable;
   /** The part of the whole picture that is being drawn (a tile): x, y, width, height from the lower left, 0 to 1. */
   readonly window = { value: [0, 0, 1, 1] };
   readonly aspect = { value: 1 };
+  private readonly sheet = new Sheet();
 
   constructor(studio: Studio) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
+    const material = new Material({
+      vertex: VERTEX,
+      fragment: FRAGMENT,
       uniforms: {
         top: studio.top,
         bottom: studio.bottom,
@@ -52,15 +53,11 @@ export class Backdrop {
       },
       depthWrite: false,
     });
-    this.object = new Mesh(geometry, material);
-    this.object.frustumCulled = false;
     // Drawn last of the opaque things: pixels that the pot covers are then not computed twice.
-    this.object.renderOrder = 1;
+    this.drawable = { geometry: this.sheet.geometry, material, order: 1, visible: true };
   }
 
-  /** Gives up everything on the GPU. */
   release(): void {
-    this.object.geometry.dispose();
-    (this.object.material as RawShaderMaterial).dispose();
+    this.sheet.release();
   }
 }

@@ -1,5 +1,5 @@
-import { PerspectiveCamera, Vector3 } from "three";
 import { Damper } from "./damper";
+import { View } from "./gl/view";
 import type { Bounds } from "./mesh";
 import { axesOf, type CameraPose, clipPlanes, eyeOf, FIELD_OF_VIEW, nearestTurn } from "./pose";
 import { along, type Triple } from "./triple";
@@ -17,11 +17,11 @@ const SETTLED_ANGLE = 2e-4;
 const SETTLED_SHARE = 2e-4;
 
 /**
- * The camera of the stage: a pose that follows its goal, in model units, and the three.js camera that looks from there in scene
- * space, where the model is moved by `-centre` and divided by `radius`.
+ * The camera of the stage: a pose that follows its goal, in model units, and the view from there in scene space, where the model is moved by `-centre` and
+ * divided by `radius`.
  */
 export class Camera {
-  readonly view = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI);
+  readonly view = new View();
   reducedMotion = false;
   private readonly azimuth = new Damper(0, SETTLED_ANGLE, FOLLOW_LAG);
   private readonly polar = new Damper(0, SETTLED_ANGLE, FOLLOW_LAG);
@@ -29,11 +29,6 @@ export class Camera {
   private readonly reach = new Damper(0, SETTLED_SHARE, FOLLOW_LAG);
   private readonly target = [0, 1, 2].map(() => new Damper(0, SETTLED_SHARE, FOLLOW_LAG)) as [Damper, Damper, Damper];
   private home = 1;
-
-  constructor() {
-    this.view.matrixAutoUpdate = false;
-    this.view.matrixWorldAutoUpdate = false;
-  }
 
   get pose(): CameraPose {
     return {
@@ -115,20 +110,14 @@ export class Camera {
     for (const damper of this.dampers()) damper.jump(damper.goal);
   }
 
-  /** Sets the three.js camera for a frame of reference (model to scene) and what it has to show (in scene space). */
+  /** Sets the view for a frame of reference (model to scene) and what it has to show (in scene space). */
   aim(centre: Triple, radius: number, aspect: number, contents: Pick<Bounds, "centre" | "radius">): void {
     const pose = this.pose;
     const { right, up, back } = axesOf(pose.azimuth, pose.polar);
     const eye = along([0, 0, 0], along(eyeOf(pose), centre, -1), 1 / radius);
     const { near, far } = clipPlanes(eye, contents);
-    const view = this.view;
-    view.matrixWorld.makeBasis(new Vector3(...right), new Vector3(...up), new Vector3(...back)).setPosition(...eye);
-    view.matrixWorldInverse.copy(view.matrixWorld).invert();
-    view.position.set(...eye);
-    view.aspect = aspect;
-    view.near = near;
-    view.far = far;
-    view.updateProjectionMatrix();
+    this.view.look(eye, right, up, back);
+    this.view.focus(FIELD_OF_VIEW, aspect, near, far);
   }
 
   private set lag(seconds: number) {

@@ -1,7 +1,7 @@
-import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial } from "three";
 import { CLAYS } from "./clay";
+import { Material, type Uniforms } from "./gl/material";
 import { GLAZES, type StageLook } from "./glaze";
-import type { PotUniforms } from "./pot";
+import { PLACING_GLSL } from "./placing";
 import { STUDIO_GLSL, type Studio, TONE_GLSL } from "./studio";
 
 const VERTEX = /* glsl */ `
@@ -12,14 +12,12 @@ in vec3 normal;
 in vec4 wares;
 out float vLining;
 #else
-in vec3 place;  // u, v / span, part
+in vec2 uv;  // u, v / span
 #endif
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
-uniform vec4 frame;
-uniform vec3 shift;
+${PLACING_GLSL}
 uniform highp sampler2D ware;
-uniform float wareRows;
 out vec3 vObject;
 out vec3 vScene;
 out vec3 vNormal;
@@ -27,9 +25,9 @@ out vec4 vWare;
 
 #ifndef SOLID
 // Between the samples by hand: not every GPU filters textures of floats.
-vec4 wareAt(vec3 where) {
+vec4 wareAt(vec2 where) {
   ivec2 last = textureSize(ware, 0) - 1;
-  vec2 p = vec2(where.y * float(last.x), where.z * wareRows + where.x * (wareRows - 1.0));
+  vec2 p = where.yx * vec2(last);
   ivec2 a = min(ivec2(p), last);
   ivec2 b = min(a + 1, last);
   vec2 f = p - vec2(a);
@@ -44,12 +42,12 @@ void main() {
   vLining = wares.x;
   vWare = vec4(0.0, wares.yz * frame.w, wares.w);
 #else
-  vec4 wares = wareAt(place);
+  vec4 wares = wareAt(uv);
   vWare = vec4(wares.x / frame.w, wares.yz * frame.w, wares.w);
 #endif
-  vObject = (position - frame.xyz) * frame.w;
+  vObject = inFrame(position);
   vScene = vObject + shift;
-  vNormal = normal;
+  vNormal = turned * normal;
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
 `;
@@ -187,29 +185,23 @@ void main() {
  * What a material is besides: `SOLID`, of faces that bring what the glaze goes by with their vertices; `CUT`, of a pot that is cut open.
  */
 export interface CeramicVariant {
-  readonly defines?: Partial<Record<"SOLID" | "CUT", string>>;
-  readonly uniforms?: Readonly<Record<string, IUniform>>;
+  readonly defines?: readonly ("SOLID" | "CUT")[];
+  readonly uniforms?: Uniforms;
 }
 
 /**
  * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
  * on a pot and needs no environment map to be made before the first picture.
  */
-export function ceramic(
-  look: StageLook,
-  studio: Studio,
-  pot: Partial<PotUniforms>,
-  variant: CeramicVariant = {},
-): RawShaderMaterial {
+export function ceramic(look: StageLook, studio: Studio, variant: CeramicVariant = {}): Material {
   const clay = CLAYS[look.clay];
   const glaze = GLAZES[look.glaze];
   const log2 = (x: number) => Math.log2(Math.max(x, 1e-4));
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    side: DoubleSide,
-    defines: variant.defines ?? {},
+  return new Material({
+    vertex: VERTEX,
+    fragment: FRAGMENT,
+    bothSides: true,
+    defines: variant.defines ?? [],
     uniforms: {
       frame: studio.frame,
       eye: studio.eye,
@@ -220,7 +212,6 @@ export function ceramic(
       wall: studio.wall,
       floor_: studio.floor,
       noise: studio.noise,
-      ...pot,
       ...variant.uniforms,
       clayColour: { value: clay.colour },
       grainColour: { value: clay.grain },

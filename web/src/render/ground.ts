@@ -1,24 +1,11 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  CustomBlending,
-  DoubleSide,
-  FrontSide,
-  GLSL3,
-  LinearFilter,
-  MaxEquation,
-  Mesh,
-  NoBlending,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
-  OrthographicCamera,
-  RawShaderMaterial,
-  Scene,
-  Vector3,
-  Vector4,
-  type WebGLRenderer,
-  WebGLRenderTarget,
-} from "three";
+import { Buffer } from "./gl/buffer";
+import type { Device, Tenant } from "./gl/device";
+import { type Drawable, draw } from "./gl/drawable";
+import { Geometry } from "./gl/geometry";
+import { Material, type Uniform } from "./gl/material";
+import { Target } from "./gl/target";
+import type { Texture } from "./gl/texture";
+import { PLACING_GLSL } from "./placing";
 import type { Pot } from "./pot";
 import type { Studio } from "./studio";
 
@@ -36,13 +23,12 @@ const NARROW = [0.14, 0.43];
 const COVER_VERTEX = /* glsl */ `
 precision highp float;
 in vec3 position;
-uniform vec4 frame;
-uniform vec3 shift;
+${PLACING_GLSL}
 uniform vec4 area;
 uniform float table;
 out float vHeight;
 void main() {
-  vec3 p = (position - frame.xyz) * frame.w + shift;
+  vec3 p = inFrame(position) + shift;
   vHeight = (p.z - table) / area.z;
   gl_Position = vec4((p.xy - area.xy) / area.w, 0.0, 1.0);
 }
@@ -129,48 +115,42 @@ void main() {
  * The table that the pot stands on, seen only by the shadow on it. The shadow is computed when the mesh changes, not per frame: the
  * pot is drawn once from below into a small texture, where each place keeps how close the clay comes to it, and blurred.
  */
-export class Ground {
-  readonly object: Mesh<BufferGeometry, RawShaderMaterial>;
+export class Ground implements Tenant {
+  readonly drawable: Drawable;
   /** Centre x, y; size of what stands there; half side of the shadowed square; in scene space. */
-  private readonly area = { value: new Vector4(0, 0, 1, 1) };
+  private readonly area = { value: [0, 0, 1, 1] };
   private readonly extent = { value: WIDE };
   private readonly targets = [newTarget(), newTarget()] as const;
-  private readonly scene = new Scene();
-  private readonly camera = new OrthographicCamera();
-  private readonly screen: BufferGeometry;
-  private readonly cover: RawShaderMaterial;
-  private readonly blur: RawShaderMaterial;
+  private readonly corners = new Buffer(
+    new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0]),
+    { size: 3 },
+  );
+  private readonly square = new Geometry({ position: this.corners });
+  private readonly cover: Material;
+  private readonly blur: Material;
+  private readonly image: Uniform<Texture> = { value: this.targets[0].texture };
+  private readonly direction = { value: [0, 0] };
 
   constructor(studio: Studio) {
-    this.screen = new BufferGeometry();
-    const corners = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0];
-    this.screen.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
-    this.cover = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: COVER_VERTEX,
-      fragmentShader: COVER_FRAGMENT,
-      uniforms: { frame: studio.frame, table: studio.table, area: this.area, shift: { value: new Vector3() } },
-      side: DoubleSide,
+    this.cover = new Material({
+      vertex: COVER_VERTEX,
+      fragment: COVER_FRAGMENT,
+      uniforms: { frame: studio.frame, table: studio.table, area: this.area },
+      bothSides: true,
       depthTest: false,
       depthWrite: false,
-      blending: CustomBlending,
-      blendEquation: MaxEquation,
-      blendSrc: OneFactor,
-      blendDst: OneFactor,
+      blending: "largest",
     });
-    this.blur = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: SCREEN_VERTEX,
-      fragmentShader: BLUR_FRAGMENT,
-      uniforms: { image: { value: null }, direction: { value: [0, 0] } },
+    this.blur = new Material({
+      vertex: SCREEN_VERTEX,
+      fragment: BLUR_FRAGMENT,
+      uniforms: { image: this.image, direction: this.direction },
       depthTest: false,
       depthWrite: false,
-      blending: NoBlending,
     });
-    const table = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: TABLE_VERTEX,
-      fragmentShader: TABLE_FRAGMENT,
+    const table = new Material({
+      vertex: TABLE_VERTEX,
+      fragment: TABLE_FRAGMENT,
       uniforms: {
         image: { value: this.targets[0].texture },
         area: this.area,
@@ -180,17 +160,11 @@ export class Ground {
         extent: this.extent,
       },
       // From below there is no table: the foot is then in view.
-      side: FrontSide,
-      transparent: true,
+      bothSides: false,
       depthWrite: false,
-      blending: CustomBlending,
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
+      blending: "premultiplied",
     });
-    this.object = new Mesh(this.screen, table);
-    this.object.frustumCulled = false;
-    this.object.visible = false;
-    this.object.renderOrder = 2;
+    this.drawable = { geometry: this.square, material: table, order: 2, visible: false };
   }
 
   /** Whether the shadow keeps within a fitted picture, for pictures without a backdrop, whose edges would show in it. */
@@ -199,55 +173,35 @@ export class Ground {
   }
 
   /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. */
-  bake(renderer: WebGLRenderer, pots: readonly Pot[], centre: readonly [number, number], size: number): void {
-    this.object.visible = pots.length > 0;
+  bake(device: Device, pots: readonly Pot[], centre: readonly [number, number], size: number): void {
+    this.drawable.visible = pots.length > 0;
     if (pots.length === 0) return;
-    this.area.value.set(centre[0], centre[1], size, size * REACH);
-    const before = renderer.getRenderTarget();
+    this.area.value = [centre[0], centre[1], size, size * REACH];
     const [first, second] = this.targets;
-    renderer.setClearColor(0x000000, 0);
-    renderer.setRenderTarget(first);
-    renderer.clear();
-    for (const pot of pots) {
-      const footprint = new Mesh(pot.object.geometry, this.cover);
-      footprint.frustumCulled = false;
-      (this.cover.uniforms as { shift: { value: Vector3 } }).shift.value = pot.uniforms.shift.value;
-      this.pass(renderer, footprint, first);
-    }
-    const uniforms = this.blur.uniforms as { image: { value: unknown }; direction: { value: number[] } };
-    const sheet = new Mesh(this.screen, this.blur);
-    sheet.frustumCulled = false;
+    first.begin(device);
+    const footprints = pots.flatMap(({ drawables }) => drawables.map((each) => ({ ...each, material: this.cover })));
+    draw(device, footprints);
+    const sheet: Drawable = { geometry: this.square, material: this.blur, order: 0, visible: true };
+    const pass = (from: Target, to: Target, direction: number[]) => {
+      this.image.value = from.texture;
+      this.direction.value = direction;
+      to.begin(device);
+      draw(device, [sheet]);
+    };
     for (const round of [1, 0.55]) {
-      uniforms.image.value = first.texture;
-      uniforms.direction.value = [round / TEXELS, 0];
-      this.pass(renderer, sheet, second);
-      uniforms.image.value = second.texture;
-      uniforms.direction.value = [0, round / TEXELS];
-      this.pass(renderer, sheet, first);
+      pass(first, second, [round / TEXELS, 0]);
+      pass(second, first, [0, round / TEXELS]);
     }
-    renderer.setRenderTarget(before);
   }
 
   /** Gives up everything on the GPU; the shadow has to be baked again. */
   release(): void {
-    for (const target of this.targets) target.dispose();
-    this.screen.dispose();
-    for (const material of [this.cover, this.blur, this.object.material]) material.dispose();
-  }
-
-  private pass(renderer: WebGLRenderer, object: Mesh, target: WebGLRenderTarget): void {
-    this.scene.add(object);
-    renderer.setRenderTarget(target);
-    renderer.render(this.scene, this.camera);
-    this.scene.remove(object);
+    for (const target of this.targets) target.release();
+    this.square.release();
+    this.corners.release();
   }
 }
 
-function newTarget(): WebGLRenderTarget {
-  return new WebGLRenderTarget(TEXELS, TEXELS, {
-    depthBuffer: false,
-    minFilter: LinearFilter,
-    magFilter: LinearFilter,
-    generateMipmaps: false,
-  });
+function newTarget(): Target {
+  return new Target(TEXELS, TEXELS, { linear: true });
 }

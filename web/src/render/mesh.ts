@@ -1,28 +1,46 @@
+import type { Matrix } from "./gl/view";
+import type { StageLook } from "./glaze";
 import type { Triple } from "./triple";
 
+/** What tells a part from others, as long as it is there. */
+export type PartId = string | number;
+
 /**
- * The mesh contract of the stage, which is the solver's: what comes from it is finite and fits together, and is not looked
- * through again on the thread that draws.
+ * The mesh of one part, before placement. What comes from the solver is finite and fits together, and is not looked through again on the thread
+ * that draws.
  *
- * `positions` and `normals` hold three floats per vertex in model units, z up, normals pointing out of the pot;
- * `uvs` two per vertex (u along the profile, v / span round it); `indices` three per triangle, counter-clockwise
- * seen from outside; `groups` (first index, index count, part) triples. Meshes of the same grid share the same `indices`.
+ * `positions` and `normals` hold three floats per vertex in model units, z up, normals pointing out of the pot; `uvs` two per vertex (u along the
+ * profile, v / span round it); `indices` three per triangle, counter-clockwise seen from outside. Meshes of the same grid share the very same `uvs`
+ * and `indices`, which are then on the GPU once.
  */
-export interface StageMesh {
+export interface PartMesh {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
   readonly uvs: Float32Array;
   readonly indices: Uint32Array;
-  readonly groups: Uint32Array;
-  readonly topology: string;
   readonly ware: StageWare;
-  /** What the positions fill; null for an empty mesh. */
+}
+
+/** One part of what is shown. */
+export interface StagePart {
+  readonly id: PartId;
+  /** Another number says that the mesh is another one: only then does anything travel to the GPU. */
+  readonly revision: number;
+  readonly mesh: PartMesh;
+  /** Where it stands: from the mesh to the model. It has an inverse. */
+  readonly matrix: Matrix;
+  readonly look: StageLook;
+}
+
+/** What is shown: parts in the order of the document, and what they fill where they stand; null when they are empty. */
+export interface StageModel {
+  readonly parts: readonly StagePart[];
   readonly bounds: Bounds | null;
 }
 
 /**
- * What the glaze goes by, in a table of `rows` by `columns` for every part, evenly spaced in u and v: the curvature beyond
- * that of a cylinder, the distances to rim and foot, and the depth below the rim in radii of the mouth.
+ * What the glaze goes by, in a table of `rows` by `columns`, evenly spaced in u and v: the curvature beyond that of a cylinder, the distances to rim
+ * and foot, and the depth below the rim in radii of the mouth.
  */
 export interface StageWare {
   readonly texels: Float32Array;

@@ -1,4 +1,7 @@
-import { type PerspectiveCamera, type Scene, type WebGLRenderer, WebGLRenderTarget } from "three";
+import type { Device } from "./gl/device";
+import { type Drawable, draw } from "./gl/drawable";
+import { Target } from "./gl/target";
+import type { View } from "./gl/view";
 
 /** Pictures are drawn in tiles of at most this many pixels a side, whatever their size, to bound the memory on the GPU. */
 const TILE = 1024;
@@ -12,14 +15,14 @@ const SAMPLES = 4;
 export type BeforeTile = (window: readonly [number, number, number, number]) => void;
 
 /**
- * Draws a scene into a 2D canvas of its own, not into the screen. The camera's aspect must be that of the picture.
+ * Draws things into a 2D canvas of its own, not into the screen. The view's aspect must be that of the picture.
  *
  * @throws {RangeError} for a size that is not whole numbers from 1 to `LARGEST_PICTURE`
  */
 export function drawPicture(
-  renderer: WebGLRenderer,
-  scene: Scene,
-  camera: PerspectiveCamera,
+  device: Device,
+  drawables: readonly Drawable[],
+  view: View,
   width: number,
   height: number,
   before: BeforeTile,
@@ -35,25 +38,23 @@ export function drawPicture(
   const context = canvas.getContext("2d");
   if (!context) throw new Error("the browser has no memory for a picture of this size");
   const tile: [number, number] = [Math.min(width, TILE), Math.min(height, TILE)];
-  const target = new WebGLRenderTarget(...tile, { samples: SAMPLES, generateMipmaps: false });
+  const target = new Target(...tile, { samples: SAMPLES, depth: true });
   const pixels = new Uint8Array(4 * tile[0] * tile[1]);
   try {
     for (let y = 0; y < height; y += tile[1]) {
       for (let x = 0; x < width; x += tile[0]) {
-        camera.setViewOffset(width, height, x, y, ...tile);
+        view.tile({ x, y, width: tile[0], height: tile[1], of: [width, height] });
         before([x / width, 1 - (y + tile[1]) / height, tile[0] / width, tile[1] / height]);
-        renderer.setRenderTarget(target);
-        renderer.setClearColor(0x000000, 0);
-        renderer.clear();
-        renderer.render(scene, camera);
-        renderer.readRenderTargetPixels(target, 0, 0, ...tile, pixels);
+        target.begin(device);
+        draw(device, drawables, view);
+        target.end(device);
+        target.readPixels(device, pixels);
         context.putImageData(upright(pixels, ...tile), x, y);
       }
     }
   } finally {
-    camera.clearViewOffset();
-    renderer.setRenderTarget(null);
-    target.dispose();
+    view.tile(null);
+    target.release();
   }
   return canvas;
 }

@@ -85,6 +85,9 @@ describe("the fitted distance", () => {
     );
     expect(large / small).toBeCloseTo(1e6, 3);
     expect(fitDistance([], [0, 0, 0], axes, 1.5)).toBe(0);
+    const bare = fitDistance(corners, [0, 0, 2], axes, 1.5, false);
+    expect(bare).toBeLessThan(small);
+    expect(bare).toBeGreaterThan(0.7 * small);
   });
 });
 

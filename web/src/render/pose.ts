@@ -61,13 +61,19 @@ export function nearestTurn(angle: number, to: number): number {
 }
 
 /**
- * The least distance from which all points (xyz triples) are inside the picture, with a margin, looking at `target`.
+ * The least distance from which all points (xyz triples) are inside the picture, with a margin unless that is not asked for, looking at `target`.
  * A point at `(x, y, z)` in camera axes is inside when `|y| <= (d - z) tan(fov / 2)` and `|x| <= (d - z) tan(fov / 2) aspect`.
  */
-export function fitDistance(points: ArrayLike<number>, target: Triple, axes: CameraAxes, aspect: number): number {
+export function fitDistance(
+  points: ArrayLike<number>,
+  target: Triple,
+  axes: CameraAxes,
+  aspect: number,
+  margin = true,
+): number {
   const tan = Math.tan(FIELD_OF_VIEW / 2);
-  const tanY = tan / FIT_MARGIN_UPRIGHT;
-  const tanX = (tan / FIT_MARGIN) * (aspect > 0 ? aspect : 1);
+  const tanY = tan / (margin ? FIT_MARGIN_UPRIGHT : 1);
+  const tanX = (tan / (margin ? FIT_MARGIN : 1)) * (aspect > 0 ? aspect : 1);
   let far = 0;
   for (let i = 0; i + 2 < points.length; i += 3) {
     const p: Triple = [at(points, i) - target[0], at(points, i + 1) - target[1], at(points, i + 2) - target[2]];

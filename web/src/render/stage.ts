@@ -1,17 +1,21 @@
-import type { Object3D } from "three";
 import { Camera } from "./camera";
-import { GlContext, type Tenant, webgl2Supported } from "./context";
 import { Gesture } from "./gesture";
+import { Device, type Tenant, webgl2Supported } from "./gl/device";
+import { draw } from "./gl/drawable";
+import { Pane } from "./gl/pane";
+import type { Source } from "./gl/scene";
 import type { StageLook } from "./glaze";
 import type { Unit } from "./length";
 import { Loop } from "./loop";
-import type { StageMesh } from "./mesh";
+import type { PartId, StageModel } from "./mesh";
+import type { Size } from "./overlay/dimensions";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
+import { type Face, Picker } from "./picker";
 import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, fitDistance, VIEWS, type ViewName } from "./pose";
 import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
-import { Screen } from "./screen";
+import { partsOf, type StageMesh } from "./stage-mesh";
 import { Stopwatch } from "./stopwatch";
 import type { Studio, Theme } from "./studio";
 import { Tableau } from "./tableau";
@@ -44,8 +48,10 @@ export interface Place {
 }
 
 /** Something that is drawn besides the pot, by code that is fetched when it is needed. */
-export interface Guest extends Tenant {
-  readonly objects: readonly Object3D[];
+export interface Guest extends Tenant, Source {
+  /** What of it belongs to parts, and the plane before which everything is cut away. */
+  readonly faces: readonly Face[];
+  readonly cutPlane: { readonly value: readonly number[] };
   /** Another mesh is on the stage. */
   forget(): void;
   /** Before every frame, on a screen of so many CSS pixels. */
@@ -59,21 +65,27 @@ const TURN_PER_HEIGHT = Math.PI;
 /** After the last movement the full resolution is drawn, this many milliseconds later. */
 const REST_DELAY = 120;
 
+/** So many points tell whether a pot is on the stage. */
+const FEW = 2000;
+
 /** The 3D view: shows a mesh, turns it, and draws only when something changed. */
 export class Stage {
   private readonly root: HTMLDivElement;
-  private readonly canvas: HTMLCanvasElement;
-  private readonly context: GlContext;
+  private readonly device: Device;
+  private readonly pane: Pane;
+  private readonly picker: Picker;
+  private readonly forgetDevice: () => void;
   private readonly tableau: Tableau;
   private readonly camera = new Camera();
   private readonly loop: Loop;
   private readonly gesture: Gesture;
   private readonly resolution = new Resolution();
   private readonly resizes: ResizeObserver;
-  private readonly screen: Screen;
   private readonly overlay: Overlays;
   private readonly stopwatch: Stopwatch;
   private size = { width: 0, height: 0 };
+  private model: StageModel = { parts: [], bounds: null };
+  private mesh: StageMesh | null = null;
   private drawn = 0;
   private placed = false;
   /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
@@ -97,38 +109,33 @@ export class Stage {
     host: HTMLElement,
     private readonly options: StageOptions,
   ) {
+    this.device = Device.share();
+    this.loop = new Loop((seconds) => this.draw(seconds));
+    this.forgetDevice = this.device.watch({
+      lost: () => {
+        this.loop.pause();
+        options.onContextLost?.();
+      },
+      restored: () => {
+        this.loop.resume();
+        this.loop.invalidate();
+        options.onContextRestored?.();
+      },
+    });
     this.root = document.createElement("div");
     Object.assign(this.root.style, { position: "absolute", inset: "0", overflow: "hidden" });
-    this.canvas = document.createElement("canvas");
-    Object.assign(this.canvas.style, { display: "block", width: "100%", height: "100%", outline: "none" });
-    this.root.append(this.canvas);
+    this.pane = new Pane(this.device, () => this.loop.invalidate());
+    this.root.append(this.pane.element);
     if (getComputedStyle(host).position === "static") host.style.position = "relative";
     host.append(this.root);
-    try {
-      this.context = new GlContext(this.canvas, {
-        lost: () => {
-          this.loop.pause();
-          options.onContextLost?.();
-        },
-        restored: () => {
-          this.loop.resume();
-          this.loop.invalidate();
-          options.onContextRestored?.();
-        },
-      });
-    } catch (error) {
-      this.root.remove();
-      throw error;
-    }
-    this.screen = new Screen(this.context.renderer);
-    this.stopwatch = new Stopwatch(this.context.renderer.getContext() as WebGL2RenderingContext);
+    this.stopwatch = new Stopwatch(this.device.gl);
     this.tableau = new Tableau(options.theme);
+    this.picker = new Picker(this.tableau.studio);
     this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.unit);
-    this.tableau.scene.add(...this.overlay.objects);
-    for (const tenant of [this.screen, this.tableau, this.overlay, this.stopwatch]) this.context.admit(tenant);
+    this.tableau.scene.add(...this.overlay.sources);
+    for (const tenant of this.tenants()) this.device.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
-    this.loop = new Loop((seconds) => this.draw(seconds));
-    this.gesture = new Gesture(this.canvas, {
+    this.gesture = new Gesture(this.pane.element, {
       orbit: (dx, dy) => this.turnByPixels(dx, dy),
       pan: (dx, dy) => this.pan(dx, dy),
       zoom: (factor) => this.zoom(factor),
@@ -137,6 +144,11 @@ export class Stage {
         this.loop.invalidate();
       },
     });
+    if (this.device.lost) {
+      this.loop.pause();
+      // Not before whoever made the stage has it.
+      queueMicrotask(() => options.onContextLost?.());
+    }
     this.resizes = new ResizeObserver(() => this.resize());
     this.resizes.observe(this.root);
     this.watchPixels();
@@ -154,25 +166,66 @@ export class Stage {
   }
 
   /**
-   * Shows a mesh; `looks[part]` is the glaze and clay of each part. Its arrays belong to the stage until it gives the mesh back, which it
-   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view.
+   * Shows a mesh of all parts; `looks[part]` is the glaze and clay of each part. Its arrays belong to the stage until it gives the mesh back, which it
+   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view, and that one that was seen whole and grows beyond the
+   * stage is followed.
    */
   show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
-    const before = this.tableau.show(mesh, looks);
+    const before = this.mesh;
+    this.showParts(partsOf(mesh, looks));
+    this.mesh = mesh;
+    return before === mesh ? null : before;
+  }
+
+  /**
+   * Shows parts. Those that it shows already, by their identities and revisions, stay where they are on the GPU; what is different travels there. The arrays of
+   * their meshes belong to the stage until it is given others.
+   */
+  showParts(model: StageModel): void {
+    const whole = this.placed && this.sees();
+    this.mesh = null;
+    this.model = model;
+    this.tableau.show(model);
     this.overlay.forget();
     this.guest?.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
       this.place("three-quarter", true);
+    } else if (whole && !this.sees()) {
+      const { fitted } = this;
+      this.place(null, false);
+      this.fitted = fitted;
     }
     this.changed();
-    return before;
+  }
+
+  /** The part that is seen at a point of the stage, in CSS pixels from its upper left; null where there is none, and while there is no context. */
+  pick(x: number, y: number): PartId | null {
+    const { width, height } = this.size;
+    if (this.device.lost || !(x >= 0 && y >= 0 && x < width && y < height)) return null;
+    this.prepare(this.camera, width / height);
+    this.guest?.prepare(this.camera, width, height);
+    const own = this.tableau.main.parts.map(
+      ({ drawable }, part): Face => ({ geometry: drawable.geometry, uniforms: drawable.uniforms ?? {}, part }),
+    );
+    const faces = [...own, ...(this.guest?.faces ?? [])];
+    const cut = this.guest?.cutPlane.value ?? null;
+    const part = this.picker.pick(this.device, faces, cut, this.camera.view, { x, y, of: [width, height] });
+    return part === null ? null : (this.model.parts[part]?.id ?? null);
+  }
+
+  /** Whether all of the pot is on the stage, where the camera is going to be. */
+  private sees(): boolean {
+    const { goal } = this.camera;
+    const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
+    const points = this.tableau.outline(FEW);
+    return fitDistance(points, goal.target, axesOf(goal.azimuth, goal.polar), aspect, false) <= goal.distance;
   }
 
   /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
   compare(other: { mesh: StageMesh; looks: StageLook[] } | null): void {
     const before = this.tableau.comparing;
-    this.tableau.compare(other);
+    this.tableau.compare(other && partsOf(other.mesh, other.looks));
     if (before !== this.tableau.comparing) this.fit();
     this.loop.invalidate();
   }
@@ -185,7 +238,10 @@ export class Stage {
 
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
-    if (this.differs("overlays", JSON.stringify(overlays))) this.overlay.overlays = overlays;
+    if (!this.differs("overlays", JSON.stringify(overlays))) return;
+    this.overlay.overlays = overlays;
+    // Dimension lines stand off the pot: a fitted view has them in it.
+    if (this.fitted) this.place(null, false);
   }
 
   /** Lets something else be drawn from now on. */
@@ -201,8 +257,8 @@ export class Stage {
         this.changed();
       },
     });
-    tableau.scene.add(...guest.objects);
-    this.context.admit(guest);
+    tableau.scene.add(guest);
+    this.device.admit(guest);
     this.guest = guest;
     return guest;
   }
@@ -243,6 +299,11 @@ export class Stage {
     this.overlay.appearance = theme;
   }
 
+  /** What the dimension lines say. */
+  measure(size: Size | null): void {
+    if (this.differs("size", JSON.stringify(size))) this.overlay.measures = size;
+  }
+
   /** The unit of the dimension labels. */
   unit(unit: Unit): void {
     if (this.differs("unit", unit)) this.overlay.measure = unit;
@@ -262,7 +323,7 @@ export class Stage {
    * @throws {Error} while the graphics context is lost
    */
   async picture(width: number, height: number, options: { transparent?: boolean } = {}): Promise<Blob> {
-    if (this.context.lost) throw new Error("the graphics context is lost; try again when it is back");
+    if (this.device.lost) throw new Error("the graphics context is lost; try again when it is back");
     return toPng(this.photograph(width, height, options.transparent ?? false));
   }
 
@@ -281,8 +342,16 @@ export class Stage {
     this.loop.dispose();
     this.overlay.dispose();
     this.guest?.dispose();
-    this.context.dispose();
+    this.forgetDevice();
+    for (const tenant of this.tenants()) this.device.dismiss(tenant);
+    this.pane.dispose();
+    this.device.leave();
     this.root.remove();
+  }
+
+  /** What has something on the GPU. */
+  private tenants(): readonly Tenant[] {
+    return [this.tableau, this.overlay, this.stopwatch, this.picker, ...(this.guest ? [this.guest] : [])];
   }
 
   private turnByPixels(dx: number, dy: number): void {
@@ -308,8 +377,8 @@ export class Stage {
     const scale = height / Math.max(this.size.height, 1);
     tableau.cutOut = transparent;
     try {
-      const { renderer } = this.context;
-      const canvas = drawPicture(renderer, tableau.scene, camera.view, width, height, (window) => {
+      const { drawables } = tableau.scene;
+      const canvas = drawPicture(this.device, drawables, camera.view, width, height, (window) => {
         tableau.backdrop.window.value = [...window];
         overlay.scale(window[2] * width, window[3] * height, scale);
       });
@@ -383,13 +452,13 @@ export class Stage {
       this.loop.pause();
       return;
     }
-    if (!this.context.lost) this.loop.resume();
+    if (!this.device.lost) this.loop.resume();
     if (this.fitted && !this.camera.moving) this.place(null, true);
     this.loop.invalidate();
   }
 
   private prepare(camera: Camera, aspect: number): void {
-    this.tableau.prepare(this.context.renderer);
+    this.tableau.prepare(this.device);
     const { azimuth } = camera.pose;
     this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
     this.tableau.light(camera, aspect);
@@ -407,7 +476,8 @@ export class Stage {
 
   private draw(seconds: number): boolean {
     const { width, height } = this.size;
-    if (width === 0 || height === 0) return false;
+    // The browser takes the context before it says so.
+    if (width === 0 || height === 0 || this.device.gl.isContextLost()) return false;
     const moving = this.camera.step(seconds);
     const now = performance.now();
     if (moving || this.gesturing) this.movedAt = now;
@@ -415,10 +485,13 @@ export class Stage {
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
     this.prepare(this.camera, width / height);
     const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
-    this.overlay.scale(Math.floor(width * fineness.ratio), Math.floor(height * fineness.ratio), fineness.ratio);
+    const [columns, rows] = [Math.floor(width * fineness.ratio), Math.floor(height * fineness.ratio)];
+    this.overlay.scale(columns, rows, fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
     this.guest?.prepare(this.camera, width, height);
-    this.screen.draw(this.tableau.scene, this.camera.view, width, height, fineness);
+    this.pane.draw(columns, rows, fineness.samples, () =>
+      draw(this.device, this.tableau.scene.drawables, this.camera.view),
+    );
     this.drawn++;
     // A frame after a rest says nothing by its distance from the one before: its own cost is taken.
     if (busy && seconds === 0) {

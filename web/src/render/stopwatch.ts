@@ -1,4 +1,4 @@
-import type { Tenant } from "./context";
+import type { Tenant } from "./gl/device";
 
 /** How often a fence is looked at, in milliseconds; browsers hold timers to no less. */
 const LOOK = 4;

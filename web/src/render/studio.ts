@@ -1,39 +1,41 @@
-import { type IUniform, Vector2, Vector3, Vector4 } from "three";
-import { noiseTexture } from "./noise";
+import type { Uniform } from "./gl/material";
+import type { Texture } from "./gl/texture";
+import { NOISE } from "./noise";
+import type { Triple } from "./triple";
 
 /** The two appearances of the page. */
 export type Theme = "light" | "dark";
 
 interface Room {
   /** Backdrop: at the top, at the bottom, and in the glow behind the pot. These are of the screen (sRGB), all others linear. */
-  top: Vector3;
-  bottom: Vector3;
-  glow: Vector3;
+  top: Triple;
+  bottom: Triple;
+  glow: Triple;
   /** What the pot mirrors where there is no lamp: above, at the height of the eye, below. */
-  ceiling: Vector3;
-  wall: Vector3;
-  floor: Vector3;
+  ceiling: Triple;
+  wall: Triple;
+  floor: Triple;
   /** Darkness of the shadow on the table, 0 to 1. */
   shadow: number;
 }
 
 const ROOMS: Readonly<Record<Theme, Room>> = {
   light: {
-    top: new Vector3(0.838, 0.827, 0.807),
-    bottom: new Vector3(0.786, 0.77, 0.745),
-    glow: new Vector3(0.921, 0.914, 0.9),
-    ceiling: new Vector3(0.62, 0.64, 0.67),
-    wall: new Vector3(0.42, 0.41, 0.4),
-    floor: new Vector3(0.36, 0.34, 0.31),
+    top: [0.838, 0.827, 0.807],
+    bottom: [0.786, 0.77, 0.745],
+    glow: [0.921, 0.914, 0.9],
+    ceiling: [0.62, 0.64, 0.67],
+    wall: [0.42, 0.41, 0.4],
+    floor: [0.36, 0.34, 0.31],
     shadow: 0.72,
   },
   dark: {
-    top: new Vector3(0.021, 0.027, 0.052),
-    bottom: new Vector3(0.133, 0.128, 0.128),
-    glow: new Vector3(0.243, 0.237, 0.235),
-    ceiling: new Vector3(0.2, 0.215, 0.24),
-    wall: new Vector3(0.1, 0.1, 0.105),
-    floor: new Vector3(0.075, 0.07, 0.065),
+    top: [0.021, 0.027, 0.052],
+    bottom: [0.133, 0.128, 0.128],
+    glow: [0.243, 0.237, 0.235],
+    ceiling: [0.2, 0.215, 0.24],
+    wall: [0.1, 0.1, 0.105],
+    floor: [0.075, 0.07, 0.065],
     shadow: 0.85,
   },
 };
@@ -41,40 +43,40 @@ const ROOMS: Readonly<Record<Theme, Room>> = {
 /** The uniforms that everything in one picture shares. */
 export interface Studio {
   /** Model to scene space: centre, and 1 / radius. */
-  frame: IUniform<Vector4>;
+  frame: Uniform<readonly [number, number, number, number]>;
   /** The eye in scene space. */
-  eye: IUniform<Vector3>;
+  eye: Uniform<Triple>;
   /** Cosine and sine of the turn from scene space to the studio, whose lamps stay with the camera as if the pot stood on a turntable. */
-  turn: IUniform<Vector2>;
+  turn: Uniform<number[]>;
   /** Cosine and sine of the lean of the studio, which follows a camera that looks from below. */
-  lean: IUniform<Vector2>;
+  lean: Uniform<number[]>;
   /** Height of the table in scene space. */
-  table: IUniform<number>;
-  ceiling: IUniform<Vector3>;
-  wall: IUniform<Vector3>;
-  floor: IUniform<Vector3>;
-  top: IUniform<Vector3>;
-  bottom: IUniform<Vector3>;
-  glow: IUniform<Vector3>;
-  shadow: IUniform<number>;
-  noise: IUniform<ReturnType<typeof noiseTexture>>;
+  table: Uniform<number>;
+  ceiling: Uniform<Triple>;
+  wall: Uniform<Triple>;
+  floor: Uniform<Triple>;
+  top: Uniform<Triple>;
+  bottom: Uniform<Triple>;
+  glow: Uniform<Triple>;
+  shadow: Uniform<number>;
+  noise: Uniform<Texture>;
 }
 
 export function newStudio(theme: Theme): Studio {
   const studio: Studio = {
-    frame: { value: new Vector4(0, 0, 0, 1) },
-    eye: { value: new Vector3() },
-    turn: { value: new Vector2(1, 0) },
-    lean: { value: new Vector2(1, 0) },
+    frame: { value: [0, 0, 0, 1] },
+    eye: { value: [0, 0, 0] },
+    turn: { value: [1, 0] },
+    lean: { value: [1, 0] },
     table: { value: 0 },
-    ceiling: { value: new Vector3() },
-    wall: { value: new Vector3() },
-    floor: { value: new Vector3() },
-    top: { value: new Vector3() },
-    bottom: { value: new Vector3() },
-    glow: { value: new Vector3() },
+    ceiling: { value: [0, 0, 0] },
+    wall: { value: [0, 0, 0] },
+    floor: { value: [0, 0, 0] },
+    top: { value: [0, 0, 0] },
+    bottom: { value: [0, 0, 0] },
+    glow: { value: [0, 0, 0] },
     shadow: { value: 0 },
-    noise: { value: noiseTexture() },
+    noise: { value: NOISE },
   };
   furnish(studio, theme);
   return studio;
@@ -86,16 +88,22 @@ const LEAN_FROM = 1.72;
 /** Turns the studio to a camera: the lamps stay where the photographer put them, and the pot turns before them. */
 export function face(studio: Studio, azimuth: number, polar: number): void {
   const turn = -Math.PI / 2 - azimuth;
-  studio.turn.value.set(Math.cos(turn), Math.sin(turn));
+  studio.turn.value = [Math.cos(turn), Math.sin(turn)];
   const lean = Math.max(0, polar - LEAN_FROM);
-  studio.lean.value.set(Math.cos(lean), Math.sin(lean));
+  studio.lean.value = [Math.cos(lean), Math.sin(lean)];
+}
+
+/** Where a point of the model is in scene space. */
+export function toScene({ frame }: Studio, point: Triple): Triple {
+  const [x, y, z, w] = frame.value;
+  return [(point[0] - x) * w, (point[1] - y) * w, (point[2] - z) * w];
 }
 
 /** Sets what the theme decides. */
 export function furnish(studio: Studio, theme: Theme): void {
   const { shadow, ...colours } = ROOMS[theme];
-  for (const [name, colour] of Object.entries(colours) as [Exclude<keyof Room, "shadow">, Vector3][]) {
-    studio[name].value.copy(colour);
+  for (const [name, colour] of Object.entries(colours) as [Exclude<keyof Room, "shadow">, Triple][]) {
+    studio[name].value = colour;
   }
   studio.shadow.value = shadow;
 }

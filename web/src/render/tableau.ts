@@ -1,13 +1,13 @@
-import { Scene, type WebGLRenderer } from "three";
 import { Backdrop } from "./backdrop";
 import type { Camera } from "./camera";
-import type { Tenant } from "./context";
-import type { StageLook } from "./glaze";
+import type { Device, Tenant } from "./gl/device";
+import { Scene } from "./gl/scene";
 import { Ground } from "./ground";
-import type { Bounds, StageMesh } from "./mesh";
+import type { Bounds, StageModel } from "./mesh";
+import { NOISE } from "./noise";
 import { Pot } from "./pot";
 import { face, furnish, newStudio, type Studio, type Theme } from "./studio";
-import type { Triple } from "./triple";
+import { along, type Triple } from "./triple";
 
 /** The gap between two pots side by side, as a share of the wider one. */
 const GAP = 0.22;
@@ -37,36 +37,34 @@ export class Tableau implements Tenant {
     this.backdrop = new Backdrop(this.studio);
     this.ground = new Ground(this.studio);
     this.main = new Pot(this.studio);
-    this.scene.add(this.main.object, this.backdrop.object, this.ground.object);
-    this.scene.matrixWorldAutoUpdate = false;
+    this.scene.add(this.main, { drawables: [this.backdrop.drawable, this.ground.drawable] });
   }
 
   set theme(theme: Theme) {
     furnish(this.studio, theme);
   }
 
-  /** Gives back the mesh that was shown before. */
-  show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
+  show(model: StageModel): void {
     this.stale = true;
-    return this.main.update(mesh, looks);
+    this.main.update(model);
   }
 
   /** Takes the backdrop away, as for a picture that is cut out, or puts it back. */
   set cutOut(cutOut: boolean) {
-    this.backdrop.object.visible = !cutOut;
+    this.backdrop.drawable.visible = !cutOut;
     this.ground.narrow = cutOut;
   }
 
   /** Puts a second pot to the right of the first, or takes it away. */
-  compare(other: { mesh: StageMesh; looks: readonly StageLook[] } | null): void {
+  compare(other: StageModel | null): void {
     if (other) {
       if (!this.beside) {
         this.beside = new Pot(this.studio);
-        this.scene.add(this.beside.object);
+        this.scene.add(this.beside);
       }
-      this.beside.update(other.mesh, other.looks);
+      this.beside.update(other);
     } else if (this.beside) {
-      this.scene.remove(this.beside.object);
+      this.scene.remove(this.beside);
       this.beside.release();
       this.beside = null;
     }
@@ -98,16 +96,15 @@ export class Tableau implements Tenant {
     return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
   }
 
-  /** Points (xyz, model units) that a fitted view must contain: some thousands of the vertices. */
-  outline(): number[] {
+  /** Points (xyz, model units) that a fitted view must contain: about so many of the vertices. */
+  outline(count = 20_000): number[] {
     const points: number[] = [];
     const add = (pot: Pot, by: Triple) => {
-      const p = pot.positions;
-      const vertices = p.length / 3;
+      const vertices = pot.parts.reduce((sum, part) => sum + part.vertices, 0);
       // An odd stride wanders over the columns of a grid instead of following some of them.
-      const stride = 2 * Math.floor(vertices / 20_000) + 1;
-      for (let v = 0; v < vertices; v += stride) {
-        for (let k = 0; k < 3; k++) points.push((p[3 * v + k] as number) + (by[k] as number));
+      const stride = 2 * Math.floor(vertices / count) + 1;
+      for (const part of pot.parts) {
+        for (let v = 0; v < part.vertices; v += stride) points.push(...along(part.at(v), by, 1));
       }
     };
     if (this.main.bounds) add(this.main, [0, 0, 0]);
@@ -139,28 +136,29 @@ export class Tableau implements Tenant {
   release(): void {
     this.stale = true;
     for (const part of [this.main, this.beside, this.backdrop, this.ground]) part?.release();
-    this.studio.noise.value.dispose();
   }
 
   /** Brings everything that depends on meshes up to date; cheap when nothing changed. */
-  prepare(renderer: WebGLRenderer): void {
+  prepare(device: Device): void {
     if (!this.stale) return;
     this.stale = false;
+    // One for all tableaus: it goes with the context.
+    device.admit(NOISE);
     const { centre, radius } = this.frame;
-    this.studio.frame.value.set(...centre, 1 / radius);
+    this.studio.frame.value = [...centre, 1 / radius];
     const offset = this.offset;
-    this.beside?.uniforms.shift.value.set(offset[0] / radius, offset[1] / radius, offset[2] / radius);
+    if (this.beside) this.beside.shift.value = along([0, 0, 0], offset, 1 / radius);
     const contents = this.contents();
     this.studio.table.value = contents.min[2];
     const pots = [this.main, ...(this.beside ? [this.beside] : [])].filter((pot) => pot.bounds);
-    this.ground.bake(renderer, pots, [contents.centre[0], contents.centre[1]], contents.radius);
+    this.ground.bake(device, pots, [contents.centre[0], contents.centre[1]], contents.radius);
   }
 
   /** Aims a camera and turns the studio to it. */
   light(camera: Camera, aspect: number): void {
     const { centre, radius } = this.contents();
     camera.aim(this.frame.centre, this.frame.radius, aspect, { centre, radius: radius * SURROUNDINGS });
-    this.studio.eye.value.copy(camera.view.position);
+    this.studio.eye.value = camera.view.eye;
     face(this.studio, camera.pose.azimuth, camera.pose.polar);
   }
 }

@@ -1,10 +1,13 @@
 import { Camera } from "./camera";
-import { GlContext } from "./context";
+import { Device } from "./gl/device";
 import type { StageLook } from "./glaze";
-import type { StageMesh } from "./mesh";
 import { drawPicture } from "./picture";
 import { axesOf, fitDistance, VIEWS } from "./pose";
+import { partsOf, type StageMesh } from "./stage-mesh";
 import { Tableau } from "./tableau";
+
+/** So many milliseconds a lost context is waited for. */
+const PATIENCE = 3000;
 
 /** Draws small pictures of pots into 2D canvases. */
 export interface Thumbnails {
@@ -17,27 +20,24 @@ export interface Thumbnails {
   dispose(): void;
 }
 
-/**
- * One maker of thumbnails for a whole gallery. It borrows the context of a stage when there is one, because browsers allow few, and opens
- * one of its own only otherwise.
- */
+/** One maker of thumbnails for a whole gallery. */
 export function thumbnails(): Thumbnails {
-  let own: GlContext | null = null;
+  let device: Device | null = null;
   let tableau: Tableau | null = null;
   const camera = new Camera();
+  let disposed = false;
   let queue: Promise<unknown> = Promise.resolve();
 
-  const drawNow = (mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement) => {
-    let context = GlContext.any();
-    if (!context) {
-      own?.dispose();
-      context = own = new GlContext(document.createElement("canvas"));
-    }
+  const drawNow = async (mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement) => {
+    if (disposed) return;
+    device ??= Device.share();
+    await device.whenThere(PATIENCE);
+    if (disposed) return;
     tableau ??= new Tableau("light");
-    context.admit(tableau);
+    device.admit(tableau);
     tableau.cutOut = true;
     const parts = Math.max(1, mesh.groups.length / 3);
-    tableau.show(mesh, new Array<StageLook>(parts).fill(look));
+    tableau.show(partsOf(mesh, new Array<StageLook>(parts).fill(look)));
     const bounds = tableau.bounds;
     const paper = canvas.getContext("2d");
     if (!paper) throw new Error("the canvas of a thumbnail must have a 2D context");
@@ -50,9 +50,9 @@ export function thumbnails(): Thumbnails {
     const distance = fitDistance(tableau.outline(), bounds.centre, axesOf(direction.azimuth, direction.polar), aspect);
     camera.radius = radius;
     camera.travel({ ...direction, distance: distance > 0 ? distance : radius, target: bounds.centre }, true);
-    tableau.prepare(context.renderer);
+    tableau.prepare(device);
     tableau.light(camera, aspect);
-    const picture = drawPicture(context.renderer, tableau.scene, camera.view, canvas.width, canvas.height, () => {});
+    const picture = drawPicture(device, tableau.scene.drawables, camera.view, canvas.width, canvas.height, () => {});
     paper.drawImage(picture, 0, 0);
   };
 
@@ -65,10 +65,10 @@ export function thumbnails(): Thumbnails {
       return done;
     },
     dispose() {
-      if (tableau) GlContext.dismiss(tableau);
-      tableau = null;
-      own?.dispose();
-      own = null;
+      if (disposed) return;
+      disposed = true;
+      if (tableau) device?.dismiss(tableau);
+      device?.leave();
     },
   };
 }

@@ -1,9 +1,9 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design, Part } from "../document/types";
-import { type Port, SolverClient } from "./client";
-import type { MeshArrays, Reply, Request, SentMesh, SolveOptions } from "./messages";
+import { SolverClient } from "./client";
+import type { MeshArrays, Reply, Request, SentMesh, SolveOptions, SolverPort } from "./messages";
 
-class FakePort implements Port {
+class FakePort implements SolverPort {
   readonly sent: Request[] = [];
   readonly transferred: Transferable[][] = [];
   stopped = false;

@@ -4,21 +4,19 @@
  */
 
 import type { Design, Refusal } from "../document/types";
-import type { Answers, Ask, MeshArrays, Parsed, Reply, Request, SentAnswers, Solved, SolveOptions } from "./messages";
+import type { Outcome } from "../worker/port";
+import type {
+  Answers,
+  Ask,
+  MeshArrays,
+  Parsed,
+  Reply,
+  SentAnswers,
+  Solved,
+  SolveOptions,
+  SolverPort,
+} from "./messages";
 import { type Lattices, Stock } from "./stock";
-
-export type Outcome<T> =
-  | { readonly state: "done"; readonly value: T }
-  | { readonly state: "refused"; readonly refusal: Refusal }
-  | { readonly state: "superseded" };
-
-/** The part of the Worker interface that is used, so that tests need no browser. */
-export interface Port {
-  postMessage(message: Request, transfer: Transferable[]): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<Reply>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-}
 
 interface Job {
   readonly ask: Ask;
@@ -44,14 +42,14 @@ const CRASHED: Refusal = {
 };
 
 export class SolverClient {
-  readonly #start: () => Port;
+  readonly #start: () => SolverPort;
   readonly #lanes = new Map<string, Lane>();
   readonly #sent = new Map<number, Sent>();
   readonly #stock = new Stock();
-  #port: Port | null = null;
+  #port: SolverPort | null = null;
   #nextId = 1;
 
-  constructor(start: () => Port) {
+  constructor(start: () => SolverPort) {
     this.#start = start;
   }
 
@@ -120,7 +118,7 @@ export class SolverClient {
     );
   }
 
-  #connect(): Port {
+  #connect(): SolverPort {
     if (this.#port) return this.#port;
     const port = this.#start();
     port.onmessage = (event) => this.#receive(event.data);

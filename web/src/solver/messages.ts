@@ -1,8 +1,9 @@
 /** What the page and the solver's worker say to each other. Everything here survives structured cloning. */
 
 import type { Facts } from "../document/describe";
-import type { Design, Refusal } from "../document/types";
+import type { Design } from "../document/types";
 import type { GridSize } from "../document/waves";
+import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
 import type { Ware } from "./ware";
 
@@ -120,11 +121,6 @@ export interface Request {
   readonly spare: Spare | null;
 }
 
-/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
-export interface Begin {
-  readonly module: WebAssembly.Module | null;
-}
+export type Reply = worker.Reply<SentAnswers[Ask["kind"]]>;
 
-export type Reply =
-  | { readonly id: number; readonly ok: true; readonly answer: SentAnswers[Ask["kind"]] }
-  | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };
+export type SolverPort = worker.Port<Request, SentAnswers[Ask["kind"]]>;

@@ -3,16 +3,24 @@
 import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
+import { inUnit, scaled, type Walls } from "../document/scaled";
 import type { Design, Look, Unit } from "../document/types";
+import { freshIds } from "./parts";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
 export const MAX_TITLE = 200;
 const NOTHING: Change = { undo: "none" };
 
-/** Replaces the design, as one step: undo brings the old one back. */
+/** Replaces the design, as one step: undo brings the old one back. Water, cut and colours were those of the other pot. */
 export function openDesign(state: State, design: Design): Change {
-  return { design, session: { part: 0, compare: null }, undo: state.design === design ? "none" : "step" };
+  const overlays = state.session.overlays.cut ? { ...state.session.overlays, cut: false } : state.session.overlays;
+  return {
+    design,
+    ids: freshIds(design.parts.length, state.fresh),
+    session: { selection: [], compare: null, map: null, fill: null, overlays },
+    undo: state.design === design ? "none" : "step",
+  };
 }
 
 export function setTitle(state: State, title: string): Change {
@@ -26,22 +34,25 @@ export function setTitle(state: State, title: string): Change {
   };
 }
 
+/** Says the pot in another unit: it stays as large as it is, and its numbers change. */
 export function setUnit(state: State, unit: Unit): Change {
-  if ((state.design.unit ?? "cm") === unit) return NOTHING;
-  return { design: setPath(state.design, ["unit"], unit), undo: "step" };
+  const design = inUnit(state.design, unit);
+  return design === state.design ? NOTHING : { design, undo: "step", convert: (origin) => inUnit(origin, unit) };
+}
+
+/** Makes the pot so many times as large. */
+export function resize(state: State, factor: number, walls: Walls): Change {
+  if (!(factor > 0 && Number.isFinite(factor)) || factor === 1) return NOTHING;
+  const convert = (design: Design) => scaled(design, factor, walls);
+  return { design: convert(state.design), undo: "step", convert };
 }
 
 export function setLook(state: State, look: Look): Change {
-  const path: Path = ["parts", state.session.part, "look"];
+  const path: Path = ["parts", state.part, "look"];
   const before = getPath(state.design, path) as Look | undefined;
   const next: Look = { ...before, ...look };
   if (before?.glaze === next.glaze && before?.clay === next.clay) return NOTHING;
   return { design: setPath(state.design, path, next), undo: "step" };
-}
-
-export function selectPart(state: State, part: number): Change {
-  const last = state.design.parts.length - 1;
-  return { undo: "none", session: { part: Math.max(0, Math.min(last, part)) } };
 }
 
 export function selectTab(tab: Tab): Change {

@@ -1,10 +1,10 @@
-/** Undo and redo over whole frozen documents, which share all that did not change. */
+/** Undo and redo over whole frozen documents, which share all that did not change, with the identities of their parts. */
 
-import type { Design } from "../document/types";
+import type { Identified } from "./parts";
 
 export interface History {
-  readonly past: readonly Design[];
-  readonly future: readonly Design[];
+  readonly past: readonly Identified[];
+  readonly future: readonly Identified[];
   /** The key of the gesture whose changes join one step; null between gestures. */
   readonly merging: string | null;
 }
@@ -17,7 +17,7 @@ const MAX_STEPS = 500;
 /** The history after `before` was replaced. */
 export function record(
   history: History,
-  before: Design,
+  before: Identified,
   change: { readonly undo: "step" | "merge" | "none"; readonly key?: string },
 ): History {
   if (change.undo === "none") return history;
@@ -31,9 +31,9 @@ export function endMerge(history: History): History {
 }
 
 /** Takes back the gesture under way, as if it had never begun. */
-export function cancelMerge(history: History): { history: History; design: Design } | null {
-  const design = history.merging === null ? undefined : history.past.at(-1);
-  return design ? { design, history: { past: history.past.slice(0, -1), future: [], merging: null } } : null;
+export function cancelMerge(history: History): { history: History; now: Identified } | null {
+  const now = history.merging === null ? undefined : history.past.at(-1);
+  return now ? { now, history: { past: history.past.slice(0, -1), future: [], merging: null } } : null;
 }
 
 export function canUndo(history: History): boolean {
@@ -44,14 +44,14 @@ export function canRedo(history: History): boolean {
   return history.future.length > 0;
 }
 
-export function undo(history: History, now: Design): { history: History; design: Design } | null {
-  const design = history.past.at(-1);
-  if (!design) return null;
-  return { design, history: { past: history.past.slice(0, -1), future: [now, ...history.future], merging: null } };
+export function undo(history: History, from: Identified): { history: History; now: Identified } | null {
+  const now = history.past.at(-1);
+  if (!now) return null;
+  return { now, history: { past: history.past.slice(0, -1), future: [from, ...history.future], merging: null } };
 }
 
-export function redo(history: History, now: Design): { history: History; design: Design } | null {
-  const [design, ...future] = history.future;
-  if (!design) return null;
-  return { design, history: { past: [...history.past, now], future, merging: null } };
+export function redo(history: History, from: Identified): { history: History; now: Identified } | null {
+  const [now, ...future] = history.future;
+  if (!now) return null;
+  return { now, history: { past: [...history.past, from], future, merging: null } };
 }

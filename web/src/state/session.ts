@@ -2,6 +2,7 @@
 
 import type { OrderKind } from "../document/convert";
 import type { Format, MapName } from "../document/types";
+import type { PartId } from "./parts";
 
 export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
 export const TABS: readonly Tab[] = ["shape", "profile", "order", "look", "wall", "measures"];
@@ -20,8 +21,8 @@ export interface Overlays {
 }
 
 export interface Session {
-  /** The part whose parameters are shown. */
-  readonly part: number;
+  /** The selected parts, the one that panels are about last; those that undo may bring back among them. */
+  readonly selection: readonly PartId[];
   readonly tab: Tab;
   readonly theme: ThemeChoice;
   readonly overlays: Overlays;
@@ -40,7 +41,7 @@ export interface Session {
 }
 
 export const NEW_SESSION: Session = {
-  part: 0,
+  selection: [],
   tab: "shape",
   theme: "auto",
   overlays: { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false, cut: false },

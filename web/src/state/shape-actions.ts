@@ -7,7 +7,7 @@ import { getPath, setPath } from "../document/path";
 import type { HandleId } from "../document/profile";
 import { moveHandle } from "../document/profile";
 import type { Field } from "../document/schema";
-import { fieldValue, resetValue, withField } from "../document/schema";
+import { fieldValue, withField } from "../document/schema";
 import type { Shape } from "../document/types";
 import type { Change, State } from "./store";
 
@@ -18,11 +18,14 @@ export function setFields(state: State, fields: readonly Field[], value: number,
   return reshape(state, next, gesture ? { undo: "merge", key } : { undo: "step" });
 }
 
-/** Puts numbers back to what the family starts with. */
-export function resetFields(state: State, fields: readonly Field[]): Change {
+/** Puts numbers back to those of another shape of the same kind, which is what was opened or what the paper printed. */
+export function resetFields(state: State, fields: readonly Field[], to: Shape): Change {
   return reshape(
     state,
-    (shape) => fields.reduce((made, field) => withField(made, field, resetValue(shape.kind, field)), shape),
+    (shape) =>
+      to.kind === shape.kind
+        ? fields.reduce((made, field) => withField(made, field, fieldValue(to, field)), shape)
+        : shape,
     { undo: "step" },
   );
 }
@@ -69,9 +72,9 @@ function reshape(
   edit: (shape: Shape) => Shape,
   policy: { readonly undo: "step" | "merge"; readonly key?: string },
 ): Change {
-  const part = state.design.parts[state.session.part];
+  const part = state.design.parts[state.part];
   if (!part) return { undo: "none" };
   const shape = edit(part.shape);
   if (shape === part.shape) return { undo: "none" };
-  return { design: setPath(state.design, ["parts", state.session.part, "shape"], shape), ...policy };
+  return { design: setPath(state.design, ["parts", state.part, "shape"], shape), ...policy };
 }

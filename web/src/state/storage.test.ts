@@ -16,8 +16,6 @@ const BROKEN: Shelf = {
   },
 };
 
-const design = { pasu: 1, parts: [] } as const;
-
 test("every piece of state says where it is kept", () => {
   expect(Object.keys(KEPT).sort()).toEqual(["design", ...Object.keys(NEW_SESSION)].sort());
 });
@@ -27,12 +25,12 @@ test("settings come back, and only those that are kept in the browser", () => {
   const session = {
     ...NEW_SESSION,
     theme: "dark",
-    part: 3,
+    selection: [3],
     compare: "mixed-order",
     tab: "look",
     explain: true,
   } as const;
-  expect(keepSettings(place, { design, session })).toBe(true);
+  expect(keepSettings(place, session)).toBe(true);
   expect(readSettings(place)).toEqual({ ...NEW_SESSION, theme: "dark", tab: "look", explain: true });
 });
 

@@ -6,14 +6,13 @@
 import { FORMAT_NAMES } from "../document/format";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
-import type { State } from "./store";
 
 export type Place = "link and browser" | "browser" | "nowhere";
 
 /** The one table. What is kept in the link is written by the solver's own canonical form. */
 export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   design: "link and browser",
-  part: "nowhere",
+  selection: "nowhere",
   tab: "browser",
   theme: "browser",
   overlays: "browser",
@@ -33,6 +32,8 @@ export interface Work {
   readonly link: string;
   /** Whether it differs from what was last opened or saved. */
   readonly unsaved: boolean;
+  /** The document that it was opened as, where a reset leads. */
+  readonly origin?: string;
 }
 
 /** The part of the Storage interface that is used, so that tests can pass a map and a broken disk. */
@@ -60,14 +61,14 @@ export function keepWork(shelf: Shelf | null, work: Work): boolean {
 export function readWork(shelf: Shelf | null): Work | null {
   const kept = read(shelf, WORK_KEY);
   if (!isRecord(kept)) return null;
-  const { text, link, unsaved } = kept;
+  const { text, link, unsaved, origin } = kept;
   if (typeof text !== "string" || typeof link !== "string" || typeof unsaved !== "boolean") return null;
-  return { text, link, unsaved };
+  return { text, link, unsaved, ...(typeof origin === "string" && { origin }) };
 }
 
-export function keepSettings(shelf: Shelf | null, state: State): boolean {
+export function keepSettings(shelf: Shelf | null, session: Session): boolean {
   const kept: Record<string, unknown> = {};
-  for (const [key, value] of Object.entries(state.session)) {
+  for (const [key, value] of Object.entries(session)) {
     if (KEPT[key as keyof Session] === "browser") kept[key] = value;
   }
   return write(shelf, SETTINGS_KEY, JSON.stringify(kept));

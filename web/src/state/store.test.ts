@@ -1,3 +1,4 @@
+import { effect } from "@preact/signals-core";
 import { beforeEach, describe, expect, test } from "vitest";
 import { getPath } from "../document/path";
 import { type Field, familyOf } from "../document/schema";
@@ -6,6 +7,7 @@ import * as actions from "./actions";
 import { NEW_SESSION } from "./session";
 import * as shapeActions from "./shape-actions";
 import { Store } from "./store";
+import { setMap, setWater } from "./wall-actions";
 
 const family = familyOf("second-order");
 const named = (symbol: string) => family?.fields.find((field) => field.symbol === symbol) as Field;
@@ -106,7 +108,6 @@ describe("actions", () => {
     set(1, true);
     store.apply(actions.setTitle(store.state, "Start"));
     store.apply(actions.setUnit(store.state, "cm"));
-    store.apply(actions.selectPart(store.state, 9));
     expect(store.state.design).toBe(before.design);
     expect(store.canUndo).toBe(false);
   });
@@ -129,10 +130,18 @@ describe("actions", () => {
     expect(store.state.session.unlocked).toEqual([]);
   });
 
-  test("reset goes back to what the family starts with", () => {
-    drag(2.5);
-    store.apply(shapeActions.resetFields(store.state, [RIM]));
-    expect(rim()).toBe(1);
+  test("opening another design ends the water, the cut and the colours of the one before", () => {
+    store.apply(setWater(store.state, true));
+    store.apply(setMap("overhang"));
+    store.apply(actions.toggleOverlay(store.state, "axes"));
+    store.apply(actions.openDesign(store.state, { ...START, title: "Other" }));
+    const { fill, map, overlays } = store.state.session;
+    expect({ fill, map, cut: overlays.cut, axes: overlays.axes }).toEqual({
+      fill: null,
+      map: null,
+      cut: false,
+      axes: true,
+    });
   });
 
   test("a title is at most 200 characters and one line", () => {
@@ -158,13 +167,36 @@ describe("actions", () => {
   });
 });
 
-test("listeners hear of changes and of the end of a gesture, and stop when they leave", () => {
-  const heard: boolean[] = [];
-  const leave = store.subscribe(() => heard.push(store.inGesture));
+test("who looks at something hears of that alone, once for each change, and not after leaving", () => {
+  const heard = { design: 0, title: 0, session: 0, gesture: [] as boolean[], undo: [] as boolean[] };
+  const leaving = [
+    effect(() => void (store.design && heard.design++)),
+    effect(() => void (store.title && heard.title++)),
+    effect(() => void (store.session && heard.session++)),
+    effect(() => void heard.gesture.push(store.inGesture)),
+    effect(() => void heard.undo.push(store.canUndo)),
+  ];
   set(1.1, true);
+  set(1.2, true);
   store.endGesture();
   store.endGesture();
-  leave();
-  set(1.2, false);
-  expect(heard).toEqual([true, false]);
+  expect(heard).toEqual({ design: 3, title: 1, session: 1, gesture: [false, true, false], undo: [false, true] });
+  store.apply(actions.openDesign(store.state, { ...START, title: "Another" }));
+  expect(heard).toMatchObject({ design: 4, title: 2, session: 2 });
+  for (const leave of leaving) leave();
+  store.undo();
+  expect(heard).toMatchObject({ design: 4, title: 2, session: 2 });
+});
+
+test("undo and redo say that they led here, until the next change", () => {
+  set(1.1, false);
+  expect(store.travelled).toBe(false);
+  store.undo();
+  expect(store.travelled).toBe(true);
+  store.redo();
+  expect(store.travelled).toBe(true);
+  set(1.2, true);
+  expect(store.travelled).toBe(false);
+  store.cancelGesture();
+  expect(store.travelled).toBe(false);
 });

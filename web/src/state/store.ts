@@ -1,14 +1,19 @@
 /** The one place that holds what the page knows: a frozen document with its history, beside a session that is not undone. */
 
+import { batch, computed, type Signal, signal } from "@preact/signals-core";
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, record, redo, undo } from "./history";
+import { freshIds, type Identified, type PartId, placeOf } from "./parts";
 import type { Session } from "./session";
 
-export interface State {
-  readonly design: Design;
+export interface State extends Identified {
   readonly session: Session;
+  /** The place of the part that panels are about. */
+  readonly part: number;
+  /** The least identity that no part ever had. */
+  readonly fresh: PartId;
 }
 
 /**
@@ -17,89 +22,138 @@ export interface State {
  */
 export interface Change {
   readonly design?: Design;
+  /** Who the parts of the design are, where it has not the same ones in the same order. */
+  readonly ids?: readonly PartId[];
   readonly session?: Partial<Session>;
   readonly undo: "step" | "merge" | "none";
   readonly key?: string;
+  /** Where all numbers of the design are converted at once (to another unit or size): how what it was opened as is converted along. */
+  readonly convert?: (design: Design) => Design;
 }
 
-export type Listener = (state: State, before: State) => void;
-
 export class Store {
-  #state: State;
-  #history: History = EMPTY;
-  readonly #listeners = new Set<Listener>();
+  readonly #design: Signal<Design>;
+  readonly #ids: Signal<readonly PartId[]>;
+  readonly #session: Signal<Session>;
+  readonly #history = signal(EMPTY);
+  readonly #title = computed(() => this.#design.value.title ?? "");
+  readonly #canUndo = computed(() => canUndo(this.#history.value));
+  readonly #canRedo = computed(() => canRedo(this.#history.value));
+  readonly #inGesture = computed(() => this.#history.value.merging !== null);
+  readonly #part = computed(() => placeOf(this.#session.value.selection, this.#ids.value));
+  #fresh: PartId = 0;
+  #travelled = false;
 
   constructor(design: Design, session: Session) {
-    this.#state = { design: frozen(design), session: frozen(session) };
+    this.#design = signal(frozen(design));
+    this.#ids = signal(this.#newIds(design));
+    this.#session = signal(frozen(session));
   }
 
+  // Everything here is a signal behind its name: who reads it in an effect or in a component's template hears of its next change.
+
+  get design(): Design {
+    return this.#design.value;
+  }
+
+  /** Who the parts are, in the order of the design. */
+  get ids(): readonly PartId[] {
+    return this.#ids.value;
+  }
+
+  /** The place of the part that panels are about. */
+  get part(): number {
+    return this.#part.value;
+  }
+
+  get session(): Session {
+    return this.#session.value;
+  }
+
+  get title(): string {
+    return this.#title.value;
+  }
+
+  /** Everything, as actions take it; who looks at some of it alone had better ask for that. */
   get state(): State {
-    return this.#state;
+    const { design, ids, part, session } = this;
+    return { design, ids, part, session, fresh: this.#fresh };
   }
 
   get canUndo(): boolean {
-    return canUndo(this.#history);
+    return this.#canUndo.value;
   }
 
   get canRedo(): boolean {
-    return canRedo(this.#history);
+    return this.#canRedo.value;
   }
 
   /** Whether a gesture (a drag, a held key) is under way. */
   get inGesture(): boolean {
-    return this.#history.merging !== null;
+    return this.#inGesture.value;
+  }
+
+  /** Whether undo or redo led to this design. */
+  get travelled(): boolean {
+    return this.#travelled;
   }
 
   apply(change: Change): void {
-    const before = this.#state;
-    const design = frozen(change.design ?? before.design);
-    const session = change.session ? frozen({ ...before.session, ...change.session }) : before.session;
-    if (design === before.design && session === before.session) return;
-    if (design !== before.design) this.#history = record(this.#history, before.design, change);
-    this.#set({ design, session });
+    const before = this.#design.peek();
+    const design = frozen(change.design ?? before);
+    batch(() => {
+      if (change.session) this.#session.value = frozen({ ...this.#session.peek(), ...change.session });
+      if (design === before) return;
+      this.#travelled = false;
+      this.#history.value = record(this.#history.peek(), this.#identified, change);
+      this.#design.value = design;
+      this.#ids.value = this.#idsOf(design, change.ids);
+    });
   }
 
-  /** Ends the gesture: the next change is a step of its own. Listeners hear of it so that they can settle. */
+  /** Ends the gesture: the next change is a step of its own. Who follows {@link inGesture} can settle. */
   endGesture(): void {
-    if (!this.inGesture) return;
-    this.#history = endMerge(this.#history);
-    this.#tell(this.#state);
+    this.#history.value = endMerge(this.#history.peek());
   }
 
   /** The gesture was not meant (the page scrolled instead): nothing happened. */
   cancelGesture(): void {
-    this.#travel(cancelMerge(this.#history));
+    this.#travel(cancelMerge(this.#history.peek()));
   }
 
   undo(): void {
-    this.#travel(undo(this.#history, this.#state.design));
+    this.#travel(undo(this.#history.peek(), this.#identified), true);
   }
 
   redo(): void {
-    this.#travel(redo(this.#history, this.#state.design));
+    this.#travel(redo(this.#history.peek(), this.#identified), true);
   }
 
-  subscribe(listener: Listener): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
+  get #identified(): Identified {
+    return { design: this.#design.peek(), ids: this.#ids.peek() };
   }
 
-  #travel(trip: { readonly history: History; readonly design: Design } | null): void {
+  /** Those that the change tells, or the same as before; a design of other parts of which nothing is told has new ones. */
+  #idsOf(design: Design, told: readonly PartId[] | undefined): readonly PartId[] {
+    const ids = told ?? this.#ids.peek();
+    if (ids.length !== design.parts.length) return this.#newIds(design);
+    this.#fresh = Math.max(this.#fresh, ...ids.map((id) => id + 1));
+    return ids;
+  }
+
+  #newIds({ parts }: Design): readonly PartId[] {
+    const ids = freshIds(parts.length, this.#fresh);
+    this.#fresh += parts.length;
+    return ids;
+  }
+
+  #travel(trip: { readonly history: History; readonly now: Identified } | null, travelled = false): void {
     if (trip === null) return;
-    this.#history = trip.history;
-    const parts = trip.design.parts.length;
-    const session = this.#state.session;
-    const part = Math.min(session.part, parts - 1);
-    this.#set({ design: trip.design, session: part === session.part ? session : frozen({ ...session, part }) });
-  }
-
-  #set(state: State): void {
-    const before = this.#state;
-    this.#state = state;
-    this.#tell(before);
-  }
-
-  #tell(before: State): void {
-    for (const listener of [...this.#listeners]) listener(this.#state, before);
+    batch(() => {
+      this.#travelled = travelled;
+      this.#history.value = trip.history;
+      this.#design.value = trip.now.design;
+      this.#ids.value = trip.now.ids;
+    });
   }
 }

@@ -69,7 +69,7 @@ function rewall(
   edit: (wall: Wall | undefined) => Wall | undefined,
   policy: { readonly undo: "step" | "merge"; readonly key?: string },
 ): Change {
-  const { part } = state.session;
+  const { part } = state;
   const before = state.design.parts[part];
   if (!before) return NOTHING;
   const wall = edit(before.wall);

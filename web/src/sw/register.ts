@@ -4,27 +4,26 @@
 const CHECK_EVERY_MS = 60 * 60 * 1000;
 
 /**
- * Makes the site work without a network from the next visit on. `onNewVersion` is called when a newer version than the
- * one on the screen has been installed; the next load of the page shows it, so all the page has to do is say so.
+ * Makes the site work without a network from the next visit on, and mends its copy when that has lost something. `onNewVersion` is called when a newer version than the
+ * one on the screen has been installed; the next load of the page shows it, so all the page has to do is say so. `pictured` resolves once what the page is opened for is on the
+ * screen: the copy for later must not compete with that.
  *
  * Does nothing on the development server, and nothing where the browser or the address (plain http) has no service
  * workers: the page works all the same, with a network.
  */
-export function registerOffline(onNewVersion: () => void): void {
+export function registerOffline(onNewVersion: () => void, pictured: Promise<void>): void {
   if (!import.meta.env.PROD || !("serviceWorker" in navigator)) return;
   const { serviceWorker } = navigator;
   serviceWorker.addEventListener("message", (event: MessageEvent<unknown>) => {
     if (isNewVersion(event.data)) onNewVersion();
   });
-  // After the first picture: the copy for later must not compete with what is on the screen now.
-  const start = () => void install(serviceWorker);
-  if (document.readyState === "complete") start();
-  else window.addEventListener("load", start, { once: true });
+  void pictured.then(() => install(serviceWorker));
 }
 
 async function install(serviceWorker: ServiceWorkerContainer): Promise<void> {
   try {
     const registration = await serviceWorker.register(new URL("sw.js", document.baseURI), { updateViaCache: "none" });
+    registration.active?.postMessage({ type: "pasu:idle" });
     let checked = Date.now();
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState !== "visible" || Date.now() - checked < CHECK_EVERY_MS) return;

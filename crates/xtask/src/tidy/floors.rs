@@ -1,83 +1,99 @@
-//! The floors of the solver: which room may take something from which, and that nothing goes round in a circle, between files or between folders.
+//! The floors of a house: which room may take something from which, and that nothing goes round in a circle, between files or between folders.
 
 use std::collections::BTreeSet;
 
-use anyhow::Result;
-
 use super::circles::{Graph, circles, shortest};
-use super::imports::{Imports, imports};
-use super::modules::{Sources, modules};
+use super::imports::Imports;
 
-/// The rooms from the ground up. Each takes from those above it in this list, which are below it in the house, and from no other.
-const FLOORS: [&str; 24] = [
-    "error",
-    "watch",
-    "answer",
-    "numeric",
-    "mode",
-    "design",
-    "patch",
-    "surface",
-    "frame",
-    "blend",
-    "octant",
-    "solution",
-    "evaluate",
-    "mesh",
-    "fingerprint",
-    "face",
-    "solid",
-    "check",
-    "weave",
-    "measure",
-    "make",
-    "scene",
-    "export",
-    "lib",
-];
-
-/// Rooms that take from these alone, though there are others below them.
-const ALONE: [(&str, &[&str]); 1] = [("check", &["mesh", "watch"])];
-
-/// What is known to breach a rule and waits to be mended: which file takes from which. Once it does not any more, or nothing is wrong with it any more, its line is to be deleted.
-const KNOWN: &[(&str, &str)] = &[];
-
-/// Every breach in the solver, each with its file and line.
-pub(super) fn breaches(sources: &Sources) -> Result<Vec<String>> {
-    Ok(judged(&imports(&modules(sources)?), KNOWN))
+/// The rooms of a house and what holds between them.
+pub(super) struct House {
+    /// The file of these rules, to be named where they are to be changed.
+    pub(super) rules: &'static str,
+    /// The rooms from the ground up. Each takes from those above it in this list, which are below it in the house, and from no other.
+    pub(super) floors: &'static [&'static str],
+    /// Rooms that take from these alone, though there are others below them.
+    pub(super) alone: &'static [(&'static str, &'static [&'static str])],
+    /// What is known to breach a rule and waits to be mended: which file takes from which. Once it does not any more, or nothing is wrong with it any more, its line is to be deleted.
+    pub(super) known: &'static [(&'static str, &'static str)],
 }
 
-/// Breaches but for those that are known, and what of these is out of date.
-fn judged(imports: &Imports, known: &[(&str, &str)]) -> Vec<String> {
-    let mut found = Vec::new();
-    let all = wrong(imports);
-    for (file, from) in known {
-        if !imports.get(*file).is_some_and(|taken| taken.contains_key(*from)) {
-            found.push(format!(
-                "{file} takes nothing from {from} any more: delete that from the known breaches in tidy/floors.rs"
-            ));
-        } else if !all.contains(&((*file).to_owned(), (*from).to_owned())) {
-            found.push(format!("nothing is wrong any more with what {file} takes from {from}: delete that from the known breaches in tidy/floors.rs"));
+impl House {
+    /// Breaches but for those that are known, and what of these is out of date.
+    pub(super) fn judged(&self, imports: &Imports) -> Vec<String> {
+        let mut found = Vec::new();
+        let all = self.wrong(imports);
+        let delete = format!("delete that from the known breaches in {}", self.rules);
+        for (file, from) in self.known {
+            if !imports.get(*file).is_some_and(|taken| taken.contains_key(*from)) {
+                found.push(format!("{file} takes nothing from {from} any more: {delete}"));
+            } else if !all.contains(&((*file).to_owned(), (*from).to_owned())) {
+                found.push(format!("nothing is wrong any more with what {file} takes from {from}: {delete}"));
+            }
         }
+        let mut rest = imports.clone();
+        for (file, from) in self.known {
+            rest.get_mut(*file).and_then(|taken| taken.remove(*from));
+        }
+        found.extend(self.unknown_rooms(&rest));
+        found.extend(self.climbs(&rest).into_iter().map(|climb| climb.1));
+        let files = file_graph(&rest);
+        found.extend(circles(&files).iter().map(|circle| told(&files, circle, "files", &rest)));
+        for folder in folders(&rest) {
+            let graph = folder_graph(&rest, &folder);
+            found.extend(circles(&graph).iter().map(|circle| told(&graph, circle, "folders", &rest)));
+        }
+        found
     }
-    let mut rest = imports.clone();
-    for (file, from) in known {
-        rest.get_mut(*file).and_then(|taken| taken.remove(*from));
+
+    /// Everything that has a part in some breach: which file takes from which.
+    fn wrong(&self, imports: &Imports) -> BTreeSet<(String, String)> {
+        let mut wrong: BTreeSet<(String, String)> = self.climbs(imports).into_iter().map(|climb| climb.0).collect();
+        wrong.extend(round(imports));
+        wrong
     }
-    found.extend(unknown_rooms(&rest));
-    found.extend(climbs(&rest).into_iter().map(|climb| climb.1));
-    let files = file_graph(&rest);
-    found.extend(circles(&files).iter().map(|circle| told(&files, circle, "files", &rest)));
-    for folder in folders(&rest) {
-        let graph = folder_graph(&rest, &folder);
-        found.extend(circles(&graph).iter().map(|circle| told(&graph, circle, "folders", &rest)));
+
+    fn floor(&self, room: &str) -> Option<usize> {
+        self.floors.iter().position(|floor| *floor == room)
     }
-    found
+
+    fn unknown_rooms(&self, imports: &Imports) -> Vec<String> {
+        let rooms: BTreeSet<&str> = imports.keys().map(|file| room(file)).collect();
+        let unknown = rooms.into_iter().filter(|room| self.floor(room).is_none());
+        unknown.map(|room| format!("{room}: a room that is on no floor: give it one in {}", self.rules)).collect()
+    }
+
+    /// What is taken from above, or from where it may not be: which file takes from which, and how that is told.
+    fn climbs(&self, imports: &Imports) -> Vec<((String, String), String)> {
+        let mut climbs = Vec::new();
+        for (file, taken) in imports {
+            for (from, line) in taken {
+                let (to, of) = (room(file), room(from));
+                // A room without a floor is told of by itself.
+                let (Some(height), Some(other)) = (self.floor(to), self.floor(of)) else { continue };
+                if to == of {
+                    continue;
+                }
+                let alone = self.alone.iter().find(|(room, _)| *room == to);
+                let why = if other > height {
+                    format!("`{to}` is below `{of}`")
+                } else if let Some((_, allowed)) = alone.filter(|(_, allowed)| !allowed.contains(&of)) {
+                    match allowed {
+                        [] => format!("`{to}` takes from no other room"),
+                        some => format!("`{to}` takes from `{}` alone", some.join("`, `")),
+                    }
+                } else {
+                    continue;
+                };
+                climbs.push(((file.clone(), from.clone()), format!("{file}:{line}: takes from {from}, but {why}")));
+            }
+        }
+        climbs
+    }
 }
 
-/// Everything that has a part in some breach: which file takes from which.
-fn wrong(imports: &Imports) -> BTreeSet<(String, String)> {
-    let mut wrong: BTreeSet<(String, String)> = climbs(imports).into_iter().map(|climb| climb.0).collect();
+/// Everything that has a part in some circle: which file takes from which.
+fn round(imports: &Imports) -> BTreeSet<(String, String)> {
+    let mut wrong = BTreeSet::new();
     let files = circles(&file_graph(imports));
     let folders: Vec<(String, Vec<Vec<String>>)> =
         folders(imports).into_iter().map(|folder| (folder.clone(), circles(&folder_graph(imports, &folder)))).collect();
@@ -103,41 +119,8 @@ fn pairs(imports: &Imports) -> impl Iterator<Item = (&String, &String)> {
 
 /// The room that a file is in: its first folder, or itself.
 fn room(file: &str) -> &str {
-    file.split('/').next().unwrap_or(file).trim_end_matches(".rs")
-}
-
-fn floor(room: &str) -> Option<usize> {
-    FLOORS.iter().position(|floor| *floor == room)
-}
-
-fn unknown_rooms(imports: &Imports) -> Vec<String> {
-    let rooms: BTreeSet<&str> = imports.keys().map(|file| room(file)).collect();
-    let unknown = rooms.into_iter().filter(|room| floor(room).is_none());
-    unknown.map(|room| format!("{room}: a room that is on no floor: give it one in tidy/floors.rs")).collect()
-}
-
-/// What is taken from above, or from where it may not be: which file takes from which, and how that is told.
-fn climbs(imports: &Imports) -> Vec<((String, String), String)> {
-    let mut climbs = Vec::new();
-    for (file, taken) in imports {
-        for (from, line) in taken {
-            let (to, of) = (room(file), room(from));
-            // A room without a floor is told of by itself.
-            if to == of || floor(to).is_none() || floor(of).is_none() {
-                continue;
-            }
-            let alone = ALONE.iter().find(|(room, _)| *room == to);
-            let why = if floor(of) > floor(to) {
-                format!("`{to}` is below `{of}`")
-            } else if let Some((_, allowed)) = alone.filter(|(_, allowed)| !allowed.contains(&of)) {
-                format!("`{to}` takes from `{}` alone", allowed.join("`, `"))
-            } else {
-                continue;
-            };
-            climbs.push(((file.clone(), from.clone()), format!("{file}:{line}: takes from {from}, but {why}")));
-        }
-    }
-    climbs
+    let first = file.split('/').next().unwrap_or(file);
+    first.split_once('.').map_or(first, |(name, _)| name)
 }
 
 fn file_graph(imports: &Imports) -> Graph {
@@ -186,7 +169,7 @@ fn told(graph: &Graph, circle: &[String], of: &str, imports: &Imports) -> String
     let beside = if others.is_empty() { String::new() } else { format!("; as well in it: {}", others.join(", ")) };
     let at = |from: &str, to: &str| {
         let inside = |node: &str, file: &str| {
-            file == node || file.strip_suffix(".rs") == Some(node) || file.starts_with(&format!("{node}/"))
+            file == node || file.strip_prefix(node).is_some_and(|rest| rest.starts_with(['/', '.']))
         };
         let step = pairs(imports).find(|(file, taken)| inside(from, file) && inside(to, taken));
         step.map_or(String::new(), |(file, taken)| format!("{file}:{} takes from {taken}", imports[file][taken]))
@@ -199,6 +182,13 @@ fn told(graph: &Graph, circle: &[String], of: &str, imports: &Imports) -> String
 mod tests {
     use super::*;
 
+    const HOUSE: House = House {
+        rules: "rules.rs",
+        floors: &["error", "mesh", "check", "surface", "export", "lib"],
+        alone: &[("check", &["mesh"]), ("export", &[])],
+        known: &[],
+    };
+
     fn imports(edges: &[(&str, &str)]) -> Imports {
         let mut imports = Imports::new();
         for (file, from) in edges {
@@ -210,27 +200,36 @@ mod tests {
 
     #[test]
     fn a_room_takes_from_below() {
-        assert!(judged(&imports(&[("mesh/a.rs", "surface/b.rs"), ("lib.rs", "error.rs")]), &[]).is_empty());
-        let found = judged(&imports(&[("mode/a.rs", "design/b.rs")]), &[]);
-        assert_eq!(found, ["mode/a.rs:7: takes from design/b.rs, but `mode` is below `design`"]);
+        assert!(HOUSE.judged(&imports(&[("surface/a.rs", "mesh/b.rs"), ("lib.rs", "error.rs")])).is_empty());
+        let found = HOUSE.judged(&imports(&[("mesh/a.ts", "surface/b.ts")]));
+        assert_eq!(found, ["mesh/a.ts:7: takes from surface/b.ts, but `mesh` is below `surface`"]);
+        let found = HOUSE.judged(&imports(&[("error.ts", "mesh/b.ts")]));
+        assert_eq!(found, ["error.ts:7: takes from mesh/b.ts, but `error` is below `mesh`"]);
     }
 
     #[test]
     fn some_take_from_one_room_alone() {
-        assert!(judged(&imports(&[("check/a.rs", "mesh/b.rs")]), &[]).is_empty());
-        let found = judged(&imports(&[("check/a.rs", "design/b.rs")]), &[]);
-        assert_eq!(found, ["check/a.rs:7: takes from design/b.rs, but `check` takes from `mesh`, `watch` alone"]);
+        assert!(HOUSE.judged(&imports(&[("check/a.rs", "mesh/b.rs")])).is_empty());
+        let found = HOUSE.judged(&imports(&[("check/a.rs", "error.rs")]));
+        assert_eq!(found, ["check/a.rs:7: takes from error.rs, but `check` takes from `mesh` alone"]);
+    }
+
+    #[test]
+    fn some_take_from_no_room() {
+        assert!(HOUSE.judged(&imports(&[("export/a.rs", "export/b.rs")])).is_empty());
+        let found = HOUSE.judged(&imports(&[("export/a.rs", "error.rs")]));
+        assert_eq!(found, ["export/a.rs:7: takes from error.rs, but `export` takes from no other room"]);
     }
 
     #[test]
     fn every_room_has_a_floor() {
-        let found = judged(&imports(&[("attic/a.rs", "error.rs")]), &[]);
-        assert_eq!(found, ["attic: a room that is on no floor: give it one in tidy/floors.rs"]);
+        let found = HOUSE.judged(&imports(&[("attic/a.rs", "error.rs")]));
+        assert_eq!(found, ["attic: a room that is on no floor: give it one in rules.rs"]);
     }
 
     #[test]
     fn files_go_in_no_circle() {
-        let found = judged(&imports(&[("mesh/a.rs", "mesh/b.rs"), ("mesh/b.rs", "mesh/a.rs")]), &[]);
+        let found = HOUSE.judged(&imports(&[("mesh/a.rs", "mesh/b.rs"), ("mesh/b.rs", "mesh/a.rs")]));
         let way =
             "mesh/a.rs -> mesh/b.rs -> mesh/a.rs (mesh/a.rs:7 takes from mesh/b.rs, mesh/b.rs:7 takes from mesh/a.rs)";
         assert_eq!(found, [format!("mesh/a.rs: 2 files in a circle, {way}")]);
@@ -238,29 +237,33 @@ mod tests {
 
     #[test]
     fn folders_go_in_no_circle() {
-        let found = judged(&imports(&[("export/x/a.rs", "export/y/b.rs"), ("export/y/c.rs", "export/x/d.rs")]), &[]);
+        let found = HOUSE.judged(&imports(&[("export/x/a.rs", "export/y/b.rs"), ("export/y/c.rs", "export/x/d.rs")]));
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(found[0].starts_with("export/x: 2 folders in a circle, export/x -> export/y -> export/x"), "{found:?}");
         // What is in a folder and what is beside it may need each other.
         assert!(
-            judged(&imports(&[("export/x/a.rs", "export/b.rs"), ("export/c.rs", "export/x/a.rs")]), &[]).is_empty()
+            HOUSE.judged(&imports(&[("export/x/a.rs", "export/b.rs"), ("export/c.rs", "export/x/a.rs")])).is_empty()
         );
     }
 
     #[test]
     fn what_is_known_is_passed_over_until_it_is_mended() {
-        let climbing = imports(&[("mode/a.rs", "design/b.rs")]);
-        assert!(judged(&climbing, &[("mode/a.rs", "design/b.rs")]).is_empty());
-        let mended = imports(&[("mode/a.rs", "error.rs"), ("design/b.rs", "error.rs")]);
-        let found = judged(&mended, &[("mode/a.rs", "design/b.rs")]);
-        assert!(found.len() == 1 && found[0].contains("takes nothing from design/b.rs any more"), "{found:?}");
-        let found = judged(&mended, &[("mode/a.rs", "error.rs")]);
+        let climbing = imports(&[("mesh/a.rs", "surface/b.rs")]);
+        let house = House { known: &[("mesh/a.rs", "surface/b.rs")], ..HOUSE };
+        assert!(house.judged(&climbing).is_empty());
+        let mended = imports(&[("mesh/a.rs", "error.rs"), ("surface/b.rs", "error.rs")]);
+        let found = house.judged(&mended);
+        assert!(found.len() == 1 && found[0].contains("takes nothing from surface/b.rs any more"), "{found:?}");
+        let house = House { known: &[("mesh/a.rs", "error.rs")], ..HOUSE };
+        let found = house.judged(&mended);
         assert!(found.len() == 1 && found[0].starts_with("nothing is wrong any more"), "{found:?}");
     }
 
     #[test]
     fn a_circle_is_passed_over_where_it_is_known_to_close() {
         let circle = imports(&[("mesh/a.rs", "mesh/b.rs"), ("mesh/b.rs", "mesh/c.rs"), ("mesh/c.rs", "mesh/a.rs")]);
-        assert!(judged(&circle, &[("mesh/c.rs", "mesh/a.rs")]).is_empty());
+        assert_eq!(HOUSE.judged(&circle).len(), 1);
+        let house = House { known: &[("mesh/c.rs", "mesh/a.rs")], ..HOUSE };
+        assert!(house.judged(&circle).is_empty());
     }
 }

@@ -5,7 +5,9 @@ mod floors;
 mod front_end;
 mod imports;
 mod modules;
+mod page;
 mod rust;
+mod solver;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,11 +21,14 @@ use modules::Sources;
 /// Where the solver is, whose files have circles and floors to be judged.
 const SOLVER: &str = "crates/pasu/src";
 
+/// Where the page is.
+const PAGE: &str = "web/src";
+
 const HELP: &str = "\
 cargo xtask tidy
 
 Checks the rules of the house that a program can check, and names every breach with its file and line:
-who may import what, circles and floors of the solver's rooms, and what must not appear.";
+who may import what, circles and floors of the rooms of the solver and of the page, and what must not appear.";
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
     match arguments {
@@ -43,12 +48,15 @@ pub(crate) fn check(root: &Path) -> Result<()> {
         let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
         breaches.extend(rust::breaches(&relative(root, &file), &text));
     }
-    for file in files_below(&root.join("web/src"), "ts")? {
+    let mut page = page::Files::new();
+    for file in files_below(&root.join(PAGE), "ts")? {
         let text = fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
         breaches.extend(front_end::breaches(&relative(root, &file), &text));
+        page.insert(relative(&root.join(PAGE), &file), text);
     }
+    breaches.extend(page::breaches(&page).iter().map(|breach| format!("{PAGE}/{breach}")));
     let solver = Sources::read(&root.join(SOLVER))?;
-    breaches.extend(floors::breaches(&solver)?.iter().map(|breach| format!("{SOLVER}/{breach}")));
+    breaches.extend(solver::breaches(&solver)?.iter().map(|breach| format!("{SOLVER}/{breach}")));
     if breaches.is_empty() {
         return Ok(());
     }

@@ -62,14 +62,14 @@ export const PLANAR_FIELDS: readonly Field[] = [
   },
   {
     path: ["n", 1],
-    symbol: "n_2",
-    name: "Petal frequency",
+    symbol: "n_2 − n_1",
+    name: "Petals",
     group: "Wall",
     length: false,
     min: 0,
     max: 24,
     step: 1,
-    help: "How often the petals swing in one turn. The eye counts one petal fewer for each turn of the wall. A fraction leaves the pot open.",
+    help: "How many petals the eye counts while the wall goes round. In the paper the wave has one more for each turn of the wall. A fraction leaves the pot open.",
   },
   {
     path: ["n", 0],

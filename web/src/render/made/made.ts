@@ -1,21 +1,18 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type IUniform,
-  Mesh,
-  type PerspectiveCamera,
-  type RawShaderMaterial,
-  Vector3,
-  Vector4,
-} from "three";
 import type { Camera } from "../camera";
 import { ceramic } from "../ceramic";
+import { Buffer } from "../gl/buffer";
+import type { Drawable } from "../gl/drawable";
+import { Geometry } from "../gl/geometry";
+import type { Material, Uniform } from "../gl/material";
 import type { StageLook } from "../glaze";
 import type { Bounds } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
+import type { Face } from "../picker";
+import { newPlacing } from "../placing";
 import type { Coat } from "../pot";
 import type { Guest, Place } from "../stage";
+import { toScene } from "../studio";
 import { at, type Triple } from "../triple";
 import { mapCoat, type StageMap } from "./map-coat";
 import { type StageWater, Water } from "./water";
@@ -40,7 +37,7 @@ export interface Hold extends Spot {
 }
 
 /** Nothing is cut away: no point is that far before the plane. */
-const WHOLE = new Vector4(0, 0, 0, 1);
+const WHOLE = [0, 0, 0, 1] as const;
 /** No water: everything is above. */
 const DRY = -1e9;
 /** How far the handle stands off the pot, as a share of its half width. */
@@ -51,18 +48,26 @@ const LEAST_RISE = 0.12;
 /** Which side of the design's surface is within the clay. */
 const CORES = { inside: -1, outside: 1, none: 0 } as const;
 
+/** What is made comes placed. */
+const SOLID_PLACING = { ...newPlacing() };
+
 const DEFAULT_LOOK: StageLook = { glaze: "celadon", clay: "stoneware" };
 
 /** What is made of the design: its wall, the water in it, the colours of a map, and the cut that lets one look inside. */
 export class Made implements Guest {
-  readonly objects: readonly Mesh[];
   /** Where the handle of the water is; null where it cannot be held. */
   onHold: (hold: Hold | null) => void = () => {};
-  private readonly solid: Mesh<BufferGeometry, RawShaderMaterial[]>;
+  readonly cutPlane: Uniform<readonly number[]> = { value: WHOLE };
+  private readonly positions = newBuffer(3);
+  private readonly normals = newBuffer(3);
+  private readonly wares = newBuffer(4);
+  private readonly indices = new Buffer(new Uint32Array(), { size: 1, dynamic: true });
+  private readonly geometry: Geometry;
   private readonly water: Water;
-  private readonly cutPlane: IUniform<Vector4> = { value: WHOLE.clone() };
-  private readonly level: IUniform<number> = { value: DRY };
-  private readonly materials = new Map<string, RawShaderMaterial>();
+  private readonly level: Uniform<number> = { value: DRY };
+  private readonly materials = new Map<string, Material>();
+  /** One for every run of faces with the same material. */
+  private solids: Drawable[] = [];
   private made: StageSolid | null = null;
   private looks: readonly StageLook[] = [];
   private surface: StageWater | null = null;
@@ -70,14 +75,26 @@ export class Made implements Guest {
   private map: StageMap | null = null;
   private mapped = false;
   private open = false;
-  private readonly spot = new Vector3();
 
   constructor(private readonly place: Place) {
-    this.solid = new Mesh(new BufferGeometry(), []);
-    this.solid.frustumCulled = false;
-    this.solid.visible = false;
+    const { positions, normals, wares, indices } = this;
+    this.geometry = new Geometry({ position: positions, normal: normals, wares }, indices);
     this.water = new Water(place.studio, this.cutPlane);
-    this.objects = [this.solid, this.water.object];
+  }
+
+  get drawables(): readonly Drawable[] {
+    return [...this.solids, this.water.drawable];
+  }
+
+  /** The faces by their parts, for whoever asks what is seen at a point. */
+  get faces(): readonly Face[] {
+    const { made, geometry } = this;
+    const faces: Face[] = [];
+    for (let g = 0; made && g < made.groups.length; g += 3) {
+      const range = [at(made.groups, g), at(made.groups, g + 1)] as const;
+      faces.push({ geometry, uniforms: SOLID_PLACING, range, part: at(made.groups, g + 2) });
+    }
+    return faces;
   }
 
   /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. */
@@ -86,13 +103,14 @@ export class Made implements Guest {
     this.looks = looks;
     if (made !== before) {
       this.made = made;
-      if (!made || !refilled(this.solid.geometry, made)) {
-        this.solid.geometry.dispose();
-        if (made) this.solid.geometry = geometryOf(made);
-      }
+      if (made) {
+        this.positions.array = made.positions;
+        this.normals.array = made.normals;
+        this.wares.array = made.wares;
+        this.indices.array = made.indices;
+      } else this.drop();
     }
     this.place.pot.extent = made?.bounds ?? null;
-    this.solid.visible = made !== null;
     this.dress();
     return made === before ? null : before;
   }
@@ -112,9 +130,8 @@ export class Made implements Guest {
   paint(map: StageMap | undefined | null): void {
     this.mapped = map !== null;
     if (map && map !== this.map) {
-      this.drop("map");
-      const { geometry } = this.place.pot.object;
-      geometry.setAttribute("value", new BufferAttribute(map.values, 1));
+      this.forgetMaterials("map");
+      this.place.pot.values = map.values;
     }
     this.map = map ?? null;
     this.dress();
@@ -138,27 +155,31 @@ export class Made implements Guest {
   }
 
   prepare(camera: Camera, width: number, height: number): void {
-    const { frame } = this.place.studio;
+    const { studio, pot } = this.place;
     const { azimuth } = camera.pose;
-    const bounds = this.place.pot.bounds;
+    const { bounds } = pot;
     if (this.open && bounds) {
       const [x, y] = [Math.cos(azimuth), Math.sin(azimuth)];
-      const centre = this.scene(bounds.centre);
-      this.cutPlane.value.set(x, y, 0, x * centre.x + y * centre.y);
-    } else this.cutPlane.value.copy(WHOLE);
-    this.level.value = this.filled === null ? DRY : (this.filled - frame.value.z) * frame.value.w;
+      const centre = toScene(studio, bounds.centre);
+      this.cutPlane.value = [x, y, 0, x * centre[0] + y * centre[1]];
+    } else this.cutPlane.value = WHOLE;
     const level = this.filled;
-    this.onHold(bounds && level !== null ? this.holdOf(level, camera.view, bounds, azimuth, width, height) : null);
+    this.level.value = level === null ? DRY : toScene(studio, [0, 0, level])[2];
+    this.onHold(bounds && level !== null ? this.holdOf(level, camera, bounds, width, height) : null);
   }
 
   release(): void {
-    this.solid.geometry.dispose();
+    this.drop();
     this.water.release();
-    for (const material of this.materials.values()) material.dispose();
   }
 
   dispose(): void {
     this.release();
+  }
+
+  private drop(): void {
+    this.geometry.release();
+    for (const buffer of [this.positions, this.normals, this.wares, this.indices]) buffer.release();
   }
 
   private dress(): void {
@@ -175,112 +196,71 @@ export class Made implements Guest {
     this.place.changed();
   }
 
-  /** One draw call for each face, with the material of its part. */
+  /** One draw call for each run of faces that look the same. */
   private clothe(): void {
-    const { made, solid } = this;
-    if (!made) return;
-    const { geometry } = solid;
-    geometry.clearGroups();
-    const used: RawShaderMaterial[] = [];
-    for (let g = 0; g < made.groups.length; g += 3) {
+    const { made, geometry } = this;
+    this.solids = [];
+    for (let g = 0; made && g < made.groups.length; g += 3) {
       const look = this.looks[at(made.groups, g + 2)] ?? DEFAULT_LOOK;
-      const material = this.mapped ? this.mapMaterial(null, -1) : this.glazed(look, -1, true);
+      const material = this.mapped
+        ? this.mapMaterial(this.map?.lean ? this.map : null, -1)
+        : this.glazed(look, -1, true);
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
-      const last = geometry.groups.at(-1);
-      if (last && used.at(-1) === material && last.start + last.count === start) last.count += count;
-      else geometry.addGroup(start, count, used.push(material) - 1);
+      const last = this.solids.at(-1);
+      if (last?.material === material && last.range && last.range[0] + last.range[1] === start) {
+        last.range = [last.range[0], last.range[1] + count];
+      } else {
+        const range: [number, number] = [start, count];
+        this.solids.push({ geometry, material, uniforms: SOLID_PLACING, order: 0, visible: true, range });
+      }
     }
-    solid.material = used;
   }
 
-  private glazed(look: StageLook, core: number, solid: boolean): RawShaderMaterial {
-    const { studio, pot } = this.place;
-    return this.kept(`glaze ${look.glaze} ${look.clay} ${core} ${solid} ${this.open}`, () =>
-      ceramic(look, studio, solid ? { shift: pot.uniforms.shift } : pot.uniforms, {
-        defines: { ...(solid && { SOLID: "" }), ...(this.open && { CUT: "" }) },
+  private glazed(look: StageLook, core: number, solid: boolean): Material {
+    const { open } = this;
+    return this.kept(`glaze ${look.glaze} ${look.clay} ${core} ${solid} ${open}`, () =>
+      ceramic(look, this.place.studio, {
+        defines: [...(solid ? (["SOLID"] as const) : []), ...(open ? (["CUT"] as const) : [])],
         uniforms: { cut: this.cutPlane, core: { value: core }, level: this.level },
       }),
     );
   }
 
-  private mapMaterial(map: StageMap | null, core: number): RawShaderMaterial {
+  private mapMaterial(map: StageMap | null, core: number): Material {
     return this.kept(map ? `map ${core}` : `grey ${core}`, () => mapCoat(this.place.studio, map, this.cutPlane, core));
   }
 
-  private kept(key: string, make: () => RawShaderMaterial): RawShaderMaterial {
+  private kept(key: string, make: () => Material): Material {
     const found = this.materials.get(key) ?? make();
     this.materials.set(key, found);
     return found;
   }
 
-  private drop(prefix: string): void {
-    for (const [key, material] of [...this.materials]) {
-      if (!key.startsWith(prefix)) continue;
-      material.dispose();
-      this.materials.delete(key);
-    }
+  private forgetMaterials(prefix: string): void {
+    for (const key of [...this.materials.keys()]) if (key.startsWith(prefix)) this.materials.delete(key);
   }
 
   /** At the right of the pot, at the height of the water. */
-  private holdOf(
-    level: number,
-    camera: PerspectiveCamera,
-    { min, max, centre }: Bounds,
-    azimuth: number,
-    width: number,
-    height: number,
-  ): Hold | null {
+  private holdOf(level: number, camera: Camera, bounds: Bounds, width: number, height: number): Hold | null {
+    const { min, max, centre } = bounds;
+    const { azimuth } = camera.pose;
     const reach = (STAND_OFF * Math.max(max[0] - min[0], max[1] - min[1])) / 2;
     const [x, y] = [centre[0] - Math.sin(azimuth) * reach, centre[1] + Math.cos(azimuth) * reach];
     const unit = reach > 0 ? reach : 1;
-    const here = this.seen([x, y, level], camera, width, height);
-    const above = this.seen([x, y, level + unit], camera, width, height);
-    const beside = this.seen([centre[0], centre[1], level], camera, width, height);
+    const seen = (point: Triple): Spot | null => {
+      const at = camera.view.see(toScene(this.place.studio, point));
+      return at.before ? { x: at.x * width, y: at.y * height } : null;
+    };
+    const here = seen([x, y, level]);
+    const above = seen([x, y, level + unit]);
+    const beside = seen([centre[0], centre[1], level]);
     if (!here || !above || !beside) return null;
     const perUnit = (here.y - above.y) / unit;
     const square = Math.hypot(here.x - beside.x, here.y - beside.y) / unit;
     return perUnit > LEAST_RISE * square ? { ...here, perUnit } : null;
   }
-
-  /** Where a point of the model is on the screen. */
-  private seen(point: Triple, camera: PerspectiveCamera, width: number, height: number): Spot | null {
-    const p = this.scene(point).applyMatrix4(camera.matrixWorldInverse);
-    if (p.z >= 0) return null;
-    p.applyMatrix4(camera.projectionMatrix);
-    return { x: (p.x * 0.5 + 0.5) * width, y: (0.5 - p.y * 0.5) * height };
-  }
-
-  private scene(point: Triple): Vector3 {
-    const { x, y, z, w } = this.place.studio.frame.value;
-    return this.spot.set((point[0] - x) * w, (point[1] - y) * w, (point[2] - z) * w);
-  }
 }
 
-/** Writes over what is on the graphics card, if all of it is as long as before. */
-function refilled(geometry: BufferGeometry, made: StageSolid): boolean {
-  const { position, normal, wares } = geometry.attributes;
-  const pairs = [
-    [position, made.positions],
-    [normal, made.normals],
-    [wares, made.wares],
-    [geometry.index, made.indices],
-  ] as const;
-  const fits = pairs.every(
-    ([attribute, values]) => attribute && attribute.count * attribute.itemSize === values.length,
-  );
-  if (!fits) return false;
-  for (const [attribute, values] of pairs) {
-    (attribute as BufferAttribute).array = values;
-    (attribute as BufferAttribute).needsUpdate = true;
-  }
-  return true;
-}
-
-function geometryOf(made: StageSolid): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(made.positions, 3));
-  geometry.setAttribute("normal", new BufferAttribute(made.normals, 3));
-  geometry.setAttribute("wares", new BufferAttribute(made.wares, 4));
-  geometry.setIndex(new BufferAttribute(made.indices, 1));
-  return geometry;
+function newBuffer(size: number): Buffer {
+  return new Buffer(new Float32Array(), { size, dynamic: true });
 }

@@ -1,4 +1,5 @@
-import { DoubleSide, GLSL3, type IUniform, RawShaderMaterial } from "three";
+import { Material, type Uniform } from "../gl/material";
+import { PLACING_GLSL } from "../placing";
 import type { Studio } from "../studio";
 
 /** A map on the pot: values of its vertices, and the colours (sRGB, 0 to 255) that stand for the range from `low` to `high`. */
@@ -7,6 +8,8 @@ export interface StageMap {
   readonly low: number;
   readonly high: number;
   readonly ramp: readonly (readonly [number, number, number])[];
+  /** Whether the values are how far faces lean, in degrees. Then every face has its own, by its normal: the inside and what the wall adds too. */
+  readonly lean: boolean;
 }
 
 /** As many colours as every ramp has. */
@@ -19,13 +22,13 @@ in vec3 normal;
 in float value;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
-uniform vec4 frame;
+${PLACING_GLSL}
 out vec3 vScene;
 out vec3 vNormal;
 out float vValue;
 void main() {
-  vScene = (position - frame.xyz) * frame.w;
-  vNormal = normal;
+  vScene = inFrame(position);
+  vNormal = turned * normal;
   vValue = value;
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
@@ -42,6 +45,8 @@ uniform vec2 range;
 uniform float known;
 uniform vec4 cut;
 uniform float core;
+uniform float lean;
+uniform float table;
 out vec4 colour;
 void main() {
   if (dot(vScene, cut.xyz) > cut.w) discard;
@@ -52,8 +57,11 @@ void main() {
   }
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12));
   if (!gl_FrontFacing) n = -n;
-  if (known > 0.5 && !isnan(vValue)) {
-    float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0) * ${STOPS - 1}.0;
+  float value = lean > 0.5 ? degrees(asin(clamp(-n.z, -1.0, 1.0))) : vValue;
+  // What lies on the table hangs over nothing.
+  bool stands = lean > 0.5 && vScene.z < table + 1e-4 && n.z < -0.999;
+  if (known > 0.5 && !isnan(value) && !stands) {
+    float t = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0) * ${STOPS - 1}.0;
     int i = int(min(t, ${STOPS - 2}.0));
     paint = mix(ramp[i], ramp[i + 1], t - float(i));
   }
@@ -66,18 +74,12 @@ void main() {
 `;
 
 /** The material of a map; without values, plain grey. `core` is as in a glaze that is cut open. */
-export function mapCoat(
-  studio: Studio,
-  map: Omit<StageMap, "values"> | null,
-  cut: IUniform,
-  core: number,
-): RawShaderMaterial {
+export function mapCoat(studio: Studio, map: Omit<StageMap, "values"> | null, cut: Uniform, core: number): Material {
   const ramp = Array.from({ length: STOPS }, (_, i) => (map?.ramp[i] ?? [0, 0, 0]).map((channel) => channel / 255));
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    side: DoubleSide,
+  return new Material({
+    vertex: VERTEX,
+    fragment: FRAGMENT,
+    bothSides: true,
     uniforms: {
       frame: studio.frame,
       eye: studio.eye,
@@ -86,6 +88,8 @@ export function mapCoat(
       known: { value: map ? 1 : 0 },
       cut,
       core: { value: core },
+      lean: { value: map?.lean ? 1 : 0 },
+      table: studio.table,
     },
   });
 }

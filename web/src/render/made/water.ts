@@ -1,15 +1,8 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  CustomBlending,
-  DoubleSide,
-  GLSL3,
-  type IUniform,
-  Mesh,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
-  RawShaderMaterial,
-} from "three";
+import { Buffer } from "../gl/buffer";
+import type { Tenant } from "../gl/device";
+import type { Drawable } from "../gl/drawable";
+import { Geometry } from "../gl/geometry";
+import { Material, type Uniform } from "../gl/material";
 import { STUDIO_GLSL, type Studio, TONE_GLSL } from "../studio";
 
 /** The level surface of the water in a pot, model units. */
@@ -55,15 +48,16 @@ void main() {
 `;
 
 /** The surface of the water, on the GPU. */
-export class Water {
-  readonly object: Mesh<BufferGeometry, RawShaderMaterial>;
+export class Water implements Tenant {
+  readonly drawable: Drawable;
+  private readonly positions = new Buffer(new Float32Array(), { size: 3 });
+  private readonly indices = new Buffer(new Uint32Array(), { size: 1 });
+  private readonly geometry = new Geometry({ position: this.positions }, this.indices);
 
-  constructor(studio: Studio, cut: IUniform) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
-      side: DoubleSide,
+  constructor(studio: Studio, cut: Uniform) {
+    const material = new Material({
+      vertex: VERTEX,
+      fragment: FRAGMENT,
       uniforms: {
         frame: studio.frame,
         eye: studio.eye,
@@ -74,30 +68,26 @@ export class Water {
         floor_: studio.floor,
         cut,
       },
-      transparent: true,
+      bothSides: true,
       depthWrite: false,
-      blending: CustomBlending,
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
+      blending: "premultiplied",
     });
-    this.object = new Mesh(new BufferGeometry(), material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = 5;
-    this.object.visible = false;
+    this.drawable = { geometry: this.geometry, material, order: 5, visible: false };
   }
 
   set surface(water: StageWater | null) {
-    this.object.visible = water !== null && water.indices.length > 0;
-    this.object.geometry.dispose();
-    if (!water) return;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(water.positions, 3));
-    geometry.setIndex(new BufferAttribute(water.indices, 1));
-    this.object.geometry = geometry;
+    this.drawable.visible = water !== null && water.indices.length > 0;
+    if (!water) {
+      this.release();
+      return;
+    }
+    this.positions.array = water.positions;
+    this.indices.array = water.indices;
   }
 
   release(): void {
-    this.object.geometry.dispose();
-    this.object.material.dispose();
+    this.geometry.release();
+    this.positions.release();
+    this.indices.release();
   }
 }

@@ -1,11 +1,12 @@
-import { type Camera, type Object3D, Vector2, Vector3 } from "three";
-import type { Tenant } from "../context";
+import type { Tenant } from "../gl/device";
+import type { Source } from "../gl/scene";
+import type { View } from "../gl/view";
 import { lengthText, type Unit } from "../length";
 import type { Bounds } from "../mesh";
 import type { Pot } from "../pot";
-import type { Studio, Theme } from "../studio";
+import { type Studio, type Theme, toScene } from "../studio";
 import type { Triple } from "../triple";
-import { type Dimension, dimensionsOf } from "./dimensions";
+import { type Dimension, dimensionsOf, type Size } from "./dimensions";
 import { Label, paint, type Spot } from "./label";
 import { ofArrows, ofPolylines } from "./segments";
 import { type Pen, Stroke, type StrokeStyle } from "./stroke";
@@ -69,8 +70,9 @@ type StrokeName = keyof typeof STYLES;
 
 /** Everything that is drawn over the pot to explain it. */
 export class Overlays implements Tenant {
-  readonly objects: Object3D[] = [];
-  private readonly pen: Pen = { viewport: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
+  /** In the order in which they are drawn. */
+  readonly sources: Source[] = [];
+  private readonly pen: Pen = { viewport: { value: [1, 1] }, ratio: { value: 1 } };
   private readonly wireframe: Wireframe;
   private readonly strokes: Record<StrokeName, Stroke>;
   private readonly labels: Label[] = [];
@@ -78,10 +80,10 @@ export class Overlays implements Tenant {
   private given: StageLines = NO_LINES;
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
   private dimensions: Dimension[] = [];
+  private size: Size | null = null;
   private stale = true;
   /** Which sides of the pot face the eye: the dimension lines change their place with it. */
   private side = "";
-  private readonly spot = new Vector3();
 
   constructor(
     private readonly studio: Studio,
@@ -91,7 +93,7 @@ export class Overlays implements Tenant {
   ) {
     const stroke = (name: StrokeName, order: number) => {
       const made = new Stroke(studio, this.pen, STYLES[name], order);
-      this.objects.push(...made.objects);
+      this.sources.push(made);
       return made;
     };
     this.strokes = {
@@ -103,7 +105,7 @@ export class Overlays implements Tenant {
       axes: stroke("axes", 50),
     };
     this.wireframe = new Wireframe(studio, 10);
-    this.objects.push(this.wireframe.object);
+    this.sources.push(this.wireframe);
     this.appearance = theme;
   }
 
@@ -129,6 +131,12 @@ export class Overlays implements Tenant {
     this.extra = words;
   }
 
+  /** How high and wide the pot is said to be. */
+  set measures(size: Size | null) {
+    this.size = size;
+    this.stale = true;
+  }
+
   set measure(unit: Unit) {
     this.unit = unit;
   }
@@ -151,7 +159,7 @@ export class Overlays implements Tenant {
       stroke.visible =
         bounds !== null && shown[name === "rim" || name === "foot" || name === "tangents" ? "boundary" : name];
     }
-    this.wireframe.object.visible = bounds !== null && shown.wireframe;
+    this.wireframe.visible = bounds !== null && shown.wireframe;
     if (!bounds) return;
     if (shown.wireframe) this.wireframe.update(pot);
     if (shown.isoU) strokes.isoU.segments = ofPolylines(given.iso_u);
@@ -165,19 +173,21 @@ export class Overlays implements Tenant {
 
   /** Points (xyz, model units) that a fitted view must contain besides the pot: the dimension lines, when they are seen. */
   outline(bounds: Bounds, azimuth: number): number[] {
-    if (!this.shown.axes) return [];
-    return dimensionsOf(bounds, [Math.cos(azimuth), Math.sin(azimuth)]).flatMap((dimension) => dimension.segments);
+    if (!this.shown.axes || !this.size) return [];
+    return dimensionsOf(bounds, [Math.cos(azimuth), Math.sin(azimuth)], this.size).flatMap(
+      (dimension) => dimension.segments,
+    );
   }
 
   /** Sets the size of what is drawn next, in device pixels, and device pixels per CSS pixel. */
   scale(width: number, height: number, ratio: number): void {
-    this.pen.viewport.value.set(width, height);
+    this.pen.viewport.value = [width, height];
     this.pen.ratio.value = ratio;
   }
 
   /** Moves the labels to where their lines are on a screen of so many CSS pixels. */
-  label(camera: Camera, width: number, height: number): void {
-    const words = this.placed(camera, width, height);
+  label(view: View, width: number, height: number): void {
+    const words = this.placed(view, width, height);
     while (this.labels.length < words.length) {
       const label = new Label(this.host);
       label.theme = this.theme;
@@ -190,8 +200,8 @@ export class Overlays implements Tenant {
   }
 
   /** Writes the labels on a picture. */
-  paint(context: CanvasRenderingContext2D, camera: Camera, width: number, height: number, scale: number): void {
-    for (const { text, spot } of this.placed(camera, width / scale, height / scale)) {
+  paint(context: CanvasRenderingContext2D, view: View, width: number, height: number, scale: number): void {
+    for (const { text, spot } of this.placed(view, width / scale, height / scale)) {
       paint(context, text, { x: spot.x * scale, y: spot.y * scale }, this.theme, scale);
     }
   }
@@ -208,32 +218,26 @@ export class Overlays implements Tenant {
   }
 
   private measureUp(bounds: Bounds, towards: readonly [number, number]): void {
-    this.dimensions = dimensionsOf(bounds, towards);
+    this.dimensions = this.size ? dimensionsOf(bounds, towards, this.size) : [];
     this.strokes.axes.segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
   }
 
-  private placed(camera: Camera, width: number, height: number): { text: string; spot: Spot }[] {
+  private placed(view: View, width: number, height: number): { text: string; spot: Spot }[] {
     if (!this.shown.axes) return [];
     const words: { text: string; spot: Spot }[] = [];
     const dimensions = this.dimensions.map(({ label, length }) => ({ at: label, text: lengthText(length, this.unit) }));
     for (const { at: point, text } of [...dimensions, ...this.extra]) {
-      const at = this.toScene(point).applyMatrix4(camera.matrixWorldInverse);
-      if (at.z >= 0) continue;
-      at.applyMatrix4(camera.projectionMatrix);
+      const { x, y, before } = view.see(toScene(this.studio, point));
+      if (!before) continue;
       words.push({
         text,
         // A label stays on the stage when the middle of its line leaves it.
         spot: {
-          x: within((at.x * 0.5 + 0.5) * width, LABEL_WIDTH / 2, width),
-          y: within((0.5 - at.y * 0.5) * height, LABEL_HEIGHT / 2, height),
+          x: within(x * width, LABEL_WIDTH / 2, width),
+          y: within(y * height, LABEL_HEIGHT / 2, height),
         },
       });
     }
     return words;
-  }
-
-  private toScene(point: Triple): Vector3 {
-    const { x, y, z, w } = this.studio.frame.value;
-    return this.spot.set((point[0] - x) * w, (point[1] - y) * w, (point[2] - z) * w);
   }
 }

@@ -1,17 +1,8 @@
-import {
-  BufferAttribute,
-  type BufferGeometry,
-  CustomBlending,
-  GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  type IUniform,
-  Mesh,
-  OneFactor,
-  OneMinusSrcAlphaFactor,
-  RawShaderMaterial,
-  type Vector2,
-} from "three";
+import { Buffer } from "../gl/buffer";
+import type { Tenant } from "../gl/device";
+import type { Drawable } from "../gl/drawable";
+import { Geometry } from "../gl/geometry";
+import { Material, type Uniform } from "../gl/material";
 import type { Studio } from "../studio";
 
 type Colour = readonly [number, number, number];
@@ -30,8 +21,8 @@ export interface StrokeStyle {
 
 /** What all lines of a picture share: size of the picture in device pixels, and device pixels per CSS pixel. */
 export interface Pen {
-  viewport: IUniform<Vector2>;
-  ratio: IUniform<number>;
+  viewport: Uniform<number[]>;
+  ratio: Uniform<number>;
 }
 
 const VERTEX = /* glsl */ `
@@ -100,16 +91,19 @@ void main() {
 /** A line on a surface is drawn at this share of its distance from the eye. */
 export const NEARER = 0.9975;
 
-const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]);
+const CORNERS = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]);
 
 /**
  * Lines of a width in CSS pixels: a rectangle per segment, widened on the screen. WebGL's own lines are one device pixel wide, whatever is
  * asked. Where `hidden` is not 0 the lines are drawn a second time, faintly, without regard to what is before them.
  */
-export class Stroke {
-  readonly objects: Mesh<InstancedBufferGeometry, RawShaderMaterial>[] = [];
-  private readonly inks: { core: boolean; material: RawShaderMaterial }[] = [];
-  private geometry = newGeometry(0);
+export class Stroke implements Tenant {
+  readonly drawables: Drawable[] = [];
+  private readonly inks: { readonly core: boolean; readonly colour: Uniform<Colour> }[] = [];
+  private readonly corners = new Buffer(CORNERS, { size: 3 });
+  private readonly starts = new Buffer(new Float32Array(), { size: 3, instanced: true });
+  private readonly ends = new Buffer(new Float32Array(), { size: 3, instanced: true });
+  private readonly geometry = new Geometry({ position: this.corners, start: this.starts, end: this.ends });
 
   constructor(
     private readonly studio: Studio,
@@ -122,44 +116,42 @@ export class Stroke {
     // All of the border before any of the line: at a joint the one would cover the other.
     if (borderWidth > 0) this.add(width / 2 + borderWidth, border, order + 1, true, opacity, false);
     this.add(width / 2, colour, order + 2, true, opacity, true);
-    this.visible = false;
   }
 
   /** @param segments start and end of each, in model units: six numbers a segment */
   set segments(segments: Float32Array) {
     const count = segments.length / 6;
-    const attribute = this.geometry.getAttribute("start");
-    if (attribute && attribute.count === count) {
-      fill(this.geometry, segments);
-    } else {
-      this.geometry.dispose();
-      this.geometry = newGeometry(count);
-      fill(this.geometry, segments);
-      for (const object of this.objects) object.geometry = this.geometry;
+    const starts = new Float32Array(3 * count);
+    const ends = new Float32Array(3 * count);
+    for (let i = 0, k = 0; i < segments.length; i += 6, k += 3) {
+      starts.set(segments.subarray(i, i + 3), k);
+      ends.set(segments.subarray(i + 3, i + 6), k);
     }
+    this.starts.array = starts;
+    this.ends.array = ends;
+    for (const drawable of this.drawables) drawable.instances = count;
   }
 
   /** Exchanges line and border colours for others. */
   recolour(colour: Colour, border: Colour): void {
-    for (const { core, material } of this.inks)
-      (material.uniforms as { lineColour: IUniform }).lineColour.value = core ? colour : border;
+    for (const ink of this.inks) ink.colour.value = ink.core ? colour : border;
   }
 
   set visible(visible: boolean) {
-    for (const object of this.objects) object.visible = visible;
+    for (const drawable of this.drawables) drawable.visible = visible;
   }
 
   /** Gives up everything on the GPU. */
   release(): void {
-    this.geometry.dispose();
-    for (const object of this.objects) object.material.dispose();
+    this.geometry.release();
+    for (const buffer of [this.corners, this.starts, this.ends]) buffer.release();
   }
 
   private add(half: number, colour: Colour, order: number, depthTest: boolean, opacity: number, core: boolean): void {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
+    const lineColour: Uniform<Colour> = { value: colour };
+    const material = new Material({
+      vertex: VERTEX,
+      fragment: FRAGMENT,
       uniforms: {
         frame: this.studio.frame,
         viewport: this.pen.viewport,
@@ -168,40 +160,14 @@ export class Stroke {
         nearer: { value: NEARER },
         // Round ends join the segments of a line; where the line is seen through they would show as beads.
         caps: { value: opacity === 1 ? 1 : 0 },
-        lineColour: { value: colour },
+        lineColour,
         opacity: { value: opacity },
       },
-      transparent: true,
       depthTest,
       depthWrite: false,
-      blending: CustomBlending,
-      blendSrc: OneFactor,
-      blendDst: OneMinusSrcAlphaFactor,
+      blending: "premultiplied",
     });
-    this.inks.push({ core, material });
-    const mesh = new Mesh(this.geometry, material);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = order;
-    this.objects.push(mesh);
+    this.inks.push({ core, colour: lineColour });
+    this.drawables.push({ geometry: this.geometry, material, order, visible: false, instances: 0 });
   }
-}
-
-function newGeometry(count: number): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(corners, 3));
-  geometry.setAttribute("start", new InstancedBufferAttribute(new Float32Array(3 * count), 3));
-  geometry.setAttribute("end", new InstancedBufferAttribute(new Float32Array(3 * count), 3));
-  geometry.instanceCount = count;
-  return geometry;
-}
-
-function fill(geometry: BufferGeometry, segments: Float32Array): void {
-  const start = geometry.getAttribute("start") as InstancedBufferAttribute;
-  const end = geometry.getAttribute("end") as InstancedBufferAttribute;
-  for (let i = 0, k = 0; i < segments.length; i += 6, k += 3) {
-    start.array.set(segments.subarray(i, i + 3), k);
-    end.array.set(segments.subarray(i + 3, i + 6), k);
-  }
-  start.needsUpdate = true;
-  end.needsUpdate = true;
 }

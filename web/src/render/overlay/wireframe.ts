@@ -1,6 +1,12 @@
-import { BufferAttribute, BufferGeometry, GLSL3, LineSegments, RawShaderMaterial } from "three";
+import { Buffer } from "../gl/buffer";
+import type { Tenant } from "../gl/device";
+import type { Drawable } from "../gl/drawable";
+import { Geometry } from "../gl/geometry";
+import { Material, type Uniform } from "../gl/material";
+import { PLACING_GLSL } from "../placing";
 import type { Pot } from "../pot";
 import type { Studio } from "../studio";
+import type { Triple } from "../triple";
 import { edgesOf } from "./segments";
 import { NEARER } from "./stroke";
 
@@ -9,10 +15,10 @@ precision highp float;
 in vec3 position;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
-uniform vec4 frame;
+${PLACING_GLSL}
 uniform float nearer;
 void main() {
-  vec4 p = viewMatrix * vec4((position - frame.xyz) * frame.w, 1.0);
+  vec4 p = viewMatrix * vec4(inFrame(position), 1.0);
   p.xyz *= nearer;
   gl_Position = projectionMatrix * p;
 }
@@ -25,58 +31,67 @@ out vec4 colour;
 void main() { colour = vec4(ink, 0.45); }
 `;
 
-const DARK_INK = [0.05, 0.06, 0.09];
-const LIGHT_INK = [0.86, 0.9, 0.94];
+const DARK_INK: Triple = [0.05, 0.06, 0.09];
+const LIGHT_INK: Triple = [0.86, 0.9, 0.94];
 
 /**
- * The triangles of the pot as lines one device pixel wide, which is what a mesh of a hundred thousand edges can bear, read from the pot's own
+ * The triangles of the pot as lines one device pixel wide, which is what a mesh of a hundred thousand edges can bear, read from the parts' own
  * vertices: only the pairs of vertices are added, and those change with the grid alone.
  */
-export class Wireframe {
-  readonly object: LineSegments<BufferGeometry, RawShaderMaterial>;
-  private of: Uint32Array | null = null;
-  private readonly ink = { value: DARK_INK };
+export class Wireframe implements Tenant {
+  visible = false;
+  private lines: Drawable[] = [];
+  /** The edges of triangles, by their indices. */
+  private readonly edges = new Map<Uint32Array, Buffer>();
+  private readonly ink: Uniform<Triple> = { value: DARK_INK };
+  private readonly material: Material;
 
-  constructor(studio: Studio, order: number) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
+  constructor(
+    studio: Studio,
+    private readonly order: number,
+  ) {
+    this.material = new Material({
+      vertex: VERTEX,
+      fragment: FRAGMENT,
       uniforms: { frame: studio.frame, nearer: { value: NEARER }, ink: this.ink },
       depthWrite: false,
-      transparent: true,
+      blending: "alpha",
     });
-    this.object = new LineSegments(new BufferGeometry(), material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = order;
-    this.object.visible = false;
+  }
+
+  get drawables(): readonly Drawable[] {
+    return this.visible ? this.lines : [];
   }
 
   /** Follows the pot; light lines on a dark glaze. */
   update(pot: Pot): void {
-    const { geometry } = this.object;
-    const { indices } = pot;
-    if (this.of !== indices) {
-      this.of = indices;
-      this.drop(geometry);
-      this.object.geometry = new BufferGeometry();
-      this.object.geometry.setIndex(new BufferAttribute(edgesOf(indices), 1));
-    }
-    const position = pot.object.geometry.getAttribute("position");
-    if (position) this.object.geometry.setAttribute("position", position);
     this.ink.value = pot.dark ? LIGHT_INK : DARK_INK;
+    const used = new Set(pot.parts.map(({ lattice }) => lattice.indices));
+    for (const [indices, buffer] of this.edges) {
+      if (used.has(indices)) continue;
+      buffer.release();
+      this.edges.delete(indices);
+    }
+    for (const { geometry } of this.lines) geometry.release();
+    this.lines = pot.parts.map(({ positions, lattice, drawable }) => ({
+      geometry: new Geometry({ position: positions }, this.edgesOf(lattice.indices)),
+      material: this.material,
+      uniforms: drawable.uniforms ?? {},
+      order: this.order,
+      visible: true,
+      lines: true,
+    }));
   }
 
   /** Gives up everything on the GPU. */
   release(): void {
-    this.drop(this.object.geometry);
-    this.object.material.dispose();
-    this.of = null;
+    for (const { geometry } of this.lines) geometry.release();
+    for (const buffer of this.edges.values()) buffer.release();
   }
 
-  /** The positions belong to the pot: disposing of a geometry that still has them would delete its buffer. */
-  private drop(geometry: BufferGeometry): void {
-    geometry.deleteAttribute("position");
-    geometry.dispose();
+  private edgesOf(indices: Uint32Array): Buffer {
+    const buffer = this.edges.get(indices) ?? new Buffer(edgesOf(indices), { size: 1 });
+    this.edges.set(indices, buffer);
+    return buffer;
   }
 }

@@ -1,0 +1,370 @@
+/** Saving a file to make the pot from: what, how large, how finely; what comes out and the verdict of the checks before it is saved. */
+
+import { html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { lengthWords, millilitres } from "../../document/quantities";
+import { asSentence, checked, madeOf, type Sentence } from "../../document/report-words";
+import {
+  type Choices,
+  choicesOf,
+  FORMATS,
+  formatNote,
+  makingOf,
+  opensAgain,
+  type Problem,
+  type SizeKind,
+  scaleOf,
+  sizesOf,
+  toleranceIn,
+} from "../../document/saving";
+import type { Format, Making, Measures, Product, Refusal, Report } from "../../document/types";
+import { formatNumber } from "../../number";
+import { setExport } from "../../state/actions";
+import { choiceStyles, choices } from "../../ui/choices";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { base, buttons, fields } from "../../ui/styles";
+import { fileName, saveBlob } from "../../work/files";
+import { sentenceStyles, sentences } from "../sentences";
+import { exportStyles } from "./export-styles";
+
+const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
+  { value: "designed", label: "As designed" },
+  { value: "height", label: "Height" },
+  { value: "width", label: "Width" },
+  { value: "capacity", label: "Capacity" },
+];
+
+/** The dialogue asks for itself, whatever the panels ask meanwhile. */
+const MEASURING = "export measure";
+const CHECKING = "export check";
+
+const TYPING_MS = 300;
+
+/** More is not listed: the first say enough. */
+const MOST_SENTENCES = 6;
+
+@customElement("pasu-export")
+export class PasuExport extends DesignerElement {
+  @state() private chosen: Choices = { product: "pot", size: "designed", measure: "", shrinkage: "", tolerance: "" };
+  @state() private measures: Measures | null = null;
+  @state() private report: Report | null = null;
+  @state() private refusal: Refusal | null = null;
+  @state() private saving = false;
+  @state() private failure = "";
+  /** What the report is of, or the one that is under way; empty when there is neither. */
+  private asked = "";
+  private ended = false;
+  /** Whether the tolerance of an opened file was taken over. */
+  private fine = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.ended = false;
+    if (!this.hasUpdated) this.begin();
+    void this.measure();
+  }
+
+  private begin(): void {
+    const { design, session } = this.designer.state;
+    const walled = design.parts.some((part) => part.wall !== undefined);
+    // A file that was opened is made again as it was; otherwise the clay is that of the last pot.
+    const made = this.designer.opening.making ?? { shrinkage: session.export.shrinkage };
+    this.chosen = { ...this.chosen, ...choicesOf(made, unitOf(design), walled) };
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.ended = true;
+    clearTimeout(this.timer);
+    this.designer.made?.maker.cancel("write", MEASURING, CHECKING);
+  }
+
+  private get format(): Format {
+    return this.designer.store.session.export.format;
+  }
+
+  override render() {
+    const { chosen, measures } = this;
+    const { design } = this.designer.state;
+    const unit = unitOf(design);
+    const made = measures && makingOf(chosen, measures, unit);
+    const problem = made && "field" in made ? made : null;
+    const making = made && !("field" in made) ? made : null;
+    const ready = making !== null && this.report?.ok === true && !this.saving;
+    return html`<pasu-dialog ruled heading="Export" @dialog-closed=${this.close}>
+      <div class="formats">
+        ${choices(
+          "Format",
+          FORMATS.map(({ format, label }) => ({ value: format, label })),
+          this.format,
+          (format) => this.choose({}, { format }),
+        )}
+        <p class="hint">${formatNote(this.format).note} ${opensAgain(this.format)}</p>
+      </div>
+      ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
+      <div class="row">
+        <label>
+          <span>Size</span>
+          <select
+            class="field"
+            @change=${(event: Event) => this.resize((event.target as HTMLSelectElement).value as SizeKind)}
+          >
+            ${SIZES.map(
+              ({ value, label }) =>
+                html`<option value=${value} ?selected=${chosen.size === value} ?disabled=${value === "capacity" && !measures?.capacity}>
+                  ${label}
+                </option>`,
+            )}
+          </select>
+        </label>
+        ${
+          chosen.size === "designed"
+            ? nothing
+            : this.text("measure", sizeLabel(chosen.size), chosen.size === "capacity" ? "ml" : unit, problem)
+        }
+        ${this.text("shrinkage", "Shrinkage of the clay", "%", problem)}
+        ${formatNote(this.format).triangles ? this.text("tolerance", "Tolerance", "mm", problem, "fine") : nothing}
+      </div>
+      ${this.outcome(making)}
+      <p class="problem" role="alert">${this.failure}</p>
+      <div slot="actions" class="progress" role="status">
+        ${this.saving ? html`<span>Writing the file…</span><span class="track"></span>` : this.brief(making)}
+      </div>
+      <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
+        ${this.saving ? "Stop" : "Cancel"}
+      </button>
+      <button slot="actions" class="button primary" type="button" ?disabled=${!ready} @click=${() => making && void this.save(making)}>
+        Save ${formatNote(this.format).label}
+      </button>
+    </pasu-dialog>`;
+  }
+
+  private products() {
+    const walled = this.designer.store.design.parts.some((part) => part.wall !== undefined);
+    return [
+      ...(walled ? [{ value: "pot" as Product, label: "Hollow pot", note: "With its wall, floor and foot." }] : []),
+      {
+        value: "solid" as Product,
+        label: "Closed solid",
+        note: walled ? "For the vase mode of a slicer." : "For vase mode. A hollow pot needs a wall.",
+      },
+    ];
+  }
+
+  private text(
+    name: "measure" | "shrinkage" | "tolerance",
+    label: string,
+    unit: string,
+    problem: Problem | null,
+    placeholder = "0",
+  ) {
+    const wrong = problem?.field === name ? problem.text : "";
+    return html`<label>
+      <span>${label}</span>
+      <span class="typed">
+        <input
+          class="field"
+          name=${name}
+          inputmode="decimal"
+          autocomplete="off"
+          placeholder=${placeholder}
+          .value=${this.chosen[name]}
+          aria-invalid=${wrong === "" ? "false" : "true"}
+          aria-describedby=${wrong === "" ? nothing : `wrong-${name}`}
+          @input=${(event: Event) => this.choose({ [name]: (event.target as HTMLInputElement).value })}
+        /><span class="unit">${unit}</span>
+      </span>
+      ${wrong === "" ? nothing : html`<span class="wrong" id="wrong-${name}">${wrong}</span>`}
+    </label>`;
+  }
+
+  /** What comes out: sizes, what was applied, how finely, and the verdict. */
+  private outcome(making: Making | null) {
+    const { measures, report, refusal } = this;
+    if (refusal)
+      return html`<section class="outcome">${sentences([{ severity: "error", text: asSentence(refusal.message) }])}</section>`;
+    if (!measures) return html`<section class="outcome" aria-busy="true"><p class="wait">Measuring…</p></section>`;
+    const unit = unitOf(this.designer.store.design);
+    if (!making) return nothing;
+    const { file, fired, applied } = sizesOf(making, measures, unit);
+    return html`<section class="outcome" aria-label="What is saved">
+      <dl>
+        <div><dt>In the file</dt><dd>${file}</dd></div>
+        ${fired === null ? nothing : html`<div><dt>Once fired</dt><dd>${fired}</dd></div>`}
+        ${applied === "" ? nothing : html`<div><dt>Applied</dt><dd>${applied}</dd></div>`}
+        ${report ? this.fineness(report, making, measures) : nothing}
+      </dl>
+      <div role="status">
+        ${report ? sentences(this.verdict(report, making, measures)) : html`<p class="wait">Checking…</p>`}
+      </div>
+    </section>`;
+  }
+
+  private fineness(report: Report, making: Making, measures: Measures) {
+    if (!formatNote(this.format).triangles) return nothing;
+    const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
+    const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
+    return html`
+      <div><dt>Triangles</dt><dd>${report.triangles.toLocaleString("en").replaceAll(",", "\u202f")}</dd></div>
+      <div><dt>True to within</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
+    `;
+  }
+
+  /** All that the checks say, and how thin the wall is at this size. */
+  private found(report: Report, making: Making, measures: Measures): readonly Sentence[] {
+    const { state: now, surface } = this.designer;
+    const [outline, unit] = [surface.shown?.solved.facts?.outline ?? [], unitOf(now.design)];
+    // A closed solid has no wall: how thick it is printed is the slicer's.
+    return this.chosen.product === "pot"
+      ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
+      : checked(report, outline, unit);
+  }
+
+  private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {
+    const all = this.found(report, making, measures);
+    const rest = all.length - MOST_SENTENCES;
+    if (rest <= 0) return all;
+    return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
+  }
+
+  /** How much there is to mind, where the verdict itself may be out of sight; it is read to nobody twice. */
+  private brief(making: Making | null) {
+    const { report, measures } = this;
+    if (!report || !measures || !making) return nothing;
+    const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
+    if (count === 0) return nothing;
+    const text = count === 1 ? "1 warning" : `${count} warnings`;
+    return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text }])}</div>`;
+  }
+
+  private choose(change: Partial<Choices>, exported: { readonly format?: Format } = {}): void {
+    const { designer } = this;
+    this.failure = "";
+    this.chosen = { ...this.chosen, ...change };
+    designer.apply(setExport(designer.state, exported));
+    if ("product" in change) {
+      this.forget();
+      void this.measure();
+    } else this.checkSoon();
+  }
+
+  /** Begins at the size that the pot has. */
+  private resize(size: SizeKind): void {
+    const { measures } = this;
+    const unit = unitOf(this.designer.store.design);
+    const now = {
+      designed: undefined,
+      height: measures?.height.value,
+      width: measures?.width.greatest.value,
+      capacity: measures?.capacity && millilitres(measures.capacity.brim.value, unit),
+    }[size];
+    this.choose({ size, measure: now === undefined || now === null ? "" : formatNumber(now) });
+  }
+
+  private async measure(): Promise<void> {
+    const { designer } = this;
+    const { product } = this.chosen;
+    const opened = await designer.openMade();
+    if (!opened) {
+      this.close();
+      return;
+    }
+    const { design } = designer.state;
+    const outcome = await opened.maker.ask({ kind: "measure", design, product, fill: null }, MEASURING);
+    if (this.ended || outcome.state === "superseded" || product !== this.chosen.product) return;
+    this.refusal = outcome.state === "refused" ? outcome.refusal : null;
+    this.measures = outcome.state === "done" ? outcome.value : null;
+    this.beAsFine();
+    await this.check();
+  }
+
+  /** The first time, as finely as the file that was opened: a tolerance goes by the size, which is known only now. */
+  private beAsFine(): void {
+    const { measures } = this;
+    const { opening, store } = this.designer;
+    if (!measures || !opening.making || this.fine) return;
+    this.fine = true;
+    const tolerance = toleranceIn(opening.making, measures, unitOf(store.design));
+    if (this.chosen.tolerance === "") this.chosen = { ...this.chosen, tolerance };
+  }
+
+  /** A verdict holds for what it was asked of alone: nothing else is saved by it, not even while the typing goes on. */
+  private forget(): void {
+    clearTimeout(this.timer);
+    this.asked = "";
+    this.report = null;
+  }
+
+  /** Once the typing rests: to check takes seconds. */
+  private checkSoon(): void {
+    if (this.asked !== "" && this.asked === this.making()) return;
+    this.forget();
+    this.timer = setTimeout(() => void this.check(), TYPING_MS);
+  }
+
+  /** What the fields ask for, to be compared; empty when that makes no sense. */
+  private making(): string {
+    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.store.design));
+    return made && !("field" in made) ? JSON.stringify(made) : "";
+  }
+
+  private async check(): Promise<void> {
+    this.forget();
+    const { designer } = this;
+    const { design } = designer.state;
+    const asked = this.making();
+    if (asked === "") return;
+    this.asked = asked;
+    const making = JSON.parse(asked) as Making;
+    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING);
+    if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
+    this.refusal = outcome.state === "refused" ? outcome.refusal : null;
+    if (outcome.state === "done") this.report = outcome.value;
+    else this.asked = "";
+  }
+
+  private async save(making: Making): Promise<void> {
+    const { designer, format } = this;
+    const { design } = designer.state;
+    const maker = designer.made?.maker;
+    if (!maker) return;
+    this.saving = true;
+    this.failure = "";
+    const outcome = await maker.ask({ kind: "write", design, format, making });
+    this.saving = false;
+    if (this.ended || outcome.state === "superseded") return;
+    if (outcome.state === "refused") {
+      this.failure = asSentence(outcome.refusal.message);
+      return;
+    }
+    const { shrinkage = 0 } = making;
+    designer.apply(setExport(designer.state, { shrinkage }));
+    const name = fileName(design.title, format);
+    saveBlob(new Blob([outcome.value.bytes], { type: formatNote(format).type }), name);
+    designer.notices.say(`Saved as “${name}”.`);
+    this.close();
+  }
+
+  private readonly stop = (): void => {
+    this.designer.made?.maker.cancel("write");
+  };
+
+  private readonly close = (): void => {
+    this.dispatchEvent(new Event("export-closed"));
+  };
+
+  static override readonly styles = [base, buttons, fields, choiceStyles, sentenceStyles, exportStyles];
+}
+
+function sizeLabel(size: SizeKind): string {
+  return { designed: "", height: "Finished height", width: "Finished width", capacity: "Holds to the brim" }[size];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-export": PasuExport;
+  }
+}

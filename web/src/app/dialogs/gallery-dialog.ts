@@ -1,0 +1,116 @@
+/** The gallery: every exhibit with its picture, and how large the figures of the papers are opened. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { SHELVES, type Shelf } from "../../document/gallery";
+import { designOf, type Exhibit } from "../../document/gallery/exhibit";
+import { scaled } from "../../document/scaled";
+import "../../ui/dialog";
+import { DesignerElement } from "../../element/designer-element";
+import { choiceStyles, choices } from "../../ui/choices";
+import { base } from "../../ui/styles";
+import { gridFor } from "../../work/grid";
+import { Pictures, tileStyles, tiles } from "./pictures";
+
+type Size = "hand" | "printed";
+
+/** So many centimetres high is a figure of a paper that a person can use. */
+const USABLE = 20;
+
+const SIZES: readonly { readonly value: Size; readonly label: string; readonly note: string }[] = [
+  { value: "hand", label: `${USABLE} cm high`, note: "A pot to use." },
+  { value: "printed", label: "As printed", note: "With the numbers of the paper." },
+];
+
+@customElement("pasu-gallery")
+export class PasuGallery extends DesignerElement {
+  @state() private size: Size = "hand";
+  private pictures: Pictures | null = null;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.watchPictures();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.pictures?.end();
+    this.pictures = null;
+  }
+
+  override render() {
+    const first = SHELVES.find(({ printed }) => printed);
+    return html`<pasu-dialog wide heading="Gallery" @dialog-closed=${() => this.dispatchEvent(new Event("gallery-closed"))}>
+      ${SHELVES.map(
+        (shelf) => html`<section aria-label=${shelf.title}>
+          ${
+            shelf === first
+              ? choices("Open the figures of the papers", SIZES, this.size, (size) => {
+                  this.size = size;
+                })
+              : nothing
+          }
+          <h3>${shelf.title}</h3>
+          <p class="source">${shelf.source}</p>
+          ${tiles(shelf.exhibits, (exhibit) => void this.choose(exhibit, shelf))}
+        </section>`,
+      )}
+    </pasu-dialog>`;
+  }
+
+  override firstUpdated(): void {
+    this.watchPictures();
+  }
+
+  private watchPictures(): void {
+    if (this.pictures || !this.hasUpdated) return;
+    const exhibits = SHELVES.flatMap((shelf) => shelf.exhibits);
+    this.pictures = new Pictures(this.designer, exhibits, this.renderRoot);
+  }
+
+  private async choose(exhibit: Exhibit, { printed }: Shelf): Promise<void> {
+    const { designer } = this;
+    const design = designOf(exhibit);
+    const height = printed && this.size === "hand" ? await this.heightOf(exhibit) : null;
+    designer.opening.open(height === null ? design : scaled(design, USABLE / height, "scale"));
+    this.dispatchEvent(new Event("gallery-closed"));
+  }
+
+  /** Of the surface as it is drawn; null where it cannot be. */
+  private async heightOf(exhibit: Exhibit): Promise<number | null> {
+    const design = designOf(exhibit);
+    const { rows, columns } = gridFor(design, 0);
+    const outcome = await this.designer.solver.mesh(`height ${exhibit.id}`, design, rows, columns);
+    const bounds = outcome.state === "done" ? outcome.value.bounds : null;
+    const height = bounds ? bounds.max[2] - bounds.min[2] : 0;
+    return height > 0 ? height : null;
+  }
+
+  static override readonly styles = [
+    base,
+    choiceStyles,
+    tileStyles,
+    css`
+      section {
+        padding: 8px 0 14px;
+      }
+      .choices {
+        padding-bottom: 16px;
+      }
+      h3 {
+        font: 600 1.08rem var(--font-brand);
+      }
+      .source {
+        color: var(--soft);
+        font-size: 0.88rem;
+        padding-bottom: 10px;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-gallery": PasuGallery;
+  }
+}

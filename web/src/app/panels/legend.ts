@@ -1,0 +1,72 @@
+/** The colours of a map with the numbers that they stand for. */
+
+import { css, html, LitElement } from "lit";
+import { customElement, property } from "lit/decorators.js";
+import { type ColourMap, mapWords, scaleOf } from "../../document/maps";
+import type { Unit } from "../../document/types";
+import type { Painted } from "../../maker/messages";
+import { base } from "../../ui/styles";
+
+@customElement("pasu-legend")
+export class PasuLegend extends LitElement {
+  @property({ attribute: false }) map!: ColourMap;
+  @property({ attribute: false }) painted: Painted | null = null;
+  @property() unit: Unit = "cm";
+
+  override render() {
+    const { map, painted, unit } = this;
+    if (!painted) return html`<p class="note">${map.note}</p>`;
+    const { low, high, note } = scaleOf(map, painted.low, painted.high);
+    const words = (value: number) => mapWords(map.name, value, unit);
+    const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
+    return html`
+      <div class="ramp" role="img" aria-label="${map.label}: colours from ${words(low)} to ${words(high)}"></div>
+      <p class="ends" aria-hidden="true">
+        <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
+        ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
+      </p>
+      <p class="note">${note} On ${map.name === "overhang" ? "the outside" : "this pot"}: ${words(painted.least)} to ${words(painted.greatest)}.</p>
+    `;
+  }
+
+  override updated(): void {
+    const { map, painted } = this;
+    const { ramp } = painted ? scaleOf(map, painted.low, painted.high) : map;
+    const stops = ramp.map((rgb) => `rgb(${rgb.join(" ")})`);
+    this.style.setProperty("--ramp", `linear-gradient(to right, ${stops.join(", ")})`);
+  }
+
+  static override readonly styles = [
+    base,
+    css`
+      :host {
+        display: block;
+      }
+      .ramp {
+        height: 16px;
+        border: 1px solid var(--line);
+        border-radius: 8px;
+        background: var(--ramp);
+        forced-color-adjust: none;
+      }
+      .ends {
+        display: flex;
+        justify-content: space-between;
+        padding-top: 3px;
+        font-size: 0.84rem;
+        font-variant-numeric: tabular-nums;
+      }
+      .note {
+        color: var(--soft);
+        font-size: 0.88rem;
+        text-wrap: pretty;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-legend": PasuLegend;
+  }
+}

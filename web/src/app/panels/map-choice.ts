@@ -1,0 +1,77 @@
+/** Which map colours the pot, and its legend. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { MAPS, mapOf } from "../../document/maps";
+import { asSentence } from "../../document/report-words";
+import type { MapName } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { setMap } from "../../state/wall-actions";
+import { base, fields } from "../../ui/styles";
+import "./legend";
+
+@customElement("pasu-maps")
+export class PasuMaps extends DesignerElement {
+  override render() {
+    const { designer } = this;
+    const { design, session } = designer.state;
+    const walled = design.parts.some((part) => part.wall !== undefined);
+    const { map } = session;
+    const painted = designer.made?.painted;
+    return html`<label>
+        <span>Colours show</span>
+        <select
+          class="field"
+          @change=${(event: Event) =>
+            designer.apply(setMap(((event.target as HTMLSelectElement).value || null) as MapName | null))}
+        >
+          <option value="" ?selected=${map === null}>the glaze</option>
+          ${MAPS.map(
+            ({ name, label, needsWall }) =>
+              html`<option value=${name} ?selected=${map === name} ?disabled=${needsWall && !walled}>
+                ${label.toLowerCase()}${needsWall && !walled ? " (needs a wall)" : ""}
+              </option>`,
+          )}
+        </select>
+      </label>
+      ${
+        map === null
+          ? nothing
+          : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .unit=${unitOf(design)}></pasu-legend>
+              ${painted?.problem ? html`<p class="problem" role="status">${asSentence(painted.problem.message)}</p>` : nothing}`
+      } `;
+  }
+
+  static override readonly styles = [
+    base,
+    fields,
+    css`
+      :host {
+        display: grid;
+        gap: 10px;
+      }
+      label {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 12px;
+        font-weight: 600;
+      }
+      select {
+        flex: 1;
+        max-width: 240px;
+        font-weight: 400;
+      }
+      .problem {
+        color: var(--warn);
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-maps": PasuMaps;
+  }
+}

@@ -1,0 +1,204 @@
+/** What the pot measures, whether it can be made, the water in it and the colours on it. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { type Group, type Line, measureGroups } from "../../document/measure-words";
+import { asSentence, verdict } from "../../document/report-words";
+import type { Design } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { icon } from "../../ui/icons";
+import "./map-choice";
+import "./size-panel";
+import { base, buttons } from "../../ui/styles";
+import { sentenceStyles, sentences } from "../sentences";
+import { remedies, remedyStyles } from "./remedies";
+import "./water-control";
+
+@customElement("pasu-measures")
+export class PasuMeasures extends DesignerElement {
+  @state() private exact = false;
+
+  override render() {
+    const { designer } = this;
+    return html`
+      <pasu-size .designer=${designer}></pasu-size>
+      ${this.canBeMade()}
+      <pasu-water .designer=${designer}></pasu-water>
+      <pasu-maps .designer=${designer}></pasu-maps>
+      ${this.numbers()}
+    `;
+  }
+
+  private canBeMade() {
+    const { designer } = this;
+    const { made, state: now, surface } = designer;
+    if (!now.design.parts.some((part) => part.wall)) {
+      return html`<p class="lead">A surface without a wall: what it would hold is told, and a wall makes it a pot (under Wall).</p>`;
+    }
+    // Nothing is said of the pot before this one.
+    const pieces = made ? [made.solid, made.report, made.measures] : [];
+    const problem = pieces.find((piece) => piece.problem && made?.isOfNow(piece))?.problem;
+    const outline = surface.shown?.solved.facts?.outline ?? [];
+    const known = made?.isOfNow(made.measures) && made.isOfNow(made.report) ? made : null;
+    const found = verdict(known?.measures.value ?? null, known?.report.value ?? null, outline, unitOf(now.design));
+    return html`<section aria-labelledby="made">
+      <h3 id="made">Can it be made?</h3>
+      ${
+        problem
+          ? sentences([{ severity: "error", text: asSentence(problem.message) }])
+          : found.length > 0
+            ? sentences(found)
+            : html`<p class="wait" role="status">Checking…</p>`
+      }
+      ${remedies(designer)}
+    </section>`;
+  }
+
+  private numbers() {
+    const { made, state: now } = this.designer;
+    const piece = made?.measures;
+    const rewalled = piece?.of && wallsOf(piece.of) !== wallsOf(now.design);
+    if (!piece?.value || !piece.of || rewalled) {
+      const why = piece?.problem && !rewalled && asSentence(piece.problem.message);
+      return why
+        ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
+        : html`<p class="wait">Checking…</p>`;
+    }
+    const old = !made?.isOfNow(piece);
+    const groups = measureGroups(piece.value, now.part, unitOf(piece.of), this.exact);
+    return html`
+      <div class="bar">
+        <h3>Measures ${old ? html`<span class="wait">Checking…</span>` : nothing}</h3>
+        <button
+          class="button outlined"
+          type="button"
+          aria-pressed=${this.exact ? "true" : "false"}
+          @click=${() => {
+            this.exact = !this.exact;
+          }}
+        >
+          How exact
+        </button>
+      </div>
+      ${
+        this.exact
+          ? html`<p class="hint">
+              Measured on the surface itself, not on triangles. The true value is within the error given, in the same unit.
+            </p>`
+          : nothing
+      }
+      <div class="groups" ?data-old=${old}>${groups.map((group) => this.group(group))}</div>
+    `;
+  }
+
+  private group({ title, lines, reason }: Group) {
+    return html`<section>
+      <h4>${title}</h4>
+      ${reason === undefined ? nothing : html`<p class="reason">${reason}</p>`}
+      ${lines.length === 0 ? nothing : html`<dl>${lines.map((line) => this.line(line))}</dl>`}
+    </section>`;
+  }
+
+  private line({ name, value, error, note }: Line) {
+    return html`<div>
+      <dt><span>${name}</span>${note === undefined ? nothing : html`<span class="note">${note}</span>`}</dt>
+      <dd>${value}${this.exact && error !== "" ? html`<span class="error">${error}</span>` : nothing}</dd>
+    </div>`;
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    sentenceStyles,
+    remedyStyles,
+    css`
+      :host {
+        display: grid;
+        gap: 18px;
+      }
+      h3 {
+        font-size: 1rem;
+        font-weight: 650;
+      }
+      h4 {
+        padding-bottom: 2px;
+        color: var(--soft);
+        font-size: 0.84rem;
+        font-weight: 600;
+      }
+      .lead,
+      .hint {
+        color: var(--soft);
+        font-size: 0.92rem;
+        text-wrap: pretty;
+      }
+      .bar {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+      }
+      .groups {
+        display: grid;
+        gap: 14px;
+      }
+      .groups[data-old] {
+        opacity: 0.55;
+      }
+      dl {
+        margin: 0;
+      }
+      dl div {
+        display: flex;
+        align-items: baseline;
+        justify-content: space-between;
+        gap: 14px;
+        padding: 6px 0;
+        border-top: 1px solid var(--line);
+      }
+      dt {
+        text-wrap: pretty;
+      }
+      dd {
+        margin: 0;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+        white-space: nowrap;
+      }
+      .note,
+      .error {
+        display: block;
+        color: var(--soft);
+        font-size: 0.82rem;
+      }
+      .reason {
+        padding: 6px 0;
+        text-wrap: pretty;
+      }
+      .problem {
+        display: flex;
+        gap: 8px;
+        color: var(--warn);
+      }
+      .wait {
+        color: var(--soft);
+      }
+      h3 .wait {
+        padding-left: 6px;
+        font-size: 0.84rem;
+        font-weight: 400;
+      }
+    `,
+  ];
+}
+
+/** Which parts have a wall, to be compared: measures of a surface say nothing of a pot. */
+function wallsOf({ parts }: Design): string {
+  return parts.map(({ wall }) => (wall ? "pot" : "surface")).join();
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-measures": PasuMeasures;
+  }
+}

@@ -1,0 +1,342 @@
+/** Free boundary data: for each component its equation and the modes of its edges, to add to, edit and remove. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import {
+  AXES,
+  type Axis,
+  DATUM_NAMES,
+  datumNames,
+  datumPath,
+  MAX_MODES,
+  withForce,
+  withMode,
+  withOrder,
+  withoutMode,
+} from "../../document/boundary-value";
+import { numberAt, type Path, pathText } from "../../document/path";
+import type { BoundaryValue, Mode, Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { formatNumber, parseNumber } from "../../number";
+import { editShape, setNumber } from "../../state/shape-actions";
+import { icon } from "../../ui/icons";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons, fields } from "../../ui/styles";
+
+const WAVES = ["cos", "sin"] as const;
+const AXIS_NAMES: Readonly<Record<Axis, string>> = { x: "x, to the right", y: "y, to the back", z: "z, upwards" };
+/** Long series (an imported outline) are shown page by page. */
+const PAGE = 24;
+
+@customElement("pasu-modes")
+export class PasuModes extends DesignerElement {
+  @state() private shownModes: Readonly<Record<Axis, number>> = { x: PAGE, y: PAGE, z: PAGE };
+  @state() private forceProblem: { readonly key: string; readonly message: string } | null = null;
+
+  override render() {
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    if (shape?.kind !== "boundary-value") return nothing;
+    return html`
+      <p class="intro">
+        <strong>Free boundary data.</strong> Each direction is a sum of waves round the pot: frequency n, with its values at both edges
+        ${shape.x.order === 4 || shape.y.order === 4 || shape.z.order === 4 ? "and, for order 4, its slopes" : ""}.
+      </p>
+      ${this.span(shape)} ${AXES.map((axis) => this.component(shape, axis))}
+    `;
+  }
+
+  private span(shape: BoundaryValue) {
+    const round = shape.span === "2pi";
+    return html`<div class="line">
+      <label>
+        <span>Length of v</span>
+        <select
+          class="field"
+          @change=${(event: Event) => {
+            const full = (event.target as HTMLSelectElement).value === "2pi";
+            this.edit((now) => ({ ...now, span: full ? "2pi" : 1 }));
+          }}
+        >
+          <option value="2pi" ?selected=${round}>2π</option>
+          <option value="number" ?selected=${!round}>A number</option>
+        </select>
+      </label>
+      ${round ? nothing : this.number("Length of v, number", ["span"], Number(shape.span))}
+    </div>`;
+  }
+
+  private component(shape: BoundaryValue, axis: Axis) {
+    const component = shape[axis];
+    const shown = this.shownModes[axis];
+    const hidden = component.modes.length - shown;
+    return html`<details open>
+      <summary><h3>${AXIS_NAMES[axis]}</h3><span>order ${component.order}, ${component.modes.length} ${component.modes.length === 1 ? "mode" : "modes"}</span></summary>
+      <div class="equation">
+        <label>
+          <span>Order</span>
+          <select
+            class="field"
+            aria-label="Order of ${axis}"
+            @change=${(event: Event) => {
+              const order = (event.target as HTMLSelectElement).value === "4" ? 4 : 2;
+              this.edit((now) => withOrder(now, axis, order));
+            }}
+          >
+            <option value="2" ?selected=${component.order === 2}>2</option>
+            <option value="4" ?selected=${component.order === 4}>4</option>
+          </select>
+        </label>
+        ${(["s", "t", ...(component.order === 4 ? ["w"] : [])] as const).map(
+          (name) =>
+            html`<span class="cell"><span aria-hidden="true">${name}</span>${this.number(`${name} of ${axis}`, [axis, name], numberAt(component, [name], 0))}</span>`,
+        )}
+      </div>
+      <ol>
+        ${component.modes.slice(0, shown).map((mode, index) => this.mode(shape, axis, mode, index))}
+      </ol>
+      ${
+        hidden > 0
+          ? html`<button
+              class="button outlined"
+              type="button"
+              @click=${() => {
+                this.shownModes = { ...this.shownModes, [axis]: shown + PAGE };
+              }}
+            >
+              Show ${Math.min(hidden, PAGE)} more of ${hidden}
+            </button>`
+          : nothing
+      }
+      <button
+        class="button outlined"
+        type="button"
+        ?disabled=${component.modes.length >= MAX_MODES}
+        @click=${() => {
+          this.edit((now) => withMode(now, axis));
+          this.shownModes = { ...this.shownModes, [axis]: Math.max(shown, component.modes.length + 1) };
+        }}
+      >
+        ${icon("add")}<span>Add a mode to ${axis}</span>
+      </button>
+    </details>`;
+  }
+
+  private mode(shape: BoundaryValue, axis: Axis, mode: Mode, index: number) {
+    const order = shape[axis].order;
+    return html`<li>
+      <div class="head">
+        <span class="cell"><span aria-hidden="true">n</span>${this.number(`Frequency of mode ${index + 1} of ${axis}`, [axis, "modes", index, "n"], mode.n)}</span>
+        <button
+          class="button bare"
+          type="button"
+          aria-label="Remove mode ${index + 1} of ${axis}"
+          title="Remove"
+          @click=${() => this.edit((now) => withoutMode(now, axis, index))}
+        >
+          ${icon("close")}
+        </button>
+      </div>
+      ${WAVES.filter((wave) => wave === "cos" || mode.n !== 0).map(
+        (wave) => html`<fieldset>
+          <legend>${mode.n === 0 ? "Constant" : wave === "cos" ? "Cosine" : "Sine"}</legend>
+          ${datumNames(order).map((name) => {
+            const label = `${DATUM_NAMES[name]}, ${wave} ${formatNumber(mode.n)} of ${axis}`;
+            return html`<span class="cell"
+              ><span aria-hidden="true">${DATUM_NAMES[name]}</span>${this.number(
+                label,
+                datumPath(axis, index, wave, name),
+                numberAt(mode, [wave, name], 0),
+              )}</span
+            >`;
+          })}
+          ${this.force(axis, mode, index, wave)}
+        </fieldset>`,
+      )}
+    </li>`;
+  }
+
+  private force(axis: Axis, mode: Mode, index: number, wave: "cos" | "sin") {
+    const key = `${axis}-${index}-${wave}`;
+    const problem = this.forceProblem?.key === key ? this.forceProblem.message : "";
+    const text = (mode[wave]?.force ?? []).map((value) => formatNumber(value)).join("; ");
+    return html`<label class="cell wide">
+      <span>Force, powers of u (separate with ;)</span>
+      <input
+        class="field"
+        type="text"
+        autocomplete="off"
+        spellcheck="false"
+        aria-label="Force, ${wave} ${formatNumber(mode.n)} of ${axis}, ascending powers of u"
+        aria-invalid=${problem === "" ? "false" : "true"}
+        aria-describedby=${problem === "" ? nothing : `problem-${key}`}
+        .value=${text}
+        @change=${(event: Event) => this.typedForce(key, axis, index, wave, (event.target as HTMLInputElement).value)}
+      />
+      ${problem === "" ? nothing : html`<span id="problem-${key}" class="problem">${problem}</span>`}
+    </label>`;
+  }
+
+  private typedForce(key: string, axis: Axis, index: number, wave: "cos" | "sin", text: string): void {
+    const force: number[] = [];
+    for (const piece of text.split(";").filter((each) => each.trim() !== "")) {
+      const typed = parseNumber(piece);
+      if ("problem" in typed) {
+        this.forceProblem = { key, message: typed.problem };
+        return;
+      }
+      force.push(typed.value);
+    }
+    this.forceProblem = null;
+    this.edit((now) => withForce(now, axis, index, wave, force));
+  }
+
+  private number(label: string, path: Path, value: number) {
+    const { designer } = this;
+    return html`<pasu-number
+      compact
+      .label=${label}
+      .value=${value}
+      .step=${0.1}
+      .problem=${this.problemOf(path)}
+      @number-change=${(event: NumberChangeEvent) =>
+        designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
+      @number-done=${() => designer.store.endGesture()}
+    ></pasu-number>`;
+  }
+
+  private problemOf(path: Path): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? problem.message : "";
+  }
+
+  private edit(change: (shape: BoundaryValue) => BoundaryValue): void {
+    this.designer.apply(
+      editShape(this.designer.state, (shape: Shape) => (shape.kind === "boundary-value" ? change(shape) : shape)),
+    );
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    css`
+      :host {
+        display: block;
+      }
+      .intro {
+        padding-bottom: 8px;
+        color: var(--soft);
+      }
+      .intro strong {
+        color: var(--ink);
+      }
+      .line,
+      .equation {
+        display: grid;
+        grid-template-columns: repeat(4, minmax(0, 1fr));
+        gap: 8px;
+        align-items: end;
+        padding: 4px 0 8px;
+      }
+      .line {
+        grid-template-columns: 1fr 1fr;
+      }
+      label,
+      .cell {
+        display: grid;
+        gap: 3px;
+        min-width: 0;
+        color: var(--soft);
+        font-size: 0.82rem;
+      }
+      .cell pasu-number {
+        padding: 0;
+        color: var(--ink);
+        font-size: 0.94rem;
+      }
+      .line pasu-number {
+        padding: 0;
+      }
+      .field {
+        width: 100%;
+        font-size: 0.94rem;
+        border-color: var(--line);
+      }
+      details {
+        border-top: 1px solid var(--line);
+        padding: 4px 0 12px;
+      }
+      summary {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        border-radius: 8px;
+        cursor: pointer;
+      }
+      h3 {
+        font-size: 0.95rem;
+        font-weight: 650;
+      }
+      summary span {
+        color: var(--soft);
+        font-size: 0.84rem;
+      }
+      ol {
+        display: grid;
+        gap: 10px;
+        margin: 0 0 10px;
+        padding: 0;
+        list-style: none;
+      }
+      li {
+        padding: 8px 12px 12px;
+        border-radius: 12px;
+        background: var(--well);
+      }
+      .head {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+      }
+      .head .cell {
+        grid-template-columns: auto 96px;
+        align-items: center;
+        gap: 8px;
+        font: italic 1rem var(--font-brand);
+      }
+      .head pasu-number {
+        font: 0.94rem var(--font);
+      }
+      fieldset {
+        display: grid;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        gap: 6px 8px;
+        margin: 4px 0 0;
+        padding: 0;
+        border: 0;
+        min-width: 0;
+      }
+      legend {
+        padding: 4px 0;
+        font-size: 0.86rem;
+        font-weight: 600;
+      }
+      .wide {
+        grid-column: 1 / -1;
+      }
+      .problem {
+        color: var(--warn);
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-modes": PasuModes;
+  }
+}

@@ -1,0 +1,246 @@
+/** The parameters of the selected part, made from its family's schema and grouped as a potter thinks. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { unitOf } from "../../document/look";
+import { pathText } from "../../document/path";
+import {
+  type Family,
+  type Field,
+  familyOf,
+  fieldValue,
+  GROUP_HELP,
+  GROUPS,
+  type Row,
+  rowsOf,
+  sizeFactor,
+} from "../../document/schema";
+import type { Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
+import { resetFields, setFields, setLock } from "../../state/shape-actions";
+import { icon } from "../../ui/icons";
+import "../../ui/number-field";
+import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
+import { base, buttons } from "../../ui/styles";
+
+const NEVER = 1e-12;
+
+@customElement("pasu-parameters")
+export class PasuParameters extends DesignerElement {
+  override render() {
+    const { state } = this.designer;
+    const part = state.design.parts[state.part];
+    if (!part) return nothing;
+    const family = familyOf(part.shape.kind);
+    if (!family) {
+      void import("./modes-table");
+      return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;
+    }
+    return html`
+      <div class="intro">
+        <p>${family.name} <span>${family.source}</span></p>
+        <button
+          class="button outlined"
+          type="button"
+          aria-pressed=${state.session.explain ? "true" : "false"}
+          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
+        >
+          Explain
+        </button>
+      </div>
+      ${this.openNote(part.shape)}
+      ${GROUPS.map((group) => {
+        const rows = rowsOf(family, group);
+        if (rows.length === 0) return nothing;
+        return html`<details open>
+          <summary><h3>${group}</h3><span>${GROUP_HELP[group]}</span></summary>
+          ${repeat(
+            rows,
+            (row) => `${family.kind} ${row.id}`,
+            (row) => this.row(family, row, part.shape),
+          )}
+        </details>`;
+      })}
+    `;
+  }
+
+  private openNote(shape: Shape) {
+    if (this.designer.surface.shown?.solved.facts?.closed !== false) return nothing;
+    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petals and the turns";
+    return html`<p class="notice" role="note">The wall does not close. It closes when ${which} are whole numbers.</p>`;
+  }
+
+  private row(family: Family, row: Row, shape: Shape) {
+    const [first, second] = row.fields;
+    if (!second) return this.number(family, [first], shape, "");
+    const pair = [first, second] as const;
+    const apart =
+      Math.abs(fieldValue(shape, first) - fieldValue(shape, second)) > NEVER ||
+      this.designer.store.session.unlocked.includes(row.id);
+    return html`<div class="pair">
+      ${
+        apart
+          ? html`${this.number(family, [first], shape, "in x")}${this.number(family, [second], shape, "in y")}`
+          : this.number(family, pair, shape, "")
+      }
+      <button
+        class="button lock"
+        type="button"
+        aria-pressed=${apart ? "false" : "true"}
+        aria-label="${first.name}: same in x and y"
+        @click=${() => this.designer.apply(setLock(this.designer.state, pair, apart))}
+      >
+        ${icon(apart ? "unlocked" : "locked")}<span>Same in x and y</span>
+      </button>
+    </div>`;
+  }
+
+  private number(family: Family, fields: readonly Field[], shape: Shape, qualifier: string) {
+    const [field] = fields;
+    if (!field) return nothing;
+    const { designer } = this;
+    // The ranges go by the pot that was opened: no number moves the range of another.
+    const origin = this.originOf(shape);
+    const factor = field.length ? sizeFactor(family, origin) : 1;
+    const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
+    return html`<pasu-number
+      data-field=${field.path.join("-")}
+      .label=${field.name}
+      .qualifier=${qualifier}
+      .symbol=${symbol}
+      .unit=${field.length ? unitOf(designer.store.design) : ""}
+      .help=${field.help}
+      .problem=${this.problemOf(fields)}
+      .value=${fieldValue(shape, field)}
+      .min=${factor * field.min}
+      .max=${factor * field.max}
+      .step=${factor * field.step}
+      .explain=${designer.store.session.explain}
+      .opened=${fieldValue(origin, field)}
+      .paper=${fieldValue(family.reset, field)}
+      data-family=${family.kind}
+      @number-change=${(event: NumberChangeEvent) =>
+        designer.apply(setFields(designer.state, fields, event.value, event.gesture))}
+      @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
+      @number-reset=${({ to }: NumberResetEvent) =>
+        designer.apply(resetFields(designer.state, fields, to === "opened" ? origin : family.reset))}
+    ></pasu-number>`;
+  }
+
+  private originOf(shape: Shape): Shape {
+    const { origin, state } = this.designer;
+    const opened = origin.design.parts[state.part]?.shape;
+    return opened?.kind === shape.kind ? opened : shape;
+  }
+
+  /** The solver's objection, when it names one of these fields. */
+  private problemOf(fields: readonly Field[]): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    if (!problem) return "";
+    const named = fields.some((field) => pathText(["parts", state.part, "shape", ...field.path]) === problem.path);
+    return named ? problem.message : "";
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    css`
+      :host {
+        display: block;
+      }
+      .intro {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 10px;
+        padding-bottom: 6px;
+      }
+      .intro p {
+        font-weight: 600;
+      }
+      .intro span {
+        display: block;
+        color: var(--soft);
+        font-size: 0.86rem;
+        font-weight: 400;
+      }
+      .notice {
+        margin: 4px 0 8px;
+        padding: 8px 12px;
+        border-radius: 9px;
+        background: var(--warn-wash);
+        color: var(--warn);
+        font-size: 0.92rem;
+      }
+      details {
+        border-top: 1px solid var(--line);
+        padding: 4px 0 10px;
+      }
+      summary {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        border-radius: 8px;
+        cursor: pointer;
+        list-style: none;
+      }
+      summary::-webkit-details-marker {
+        display: none;
+      }
+      summary::after {
+        content: "";
+        width: 7px;
+        height: 7px;
+        margin-left: auto;
+        margin-right: 6px;
+        border: solid var(--soft);
+        border-width: 0 1.6px 1.6px 0;
+        rotate: 45deg;
+        translate: 0 -2px;
+      }
+      details:not([open]) > summary::after {
+        rotate: -45deg;
+        translate: 0;
+      }
+      h3 {
+        font-size: 0.95rem;
+        font-weight: 650;
+      }
+      summary span {
+        color: var(--soft);
+        font-size: 0.84rem;
+      }
+      .lock {
+        min-height: 30px;
+        padding: 0 8px;
+        margin-left: -8px;
+        color: var(--soft);
+        font-size: 0.84rem;
+      }
+      .lock[aria-pressed="true"] {
+        background: none;
+        color: var(--soft);
+      }
+      .lock .icon {
+        width: 16px;
+        height: 16px;
+      }
+      @media (pointer: coarse) {
+        .lock {
+          min-height: var(--touch);
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-parameters": PasuParameters;
+  }
+}

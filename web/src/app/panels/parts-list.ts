@@ -1,0 +1,255 @@
+/** The parts of the pot, where there are several: which one the panels are about, what it is called, its place in the list, a copy of it, and away with it. */
+
+import { css, html, nothing } from "lit";
+import { customElement, query } from "lit/decorators.js";
+import { repeat } from "lit/directives/repeat.js";
+import { DesignerElement } from "../../element/designer-element";
+import type { PartId } from "../../state/parts";
+import {
+  deletePart,
+  duplicatePart,
+  isTaken,
+  MAX_NAME,
+  movePart,
+  partName,
+  renamePart,
+  selectParts,
+} from "../../state/scene-actions";
+import type { Change } from "../../state/store";
+import { type IconName, icon } from "../../ui/icons";
+import { base, buttons, fields } from "../../ui/styles";
+
+/** How far beside a pot its copy stands, as a share of its width. */
+const ASIDE = 1.1;
+
+@customElement("pasu-parts")
+export class PasuParts extends DesignerElement {
+  @query("[role=listbox]") private readonly list!: HTMLElement;
+  @query("input") private readonly name!: HTMLInputElement;
+  /** The part that was brought into view last. */
+  private followed: PartId | undefined;
+
+  override render() {
+    const { design, ids, part: place } = this.designer.store;
+    const chosen = ids[place];
+    if (chosen === undefined) return nothing;
+    return html`<section aria-labelledby="parts">
+      <h3 id="parts">Parts</h3>
+      <ul
+        role="listbox"
+        tabindex="0"
+        aria-labelledby="parts"
+        aria-describedby="keys"
+        aria-activedescendant="part-${chosen}"
+        @keydown=${this.key}
+      >
+        ${repeat(
+          ids,
+          (id) => id,
+          (id, at) => html`<li
+            role="option"
+            id="part-${id}"
+            aria-selected=${id === chosen ? "true" : "false"}
+            @click=${() => this.designer.apply(selectParts(id))}
+          >
+            ${partName(design.parts, at)}
+          </li>`,
+        )}
+      </ul>
+      <p id="keys" class="spoken">
+        Arrow keys select, with Alt they move the part up or down. D makes a copy, Delete takes the part away, F2 names it.
+      </p>
+      <div class="tools">
+        <input
+          class="field"
+          type="text"
+          aria-label="Name of the part"
+          aria-describedby="taken"
+          autocomplete="off"
+          maxlength=${MAX_NAME}
+          placeholder="Part ${place + 1}"
+          .value=${design.parts[place]?.name ?? ""}
+          @input=${this.typed}
+          @change=${this.named}
+          @blur=${this.named}
+          @keydown=${(event: KeyboardEvent) => {
+            if (event.key === "Enter") this.list.focus();
+          }}
+        />
+        ${this.button("Move up", "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
+        ${this.button("Move down", "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
+        ${this.button("Duplicate", "copy", false, () => this.copy(chosen))}
+        ${this.button("Delete", "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
+      </div>
+      <p class="problem" id="taken" role="status"></p>
+    </section>`;
+  }
+
+  /** Brings the selected part into the list's view when another one was selected, without moving the panel. */
+  override updated(): void {
+    const { ids, part } = this.designer.store;
+    const chosen = ids[part];
+    const option = this.renderRoot.querySelector<HTMLElement>("[aria-selected=true]");
+    if (chosen === this.followed || !option) return;
+    this.followed = chosen;
+    const [top, height] = [option.offsetTop - this.list.offsetTop, this.list.clientHeight];
+    const { scrollTop } = this.list;
+    if (top < scrollTop) this.list.scrollTop = top;
+    else if (top + option.offsetHeight > scrollTop + height) this.list.scrollTop = top + option.offsetHeight - height;
+  }
+
+  private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
+    return html`<button
+      class="button bare"
+      type="button"
+      aria-label=${label}
+      title=${label}
+      ?disabled=${disabled}
+      @click=${() => this.designer.apply(change())}
+    >
+      ${icon(name)}
+    </button>`;
+  }
+
+  /** Beside everything that stands there, so that the copy is seen. */
+  private copy(id: PartId): Change {
+    const width = this.designer.surface.shown?.solved.facts?.width ?? 1;
+    return duplicatePart(this.designer.state, id, Number((ASIDE * width).toPrecision(2)));
+  }
+
+  private readonly typed = (): void => {
+    const { ids, part } = this.designer.store;
+    const id = ids[part];
+    if (id === undefined) return;
+    const taken = isTaken(this.designer.state, id, this.name.value);
+    this.say(taken ? "Another part has this name." : "");
+    if (!taken) this.designer.apply(renamePart(this.designer.state, id, this.name.value));
+  };
+
+  /** The typing is over. Where it ended with the name of another part it never happened. */
+  private readonly named = (): void => {
+    const { store } = this.designer;
+    if (this.name.getAttribute("aria-invalid") === "true") store.cancelGesture();
+    else store.endGesture();
+    this.name.value = store.design.parts[store.part]?.name ?? "";
+    this.say("");
+  };
+
+  private say(text: string): void {
+    this.name.setAttribute("aria-invalid", text === "" ? "false" : "true");
+    const place = this.renderRoot.querySelector("#taken");
+    if (place) place.textContent = text;
+  }
+
+  private readonly key = (event: KeyboardEvent): void => {
+    if (event.ctrlKey || event.metaKey) return;
+    const change = this.changeBy(event);
+    if (!change) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (change === "name") {
+      this.name.focus();
+      this.name.select();
+    } else this.designer.apply(change);
+  };
+
+  private changeBy({ altKey, key }: KeyboardEvent): Change | "name" | null {
+    const { state } = this.designer;
+    const { ids, part } = state;
+    const id = ids[part];
+    if (id === undefined) return null;
+    const select = (place: number) => selectParts(ids[Math.max(0, Math.min(ids.length - 1, place))] ?? id);
+    switch (key) {
+      case "ArrowUp":
+        return altKey ? movePart(state, id, -1) : select(part - 1);
+      case "ArrowDown":
+        return altKey ? movePart(state, id, 1) : select(part + 1);
+      case "Home":
+        return select(0);
+      case "End":
+        return select(ids.length - 1);
+      case "Delete":
+      case "Backspace":
+        return deletePart(state, id);
+      case "d":
+      case "D":
+        return this.copy(id);
+      case "F2":
+        return "name";
+      default:
+        return null;
+    }
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    css`
+      :host {
+        display: block;
+      }
+      section {
+        padding-bottom: 14px;
+      }
+      h3 {
+        padding-bottom: 4px;
+        font-size: 1rem;
+        font-weight: 650;
+      }
+      ul {
+        max-height: 168px;
+        overflow-y: auto;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+      }
+      li {
+        display: grid;
+        align-items: center;
+        min-height: var(--touch);
+        padding: 4px 12px;
+        overflow-wrap: anywhere;
+        cursor: pointer;
+      }
+      li:hover {
+        background: var(--well);
+      }
+      li[aria-selected="true"] {
+        background: var(--accent-wash);
+        color: var(--accent-strong);
+        font-weight: 550;
+      }
+      .tools {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 4px;
+        padding-top: 6px;
+      }
+      .tools .field {
+        flex: 1 1 140px;
+      }
+      .problem {
+        color: var(--warn);
+        font-size: 0.88rem;
+      }
+      @media (max-width: 859px) {
+        /* Two and a half: that there are more is seen. */
+        ul {
+          max-height: 112px;
+        }
+      }
+      @media (forced-colors: active) {
+        li[aria-selected="true"] {
+          outline: 2px solid Highlight;
+          outline-offset: -2px;
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-parts": PasuParts;
+  }
+}

@@ -1,0 +1,399 @@
+/** The section of the pot through its axis, with the four boundary data as handles to drag or to move by arrow keys. */
+
+import { css, html, nothing, svg } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../../document/profile";
+import { DesignerElement } from "../../element/designer-element";
+import { formatNumber } from "../../number";
+import type { Section } from "../../solver/messages";
+import { dragHandle } from "../../state/shape-actions";
+import { base } from "../../ui/styles";
+
+const WIDTH = 360;
+const HEIGHT = 400;
+const MARGIN = 40;
+/** How much of a slope is drawn: the arrow is `X_u` shortened to this. */
+const SLOPE_SHARE = 0.2;
+const COARSE = 10;
+/** A finger's reach round a handle; handles that stand close share what is between them. */
+const REACH = 22;
+const LEAST_REACH = 9;
+const DUST = 1e-9;
+
+interface Point {
+  readonly x: number;
+  readonly z: number;
+}
+
+interface Marks {
+  readonly rim: Point;
+  readonly foot: Point;
+  /** Tips of the slopes, into the wall from either end. */
+  readonly rimTip: Point;
+  readonly footTip: Point;
+}
+
+interface Frame {
+  readonly x: number;
+  readonly z: number;
+  readonly scale: number;
+}
+
+@customElement("pasu-profile")
+export class PasuProfile extends DesignerElement {
+  /** The frame stands still under the hand. */
+  @state() private held: Frame | null = null;
+  private spoken = "";
+  @query("svg") private readonly picture!: SVGSVGElement;
+  private last: { readonly id: HandleId; readonly x: number; readonly y: number } | null = null;
+
+  override render() {
+    const { designer } = this;
+    const { design, part } = designer.state;
+    const shape = design.parts[part]?.shape;
+    const section = designer.surface.shown?.solved.section;
+    if (!shape || !section) return html`<p class="lead">The section appears with the pot.</p>`;
+    const marks = marksOf(section, rimAt(shape));
+    const all = handles(shape);
+    const frame =
+      this.held ??
+      frameOf(
+        section,
+        all.filter(isFree).map((handle) => pointOf(handle.id, marks)),
+      );
+    const unit = unitOf(design);
+    return html`
+      <p class="lead">The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.</p>
+      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label="Section through the axis">
+        ${this.drawing(section, frame)}
+        ${this.slope(frame, marks.rim, marks.rimTip)} ${this.slope(frame, marks.foot, marks.footTip)}
+        ${all.map((handle) => this.handle(handle, frame, marks))}
+      </svg>
+      <p class="spoken" role="status">${this.spoken}</p>
+      <dl>
+        ${all.map(
+          (handle) => html`<div>
+            <dt>${HANDLE_NAMES[handle.id]}</dt>
+            <dd>
+              ${reading(handle.id, section, rimAt(shape), unit)}
+              ${handle.why === "" ? nothing : html`<span class="why">${handle.why}</span>`}
+            </dd>
+          </div>`,
+        )}
+      </dl>
+    `;
+  }
+
+  private drawing(section: Section, frame: Frame) {
+    const right = pathOf(section.right, frame);
+    const left = pathOf(section.left, frame);
+    const axis = toView({ x: 0, z: 0 }, frame).x;
+    return svg`
+      <line class="axis" x1=${axis} y1="0" x2=${axis} y2=${HEIGHT} />
+      <path class="inside" d=${outlineOf(section, frame)} />
+      <path class="wall" d=${left} />
+      <path class="wall" d=${right} />
+    `;
+  }
+
+  private slope(frame: Frame, from: Point, tip: Point) {
+    const a = toView(from, frame);
+    const b = toView(tip, frame);
+    return svg`<line class="slope" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`;
+  }
+
+  private handle(handle: Handle, frame: Frame, marks: Marks) {
+    if (!isFree(handle)) return nothing;
+    const at = toView(pointOf(handle.id, marks), frame);
+    const ways = handle.radial && handle.axial ? "move" : handle.radial ? "across" : "along";
+    const slope = handle.id.endsWith("slope");
+    const others = HANDLE_IDS.filter((id) => id !== handle.id).map((id) => toView(pointOf(id, marks), frame));
+    const nearest = Math.min(...others.map((other) => Math.hypot(other.x - at.x, other.y - at.y)));
+    const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
+    return svg`<g
+      class="handle ${ways}"
+      tabindex="0"
+      role="button"
+      aria-roledescription="handle"
+      aria-label=${`${HANDLE_NAMES[handle.id]}, ${ways === "move" ? "moves both ways" : ways === "across" ? "moves left and right" : "moves up and down"}`}
+      data-handle=${handle.id}
+      transform="translate(${at.x} ${at.y})"
+      @pointerdown=${(event: PointerEvent) => this.grab(event, handle.id, frame)}
+      @pointermove=${this.drag}
+      @pointerup=${this.drop}
+      @pointercancel=${this.drop}
+      @keydown=${(event: KeyboardEvent) => this.key(event, handle, frame)}
+      @keyup=${() => this.designer.store.endGesture()}
+      @blur=${() => this.designer.store.endGesture()}
+    >
+      <circle class="reach" r=${reach} />
+      <circle class="ring" r="13" />
+      ${slope ? svg`<rect class="knob" x="-5.5" y="-5.5" width="11" height="11" rx="2" transform="rotate(45)" />` : svg`<circle class="knob" r="7.5" />`}
+    </g>`;
+  }
+
+  private grab(event: PointerEvent, id: HandleId, frame: Frame): void {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    const target = event.currentTarget as SVGGElement;
+    target.setPointerCapture(event.pointerId);
+    target.focus({ preventScroll: true });
+    this.held = frame;
+    this.last = { id, x: event.clientX, y: event.clientY };
+  }
+
+  private readonly drag = (event: PointerEvent): void => {
+    const { last, held } = this;
+    if (!last || !held) return;
+    const pixels = this.picture.getBoundingClientRect().width / WIDTH;
+    const scale = pixels * held.scale;
+    this.move(last.id, (event.clientX - last.x) / scale, (last.y - event.clientY) / scale);
+    this.last = { id: last.id, x: event.clientX, y: event.clientY };
+  };
+
+  private readonly drop = (): void => {
+    this.last = null;
+    this.held = null;
+    this.designer.store.endGesture();
+  };
+
+  /** Moves a handle by a distance in the section. */
+  private move(id: HandleId, x: number, z: number): void {
+    const { state } = this.designer;
+    const shape = state.design.parts[state.part]?.shape;
+    if (!shape) return;
+    const factor = id.endsWith("slope") ? towards(id, rimAt(shape)) / SLOPE_SHARE : 1;
+    this.designer.apply(dragHandle(state, id, factor * x, factor * z));
+  }
+
+  private key(event: KeyboardEvent, handle: Handle, frame: Frame): void {
+    const arrow = ARROWS[event.key];
+    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const pixel = 1 / frame.scale;
+    const step = 10 ** Math.floor(Math.log10(3 * pixel)) * (event.shiftKey ? COARSE : 1);
+    this.move(handle.id, arrow[0] * step, arrow[1] * step);
+  }
+
+  /** What a screen reader says after a key moved the handle that has the focus. */
+  override willUpdate(): void {
+    const section = this.designer.surface.shown?.solved.section;
+    const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
+    if (!section || !active || this.last) return;
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    if (shape) this.spoken = reading(active, section, rimAt(shape), unitOf(design));
+  }
+
+  static override readonly styles = [
+    base,
+    css`
+      :host {
+        display: block;
+      }
+      .lead {
+        color: var(--soft);
+        padding-bottom: 10px;
+        text-wrap: pretty;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        max-width: 460px;
+        margin: 0 auto;
+        border: 1px solid var(--line);
+        border-radius: 14px;
+        background: var(--paper);
+        touch-action: pan-y;
+        user-select: none;
+        overflow: hidden;
+      }
+      .axis {
+        stroke: var(--edge);
+        stroke-dasharray: 7 4 1.5 4;
+      }
+      .inside {
+        fill: var(--accent-wash);
+      }
+      .wall {
+        fill: none;
+        stroke: var(--ink);
+        stroke-width: 2.4;
+        stroke-linejoin: round;
+        stroke-linecap: round;
+      }
+      .slope {
+        stroke: var(--accent);
+        stroke-width: 1.6;
+        stroke-dasharray: 4 3;
+      }
+      .handle {
+        touch-action: none;
+        cursor: move;
+        outline: none;
+      }
+      .across {
+        cursor: ew-resize;
+      }
+      .along {
+        cursor: ns-resize;
+      }
+      .reach {
+        fill: transparent;
+      }
+      .ring {
+        fill: none;
+        stroke: transparent;
+        stroke-width: 2.5;
+      }
+      .knob {
+        fill: var(--sheet);
+        stroke: var(--accent);
+        stroke-width: 2.6;
+      }
+      .handle:hover .knob {
+        fill: var(--accent-wash);
+      }
+      .handle:active .knob {
+        fill: var(--accent);
+      }
+      .handle:focus-visible .ring {
+        stroke: var(--accent);
+      }
+      dl {
+        display: grid;
+        gap: 8px;
+        margin: 14px 0 0;
+      }
+      dl div {
+        display: grid;
+        grid-template-columns: 118px 1fr;
+        gap: 10px;
+      }
+      dt {
+        font-weight: 600;
+        font-size: 0.92rem;
+      }
+      dd {
+        margin: 0;
+        font-size: 0.92rem;
+        font-variant-numeric: tabular-nums;
+      }
+      .why {
+        display: block;
+        color: var(--soft);
+        font-size: 0.88rem;
+        text-wrap: pretty;
+      }
+    `,
+  ];
+}
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+/** From either end into the wall: along `u` at `u = 0`, against it at `u = 1`. */
+function towards(id: HandleId, rim: 0 | 1): 1 | -1 {
+  const end = id.startsWith("rim") ? rim : 1 - rim;
+  return end === 0 ? 1 : -1;
+}
+
+function endOf(section: Section, end: number): Point {
+  const i = end === 0 ? 0 : section.right.length - 2;
+  return { x: section.right[i] ?? 0, z: section.right[i + 1] ?? 0 };
+}
+
+function slopeOf(section: Section, end: number): Point {
+  return { x: section.slopes[2 * end] ?? 0, z: section.slopes[2 * end + 1] ?? 0 };
+}
+
+function marksOf(section: Section, rim: 0 | 1): Marks {
+  const tip = (end: number): Point => {
+    const at = endOf(section, end);
+    const slope = slopeOf(section, end);
+    const share = end === 0 ? SLOPE_SHARE : -SLOPE_SHARE;
+    return { x: at.x + share * slope.x, z: at.z + share * slope.z };
+  };
+  return { rim: endOf(section, rim), foot: endOf(section, 1 - rim), rimTip: tip(rim), footTip: tip(1 - rim) };
+}
+
+function isFree(handle: Handle): boolean {
+  return handle.radial || handle.axial;
+}
+
+function pointOf(id: HandleId, marks: Marks): Point {
+  switch (id) {
+    case "rim":
+      return marks.rim;
+    case "foot":
+      return marks.foot;
+    case "rim-slope":
+      return marks.rimTip;
+    case "foot-slope":
+      return marks.footTip;
+  }
+}
+
+function reading(id: HandleId, section: Section, rim: 0 | 1, unit: string): string {
+  const end = id.startsWith("rim") ? rim : 1 - rim;
+  const slope = id.endsWith("slope");
+  const { x, z } = slope ? slopeOf(section, end) : endOf(section, end);
+  const size = Math.hypot(...section.slopes);
+  // What is nothing beside the pot is dust of the arithmetic.
+  const number = (value: number) => `${formatNumber(Math.abs(value) < DUST * size ? 0 : value, 4)} ${unit}`;
+  return slope ? `Lean ${number(x)}, rise ${number(z)}` : `Radius ${number(x)}, height ${number(z)}`;
+}
+
+/** Room for the section, the handles and some air, with the axis where the pot is. */
+function frameOf(section: Section, marks: readonly Point[]): Frame {
+  let [left, right, low, high] = [0, 0, Infinity, -Infinity];
+  const take = (x: number, z: number) => {
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    low = Math.min(low, z);
+    high = Math.max(high, z);
+  };
+  for (const line of [section.right, section.left]) {
+    for (let i = 0; i + 1 < line.length; i += 2) take(line[i] ?? 0, line[i + 1] ?? 0);
+  }
+  for (const mark of marks) take(mark.x, mark.z);
+  const width = Math.max(right - left, 1e-9);
+  const height = Math.max(high - low, 1e-9);
+  const scale = Math.min((WIDTH - 2 * MARGIN) / width, (HEIGHT - 2 * MARGIN) / height);
+  return { x: (left + right) / 2, z: (low + high) / 2, scale };
+}
+
+function toView(point: Point, frame: Frame): { readonly x: number; readonly y: number } {
+  const round = (value: number) => Math.round(100 * value) / 100;
+  return {
+    x: round(WIDTH / 2 + frame.scale * (point.x - frame.x)),
+    y: round(HEIGHT / 2 - frame.scale * (point.z - frame.z)),
+  };
+}
+
+function pathOf(line: Float64Array, frame: Frame): string {
+  const steps: string[] = [];
+  for (let i = 0; i + 1 < line.length; i += 2) {
+    const { x, y } = toView({ x: line[i] ?? 0, z: line[i + 1] ?? 0 }, frame);
+    steps.push(`${i === 0 ? "M" : "L"}${x} ${y}`);
+  }
+  return steps.join("");
+}
+
+/** Down one wall and up the other. */
+function outlineOf(section: Section, frame: Frame): string {
+  const up: number[] = [];
+  for (let i = section.left.length - 2; i >= 0; i -= 2) up.push(section.left[i] ?? 0, section.left[i + 1] ?? 0);
+  return `${pathOf(section.right, frame)}${pathOf(new Float64Array(up), frame).replace("M", "L")}Z`;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-profile": PasuProfile;
+  }
+}

@@ -1,0 +1,209 @@
+/** The wall of the selected part: whether it is a pot at all, how thick, and what its rim and its foot are like. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { pathText } from "../../document/path";
+import { fittedWords } from "../../document/remedy-words";
+import { asSentence } from "../../document/report-words";
+import type { Wall } from "../../document/types";
+import { type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
+import { DesignerElement } from "../../element/designer-element";
+import { toggleExplain } from "../../state/actions";
+import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
+import { choiceStyles, choices } from "../../ui/choices";
+import { icon } from "../../ui/icons";
+import { CommandEvent } from "../command";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons } from "../../ui/styles";
+import { remedies, remedyStyles } from "./remedies";
+
+const SIDES = [
+  { value: "inside", label: "Inwards", note: "What you shaped is the outside." },
+  { value: "outside", label: "Outwards", note: "What you shaped is the lining." },
+] as const;
+
+const RIMS = [
+  { value: "flat", label: "Flat", note: "Cut square across." },
+  { value: "rounded", label: "Rounded", note: "Half a circle." },
+] as const;
+
+@customElement("pasu-wall")
+export class PasuWall extends DesignerElement {
+  private size = 1;
+
+  override willUpdate(): void {
+    const facts = this.designer.surface.shown?.solved.facts;
+    if (facts) this.size = Math.max(facts.height, facts.width, facts.depth);
+  }
+
+  override render() {
+    const { designer } = this;
+    const { design, part, session } = designer.state;
+    const wall = design.parts[part]?.wall;
+    if (!wall) {
+      return html`<p class="lead">
+          This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or
+          thrown.
+        </p>
+        <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
+          Make it a pot
+        </button>`;
+    }
+    return html`
+      <div class="head">
+        <button
+          class="button outlined"
+          type="button"
+          aria-pressed=${session.explain ? "true" : "false"}
+          @click=${() => designer.apply(toggleExplain(designer.state))}
+        >
+          Explain
+        </button>
+        <button class="button outlined" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
+          Remove the wall
+        </button>
+      </div>
+      ${this.verdict()} ${this.numbers(wall)}
+      <label class="check">
+        <input
+          type="checkbox"
+          .checked=${wall.foot !== undefined}
+          @change=${(event: Event) =>
+            designer.apply(setFootRing(designer.state, (event.target as HTMLInputElement).checked))}
+        />
+        <span>Foot ring</span>
+      </label>
+      ${choices("Rim", RIMS, wall.rim ?? "flat", (rim) => designer.apply(setRim(designer.state, rim)))}
+      ${choices("Clay is laid", SIDES, wall.side ?? "inside", (side) => designer.apply(setSide(designer.state, side)))}
+      <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
+        ${icon("make")}<span>Export it for making</span>
+      </button>
+    `;
+  }
+
+  /** Why it is no pot, in the solver's words; or how much it holds, and what of it was fitted. */
+  private verdict() {
+    const { designer } = this;
+    const { made } = designer;
+    // Nothing is said of the wall before this one.
+    const problem = made?.isOfNow(made.solid) ? made.solid.problem : null;
+    if (problem)
+      return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
+        ${remedies(designer)}`;
+    const measures = made?.measures;
+    const unmeasured = measures && made.isOfNow(measures) && measures.problem;
+    const held = unmeasured ? asSentence(unmeasured.message) : made?.holds;
+    return html`<p class="holds" role="status">${held ?? html`<span class="wait">Checking…</span>`}</p>
+      ${this.fitted()}`;
+  }
+
+  /** What is made otherwise than asked for, for want of room, with a button that says so in the document. */
+  private fitted() {
+    const { designer } = this;
+    const { made, state } = designer;
+    if (made?.report.of !== state.design) return nothing;
+    const found = (made.report.value?.findings ?? []).filter(({ part }) => part === state.part);
+    const told = found.flatMap((finding) => fittedWords(finding, unitOf(state.design)) ?? []);
+    if (told.length === 0) return nothing;
+    return html`${told.map((text) => html`<p class="problem" role="status">${icon("warn")}<span>${text}</span></p>`)}
+      ${remedies(designer)}`;
+  }
+
+  private numbers(wall: Wall) {
+    const { designer } = this;
+    return wallFields(wall).map((field) => {
+      // The ranges go by the pot that was opened: no number moves the range of another.
+      const { max, step } = wallRange(field, designer.origin.size ?? this.size);
+      return html`<pasu-number
+        data-field=${field.path.join("-")}
+        .label=${field.name}
+        .unit=${unitOf(designer.store.design)}
+        .help=${field.help}
+        .problem=${this.problemOf(field)}
+        .value=${wallNumber(wall, field)}
+        .min=${0}
+        .max=${max}
+        .step=${step}
+        .explain=${designer.store.session.explain}
+        @number-change=${(event: NumberChangeEvent) =>
+          designer.apply(setWallNumber(designer.state, field, event.value, event.gesture))}
+        @number-done=${() => designer.store.endGesture()}
+        @number-cancel=${() => designer.store.cancelGesture()}
+      ></pasu-number>`;
+    });
+  }
+
+  /** The objection of whoever objects first, when it names this number. */
+  private problemOf(field: WallField): string {
+    const { made, state, surface } = this.designer;
+    const path = pathText(["parts", state.part, "wall", ...field.path]);
+    const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
+    return named ? asSentence(named.message) : "";
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    choiceStyles,
+    remedyStyles,
+    css`
+      :host {
+        display: block;
+      }
+      .lead {
+        padding-bottom: 14px;
+        color: var(--soft);
+        text-wrap: pretty;
+      }
+      .head {
+        display: flex;
+        justify-content: space-between;
+        gap: 8px;
+        padding-bottom: 8px;
+      }
+      .holds {
+        min-height: 1.5em;
+        margin: 6px 0 8px;
+        color: var(--soft);
+      }
+      .wait {
+        color: var(--soft);
+      }
+      .problem {
+        display: flex;
+        gap: 8px;
+        margin: 2px 0 6px;
+        padding: 8px 12px;
+        border-radius: 9px;
+        background: var(--warn-wash);
+        color: var(--warn);
+        font-size: 0.92rem;
+      }
+      .check {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        cursor: pointer;
+      }
+      .check input {
+        width: 18px;
+        height: 18px;
+        margin: 0;
+        accent-color: var(--accent);
+      }
+      .export {
+        width: 100%;
+        margin-top: 18px;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-wall": PasuWall;
+  }
+}

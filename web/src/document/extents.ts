@@ -1,0 +1,96 @@
+/** How high and how wide what is drawn is: the numbers that caption, dimension lines and measures share. */
+
+/** The pot between two upright planes square to a horizontal direction. */
+export interface Span {
+  /** In degrees from the x axis. */
+  readonly direction: number;
+  /** Where the first plane is along the direction. */
+  readonly low: number;
+  readonly width: number;
+}
+
+export interface Extents {
+  readonly bottom: number;
+  readonly height: number;
+  readonly greatest: Span;
+  readonly least: Span;
+}
+
+/** Directions in which the farthest points are sought; the widths are then those between all of these points. */
+const DIRECTIONS = 128;
+
+/** Widths that differ by less have no direction worth drawing: what is round is drawn with corners. */
+const ROUND = 1e-3;
+
+/** Extents of points (xyz); null where there is none. */
+export function extentsOf(positions: Float32Array): Extents | null {
+  let [bottom, top] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (let i = 2; i < positions.length; i += 3) {
+    const z = positions[i] ?? 0;
+    if (z < bottom) bottom = z;
+    if (z > top) top = z;
+  }
+  if (!(top >= bottom)) return null;
+  const corners = cornersOf(positions);
+  let greatest: Span = { direction: 0, low: 0, width: -1 };
+  let least: Span = { direction: 0, low: 0, width: Number.POSITIVE_INFINITY };
+  const consider = (dx: number, dy: number) => {
+    if (dx === 0 && dy === 0) return;
+    const along = spanAlong(corners, Math.atan2(dy, dx));
+    if (along.width > greatest.width) greatest = along;
+    const across = spanAlong(corners, Math.atan2(dx, -dy));
+    if (across.width < least.width) least = across;
+  };
+  consider(1, 0);
+  consider(0, 1);
+  // The widest place is between two corners, and the narrowest is square to a side.
+  const farthest = farthestPair(corners);
+  if (farthest) consider(farthest[0], farthest[1]);
+  corners.forEach(([x, y], index) => {
+    const next = corners[(index + 1) % corners.length];
+    if (next) consider(next[0] - x, next[1] - y);
+  });
+  return { bottom, height: top - bottom, greatest, least };
+}
+
+/** Whether the widths are the same all round, as far as anyone can see. */
+export function isRound({ greatest, least }: Extents): boolean {
+  return greatest.width - least.width <= ROUND * greatest.width;
+}
+
+type Corner = readonly [x: number, y: number];
+
+/** The points that are farthest in one of the directions, in the order of these: an outline as seen from above, without its hollows. */
+function cornersOf(positions: Float32Array): readonly Corner[] {
+  const corners: Corner[] = [];
+  for (let k = 0; k < DIRECTIONS; k += 1) {
+    const angle = (2 * Math.PI * k) / DIRECTIONS;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    let [best, at] = [Number.NEGATIVE_INFINITY, 0];
+    for (let i = 0; i < positions.length; i += 3) {
+      const along = c * (positions[i] as number) + s * (positions[i + 1] as number);
+      if (along > best) [best, at] = [along, i];
+    }
+    const corner: Corner = [positions[at] ?? 0, positions[at + 1] ?? 0];
+    const before = corners.at(-1);
+    if (!before || before[0] !== corner[0] || before[1] !== corner[1]) corners.push(corner);
+  }
+  return corners;
+}
+
+function farthestPair(corners: readonly Corner[]): Corner | null {
+  let best: Corner | null = null;
+  for (const [x, y] of corners) {
+    for (const [p, q] of corners) if (!best || Math.hypot(p - x, q - y) > Math.hypot(...best)) best = [p - x, q - y];
+  }
+  return best;
+}
+
+/** A direction and its opposite are one: it is told from 0 to less than 180 degrees. */
+function spanAlong(corners: readonly Corner[], angle: number): Span {
+  const half = ((angle % Math.PI) + Math.PI) % Math.PI;
+  const [c, s] = [Math.cos(half), Math.sin(half)];
+  const along = corners.map(([x, y]) => c * x + s * y);
+  const low = Math.min(...along);
+  return { direction: (half * 180) / Math.PI, low, width: Math.max(...along) - low };
+}

@@ -1,0 +1,72 @@
+import { expect, test } from "vitest";
+import { designOf } from "./gallery/exhibit";
+import { OWN } from "./gallery/own";
+import { PAPERS } from "./gallery/papers";
+import { inUnit, scaled, shapeBy } from "./scaled";
+import { type Family, familyOf, fieldValue } from "./schema";
+import type { Design } from "./types";
+
+const FAMILIES = (["second-order", "mixed-order", "fourth-order", "bloor-wilson"] as const).map(
+  (kind) => familyOf(kind) as Family,
+);
+
+test.each(FAMILIES.map((family) => [family.kind, family] as const))(
+  "every length of %s grows, and nothing else",
+  (_, family) => {
+    const twice = shapeBy(family.reset, 2);
+    for (const field of family.fields) {
+      const grows = field.length || field.path[0] === "force";
+      expect(fieldValue(twice, field), field.name).toBeCloseTo((grows ? 2 : 1) * fieldValue(family.reset, field), 12);
+    }
+  },
+);
+
+test("free boundary data grow with their slopes and forces, and keep their waves and weights", () => {
+  const gourd = OWN.find(({ id }) => id === "own-gourd")?.shape;
+  if (gourd?.kind !== "boundary-value") throw new Error("the gourd is of free boundary data");
+  const half = shapeBy(gourd, 0.5) as typeof gourd;
+  const [mode, smaller] = [gourd.x.modes[0]?.cos, half.x.modes[0]?.cos];
+  expect(smaller).toEqual(
+    Object.fromEntries(
+      Object.entries(mode ?? {}).map(([name, value]: [string, number | readonly number[]]) => [
+        name,
+        typeof value === "number" ? value / 2 : value.map((each) => each / 2),
+      ]),
+    ),
+  );
+  expect(smaller?.force).toHaveLength(3);
+  expect({ ...half.x, modes: [] }).toEqual({ ...gourd.x, modes: [] });
+});
+
+const POT: Design = {
+  pasu: 1,
+  parts: [
+    {
+      shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] },
+      place: { scale: [1, 1, 2], shift: [1, 0, 3] },
+      wall: { thickness: 0.5, base: 0.4, foot: [0.6, 0.3], drain: 1 },
+    },
+  ],
+};
+
+test("a wall grows along, or stays as thick as it was said to be", () => {
+  expect(scaled(POT, 3, "scale").parts[0]).toEqual({
+    shape: { kind: "second-order", r: [3, 0.3, 1.8, 0.18], height: 10.8, force: [0, 0] },
+    place: { scale: [1, 1, 2], shift: [3, 0, 9] },
+    wall: { thickness: 1.5, base: 1.2, foot: [1.8, 0.9], drain: 3 },
+  });
+  expect(scaled(POT, 3, "stay").parts[0]?.wall).toBe(POT.parts[0]?.wall);
+});
+
+test("a unit converts: there and back leads to the same document", () => {
+  const inches = inUnit(POT, "in");
+  expect(inches.unit).toBe("in");
+  expect(inches.parts[0]?.wall?.thickness).toBeCloseTo(0.5 / 2.54, 11);
+  expect(inUnit(POT, "cm")).toBe(POT);
+  for (const exhibit of [...OWN, ...PAPERS]) {
+    const design = designOf(exhibit);
+    const back = inUnit(inUnit(design, "mm"), "cm");
+    const again = inUnit(inUnit(back, "mm"), "cm");
+    expect(again).toEqual(back);
+  }
+});

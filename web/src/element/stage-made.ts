@@ -1,0 +1,104 @@
+/** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
+
+import { looksOf, unitOf } from "../document/look";
+import { mapOf, scaleOf } from "../document/maps";
+import { lengthWords, volumeWords } from "../document/quantities";
+import type { MapName } from "../document/types";
+import { sameSurface } from "../document/wall";
+import type { Solid } from "../maker/messages";
+import { Made as Drawing, type Hold } from "../render/made/made";
+import type { StageMap } from "../render/made/map-coat";
+import type { Word } from "../render/overlay/overlays";
+import type { Stage } from "../render/stage";
+import type { Designer } from "../work/designer";
+import type { Made } from "../work/made";
+import type { Piece } from "../work/piece";
+import type { Shown } from "../work/surface";
+import "./water-handle";
+import type { PasuWaterHandle } from "./water-handle";
+
+export class StageMade {
+  readonly #designer: Designer;
+  readonly #host: HTMLElement;
+  readonly #drawing: Drawing;
+  readonly #handle: PasuWaterHandle;
+  #mesh: Shown["solved"]["mesh"] | null = null;
+  #last: readonly unknown[] = [];
+
+  /** The handle of the water is put into the shadow of `host`. */
+  constructor(designer: Designer, stage: Stage, host: HTMLElement) {
+    this.#designer = designer;
+    this.#host = host;
+    this.#drawing = stage.invite((place) => new Drawing(place));
+    this.#handle = document.createElement("pasu-water-handle");
+    this.#handle.designer = designer;
+    (host.shadowRoot ?? host).append(this.#handle);
+    this.#drawing.onHold = (hold: Hold | null) => this.#handle.hold(hold);
+  }
+
+  /** Takes the handle away; the rest goes with the stage. */
+  dispose(): void {
+    this.#handle.remove();
+    delete this.#host.dataset.wall;
+  }
+
+  /** Brings the stage up to date with the designer; cheap when nothing changed. */
+  update(): void {
+    const { made, store, surface } = this.#designer;
+    const { shown } = surface;
+    if (!made || !shown) return;
+    const { map, overlays, fill } = store.session;
+    const { solid, water, painted, measures } = made;
+    const now = [shown, solid, water, painted, measures, map, overlays, fill];
+    if (now.every((each, i) => each === this.#last[i])) return;
+    this.#last = now;
+    const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
+    this.#show(made, fits(solid) ? solid : null, shown);
+    this.#drawing.cut(overlays.cut);
+    this.#drawing.pour(fits(water) ? water.value : null, fill === null ? null : made.level);
+    this.#paint(made, shown, map);
+    this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);
+  }
+
+  /** What was shown before is written over by what is made under the hand. */
+  #show({ inStep, solid }: Made, wall: Piece<Solid> | null, { design }: Shown): void {
+    const before = this.#drawing.show(wall?.value ?? null, looksOf(design));
+    if (before && before !== solid.value) inStep.recycle(before);
+    // For whoever watches from outside.
+    if (wall?.value) this.#host.dataset.wall = wall.key;
+    else delete this.#host.dataset.wall;
+  }
+
+  #paint({ painted }: Made, shown: Shown, map: MapName | null): void {
+    const another = shown.solved.mesh !== this.#mesh;
+    this.#mesh = shown.solved.mesh;
+    if (map === null) this.#drawing.paint(null);
+    else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
+      const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
+      const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
+      const next: StageMap = { values: painted.value.values, low, high, ramp, lean: map === "overhang" };
+      this.#drawing.paint(fits ? next : undefined);
+    } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
+  }
+}
+
+/** The thickness at the rim and how much the pot holds, where each can be seen. */
+function wordsOf({ measures, solid }: Made, { design }: Shown): readonly Word[] {
+  const unit = unitOf(design);
+  const words: Word[] = [];
+  const { value } = measures;
+  const wall = design.parts[0]?.wall;
+  if (value?.capacity && measures.of === design) {
+    const { brim, spill } = value.capacity;
+    words.push({ text: volumeWords(brim.value, unit, 3), at: middleOf(solid.value?.bounds, spill.level.value) });
+    if (wall) words.push({ text: `wall ${lengthWords(wall.thickness, unit, 3)}`, at: spill.at });
+  }
+  return words;
+}
+
+function middleOf(
+  bounds: { readonly centre: readonly [number, number, number] } | null | undefined,
+  z: number,
+): readonly [number, number, number] {
+  return [bounds?.centre[0] ?? 0, bounds?.centre[1] ?? 0, z];
+}

@@ -1,0 +1,431 @@
+/** The stage in the page: loads the renderer beside the solver, gives it what was solved, and passes the keyboard on. */
+
+import { effect } from "@preact/signals-core";
+import { css, html, nothing, type PropertyValues } from "lit";
+import { customElement, query, state } from "lit/decorators.js";
+import { looksOf, unitOf } from "../document/look";
+import type { Stage } from "../render/stage";
+import { base } from "../ui/styles";
+import type { Compared } from "../work/comparison";
+import { UNFETCHED } from "../work/notices";
+import type { Shown } from "../work/surface";
+import { trace } from "../work/trace";
+import { DesignerElement } from "./designer-element";
+import type { StageMade } from "./stage-made";
+import { VIEWS, ZOOM } from "./views";
+
+const TURN = Math.PI / 18;
+const PAN = 40;
+/** Undo across a change of size by more than this fits the view again. */
+const OTHER_SIZE = 1.6;
+
+const REDUCED = "(prefers-reduced-motion: reduce)";
+const DARK = "(prefers-color-scheme: dark)";
+
+@customElement("pasu-stage")
+export class PasuStage extends DesignerElement {
+  @state() private mode: "loading" | "live" | "lost" | "still" = "loading";
+  @query(".host") private readonly host!: HTMLDivElement;
+  @query(".still") private readonly still!: HTMLCanvasElement | null;
+  private stage: Stage | null = null;
+  private drawn: Shown | null = null;
+  private compared: Compared | null = null;
+  private said = "";
+  private made: StageMade | null = null;
+  private making = false;
+  private leave: (() => void) | null = null;
+  /** The stage that is being fetched: one that nobody waits for any more is not put up. */
+  private loading: object | null = null;
+  private framed = -1;
+  private framedSize = 0;
+  private readonly dark = matchMedia(DARK);
+  private readonly reduced = matchMedia(REDUCED);
+  private readonly resizes = new ResizeObserver(() => void this.drawStill());
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.dark.addEventListener("change", this.mediaChanged);
+    this.reduced.addEventListener("change", this.mediaChanged);
+    // A new surface goes to the stage before the page writes about it.
+    this.leave = effect(() => this.display());
+    if (this.hasUpdated && !this.stage) void this.load();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.dark.removeEventListener("change", this.mediaChanged);
+    this.reduced.removeEventListener("change", this.mediaChanged);
+    this.leave?.();
+    this.leave = null;
+    // Whoever is only moved to another place is connected again by then, and the stage lives on.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.close();
+    });
+  }
+
+  /** Gives back what the stage holds of the graphics card. */
+  private close(): void {
+    this.loading = null;
+    this.resizes.disconnect();
+    this.made?.dispose();
+    this.made = null;
+    this.making = false;
+    this.stage?.dispose();
+    this.stage = null;
+    this.drawn = null;
+    this.compared = null;
+    this.framed = -1;
+    this.framedSize = 0;
+    this.mode = "loading";
+  }
+
+  override firstUpdated(): void {
+    void this.load();
+  }
+
+  /** The picture as it is seen; null while there is no stage to take it from. */
+  picture(width: number, height: number, transparent: boolean): Promise<Blob> | null {
+    return this.stage?.picture(width, height, { transparent }) ?? null;
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.host.focus(options);
+  }
+
+  private async load(): Promise<void> {
+    const mine = {};
+    this.loading = mine;
+    try {
+      const { Stage } = await import("../render/stage");
+      if (!this.isConnected || this.loading !== mine || this.stage) return;
+      if (!Stage.supported()) {
+        this.mode = "still";
+        return;
+      }
+      this.stage = new Stage(this.host, {
+        theme: this.theme(),
+        reducedMotion: this.reduced.matches,
+        unit: unitOf(this.designer.store.design),
+        onContextLost: () => {
+          this.mode = "lost";
+        },
+        onContextRestored: () => {
+          this.mode = "live";
+        },
+        onDrawn: () => {
+          if (this.drawn) trace("drawn", this.drawn.change);
+        },
+        onCost: (milliseconds, coarsest) => {
+          const times = this.drawn?.solved.times;
+          if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
+        },
+      });
+      this.mode = "live";
+      // The pot is drawn without waiting for its tools.
+      void import("./stage-tools");
+    } catch {
+      this.mode = "still";
+    }
+  }
+
+  override render() {
+    const { designer } = this;
+    return html`
+      <div
+        class="host"
+        tabindex="0"
+        role="application"
+        aria-roledescription="3D view"
+        aria-label="The pot"
+        aria-describedby="description keys"
+        @keydown=${this.key}
+      ></div>
+      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
+      ${this.note()}
+      ${
+        designer.comparison.shown
+          ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
+          : nothing
+      }
+      <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
+      <div class="foot">
+        <p id="description">${designer.description}${this.accuracy()}</p>
+        ${
+          this.mode === "still"
+            ? nothing
+            : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
+        }
+      </div>
+    `;
+  }
+
+  /** Keeps its place while a gesture is under way, when nobody knows it. */
+  private accuracy() {
+    const { accuracy } = this.designer.surface;
+    if (accuracy !== "") this.said = accuracy;
+    return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
+  }
+
+  private note() {
+    switch (this.mode) {
+      case "loading":
+        return html`<div class="wheel" aria-hidden="true"></div>`;
+      case "lost":
+        return html`<p class="note" role="status">The graphics card was taken away for a moment. The picture comes back by itself.</p>`;
+      case "still":
+        return html`<p class="note" role="status">
+          This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.
+        </p>`;
+      case "live":
+        return this.designer.surface.shown === null && this.designer.surface.problem === null
+          ? html`<div class="wheel" aria-hidden="true"></div>`
+          : nothing;
+    }
+  }
+
+  override updated(_changed: PropertyValues): void {
+    const { designer, stage } = this;
+    const { design, session } = designer.store;
+    const comparison = designer.comparison.shown;
+    if (this.still) {
+      this.resizes.observe(this.still);
+      if (designer.surface.shown !== this.drawn) void this.drawStill();
+      this.drawn = designer.surface.shown;
+    }
+    if (!stage) return;
+    stage.theme(this.theme());
+    stage.unit(unitOf(design));
+    this.display();
+    stage.measure(designer.extents);
+    stage.overlays(session.overlays);
+    if (designer.made && !this.making) void this.make(stage);
+    this.made?.update();
+    if (comparison !== this.compared) {
+      this.compared = comparison;
+      if (comparison) void import("./stage-captions");
+      stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
+    }
+  }
+
+  /** What is made of the design is drawn by code that is fetched with the first thing to draw. */
+  private async make(stage: Stage): Promise<void> {
+    this.making = true;
+    try {
+      const { StageMade } = await import("./stage-made");
+      if (stage !== this.stage) return;
+      this.made = new StageMade(this.designer, stage, this);
+      this.requestUpdate();
+    } catch {
+      this.designer.notices.say(UNFETCHED);
+    }
+  }
+
+  private display(): void {
+    const { designer, stage } = this;
+    const { shown } = designer.surface;
+    if (!stage || !shown || shown === this.drawn) return;
+    this.drawn = shown;
+    const before = stage.show(shown.solved.mesh, looksOf(shown.design));
+    if (before) designer.surface.recycle(before);
+    trace("shown", shown.change);
+    if (shown.solved.lines) stage.lines(shown.solved.lines);
+    stage.measure(designer.extents);
+    // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
+    this.made?.update();
+    this.frame(shown, stage);
+  }
+
+  /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */
+  private frame(shown: Shown, stage: Stage): void {
+    const facts = shown.solved.facts;
+    const size = facts ? Math.hypot(facts.width, facts.depth, facts.height) : this.framedSize;
+    const ratio = this.framedSize > 0 ? size / this.framedSize : 1;
+    const elsewhere = shown.travelled && (ratio > OTHER_SIZE || ratio < 1 / OTHER_SIZE);
+    if (shown.framing === this.framed && !elsewhere) return;
+    this.framed = shown.framing;
+    this.framedSize = size;
+    stage.fit();
+  }
+
+  private theme(): "light" | "dark" {
+    const choice = this.designer.store.session.theme;
+    if (choice !== "auto") return choice;
+    return this.dark.matches ? "dark" : "light";
+  }
+
+  private readonly mediaChanged = (): void => {
+    this.stage?.reducedMotion(this.reduced.matches);
+    this.requestUpdate();
+  };
+
+  private async drawStill(): Promise<void> {
+    if (!this.still) return;
+    const { drawStill } = await import("./still-picture");
+    const canvas = this.still;
+    const shown = this.designer.surface.shown;
+    if (!canvas || !shown) return;
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    canvas.width = Math.round(canvas.clientWidth * ratio);
+    canvas.height = Math.round(canvas.clientHeight * ratio);
+    drawStill(shown.solved.mesh, canvas, this.theme() === "dark" ? [0.62, 0.78, 0.71] : [0.66, 0.8, 0.73]);
+  }
+
+  private readonly key = (event: KeyboardEvent): void => {
+    const { stage } = this;
+    if (!stage || event.ctrlKey || event.metaKey || event.altKey) return;
+    const view = VIEWS[Number(event.key) - 1];
+    const arrow = ARROWS[event.key];
+    if (arrow) {
+      const [x, y] = arrow;
+      if (event.shiftKey) stage.pan(-PAN * x, -PAN * y);
+      else stage.orbit(TURN * x, TURN * y);
+    } else if (view) stage.view(view.name);
+    else if (event.key === "+" || event.key === "=") stage.zoom(ZOOM);
+    else if (event.key === "-" || event.key === "_" || event.key === "−") stage.zoom(1 / ZOOM);
+    else if (event.key === "f" || event.key === "F") stage.fit();
+    else return;
+    event.preventDefault();
+  };
+
+  static override readonly styles = [
+    base,
+    css`
+      :host {
+        position: relative;
+        display: block;
+        min-width: 0;
+        min-height: 0;
+        overflow: hidden;
+      }
+      .host,
+      .still {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+      }
+      .host {
+        touch-action: none;
+      }
+      .still {
+        top: 76px;
+        height: calc(100% - 76px);
+      }
+      .host:focus-visible {
+        outline-offset: -4px;
+        z-index: 1;
+      }
+      .foot {
+        position: absolute;
+        z-index: 2;
+        inset: auto 0 0 0;
+        display: flex;
+        align-items: end;
+        justify-content: space-between;
+        gap: 12px;
+        padding: 14px;
+        pointer-events: none;
+      }
+      #description {
+        max-width: 46ch;
+        padding: 6px 11px;
+        border-radius: 9px;
+        background: var(--sheet);
+        color: var(--soft);
+        font-size: 0.9rem;
+      }
+      .accuracy[data-old] {
+        visibility: hidden;
+      }
+      #description:empty {
+        visibility: hidden;
+      }
+      .note {
+        position: absolute;
+        z-index: 2;
+        inset: 14px 14px auto;
+        width: fit-content;
+        max-width: 62ch;
+        margin-inline: auto;
+        padding: 9px 14px;
+        border: 1px solid var(--line);
+        border-radius: 10px;
+        background: var(--sheet);
+      }
+      .wheel {
+        position: absolute;
+        inset: 0;
+        margin: auto;
+        width: 44px;
+        height: 44px;
+        border: 3px solid var(--line);
+        border-top-color: var(--accent);
+        border-radius: 50%;
+        animation: turn 1s linear infinite;
+      }
+      @keyframes turn {
+        to {
+          rotate: 1turn;
+        }
+      }
+      @media (max-width: 859px) {
+        .foot {
+          inset: 0;
+          flex-direction: column;
+          align-items: stretch;
+          padding: 6px 8px 22px;
+        }
+        #description {
+          align-self: center;
+          max-width: none;
+          padding: 2px 9px;
+          font-size: 0.8rem;
+          line-height: 1.35;
+          text-align: center;
+        }
+        /* Under the pot: above it a third line would lie over the rim. */
+        .accuracy {
+          position: absolute;
+          inset: auto auto 24px 8px;
+          padding: 0 7px;
+          border-radius: 7px;
+          background: var(--sheet);
+          font-size: 0.68rem;
+          white-space: nowrap;
+        }
+        /* The captions stand in its place. */
+        pasu-captions ~ .foot #description {
+          visibility: hidden;
+        }
+        pasu-stage-tools {
+          align-self: end;
+          margin-top: auto;
+        }
+      }
+      @media (max-width: 379px) {
+        #description {
+          max-width: 100%;
+          overflow: hidden;
+          text-overflow: ellipsis;
+          white-space: nowrap;
+        }
+        .accuracy {
+          display: none;
+        }
+      }
+    `,
+  ];
+}
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-stage": PasuStage;
+  }
+}

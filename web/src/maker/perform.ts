@@ -1,0 +1,55 @@
+/** What the maker's worker answers: everything that the package can do besides drawing. */
+
+import { check, measure, paint, provenance, sketch, solid, water, write } from "pasu";
+import type { Sent } from "../document/types";
+import type { Answers, Ask, Kind, Quick, Request, Solid } from "./messages";
+import { paintedOf } from "./painted";
+import { solidOf } from "./solid";
+
+export function perform({ ask }: Request): Answers[Kind] {
+  switch (ask.kind) {
+    case "solid":
+      return drawn(ask.design as Sent, ask.tolerance);
+    case "quick":
+      return quick(ask);
+    case "measure":
+      return measure(ask.design as Sent, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
+    case "check":
+      return check(ask.design as Sent, ask.making);
+    case "paint":
+      return paintedOf(paint(ask.design as Sent, ask.map, { rows: ask.rows, columns: ask.columns }));
+    case "water":
+      return { ...water(ask.design as Sent, ask.level), level: ask.level };
+    case "write":
+      return { bytes: write(ask.design as Sent, ask.format, ask.making) };
+    case "open":
+      return provenance(ask.bytes);
+  }
+}
+
+/** Parts that are no pots are drawn by the solver alone. */
+function drawn(design: Sent, tolerance: number): Solid {
+  const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
+  if (walled.length === design.parts.length) return solidOf(design, solid(design, { tolerance }));
+  const parts = design.parts.filter(({ wall }) => wall !== undefined);
+  const made = solid({ ...design, parts }, { tolerance });
+  const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
+  return solidOf(design, { ...made, faces });
+}
+
+/** A pot under the hand, in the arrays of an earlier one. */
+function quick({ design, tolerance, fill, spare }: Extract<Ask, { kind: "quick" }>): Quick {
+  const begun = performance.now();
+  const made = sketch(design as Sent, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
+  const solid = solidOf(design, made, spare);
+  return { solid, water: made.water ?? null, took: performance.now() - begun };
+}
+
+/** Arrays travel; they are not copied. */
+export function buffersOf(answer: Answers[Kind]): Transferable[] {
+  if (typeof answer !== "object" || answer === null) return [];
+  const parts = "solid" in answer ? [answer.solid, answer.water ?? {}] : [answer];
+  return parts
+    .flatMap((part) => Object.values(part))
+    .flatMap((value) => (ArrayBuffer.isView(value) ? [value.buffer as ArrayBuffer] : []));
+}

@@ -1,0 +1,129 @@
+/** Numbers as people type and read them. */
+
+export type Typed = { readonly value: number } | { readonly problem: string };
+
+const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
+const DIGITS_SHOWN = 6;
+
+/**
+ * Reads a typed number: decimal comma or point, spaces of any kind, the real minus sign, exponents
+ * (`1e-3`, `1,5 × 10^-3`). Two marks are read as grouping only when they cannot be anything else (`1,234.5`).
+ */
+export function parseNumber(text: string): Typed {
+  let plain = text.replace(/[\s\u00a0\u202f\u2009'’_]/g, "").replace(/[\u2212\u2013\uff0d]/g, "-");
+  if (plain === "") return { problem: "Type a number." };
+  plain = plain.replace(/[×x*]10\^?/i, "e");
+  const comma = plain.lastIndexOf(",");
+  const point = plain.lastIndexOf(".");
+  if (comma >= 0 && point >= 0) {
+    const [group, mark] = comma > point ? [".", ","] : [",", "."];
+    plain = plain.split(group).join("").replace(mark, ".");
+  } else if (comma >= 0) {
+    plain = plain.replace(",", ".");
+  }
+  if (!DECIMAL.test(plain)) return { problem: `“${shortened(text)}” is not a number.` };
+  const value = Number(plain);
+  if (!Number.isFinite(value)) return { problem: "This number is too large." };
+  return { value: value === 0 ? 0 : value };
+}
+
+const MILLIMETRES: Readonly<Record<string, number>> = { mm: 1, cm: 10, m: 1000, in: 25.4, ft: 304.8 };
+
+/** What people write behind a length. */
+const LENGTH =
+  /^(.*?)(millimet(?:er|re)s?|centimet(?:er|re)s?|met(?:er|re)s?|inch(?:es)?|feet|foot|mm|cm|m|in\.?|ft\.?|″|"|′|')?$/i;
+
+const FRACTION = /^([+-]?)(?:(\d+)\s+)?(\d+)\s*[/\u2044]\s*(\d+)$/;
+
+/**
+ * Reads a typed length in a unit (`mm`, `cm` or `in`): a number as {@link parseNumber} reads it or a fraction (`1/2`, `1 1/2`), and behind it any unit of length, from which it is
+ * converted. Without one it is in `unit`.
+ */
+export function parseLength(text: string, unit: string): Typed {
+  const [, amount = "", written] = LENGTH.exec(text.trim()) ?? [];
+  const own = MILLIMETRES[unit];
+  const typed = parseAmount(amount);
+  // A sentence that ends in m is no length: it is named as it was typed.
+  if ("problem" in typed) return parseAmount(text);
+  if (!written || own === undefined) return own === undefined ? parseNumber(text) : typed;
+  const value = (typed.value * (MILLIMETRES[unitOf(written)] ?? own)) / own;
+  if (!Number.isFinite(value)) return { problem: "This number is too large." };
+  return { value: Number(value.toPrecision(CONVERTED_DIGITS)) };
+}
+
+/** Digits that a conversion keeps: those of a document. */
+const CONVERTED_DIGITS = 12;
+
+/** Millilitres; ounces and pints are those of the United States. */
+const MILLILITRES: Readonly<Record<string, number>> = {
+  ml: 1,
+  cl: 10,
+  dl: 100,
+  l: 1000,
+  "fl oz": 29.5735295625,
+  pt: 473.176473,
+};
+
+const VOLUME =
+  /^(.*?)(millilit(?:er|re)s?|lit(?:er|re)s?|(?:fl\.?|fluid)\s*(?:oz\.?|ounces?)|oz\.?|ounces?|pints?|pt\.?|ml|cl|dl|l)?$/i;
+
+/** Reads a typed volume in millilitres; a number alone is in `unit` (`ml` or `l`). */
+export function parseVolume(text: string, unit: "ml" | "l"): Typed {
+  const [, amount = "", written = unit] = VOLUME.exec(text.trim()) ?? [];
+  const typed = parseAmount(amount);
+  if ("problem" in typed) return parseAmount(text);
+  const value = typed.value * (MILLILITRES[volumeUnitOf(written.toLowerCase())] ?? 1);
+  return Number.isFinite(value) ? { value } : { problem: "This number is too large." };
+}
+
+function volumeUnitOf(word: string): string {
+  if (word in MILLILITRES) return word;
+  if (/oz|ounce/.test(word)) return "fl oz";
+  if (word.startsWith("p")) return "pt";
+  return word.startsWith("m") ? "ml" : "l";
+}
+
+/** "151 US fl oz": what a volume in millilitres is in ounces, or from a pint on in pints. */
+export function ouncesWords(millilitres: number): string {
+  const pint = MILLILITRES.pt ?? 1;
+  return Math.abs(millilitres) < pint
+    ? `${formatNumber(millilitres / (MILLILITRES["fl oz"] ?? 1), 3)}\u00a0US\u00a0fl\u00a0oz`
+    : `${formatNumber(millilitres / pint, 3)}\u00a0US\u00a0pt`;
+}
+
+function unitOf(written: string): string {
+  const word = written.toLowerCase();
+  if (word.startsWith("mi") || word === "mm") return "mm";
+  if (word.startsWith("c")) return "cm";
+  if (word.startsWith("m")) return "m";
+  return /^(f|′|')/.test(word) ? "ft" : "in";
+}
+
+function parseAmount(text: string): Typed {
+  const plain = text.trim().replace(/[\u2212\u2013\uff0d]/g, "-");
+  const [, sign = "", whole = "0", part, of] = FRACTION.exec(plain) ?? [];
+  if (part === undefined || Number(of) === 0) return parseNumber(text);
+  const size = Number(whole) + Number(part) / Number(of);
+  return { value: sign === "-" ? -size : size };
+}
+
+function shortened(text: string): string {
+  const trimmed = text.trim();
+  return trimmed.length > 24 ? `${trimmed.slice(0, 23)}…` : trimmed;
+}
+
+/** A number for a text field: as short as six digits allow, never in exponent form unless it must be. */
+export function formatNumber(value: number, digits = DIGITS_SHOWN): string {
+  if (value === 0) return "0";
+  const rounded = Number(value.toPrecision(digits));
+  const size = Math.abs(rounded);
+  const text = size >= 1e-6 && size < 1e9 ? String(rounded) : rounded.toExponential().replace(/e\+?(-?)/, "e$1");
+  return text.replace("-", "\u2212").replace("e-", "e\u2212");
+}
+
+/** `value` moved by `steps` whole steps and freed of the dust that binary fractions leave. */
+export function stepped(value: number, step: number, steps: number): number {
+  const moved = value + step * steps;
+  const places = Math.max(0, Math.min(12, Math.ceil(-Math.log10(step)) + 2));
+  return Number(moved.toFixed(places));
+}

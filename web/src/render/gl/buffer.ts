@@ -1,0 +1,66 @@
+import type { Device } from "./device";
+
+/** What a buffer holds. */
+export type Numbers = Float32Array | Uint32Array;
+
+export interface BufferOptions {
+  /** Numbers of a vertex; 1 for an index. */
+  readonly size: number;
+  /** Whether it is written over again and again. */
+  readonly dynamic?: boolean;
+  /** Whether every instance has its own, in the place of every vertex. */
+  readonly instanced?: boolean;
+}
+
+/**
+ * An array and its copy on the GPU. It is the owner's very array that goes there, when the buffer is first used and when the array was exchanged; into the
+ * memory that is there, while the length stays the same. It stays here too: from it the buffer comes back after the context was lost.
+ */
+export class Buffer {
+  private made: { readonly gl: WebGL2RenderingContext; readonly handle: WebGLBuffer } | null = null;
+  private length = -1;
+  private stale = true;
+
+  constructor(
+    private values: Numbers,
+    readonly options: BufferOptions,
+  ) {}
+
+  get array(): Numbers {
+    return this.values;
+  }
+
+  set array(values: Numbers) {
+    this.values = values;
+    this.stale = true;
+  }
+
+  /** How many vertices, instances or indices it has. */
+  get count(): number {
+    return this.values.length / this.options.size;
+  }
+
+  /** The buffer, filled. Leaves no vertex array bound when something had to be done. */
+  ready({ gl }: Device): WebGLBuffer {
+    if (this.made && !this.stale) return this.made.handle;
+    const { values } = this;
+    const target = values instanceof Uint32Array ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
+    // Indices would be bound to whatever vertex array is.
+    gl.bindVertexArray(null);
+    this.made ??= { gl, handle: gl.createBuffer() };
+    const { handle } = this.made;
+    gl.bindBuffer(target, handle);
+    if (this.length === values.byteLength) gl.bufferSubData(target, 0, values);
+    else gl.bufferData(target, values, this.options.dynamic ? gl.DYNAMIC_DRAW : gl.STATIC_DRAW);
+    this.length = values.byteLength;
+    this.stale = false;
+    return handle;
+  }
+
+  release(): void {
+    this.made?.gl.deleteBuffer(this.made.handle);
+    this.made = null;
+    this.length = -1;
+    this.stale = true;
+  }
+}

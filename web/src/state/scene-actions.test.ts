@@ -1,0 +1,144 @@
+import { beforeEach, expect, test } from "vitest";
+import { JAR } from "../../testing/jar";
+import { familyOf } from "../document/schema";
+import type { Design, Part } from "../document/types";
+import { openDesign } from "./actions";
+import {
+  deletePart,
+  duplicatePart,
+  isTaken,
+  MAX_NAME,
+  movePart,
+  partName,
+  renamePart,
+  selectParts,
+} from "./scene-actions";
+import { NEW_SESSION } from "./session";
+import { setFields } from "./shape-actions";
+import { Store } from "./store";
+
+const [part] = JAR.parts as readonly [Part];
+const SCENE: Design = {
+  pasu: 1,
+  parts: [{ ...part, name: "Body" }, { ...part, name: "Lid", place: { angle: 1, shift: [0, 0, 20] } }, { ...part }],
+};
+
+let store: Store;
+let [body, lid, foot] = [0, 0, 0];
+
+beforeEach(() => {
+  store = new Store(SCENE, NEW_SESSION);
+  [body, lid, foot] = store.ids as [number, number, number];
+});
+
+const names = () => store.design.parts.map((_, place) => partName(store.design.parts, place));
+
+test("every part has an identity of its own, of which the document knows nothing", () => {
+  expect(new Set(store.ids).size).toBe(3);
+  expect(JSON.stringify(store.design)).toBe(JSON.stringify(SCENE));
+});
+
+test("a part keeps its identity through changes of its numbers and its name, and through undo", () => {
+  const height = familyOf("fourth-order")?.fields.find(({ name }) => name === "Height");
+  store.apply(selectParts(lid));
+  store.apply(setFields(store.state, height ? [height] : [], 7, false));
+  store.apply(renamePart(store.state, lid, "Cover"));
+  expect(store.ids).toEqual([body, lid, foot]);
+  expect(store.design.parts[1]).toMatchObject({ name: "Cover", shape: { h1: 7 } });
+  store.undo();
+  store.undo();
+  expect(store.ids).toEqual([body, lid, foot]);
+  expect(store.design).toBe(SCENE);
+});
+
+test("the selection is of a part, not of a place", () => {
+  store.apply(selectParts(lid));
+  expect(store.part).toBe(1);
+  store.apply(movePart(store.state, lid, 1));
+  expect(names()).toEqual(["Body", "Part 2", "Lid"]);
+  expect(store.part).toBe(2);
+  store.apply(movePart(store.state, lid, 1));
+  expect(store.part).toBe(2);
+  store.undo();
+  expect([names(), store.part]).toEqual([["Body", "Lid", "Part 3"], 1]);
+  store.apply(deletePart(store.state, body));
+  store.undo();
+  store.apply(selectParts(foot));
+  store.apply(deletePart(store.state, body));
+  expect(store.part).toBe(0);
+});
+
+test("a part that is deleted leaves the selection to its neighbour, and comes back by undo as it was", () => {
+  store.apply(selectParts(lid));
+  store.apply(deletePart(store.state, lid));
+  expect([store.ids, store.part]).toEqual([[body, foot], 1]);
+  store.apply(deletePart(store.state, foot));
+  expect([store.ids, store.part]).toEqual([[body], 0]);
+  expect(deletePart(store.state, body).design).toBeUndefined();
+  store.undo();
+  store.undo();
+  expect(store.ids).toEqual([body, lid, foot]);
+  expect(store.design).toBe(SCENE);
+  // What was selected last is selected still.
+  expect(store.part).toBe(0);
+});
+
+test("a selected part that undo takes away is selected again by redo", () => {
+  store.apply(selectParts(lid));
+  store.apply(duplicatePart(store.state, lid, 12));
+  const copy = store.ids[2];
+  expect(store.part).toBe(2);
+  store.undo();
+  expect(store.ids).not.toContain(copy);
+  expect(store.part).toBe(0);
+  store.redo();
+  expect([store.ids[2], store.part]).toEqual([copy, 2]);
+});
+
+test("a copy stands beside the part, looks the same and has a name and an identity of its own", () => {
+  store.apply(duplicatePart(store.state, lid, 12));
+  store.apply(duplicatePart(store.state, lid, 24));
+  expect(names()).toEqual(["Body", "Lid", "Lid 3", "Lid 2", "Part 5"]);
+  expect(new Set(store.ids).size).toBe(5);
+  expect(store.design.parts[2]).toEqual({ ...part, name: "Lid 3", place: { angle: 1, shift: [24, 0, 20] } });
+  store.apply(duplicatePart(store.state, foot, 5));
+  expect(store.design.parts[5]).toEqual({ ...part, place: { shift: [5, 0, 0] } });
+});
+
+test("two parts have never the same name, and the typing of one is one step", () => {
+  for (const name of ["C", "Co", "Cover "]) store.apply(renamePart(store.state, lid, name));
+  expect(names()[1]).toBe("Cover");
+  expect(isTaken(store.state, lid, "Cover")).toBe(false);
+  expect(isTaken(store.state, lid, " Body ")).toBe(true);
+  store.apply(renamePart(store.state, lid, "Body"));
+  expect(names()[1]).toBe("Cover");
+  store.endGesture();
+  store.undo();
+  expect(names()[1]).toBe("Lid");
+  store.apply(renamePart(store.state, lid, "  "));
+  expect(store.design.parts[1]).not.toHaveProperty("name");
+  store.apply(renamePart(store.state, lid, "x".repeat(100)));
+  expect(names()[1]).toHaveLength(MAX_NAME);
+});
+
+test("the parts of an opened design are nobody that was there before, until undo", () => {
+  store.apply(selectParts(lid));
+  store.apply(openDesign(store.state, { ...SCENE }));
+  expect(store.ids.some((id) => [body, lid, foot].includes(id))).toBe(false);
+  expect(store.part).toBe(0);
+  store.undo();
+  expect(store.ids).toEqual([body, lid, foot]);
+  store.apply({ design: JAR, undo: "step" });
+  expect(store.ids).toHaveLength(1);
+  expect([body, lid, foot]).not.toContain(store.ids[0]);
+});
+
+test("who is not there cannot be moved, copied, named or deleted", () => {
+  for (const change of [
+    movePart(store.state, 99, 1),
+    duplicatePart(store.state, 99, 1),
+    renamePart(store.state, 99, "Nobody"),
+    deletePart(store.state, 99),
+  ])
+    expect(change).toEqual({ undo: "none" });
+});

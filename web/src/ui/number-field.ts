@@ -1,0 +1,457 @@
+/** A labelled number: slider and text field together. Typed values may leave the slider's range; the wheel does nothing. */
+
+import { css, html, LitElement, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import { formatNumber, parseLength, parseNumber, stepped } from "../number";
+import { icon } from "./icons";
+import { type Range, reaching } from "./range";
+import { base, buttons, fields } from "./styles";
+import { symbol } from "./symbol";
+
+const COARSE_STEPS = 10;
+
+/** The person chose a number; `gesture` says that more may follow before `number-done`. */
+export class NumberChangeEvent extends Event {
+  readonly value: number;
+  readonly gesture: boolean;
+  constructor(value: number, gesture: boolean) {
+    super("number-change", { bubbles: true, composed: true });
+    this.value = value;
+    this.gesture = gesture;
+  }
+}
+
+/** The person wants the number back that was opened, or the one that the paper printed. */
+export class NumberResetEvent extends Event {
+  readonly to: "opened" | "paper";
+  constructor(to: "opened" | "paper") {
+    super("number-reset", { bubbles: true, composed: true });
+    this.to = to;
+  }
+}
+
+@customElement("pasu-number")
+export class PasuNumber extends LitElement {
+  @property() label = "";
+  /** What sets this number apart from others of the same label, for example "in x". */
+  @property() qualifier = "";
+  @property() symbol = "";
+  @property() unit = "";
+  @property() help = "";
+  /** The solver's objection to this very number. */
+  @property() problem = "";
+  @property({ type: Number }) value = 0;
+  @property({ type: Number }) min = 0;
+  @property({ type: Number }) max = 1;
+  @property({ type: Number }) step = 0.01;
+  @property({ type: Boolean }) explain = false;
+  /** Without a slider, in a table. */
+  @property({ type: Boolean }) compact = false;
+  /** What a reset leads back to. */
+  @property({ type: Number }) opened: number | null = null;
+  /** What the paper printed, to go back to as well. */
+  @property({ type: Number }) paper: number | null = null;
+  /** What is typed and not (yet) a number, or not yet left. */
+  @state() private draft: string | null = null;
+  @state() private typo = "";
+  @query("#field") private readonly field!: HTMLInputElement;
+  @query(".slider") private readonly slider!: HTMLInputElement | null;
+  private inGesture = false;
+  /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them. */
+  private range: Range = { low: 0, high: 1 };
+
+  override willUpdate(changed: Map<PropertyKey, unknown>): void {
+    const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
+    this.range = reaching(kept, this.value);
+    // The number changed from elsewhere (undo, a handle): what was typed no longer stands for anything.
+    if (changed.has("value") && this.draft !== null) {
+      const typed = this.read(this.draft);
+      if (!("value" in typed) || typed.value !== this.value) this.forget();
+    }
+  }
+
+  override render() {
+    const message = this.typo !== "" ? this.typo : this.problem;
+    const text = this.draft ?? formatNumber(this.value);
+    const described = [message === "" ? "" : "problem", this.help === "" ? "" : "help"].filter(Boolean).join(" ");
+    const name = this.qualifier === "" ? this.label : `${this.label}, ${this.qualifier}`;
+    return html`
+      <div class=${this.compact ? "row compact" : "row"} @dblclick=${this.reset}>
+        <label for="field" title=${this.explain ? nothing : this.help}>
+          <span class=${this.compact ? "spoken" : "name"}>${this.label}</span>
+          ${this.qualifier === "" ? nothing : html`<span class="qualifier">${this.qualifier}</span>`}
+          ${this.symbol === "" ? nothing : html`<span class="symbol" aria-hidden="true">${symbol(this.symbol)}</span>`}
+        </label>
+        <span class="ways">${this.back(name, "paper", this.paper)}${this.back(name, "opened", this.opened)}</span>
+        <span class="typed" @dblclick=${keepToItself}>
+          <input
+            id="field"
+            class="field"
+            type="text"
+            inputmode=${this.unit === "" && this.range.low >= 0 ? "decimal" : "text"}
+            role="spinbutton"
+            autocomplete="off"
+            spellcheck="false"
+            aria-label=${name}
+            .value=${text}
+            aria-valuenow=${this.value}
+            aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
+            aria-invalid=${message === "" ? "false" : "true"}
+            aria-describedby=${described === "" ? nothing : described}
+            @input=${this.typedInto}
+            @keydown=${this.fieldKey}
+            @keyup=${this.keyUp}
+            @focus=${this.selectAll}
+            @blur=${this.leave}
+          />
+          ${this.unit === "" ? nothing : html`<span class="unit" aria-hidden="true">${this.unit}</span>`}
+        </span>
+        ${
+          this.compact
+            ? nothing
+            : html`<input
+                class="slider"
+                type="range"
+                aria-label=${name}
+                aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
+                min=${this.range.low}
+                max=${this.range.high}
+                step="any"
+                @input=${this.slid}
+                @change=${this.finish}
+                @pointerup=${this.finish}
+                @pointercancel=${this.cancel}
+                @keydown=${this.sliderKey}
+                @keyup=${this.keyUp}
+                @blur=${this.finish}
+              />`
+        }
+      </div>
+      ${message === "" ? nothing : html`<p id="problem" class="problem">${icon("warn")}<span>${message}</span></p>`}
+      ${this.help === "" ? nothing : html`<p id="help" class=${this.explain ? "help" : "spoken"}>${this.help}</p>`}
+    `;
+  }
+
+  /** A way back to a number, which it names; there is none to where the number is. */
+  private back(name: string, to: "opened" | "paper", goal: number | null) {
+    if (goal === null || !Number.isFinite(goal) || goal === this.value || this.compact) return nothing;
+    // In the paper's pot and in this one a number of the same name may be the same.
+    if (to === "paper" && goal === this.opened) return nothing;
+    const text = this.unit === "" ? formatNumber(goal) : `${formatNumber(goal)} ${this.unit}`;
+    const words = to === "opened" ? `Reset ${name} to ${text}, as opened` : `Set ${name} to ${text}, as in the paper`;
+    return html`<button
+      class="button bare reset"
+      type="button"
+      aria-label=${words}
+      title=${words}
+      @click=${() => this.goBack(to)}
+    >
+      ${icon(to === "opened" ? "reset" : "paper")}${to === "opened" ? html`<span>${formatNumber(goal, 4)}</span>` : nothing}
+    </button>`;
+  }
+
+  override updated(): void {
+    // The browser cuts a value off at the ends that it has at the time: the ends come first, and every time.
+    if (this.slider) this.slider.value = String(this.value);
+    const { low, high } = this.range;
+    const share = (this.value - low) / (high - low);
+    const fill = Number.isFinite(share) ? Math.min(1, Math.max(0, share)) : 0;
+    this.style.setProperty("--fill", `${(100 * fill).toFixed(2)}%`);
+  }
+
+  /** A field of a length takes any unit of length. */
+  private read(text: string) {
+    return this.unit === "" ? parseNumber(text) : parseLength(text, this.unit);
+  }
+
+  private send(value: number, gesture: boolean): void {
+    this.inGesture = gesture;
+    this.dispatchEvent(new NumberChangeEvent(value, gesture));
+  }
+
+  private readonly slid = (event: Event): void => {
+    const raw = Number((event.target as HTMLInputElement).value);
+    this.forget();
+    // The browser's own rounding to a step would start at `min`; ours starts at 0 and leaves the ends within reach.
+    const { low, high } = this.range;
+    const value = raw <= low || raw >= high ? raw : stepped(0, this.step, Math.round(raw / this.step));
+    if (value !== this.value) this.send(value, true);
+  };
+
+  /** Letting go counts too: a slider that is back where the drag began says nothing of a change. */
+  private readonly finish = (): void => {
+    if (!this.inGesture) return;
+    this.inGesture = false;
+    this.dispatchEvent(new Event("number-done", { bubbles: true, composed: true }));
+  };
+
+  /** The browser took the finger for scrolling: the slider was only in its way. */
+  private readonly cancel = (): void => {
+    if (!this.inGesture) return;
+    this.inGesture = false;
+    this.dispatchEvent(new Event("number-cancel", { bubbles: true, composed: true }));
+  };
+
+  private readonly typedInto = (event: Event): void => {
+    this.draft = (event.target as HTMLInputElement).value;
+    const typed = this.read(this.draft);
+    this.typo = "problem" in typed ? typed.problem : "";
+    if ("value" in typed && typed.value !== this.value) this.send(typed.value, true);
+  };
+
+  private readonly leave = (): void => {
+    if (this.typo === "") this.forget();
+    this.finish();
+  };
+
+  private readonly selectAll = (): void => {
+    if (this.typo === "") this.field.select();
+  };
+
+  private readonly fieldKey = (event: KeyboardEvent): void => {
+    if (event.key === "Enter") {
+      if (this.typo === "") this.forget();
+      this.finish();
+    } else if (event.key === "Escape" && this.draft !== null) {
+      event.stopPropagation();
+      this.forget();
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      this.nudge(event, event.key === "ArrowUp" ? 1 : -1);
+    } else if (event.key === "PageUp" || event.key === "PageDown") {
+      this.nudge(event, event.key === "PageUp" ? COARSE_STEPS : -COARSE_STEPS);
+    }
+  };
+
+  private readonly sliderKey = (event: KeyboardEvent): void => {
+    const { key } = event;
+    if (key === "ArrowUp" || key === "ArrowRight") this.nudge(event, 1);
+    else if (key === "ArrowDown" || key === "ArrowLeft") this.nudge(event, -1);
+    else if (key === "PageUp") this.nudge(event, COARSE_STEPS);
+    else if (key === "PageDown") this.nudge(event, -COARSE_STEPS);
+    else if (key === "Delete" || key === "Backspace") {
+      event.preventDefault();
+      this.reset();
+    }
+  };
+
+  private nudge(event: KeyboardEvent, steps: number): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.forget();
+    const whole = event.shiftKey && Math.abs(steps) === 1 ? steps * COARSE_STEPS : steps;
+    this.send(stepped(this.value, this.step, whole), true);
+  }
+
+  private readonly keyUp = (event: KeyboardEvent): void => {
+    if (event.key.startsWith("Arrow") || event.key.startsWith("Page") || event.key === "Home" || event.key === "End") {
+      this.finish();
+    }
+  };
+
+  private readonly reset = (): void => {
+    if (this.opened !== null && this.opened !== this.value) this.goBack("opened");
+  };
+
+  private goBack(to: "opened" | "paper"): void {
+    this.forget();
+    this.finish();
+    this.dispatchEvent(new NumberResetEvent(to));
+    // The button is gone with the way that it went.
+    this.field.focus({ preventScroll: true });
+  }
+
+  private forget(): void {
+    this.draft = null;
+    this.typo = "";
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    css`
+      :host {
+        display: block;
+        min-width: 0;
+        padding: 5px 0;
+      }
+      .row {
+        display: grid;
+        grid-template-columns: 1fr auto auto;
+        align-items: center;
+        column-gap: 4px;
+      }
+      label {
+        display: flex;
+        align-items: baseline;
+        gap: 8px;
+        min-width: 0;
+        /* Two lines are no higher than the field beside them. */
+        line-height: 1.2;
+      }
+      .qualifier {
+        color: var(--soft);
+        font-size: 0.88em;
+      }
+      .symbol {
+        color: var(--soft);
+        font: italic 0.95em var(--font-brand);
+        white-space: nowrap;
+      }
+      .symbol sub {
+        font-size: 0.72em;
+        line-height: 0;
+      }
+      .typed {
+        position: relative;
+        grid-column: 3;
+      }
+      .field {
+        width: 112px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+        border-color: var(--line);
+      }
+      .field:hover {
+        border-color: var(--edge);
+      }
+      .unit {
+        position: absolute;
+        right: 9px;
+        top: 50%;
+        translate: 0 -50%;
+        color: var(--soft);
+        font-size: 0.86em;
+        pointer-events: none;
+      }
+      .typed:has(.unit) .field {
+        padding-right: 34px;
+      }
+      .ways {
+        grid-column: 2;
+        display: flex;
+      }
+      .reset span {
+        font-size: 0.84em;
+        font-variant-numeric: tabular-nums;
+      }
+      .reset:has(span) {
+        gap: 3px;
+        padding-inline: 4px;
+      }
+      .reset {
+        min-width: 30px;
+        min-height: 30px;
+        opacity: 0;
+        color: var(--soft);
+      }
+      .reset .icon {
+        width: 16px;
+        height: 16px;
+      }
+      .row:hover .reset,
+      .row:focus-within .reset {
+        opacity: 1;
+      }
+      @media (hover: none) {
+        .reset {
+          opacity: 1;
+          min-width: var(--touch);
+          min-height: var(--touch);
+        }
+      }
+      .slider {
+        grid-column: 1 / -1;
+        width: 100%;
+        height: 26px;
+        margin: 0;
+        background: transparent;
+        appearance: none;
+        touch-action: pan-y;
+        cursor: pointer;
+        border-radius: 8px;
+      }
+      @media (pointer: coarse) {
+        .slider {
+          height: 40px;
+        }
+      }
+      .slider::-webkit-slider-runnable-track {
+        height: 4px;
+        border-radius: 2px;
+        background: linear-gradient(to right, var(--accent) var(--fill), var(--line) var(--fill));
+      }
+      .slider::-moz-range-track {
+        height: 4px;
+        border-radius: 2px;
+        background: var(--line);
+      }
+      .slider::-moz-range-progress {
+        height: 4px;
+        border-radius: 2px;
+        background: var(--accent);
+      }
+      .slider::-webkit-slider-thumb {
+        appearance: none;
+        width: 18px;
+        height: 18px;
+        margin-top: -7px;
+        border: 2px solid var(--accent);
+        border-radius: 50%;
+        background: var(--sheet);
+        box-shadow: 0 1px 3px var(--shadow);
+      }
+      .slider::-moz-range-thumb {
+        width: 14px;
+        height: 14px;
+        border: 2px solid var(--accent);
+        border-radius: 50%;
+        background: var(--sheet);
+        box-shadow: 0 1px 3px var(--shadow);
+      }
+      .slider:active::-webkit-slider-thumb {
+        background: var(--accent);
+      }
+      .compact {
+        grid-template-columns: minmax(0, 1fr);
+      }
+      .compact label {
+        position: absolute;
+      }
+      .compact .typed {
+        grid-column: 1;
+      }
+      .compact .field {
+        width: 100%;
+      }
+      .problem {
+        display: flex;
+        gap: 6px;
+        padding: 4px 0;
+        color: var(--warn);
+        font-size: 0.92em;
+      }
+      .problem .icon {
+        width: 17px;
+        height: 17px;
+        margin-top: 2px;
+      }
+      .help {
+        color: var(--soft);
+        font-size: 0.88em;
+        padding-bottom: 4px;
+        text-wrap: pretty;
+      }
+    `,
+  ];
+}
+
+function keepToItself(event: Event): void {
+  event.stopPropagation();
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-number": PasuNumber;
+  }
+}

@@ -1,0 +1,23 @@
+import { expect, test } from "vitest";
+import { reaching } from "./range";
+
+test.each([
+  [1, 50, 20, 1, 50],
+  [1, 50, 50, 1, 50],
+  [1, 50, 80, 1, 100],
+  [1, 50, 0.3, 0, 50],
+  [0, 0.2, 1, 0, 1],
+  [-5, 5, -5.01, -10, 5],
+  [-5, 5, 7e9, -5, 1e10],
+  [0, 1, 1.7e308, 0, 1.7e308],
+  [2, 3, 5e-324, 0, 3],
+  [-3, -2, -1, -3, 0],
+])("from %d to %d and %d: from %d to %d", (low, high, value, from, to) => {
+  expect(reaching({ low, high }, value)).toEqual({ low: from, high: to });
+});
+
+test("a range that reaches as far is the same one", () => {
+  const range = { low: 0, high: 1 };
+  expect(reaching(range, 0.5)).toBe(range);
+  expect(reaching(range, Number.NaN)).toBe(range);
+});

@@ -1,0 +1,117 @@
+/**
+ * The designer behind the page, put together: the document, what follows it, and how they are connected. Whoever looks at one of them
+ * from an effect or a template hears of its changes, and of nothing else.
+ */
+
+import { computed, effect, signal } from "@preact/signals-core";
+import { describe } from "../document/describe";
+import type { Extents } from "../document/extents";
+import { designOf } from "../document/gallery/exhibit";
+import { FIRST } from "../document/gallery/first";
+import { unitOf } from "../document/look";
+import type { SolverClient } from "../solver/client";
+import { readSettings } from "../state/storage";
+import type { Change, State } from "../state/store";
+import { Store } from "../state/store";
+import { Comparison } from "./comparison";
+import { Keeper, type Surroundings } from "./keeper";
+import type { Made } from "./made";
+import { Notices, UNFETCHED } from "./notices";
+import { Opening } from "./opening";
+import { Origin } from "./origin";
+import { Surface } from "./surface";
+
+export class Designer {
+  readonly store: Store;
+  readonly solver: SolverClient;
+  readonly notices = new Notices();
+  readonly surface: Surface;
+  readonly origin: Origin;
+  readonly comparison: Comparison;
+  readonly keeper: Keeper;
+  readonly opening: Opening;
+  readonly #made = signal<Made | null>(null);
+  readonly #extents = computed(() => this.#measureExtents());
+  readonly #description = computed(() => {
+    const [{ shown }, extents] = [this.surface, this.extents];
+    return shown?.solved.facts && extents ? describe(shown.solved.facts, unitOf(shown.design), extents) : "";
+  });
+  #fetching: Promise<Made | null> | null = null;
+
+  constructor(solver: SolverClient, around: Surroundings) {
+    this.solver = solver;
+    this.store = new Store(designOf(FIRST), readSettings(around.shelf));
+    this.surface = new Surface(this.store, solver);
+    this.origin = new Origin(this.store, this.surface);
+    this.comparison = new Comparison(this.store, this.surface, solver);
+    this.keeper = new Keeper(this.store, this.surface, this.origin, solver, this.notices, around);
+    const maker = async () => (await this.openMade())?.maker ?? null;
+    this.opening = new Opening(this.store, this.surface, this.origin, this.keeper, solver, maker);
+  }
+
+  /** Lets everything follow the document until what comes back is called; may be called again after that. */
+  connect(): () => void {
+    const leaving = [
+      this.origin.connect(),
+      this.surface.connect(),
+      this.opening.connect(),
+      this.keeper.connect(),
+      this.comparison.connect(),
+      effect(() => this.#made.value?.connect()),
+    ];
+    return () => {
+      for (const leave of leaving) leave();
+    };
+  }
+
+  get state(): State {
+    return this.store.state;
+  }
+
+  /** How high and wide the pot on the stage is: with its wall where it has one, and as it was measured where that is known. */
+  get extents(): Extents | null {
+    return this.#extents.value;
+  }
+
+  /** The pot on the stage in words. */
+  get description(): string {
+    return this.#description.value;
+  }
+
+  apply(change: Change): void {
+    if (change.design && change.convert) {
+      this.origin.convert(change.design, change.convert);
+      this.surface.reframe();
+    }
+    this.store.apply(change);
+  }
+
+  /** What is made of the design; null before anything of it was wanted. */
+  get made(): Made | null {
+    return this.#made.value;
+  }
+
+  /** What makes things of the design, fetched now if it was not yet; null without a network. */
+  openMade(): Promise<Made | null> {
+    this.#fetching ??= import("./open-made").then(
+      ({ openMade }) => {
+        const made = openMade(this.store, this.surface);
+        this.#made.value = made;
+        return made;
+      },
+      () => {
+        this.#fetching = null;
+        this.notices.say(UNFETCHED);
+        return null;
+      },
+    );
+    return this.#fetching;
+  }
+
+  #measureExtents(): Extents | null {
+    const { shown } = this.surface;
+    const facts = shown?.solved.facts;
+    if (!shown || !facts) return null;
+    return this.made?.extentsOf(shown.design, facts.extents) ?? facts.extents;
+  }
+}

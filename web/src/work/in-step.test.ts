@@ -1,0 +1,183 @@
+import { expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
+import { JAR, POT, tall, WALL } from "../../testing/jar";
+import { type Options, type Workbench, workbench } from "../../testing/workbench";
+import { setPath } from "../document/path";
+import type { Design } from "../document/types";
+import type { Ask, Quick } from "../maker/messages";
+import { InStep } from "./in-step";
+import type { Piece } from "./piece";
+
+type QuickAsk = Extract<Ask, { kind: "quick" }>;
+
+interface Bench extends Workbench {
+  readonly inStep: InStep;
+  /** What was put on the stage. */
+  readonly pieces: Piece<Quick>[];
+  /** The clocks that run. */
+  readonly clocks: (() => void)[];
+  /** Moves the hand on. */
+  readonly drag: (height: number) => void;
+  readonly height: () => number | undefined;
+  readonly asked: () => readonly QuickAsk[];
+}
+
+async function bench(design: Design, options: Options = {}): Promise<Bench> {
+  const there = await workbench(design, options);
+  const { maker, making, store, surface } = there;
+  const pieces: Piece<Quick>[] = [];
+  const clocks: (() => void)[] = [];
+  const later = (run: () => void) => {
+    clocks.push(run);
+    return () => void clocks.splice(clocks.indexOf(run), 1);
+  };
+  const inStep = new InStep(store, surface, maker, (piece) => pieces.push(piece), later);
+  surface.accompany(inStep);
+  return {
+    ...there,
+    inStep,
+    pieces,
+    clocks,
+    drag: (height) => store.apply({ design: tall(store.design, height), undo: "merge", key: "height" }),
+    height: () => surface.shown?.solved.facts?.height,
+    asked: () => making.sent.flatMap(({ ask }) => (ask.kind === "quick" ? [ask] : [])),
+  };
+}
+
+test("a surface is shown with its wall, not before", async () => {
+  const { asked, drag, height, making, pieces, solved, store } = await bench(POT);
+  drag(21);
+  expect(asked()).toMatchObject([{ design: store.design }]);
+  await solved();
+  expect(height()).toBeCloseTo(20);
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(pieces).toMatchObject([{ of: store.design, problem: null, key: "quick" }]);
+  const { value } = pieces[0] ?? {};
+  expect(value?.solid.positions.length).toBeGreaterThan(0);
+  // The bounds are those of all of the pot.
+  expect(value?.solid.bounds?.centre[2]).toBeCloseTo(10.5, 0);
+});
+
+test("one pair is under way at a time, and what waits is asked for after it, as it is by then", async () => {
+  const { asked, drag, height, making, solved, solving } = await bench(POT);
+  for (const each of [21, 22, 23]) drag(each);
+  expect(solving.sent).toHaveLength(2);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(solving.sent).toHaveLength(3);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(23);
+  expect(asked()).toHaveLength(2);
+});
+
+test("surfaces without a wall, changes of the wall alone and changes without a hand are not held back", async () => {
+  const bare = await bench(JAR);
+  bare.drag(21);
+  await bare.solved();
+  expect(bare.height()).toBeCloseTo(21);
+  expect(bare.asked()).toEqual([]);
+  const { asked, height, solved, store } = await bench(POT);
+  const thicker = setPath(POT, ["parts", 0, "wall"], { ...WALL, thickness: 0.5 });
+  store.apply({ design: thicker, undo: "merge", key: "wall" });
+  await solved();
+  store.endGesture();
+  store.apply({ design: tall(thicker, 22), undo: "step" });
+  await solved();
+  expect(height()).toBeCloseTo(22);
+  expect(asked()).toEqual([]);
+});
+
+test("letting go settles with a wall, and what was under way is thrown away", async () => {
+  const { asked, drag, making, pieces, solved, solving, store, surface } = await bench(POT);
+  drag(21);
+  await solved();
+  store.endGesture();
+  expect(solving.sent).toHaveLength(3);
+  await solved();
+  await making.answer();
+  expect(pieces).toEqual([]);
+  expect(surface.shown?.change).toBe(1);
+  await making.answer();
+  expect(pieces).toHaveLength(1);
+  expect(surface.settled?.change).toBe(3);
+  expect(asked()).toHaveLength(2);
+  // The next change without a hand is none of a drag.
+  store.apply({ design: tall(POT, 22), undo: "step" });
+  await solved();
+  expect(surface.settled?.change).toBe(4);
+  expect(asked()).toHaveLength(2);
+  // What was thrown away is written over by the next of its grid.
+  expect(solving.sent.map(({ spare }) => spare !== null)).toEqual([false, false, false, true]);
+});
+
+test("what cannot be a pot is shown bare, with the reason", async () => {
+  const { drag, height, making, pieces, solved } = await bench(
+    setPath(JAR, ["parts", 0, "wall"], { thickness: 0.3, base: 30 }),
+  );
+  drag(21);
+  await solved();
+  await making.answer();
+  expect(height()).toBeCloseTo(21);
+  expect(pieces).toMatchObject([{ value: null, key: "quick" }]);
+  expect(pieces[0]?.problem?.path).toMatch(/^parts\[0\]/);
+});
+
+test("a surface does not wait for long, nor at all while the maker is busy with an older wall", async () => {
+  const { asked, clocks, drag, height, making, pieces, solved } = await bench(POT);
+  drag(21);
+  await solved();
+  for (const run of [...clocks]) run();
+  await settled();
+  expect(height()).toBeCloseTo(21);
+  expect(pieces).toEqual([]);
+  drag(22);
+  await solved();
+  expect(height()).toBeCloseTo(22);
+  expect(asked()).toHaveLength(1);
+  await making.answer();
+  drag(23);
+  expect(asked()).toHaveLength(2);
+  expect(height()).toBeCloseTo(22);
+});
+
+test("walls are made as coarsely as it takes, and left out for the rest of a drag when even that takes too long", async () => {
+  const { asked, drag, height, making, solved, store } = await bench(POT, { took: 130 });
+  for (let i = 1; i <= 20; i += 1) {
+    const before = asked().length;
+    drag(20 + i / 10);
+    await solved();
+    if (asked().length === before) break;
+    await making.answer();
+  }
+  const tolerances = asked().map(({ tolerance }) => tolerance);
+  expect(tolerances).toEqual([...tolerances].sort((a, b) => a - b));
+  expect(tolerances.at(-1)).toBeGreaterThan(tolerances[0] ?? 0);
+  expect(tolerances.length).toBeLessThan(10);
+  // The next drag tries again.
+  const before = asked().length;
+  store.endGesture();
+  await solved();
+  expect(asked()).toHaveLength(before);
+  drag(25);
+  expect(asked()).toHaveLength(before + 1);
+  await solved();
+  expect(height()).toBeLessThan(25);
+});
+
+test("arrays that are not shown any more go back to be written over", async () => {
+  const { asked, drag, inStep, making, pieces, solved } = await bench(POT);
+  drag(21);
+  await solved();
+  await making.answer();
+  const solid = pieces[0]?.value?.solid;
+  if (!solid) throw new Error("there is no wall");
+  const { length } = solid.positions;
+  inStep.recycle(solid);
+  drag(22);
+  expect(asked().at(-1)?.spare?.positions.length).toBe(length);
+  // They travel: nobody else writes to them.
+  expect(solid.positions.length).toBe(0);
+});

@@ -1,0 +1,184 @@
+/**
+ * Keeps a wall in step with its surface while a shape is dragged: both are made of the same design at once, by two workers, and shown in one
+ * frame. One pair is under way at a time, and the latest change waits for it. Where a wall takes too long, the surface goes ahead alone.
+ */
+
+import type { Design } from "../document/types";
+import { sameSurface } from "../document/wall";
+import type { MakerClient } from "../maker/client";
+import type { Quick, Spare } from "../maker/messages";
+import { around } from "../solver/bounds";
+import type { Solved } from "../solver/messages";
+import type { Store } from "../state/store";
+import type { Outcome } from "../worker/port";
+import { Pace } from "./pace";
+import { type Piece, QUICK } from "./piece";
+import type { Companion, Surface } from "./surface";
+
+/**
+ * How far the picture may be from the faces, as a share of the size of the pot, from that at rest to the coarsest. Most of the time goes into what a
+ * coarser picture does not save: how thick the wall can be, and whether it has room.
+ */
+const TOLERANCES = [1 / 700, 1 / 450, 1 / 300] as const;
+
+/** Milliseconds for which a surface waits for its wall. */
+const PATIENCE_MS = 150;
+
+/** And at the beginning of a drag, when the maker may have to be started anew. */
+const FIRST_PATIENCE_MS = 400;
+
+/** A wall on the coarsest grid that takes longer than this is left out until the hand lets go. */
+const TOO_LONG_MS = 120;
+
+/** So many of these in a row: the first wall after a start is slower than those that follow. */
+const TRIES = 2;
+
+/** Sets of arrays that wait to be written over: one is on the stage, one under way. */
+const SPARES = 2;
+
+/** Runs something after so many milliseconds; what comes back takes that back. */
+export type Later = (run: () => void, milliseconds: number) => () => void;
+
+export class InStep implements Companion {
+  readonly #store: Store;
+  readonly #surface: Surface;
+  readonly #maker: MakerClient;
+  readonly #put: (piece: Piece<Quick>) => void;
+  readonly #later: Later;
+  readonly #pace = new Pace(TOLERANCES.length - 1, 0);
+  /** The pair under way: nothing else has the right to be shown. */
+  #pair: object | null = null;
+  #held: (() => void) | null = null;
+  /** What was made last in this drag; null before its first pair. */
+  #made: Design | null = null;
+  /** The maker still works on a wall that nobody waits for. */
+  #late = false;
+  #tries = 0;
+  #spares: Spare[] = [];
+
+  constructor(
+    store: Store,
+    surface: Surface,
+    maker: MakerClient,
+    put: (piece: Piece<Quick>) => void,
+    later: Later = timer,
+  ) {
+    this.#store = store;
+    this.#surface = surface;
+    this.#maker = maker;
+    this.#put = put;
+    this.#later = later;
+  }
+
+  /** Whether the next change has to wait for the pair that is under way; `run` is called after it. */
+  waits(run: () => void): boolean {
+    const waits = this.#pair !== null && this.#store.inGesture;
+    this.#held = waits ? run : null;
+    return waits;
+  }
+
+  /** The solved surface once its wall is there too; null where a wall is not dragged along. */
+  join(design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> | null {
+    const pair = {};
+    this.#pair = null;
+    if (!this.#dragged(design)) return null;
+    this.#pair = pair;
+    return this.#together(pair, design, solving);
+  }
+
+  /** Takes back the arrays of a wall that is not shown any more. */
+  recycle({ positions, normals, wares, indices }: Spare): void {
+    this.#spares = [...this.#spares, { positions, normals, wares, indices }].slice(-SPARES);
+  }
+
+  /** Whether the shape of a pot is under the hand, or was until now. */
+  #dragged(design: Design): boolean {
+    const { shown } = this.#surface;
+    const began = this.#made;
+    if (!this.#store.inGesture) {
+      this.#made = null;
+      if (!began || this.#tries >= TRIES) {
+        this.#tries = 0;
+        return false;
+      }
+    }
+    const walled = design.parts.some(({ wall }) => wall !== undefined);
+    if (!walled || !shown || this.#late || this.#tries >= TRIES) return false;
+    return began !== null || !sameSurface(shown.design.parts, design.parts);
+  }
+
+  async #together(pair: object, design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> {
+    const walling = this.#wall(design, this.#made ? PATIENCE_MS : FIRST_PATIENCE_MS);
+    if (this.#store.inGesture) this.#made = design;
+    const solved = await solving;
+    const piece = solved.state === "done" ? await walling : null;
+    const current = this.#pair === pair;
+    if (current) {
+      this.#pair = null;
+      const held = this.#held;
+      this.#held = null;
+      held?.();
+    }
+    if (solved.state !== "done") return solved;
+    if (current) {
+      if (piece) this.#put(whole(piece, solved.value));
+      return solved;
+    }
+    // Something newer is on its way already.
+    this.#surface.recycle(solved.value.mesh);
+    if (piece?.value) this.recycle(piece.value.solid);
+    return { state: "superseded" };
+  }
+
+  /** The wall; null when it takes too long. */
+  async #wall(design: Design, patience: number): Promise<Piece<Quick> | null> {
+    const { facts } = this.#surface.shown?.solved ?? {};
+    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
+    const { step } = this.#pace;
+    const tolerance = size * (TOLERANCES[step] ?? TOLERANCES[0]);
+    const fill = this.#store.session.fill;
+    const spare = this.#spares.pop() ?? null;
+    const asking = this.#maker.ask({ kind: "quick", design, tolerance, fill, spare });
+    let wait = () => {};
+    const over = new Promise<null>((resolve) => {
+      wait = this.#later(() => resolve(null), patience);
+    });
+    const outcome = await Promise.race([asking, over]);
+    wait();
+    if (outcome === null) {
+      this.#late = true;
+      this.#took(patience, step);
+      void asking.then((late) => {
+        this.#late = false;
+        if (late.state === "done") this.recycle(late.value.solid);
+      });
+      return null;
+    }
+    if (outcome.state === "superseded") return null;
+    const done = outcome.state === "done";
+    if (done) this.#took(outcome.value.took, step);
+    return {
+      value: done ? outcome.value : null,
+      of: design,
+      problem: done ? null : outcome.refusal,
+      key: QUICK,
+    };
+  }
+
+  #took(milliseconds: number, step: number): void {
+    this.#tries = milliseconds > TOO_LONG_MS && step === TOLERANCES.length - 1 ? this.#tries + 1 : 0;
+    this.#pace.learn(milliseconds, true);
+  }
+}
+
+/** With the bounds of all of the pot: the wall comes without the surface. */
+function whole(piece: Piece<Quick>, { mesh }: Solved): Piece<Quick> {
+  const { value } = piece;
+  if (!value) return piece;
+  return { ...piece, value: { ...value, solid: { ...value.solid, bounds: around(value.solid.bounds, mesh.bounds) } } };
+}
+
+function timer(run: () => void, milliseconds: number): () => void {
+  const id = setTimeout(run, milliseconds);
+  return () => clearTimeout(id);
+}

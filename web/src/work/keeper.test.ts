@@ -1,0 +1,132 @@
+import { expect, test } from "vitest";
+import { JAR, tall } from "../../testing/jar";
+import { Page } from "../../testing/surroundings";
+import { workbench } from "../../testing/workbench";
+import { setPath } from "../document/path";
+import { selectTab } from "../state/actions";
+import { readSettings, readWork } from "../state/storage";
+import { Keeper } from "./keeper";
+import { Notices } from "./notices";
+import { Origin } from "./origin";
+
+async function bench(page = new Page()) {
+  const there = await workbench(JAR);
+  const notices = new Notices();
+  const origin = new Origin(there.store, there.surface);
+  origin.connect();
+  const keeper = new Keeper(there.store, there.surface, origin, there.solver, notices, page);
+  const leave = keeper.connect();
+  const change = async (height: number) => {
+    there.store.apply({ design: tall(there.store.design, height), undo: "step" });
+    await there.rests();
+  };
+  return { ...there, change, keeper, leave, notices, page };
+}
+
+test("every settled change is kept in this browser and in the address", async () => {
+  const { change, keeper, page, store, surface } = await bench();
+  expect(page.written).toBe(0);
+  await change(21);
+  const link = surface.settled?.solved.link ?? "";
+  expect(page.hash).toBe(`#${link}`);
+  expect(readWork(page.shelf)).toEqual({
+    text: JSON.stringify(store.design),
+    link,
+    unsaved: true,
+    origin: JSON.stringify(JAR),
+  });
+  expect(keeper.unsaved).toBe(true);
+  expect(keeper.foreignFragment).toBe("");
+  page.hash = "#1/second-order";
+  expect(keeper.foreignFragment).toBe("#1/second-order");
+});
+
+test("under the hand nothing is written", async () => {
+  const { page, solved, store, rests } = await bench();
+  store.apply({ design: tall(JAR, 21), undo: "merge", key: "height" });
+  await solved();
+  expect(page.written).toBe(0);
+  store.endGesture();
+  await rests();
+  expect(page.written).toBe(1);
+});
+
+test("the address is left alone while a person has to read or to decide about it", async () => {
+  const { change, keeper, page } = await bench();
+  let held = true;
+  keeper.holdWhile(() => held);
+  page.hash = "#1/second-order";
+  await change(21);
+  expect(page.hash).toBe("#1/second-order");
+  expect(readWork(page.shelf)?.unsaved).toBe(true);
+  held = false;
+  await change(22);
+  expect(page.hash).toContain("h1=22");
+});
+
+test("a saved file holds the canonical document, and nothing is unsaved any more", async () => {
+  const { change, keeper, notices, page, store } = await bench();
+  await change(21);
+  await keeper.save();
+  expect(page.files.map(({ name }) => name)).toEqual(["Shoulder jar.json"]);
+  expect(JSON.parse((await page.files[0]?.text) ?? "")).toEqual({
+    ...store.design,
+    // What is left unsaid is the same in every document that says it.
+    parts: store.design.parts.map((part) => ({ ...part, look: { glaze: "shino" } })),
+  });
+  expect(notices.notice?.text).toBe("Saved as “Shoulder jar.json”.");
+  expect(keeper.unsaved).toBe(false);
+  expect(readWork(page.shelf)?.unsaved).toBe(false);
+});
+
+test("what the solver refuses is not saved and has no address", async () => {
+  const { keeper, notices, page, store } = await bench();
+  store.apply({ design: setPath(JAR, ["parts", 0, "shape", "h1"], Number.POSITIVE_INFINITY), undo: "step" });
+  await keeper.save();
+  expect(page.files).toEqual([]);
+  expect(notices.notice?.text).toMatch(/^Not saved/);
+  expect(await keeper.address()).toBeNull();
+});
+
+test("the address of a design is that of its link, whether it stands on the stage or not yet", async () => {
+  const { change, keeper, store, surface } = await bench();
+  await change(21);
+  expect(await keeper.address()).toBe(`https://pasu.example/designer/#${surface.settled?.solved.link}`);
+  store.apply({ design: tall(JAR, 23), undo: "step" });
+  expect(surface.settled).toBeNull();
+  expect(await keeper.address()).toContain("h1=23");
+  keeper.markShared();
+  expect(keeper.unsaved).toBe(false);
+});
+
+test("a browser that keeps nothing is told of once, and only where work would be lost", async () => {
+  const page = new Page();
+  page.full = true;
+  const { change, notices } = await bench(page);
+  expect(notices.notice).toBeNull();
+  await change(21);
+  expect(notices.notice?.text).toMatch(/keeps no copy/);
+  const { id } = notices.notice ?? { id: 0 };
+  notices.dismiss(id);
+  await change(22);
+  expect(notices.notice).toBeNull();
+});
+
+test("settings are kept when they change, and not before", async () => {
+  const { page, store } = await bench();
+  expect(page.kept.has("pasu.settings")).toBe(false);
+  store.apply(selectTab("look"));
+  expect(readSettings(page.shelf).tab).toBe("look");
+});
+
+test("it can be left and followed again", async () => {
+  const { change, keeper, leave, page, store } = await bench();
+  leave();
+  await change(21);
+  store.apply(selectTab("look"));
+  expect([page.written, page.kept.get("pasu.settings")]).toEqual([0, undefined]);
+  keeper.connect();
+  expect(page.written).toBe(1);
+  expect(page.hash).toContain("h1=21");
+  expect(readSettings(page.shelf).tab).toBe("look");
+});

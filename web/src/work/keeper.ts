@@ -1,0 +1,164 @@
+/** Keeps the work: in the address and in this browser with every change, and as a file or a link when a person asks for that. */
+
+import { computed, effect, type Signal, signal, untracked } from "@preact/signals-core";
+import type { Design } from "../document/types";
+import type { SolverClient } from "../solver/client";
+import type { Session } from "../state/session";
+import type { Shelf, Work } from "../state/storage";
+import { keepSettings, keepWork, readWork } from "../state/storage";
+import type { Store } from "../state/store";
+import { fileName } from "./files";
+import type { Notices } from "./notices";
+import type { Origin } from "./origin";
+import type { Shown, Surface } from "./surface";
+
+/** What the page itself provides, so that tests can do without one. */
+export interface Surroundings {
+  readonly shelf: Shelf | null;
+  /** The address of the page, without what follows `#`. */
+  readonly address: () => string;
+  readonly fragment: () => string;
+  readonly writeFragment: (link: string) => void;
+  /** Hands a file to the person. */
+  readonly download: (file: Blob, name: string) => void;
+}
+
+export class Keeper {
+  readonly #store: Store;
+  readonly #surface: Surface;
+  readonly #origin: Origin;
+  readonly #solver: SolverClient;
+  readonly #notices: Notices;
+  readonly #around: Surroundings;
+  readonly #saved: Signal<Design>;
+  readonly #unsaved = computed(() => this.#store.design !== this.#saved.value);
+  /** Whether the address holds something that a person has still to decide about, or to read about. */
+  #held: () => boolean = () => false;
+  #keptSettings: Session;
+  #kept: Shown | null = null;
+  #warned = false;
+  #lastWritten = "";
+
+  constructor(
+    store: Store,
+    surface: Surface,
+    origin: Origin,
+    solver: SolverClient,
+    notices: Notices,
+    around: Surroundings,
+  ) {
+    this.#store = store;
+    this.#surface = surface;
+    this.#origin = origin;
+    this.#solver = solver;
+    this.#notices = notices;
+    this.#around = around;
+    this.#saved = signal(store.design);
+    this.#keptSettings = store.session;
+  }
+
+  /** Whether there is work that is neither in a file nor in anybody's hands. */
+  get unsaved(): boolean {
+    return this.#unsaved.value;
+  }
+
+  /** What follows the address and its `#`, where that was not written here. */
+  get foreignFragment(): string {
+    const fragment = this.#around.fragment();
+    return fragment === this.#lastWritten ? "" : fragment;
+  }
+
+  /** The work that this browser kept. */
+  get work(): Work | null {
+    return readWork(this.#around.shelf);
+  }
+
+  /** Leaves the address alone while this holds. */
+  holdWhile(held: () => boolean): void {
+    this.#held = held;
+  }
+
+  /** Follows the document and what is on the stage until what comes back is called. */
+  connect(): () => void {
+    const leaveSettings = effect(() => this.#keepSettings(this.#store.session));
+    const leaveWork = effect(() => {
+      const { shown } = this.#surface;
+      if (shown && shown !== this.#kept) untracked(() => this.#follow(shown));
+    });
+    return () => {
+      leaveSettings();
+      leaveWork();
+    };
+  }
+
+  /** This design is what was opened or saved. */
+  markSaved(design: Design): void {
+    this.#saved.value = design;
+  }
+
+  /** The link is in the person's hands: nothing would be lost any more. */
+  markShared(): void {
+    this.markSaved(this.#store.design);
+    this.#keep();
+  }
+
+  /** Saves the canonical document under the name of its title. */
+  async save(): Promise<void> {
+    const { design } = this.#store;
+    const outcome = await this.#solver.parse(JSON.stringify(design));
+    if (outcome.state === "superseded") return;
+    if (outcome.state === "refused") {
+      this.#notices.say("Not saved: the design has a value that the solver cannot use.");
+      return;
+    }
+    const text = `${JSON.stringify(outcome.value.design, null, 2)}\n`;
+    const name = fileName(design.title, "json");
+    this.#around.download(new Blob([text], { type: "application/json" }), name);
+    this.markSaved(design);
+    this.#notices.say(`Saved as “${name}”.`);
+    this.#keep();
+  }
+
+  /** The address that opens this very design; null while the design is not one that the solver accepts. */
+  async address(): Promise<string | null> {
+    const link = this.#surface.settled?.solved.link ?? "";
+    if (link !== "") return `${this.#around.address()}#${link}`;
+    const outcome = await this.#solver.parse(JSON.stringify(this.#store.design));
+    return outcome.state === "done" ? `${this.#around.address()}#${outcome.value.link}` : null;
+  }
+
+  /** Writes the link of what is on the stage into the address. */
+  writeAddress(): void {
+    const link = this.#surface.shown?.solved.link ?? "";
+    if (link === "") return;
+    this.#lastWritten = `#${link}`;
+    this.#around.writeFragment(link);
+  }
+
+  #keepSettings(session: Session): void {
+    if (session === this.#keptSettings) return;
+    this.#keptSettings = session;
+    keepSettings(this.#around.shelf, session);
+  }
+
+  #follow(shown: Shown): void {
+    this.#kept = shown;
+    if (this.#surface.settled !== shown) return;
+    this.#keep();
+    const written = this.#store.canUndo || this.#store.canRedo || this.#around.fragment() !== "";
+    if (written && !this.#held()) this.writeAddress();
+  }
+
+  /** Keeps the last design that the solver accepted, so that what is restored can always be shown. */
+  #keep(): void {
+    const { shown } = this.#surface;
+    if (!shown?.settled) return;
+    const text = JSON.stringify(shown.design);
+    const unsaved = shown.design !== this.#saved.peek();
+    const origin = JSON.stringify(this.#origin.of(shown.design));
+    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved, origin });
+    if (kept || !unsaved || this.#warned) return;
+    this.#warned = true;
+    this.#notices.say("This browser keeps no copy of your work. Save it, or copy its link, before you leave.");
+  }
+}

@@ -1,0 +1,214 @@
+import { expect, test } from "vitest";
+import { JAR, POT, tall, WALL } from "../../testing/jar";
+import { type Workbench, workbench } from "../../testing/workbench";
+import { setPath } from "../document/path";
+import type { Design, Wall } from "../document/types";
+import type { Ask } from "../maker/messages";
+import { selectTab, toggleOverlay } from "../state/actions";
+import { setFill, setMap } from "../state/wall-actions";
+import { Made } from "./made";
+
+/** No clock runs: a surface waits for its wall as long as it takes. */
+const never = () => () => {};
+
+interface Bench extends Workbench {
+  readonly made: Made;
+  readonly leave: () => void;
+  /** What was asked since this was last called. */
+  readonly asked: () => readonly Ask[];
+  readonly kinds: () => readonly string[];
+}
+
+async function bench(design: Design): Promise<Bench> {
+  const there = await workbench(design);
+  const { maker, making, store, surface } = there;
+  const made = new Made(store, surface, maker, never);
+  const leave = made.connect();
+  const asked = () => making.sent.splice(0).map(({ ask }) => ask);
+  return { ...there, made, leave, asked, kinds: () => asked().map(({ kind }) => kind) };
+}
+
+/** The bench with a pot that is made, coarsely and finely. */
+async function potted(design = POT): Promise<Bench> {
+  const there = await bench(design);
+  await there.making.finish();
+  there.asked();
+  return there;
+}
+
+const rewalled = (wall: Partial<Wall>): Design => setPath(JAR, ["parts", 0, "wall"], { ...WALL, ...wall });
+
+test("a pot at rest is made coarsely, then finely, and nothing else before it is looked at", async () => {
+  const { asked, made, making, store } = await bench(POT);
+  const [coarse, ...none] = asked();
+  expect(coarse).toMatchObject({ kind: "solid", fine: false });
+  expect(none).toEqual([]);
+  await making.answer();
+  expect(made.solid).toMatchObject({ of: POT, key: "coarse", problem: null });
+  const [fine] = asked();
+  expect(fine).toMatchObject({ kind: "solid", fine: true });
+  const tolerances = [coarse, fine].map((ask) => (ask?.kind === "solid" ? ask.tolerance : 0));
+  expect(tolerances[1]).toBeLessThan(tolerances[0] ?? 0);
+  const before = made.solid.value?.positions.length ?? 0;
+  await making.answer();
+  expect(made.solid.key).toBe("fine");
+  expect(made.solid.value?.positions.length).toBeGreaterThan(before);
+  store.apply(selectTab("look"));
+  expect(asked()).toEqual([]);
+});
+
+test("nothing is made while the shape changes, everything once it rests", async () => {
+  const { kinds, making, maker, rests, store } = await potted();
+  store.apply({ design: tall(POT, 21), undo: "merge", key: "height" });
+  expect(kinds()).toEqual(["quick"]);
+  expect(maker.busy).toBe(true);
+  await making.answer();
+  store.endGesture();
+  await making.finish();
+  await rests();
+  await making.finish();
+  expect(kinds()).toContain("solid");
+});
+
+test("a drag has the machine for itself: what is under way is ended, and asked again at rest", async () => {
+  const { made, making, maker, rests, store } = await bench(POT);
+  expect(maker.busy).toBe(true);
+  store.apply({ design: tall(POT, 21), undo: "merge", key: "height" });
+  expect(making.last.ask.kind).toBe("quick");
+  await making.finish();
+  expect(made.solid.key).toBe("quick");
+  store.endGesture();
+  await making.finish();
+  await rests();
+  await making.finish();
+  expect(made.solid).toMatchObject({ of: store.design, key: "fine" });
+});
+
+test("a wall that changes is followed under the hand", async () => {
+  const { asked, store } = await potted();
+  const thicker = rewalled({ thickness: 0.4 });
+  store.apply({ design: thicker, undo: "merge", key: "wall" });
+  expect(asked()).toMatchObject([{ kind: "solid", design: thicker, fine: false }]);
+});
+
+test("what is made of an earlier wall is shown until the latest is there", async () => {
+  const { made, making, store } = await potted();
+  const [earlier, latest] = [rewalled({ thickness: 0.4 }), rewalled({ thickness: 0.5 })];
+  store.apply({ design: earlier, undo: "merge", key: "wall" });
+  store.apply({ design: latest, undo: "merge", key: "wall" });
+  await making.answer();
+  expect(made.solid.of).toEqual(earlier);
+  await making.answer();
+  expect(made.solid.of).toEqual(latest);
+});
+
+test("a surface without a wall has no solid, and one that was there goes", async () => {
+  const { kinds, made, store } = await potted();
+  expect(made.solid.value).not.toBeNull();
+  store.apply({ design: JAR, undo: "step" });
+  expect(made.solid.value).toBeNull();
+  expect(kinds()).toEqual([]);
+});
+
+test("the panel's measures and checks are asked for while it is open", async () => {
+  const { kinds, made, making, maker, store } = await potted();
+  store.apply(selectTab("measures"));
+  await making.finish();
+  expect(kinds()).toEqual(["measure", "check"]);
+  expect(made.measures.value?.height.value).toBeCloseTo(20);
+  expect(made.report.value?.ok).toBe(true);
+  expect(maker.busy).toBe(false);
+});
+
+test("what a surface would hold is not said of a pot whose wall is new", async () => {
+  const { made, making, rests, store } = await potted(JAR);
+  store.apply(selectTab("wall"));
+  await making.finish();
+  const surface = made.holds;
+  expect(surface).toMatch(/^Holds /);
+  store.apply({ design: POT, undo: "step" });
+  expect(made.holds).toBeNull();
+  await rests();
+  await making.finish();
+  const pot = made.holds;
+  expect(pot).toMatch(/^Holds /);
+  expect(pot).not.toBe(surface);
+  // Nor what the wall before held.
+  store.apply({ design: rewalled({ thickness: 0.6 }), undo: "step" });
+  expect(made.holds).toBeNull();
+  expect(made.isOfNow(made.measures)).toBe(false);
+  await rests();
+  await making.finish();
+  expect(made.holds).toMatch(/^Holds /);
+  expect(made.holds).not.toBe(pot);
+  expect(made.isOfNow(made.measures)).toBe(true);
+});
+
+test("beside the wall's numbers checks are asked for where a ring or a drain may have been fitted", async () => {
+  const { kinds, made, making, rests, store } = await potted();
+  store.apply(selectTab("wall"));
+  await making.finish();
+  expect(kinds()).toEqual(["measure"]);
+  for (const wall of [{ foot: [0.5, 0.3] as const }, { drain: 1 }]) {
+    store.apply({ design: rewalled(wall), undo: "step" });
+    await rests();
+    await making.finish();
+    expect(kinds()).toContain("check");
+    expect(made.report).toMatchObject({ of: store.design, value: { ok: true } });
+  }
+});
+
+test("water waits for its range and then follows its level", async () => {
+  const { asked, kinds, made, making, store } = await potted();
+  store.apply(setFill(store.state, 0.5));
+  expect(kinds()).toEqual(["measure"]);
+  await making.answer();
+  const range = made.waterRange ?? { low: 0, high: 0 };
+  expect(range.high).toBeGreaterThan(range.low);
+  expect(asked()).toMatchObject([{ kind: "water", level: (range.low + range.high) / 2 }]);
+  await making.answer();
+  const half = made.water.value?.volume ?? 0;
+  expect(half).toBeGreaterThan(0);
+  store.apply(setFill(store.state, 1));
+  expect(asked()).toMatchObject([{ kind: "water", level: range.high }]);
+  await making.answer();
+  expect(made.water.value?.volume).toBeGreaterThan(half);
+  expect(made.level).toBe(range.high);
+  store.apply({ session: { fill: null }, undo: "none" });
+  expect(made.water.value).toBeNull();
+  expect(made.level).toBeNull();
+});
+
+test("a map is painted on the grid of the stage, and another one when it is chosen", async () => {
+  const { asked, made, making, store } = await potted();
+  store.apply(setMap("overhang"));
+  expect(asked()).toMatchObject([{ kind: "paint", map: "overhang", rows: 13, columns: 25 }]);
+  await making.answer();
+  expect(made.painted.value?.values.length).toBe(13 * 25);
+  store.apply(setMap("mean-curvature"));
+  expect(asked()).toMatchObject([{ kind: "paint", map: "mean-curvature" }]);
+  store.apply(setMap(null));
+  expect(made.painted.value).toBeNull();
+});
+
+test("why there is no pot is kept in words", async () => {
+  const { made, making } = await bench(rewalled({ base: 30 }));
+  await making.finish();
+  expect(made.solid.value).toBeNull();
+  expect(made.solid.problem?.path).toMatch(/^parts\[0\]/);
+  expect(made.solid.problem?.message).not.toBe("");
+});
+
+test("it can be left and followed again", async () => {
+  const { kinds, leave, made, making, maker, rests, store } = await bench(POT);
+  leave();
+  expect(maker.busy).toBe(false);
+  store.apply({ design: rewalled({ thickness: 0.4 }), undo: "step" });
+  store.apply(toggleOverlay(store.state, "axes"));
+  await rests();
+  expect(kinds()).toEqual(["solid"]);
+  made.connect();
+  await making.finish();
+  expect(made.solid).toMatchObject({ of: store.design, key: "fine" });
+  expect(made.measures.of).toEqual(store.design);
+});

@@ -1,0 +1,237 @@
+/**
+ * What is made of the design besides its picture: the pot with its wall, its measures, the verdict of the checks, colour maps
+ * and water. It follows the document and its surface, asks the maker once the design rests (or when nothing but a wall changes), and only
+ * for what somebody looks at.
+ */
+
+import { batch, effect, type Signal, signal } from "@preact/signals-core";
+import type { Extents } from "../document/extents";
+import { unitOf } from "../document/look";
+import { holdsText, waterRange } from "../document/measure-words";
+import type { Design, Measures, Report } from "../document/types";
+import { sameSurface } from "../document/wall";
+import type { MakerClient } from "../maker/client";
+import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
+import type { Store } from "../state/store";
+import { InStep, type Later } from "./in-step";
+import { NOTHING, type Piece, QUICK } from "./piece";
+import type { Surface } from "./surface";
+
+/** What is shown in the panels; the export dialogue asks for itself. */
+type Shown = "solid" | "measure" | "check" | "paint" | "water";
+
+/** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
+const COARSE = 1 / 150;
+const FINE = 1 / 700;
+
+/** Of these, what is made of an earlier change is better to look at than what was there before. */
+const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
+
+type DesignAsk = Extract<Ask, { readonly design: Design }>;
+
+export class Made {
+  readonly maker: MakerClient;
+  /** What keeps the wall on the screen while the shape is dragged. */
+  readonly inStep: InStep;
+  readonly #store: Store;
+  readonly #surface: Surface;
+  readonly #pieces: { readonly [K in Shown]: Signal<Piece<Answers[K]>> } = {
+    solid: signal<Piece<Solid>>(NOTHING),
+    measure: signal<Piece<Measures>>(NOTHING),
+    check: signal<Piece<Report>>(NOTHING),
+    paint: signal<Piece<Painted>>(NOTHING),
+    water: signal<Piece<Filled>>(NOTHING),
+  };
+  /** What is asked for, so that it is asked once. */
+  readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
+
+  /** `later` is the clock by which a surface waits for its wall. */
+  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later) {
+    this.#store = store;
+    this.#surface = surface;
+    this.maker = maker;
+    this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
+  }
+
+  /** Follows the document and its surface until what comes back is called. */
+  connect(): () => void {
+    this.#surface.accompany(this.inStep);
+    const leave = effect(() => this.#follow());
+    return () => {
+      leave();
+      this.#surface.accompany(null);
+      this.#rest();
+    };
+  }
+
+  /** The pot with its wall. */
+  get solid(): Piece<Solid> {
+    return this.#pieces.solid.value;
+  }
+
+  get measures(): Piece<Measures> {
+    return this.#pieces.measure.value;
+  }
+
+  get report(): Piece<Report> {
+    return this.#pieces.check.value;
+  }
+
+  get painted(): Piece<Painted> {
+    return this.#pieces.paint.value;
+  }
+
+  get water(): Piece<Filled> {
+    return this.#pieces.water.value;
+  }
+
+  /** How high and wide a design is whose surface was `drawn` so: with its wall, if it has one, and as it was measured, if that is known. */
+  extentsOf(design: Design, drawn: Extents): Extents {
+    const { solid, measures } = this;
+    const extents = (solid.of === design ? solid.value?.extents : null) ?? drawn;
+    const measured = measures.of === design ? measures.value : null;
+    if (!measured) return extents;
+    const { height, width } = measured;
+    return {
+      ...extents,
+      height: height.value,
+      greatest: { ...extents.greatest, width: width.greatest.value },
+      least: { ...extents.least, width: width.least.value },
+    };
+  }
+
+  /** Whether a piece is of the design as it is now; of an earlier one nothing is said. */
+  isOfNow({ of }: Piece<unknown>): boolean {
+    return of === this.#store.design;
+  }
+
+  /** How much the pot holds, in words; null while that is not known of the design as it is now. */
+  get holds(): string | null {
+    const { value, of } = this.measures;
+    return value && of && this.isOfNow(this.measures) ? holdsText(value, unitOf(of)) : null;
+  }
+
+  /** How high the water is to stand, which its surface may still have to follow; null without water. */
+  get level(): number | null {
+    const { value, of, key } = this.water;
+    const follows = key === QUICK && of === this.#surface.shown?.design;
+    return this.#measured ?? (follows ? (value?.level ?? null) : null);
+  }
+
+  get #measured(): number | null {
+    const { design, session } = this.#store;
+    const range = this.measures.of === design ? this.waterRange : null;
+    return range && session.fill !== null ? range.low + session.fill * (range.high - range.low) : null;
+  }
+
+  /** The heights between which water can stand; null when none can. */
+  get waterRange(): { readonly low: number; readonly high: number } | null {
+    return this.measures.value && waterRange(this.measures.value);
+  }
+
+  #follow(): void {
+    const { design, session } = this.#store;
+    const { shown } = this.#surface;
+    const rests = shown?.settled === true && shown.design === design;
+    const { of } = this.solid;
+    const same = of !== null && sameSurface(of.parts, design.parts);
+    const rewalled = same && of !== design;
+    const walled = design.parts.some((part) => part.wall !== undefined);
+    if (rests || rewalled) {
+      this.#draw(walled ? design : null, rests && of === design);
+      const labelled = walled && session.overlays.axes;
+      const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
+      this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
+    }
+    if (rests) {
+      // Beside the wall's numbers only what would help a wall that is refused, and what of one was fitted.
+      const fits = design.parts.some(({ wall }) => wall?.foot || wall?.drain);
+      const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
+      const checked = walled && (session.tab === "measures" || helped);
+      this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
+      const { map } = session;
+      const { rows, columns } = this.#surface.grid(design);
+      this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
+    }
+    if (this.#store.inGesture && !rests && !same) this.#rest();
+    else this.#pour();
+  }
+
+  /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
+  #rest(): void {
+    this.maker.cancel(...this.#asked.keys());
+    this.#asked.clear();
+  }
+
+  /** Coarsely at once, and finely once that is there and the hand rests. */
+  #draw(design: Design | null, fine: boolean): void {
+    const facts = this.#surface.shown?.solved.facts;
+    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
+    const tolerance = size * (fine ? FINE : COARSE);
+    // What was refused is not tried again, unless that was said in haste.
+    if (design && fine && this.solid.value === null && this.solid.key !== QUICK) return;
+    this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");
+  }
+
+  /** A wall that was dragged along, and its water. */
+  #putQuick({ value, of, problem }: Piece<Quick>): void {
+    batch(() => {
+      if (value?.water) {
+        const water = { ...value.water, volume: null, error: null };
+        this.#put("water", { value: water, of, problem: null, key: QUICK });
+      }
+      this.#put("solid", { value: value?.solid ?? null, of, problem, key: QUICK });
+    });
+  }
+
+  /** The water follows the hand as soon as its range is known. */
+  #pour(): void {
+    const { design, session } = this.#store;
+    if (session.fill === null) {
+      this.#want("water", null, "");
+      return;
+    }
+    const level = this.#measured;
+    if (level !== null) this.#want("water", { kind: "water", design, level }, String(level));
+    else if (this.measures.of === design) this.#want("water", null, "");
+  }
+
+  /** Sees to it that a piece is there, or that it is not. */
+  #want<K extends Shown>(name: K, ask: Extract<DesignAsk, { kind: K }> | null, key: string): void {
+    const asked = this.#asked.get(name);
+    if (!ask) {
+      if (asked) {
+        this.#asked.delete(name);
+        this.maker.cancel(name);
+      }
+      if (this.#pieces[name].value !== NOTHING) this.#put(name, NOTHING);
+      return;
+    }
+    const { design }: DesignAsk = ask;
+    if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
+    const mine = { of: design, key };
+    this.#asked.set(name, mine);
+    void this.maker.ask<Kind>(ask).then((outcome) => {
+      const asked = this.#asked.get(name);
+      if (asked === mine) this.#asked.delete(name);
+      if (outcome.state === "superseded") return;
+      const done = outcome.state === "done";
+      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
+      this.#put(name, {
+        value: done ? (outcome.value as Answers[K]) : null,
+        of: design,
+        problem: done ? null : outcome.refusal,
+        key,
+      });
+    });
+  }
+
+  #has(name: Shown, design: Design, key: string): boolean {
+    const piece = this.#pieces[name].value;
+    return piece.of === design && piece.key === key;
+  }
+
+  #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
+    this.#pieces[name].value = piece;
+  }
+}

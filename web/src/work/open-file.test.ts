@@ -1,0 +1,58 @@
+import { expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
+import { JAR } from "../../testing/jar";
+import { realMaker } from "../../testing/real-maker";
+import { isDocument, readFile } from "./open-file";
+
+test.each([
+  ["vase.json", "milk, eggs", true],
+  ["link.txt", "anything", true],
+  ["vase", ' {"pasu": 1}', true],
+  ["vase", "\ufeff{", true],
+  ["vase.url", "https://example.org/#1/second-order", true],
+  ["vase", "#1/second-order?height=5", true],
+  ["vase", "1~abcd", true],
+  ["vase.obj", "# Pasu 1\nv 0 0 0", false],
+  ["vase.stl", "\0\0\0", false],
+  ["vase.step", "ISO-10303-21;", false],
+  ["vase.svg", "<svg", false],
+])("%s beginning with %j", (name, beginning, document) => {
+  expect(isDocument(name, beginning)).toBe(document);
+});
+
+const none = async () => null;
+
+test.each([
+  ["vase.STL", /^“vase\.STL” cannot be opened: an STL holds triangles/],
+  ["vase.3mf", /^“vase\.3mf” cannot be opened: it holds no design, because Pasu did not save it/],
+])("%s without a design says why there is nothing to open", async (name, why) => {
+  const { maker } = realMaker({ free: true });
+  const file = new File([new Uint8Array(84)], name);
+  expect(await readFile(file, async () => maker)).toMatchObject({
+    refusal: { code: "no-design", message: expect.stringMatching(why) },
+  });
+});
+
+test("what Pasu saved opens again, and says how it was made", async () => {
+  const { maker } = realMaker({ free: true });
+  const making = { product: "solid", shrinkage: 12 } as const;
+  const written = await maker.ask({ kind: "write", design: JAR, format: "glb", making });
+  if (written.state !== "done") throw new Error(JSON.stringify(written));
+  const found = await readFile(new File([written.value.bytes], "jar.glb"), async () => maker);
+  expect(found).toMatchObject({ text: expect.stringContaining("fourth-order"), made: making });
+});
+
+test("nothing is opened where the maker cannot be fetched, or was asked for something newer", async () => {
+  const file = new File([new Uint8Array(84)], "vase.glb");
+  expect(await readFile(file, none)).toBeNull();
+  const { maker } = realMaker();
+  const reading = readFile(file, async () => maker);
+  await settled();
+  maker.cancel("open");
+  expect(await reading).toBeNull();
+});
+
+test("a document does not say how it is to be made", async () => {
+  const file = new File(['{"pasu": 1}'], "vase.json");
+  expect(await readFile(file, none)).toEqual({ text: '{"pasu": 1}', made: null });
+});

@@ -1,0 +1,55 @@
+/** What a file that was dropped or chosen stands for: the text of a design, or the link in something that Pasu made. */
+
+import type { Making, Refusal } from "../document/types";
+import type { MakerClient } from "../maker/client";
+
+/** Documents are read as text; the format's own limit is 1 MiB of JSON. */
+const MAX_TEXT_BYTES = 4 * 1024 * 1024;
+
+/** Things that were made are larger: a million triangles are 50 MB. */
+const MAX_MADE_BYTES = 512 * 1024 * 1024;
+
+/** How much of a file tells a document from anything else. */
+const BEGINNING = 64;
+
+/** The text of a design, and how the file was made, where it says that. */
+export type Found = { readonly text: string; readonly made: Making | null } | { readonly refusal: Refusal } | null;
+
+/** Null when something newer was opened meanwhile. */
+export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
+  const document = isDocument(file.name, await file.slice(0, BEGINNING).text());
+  if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
+    return refused("too-large", `“${file.name}” is too large to be a design of Pasu.`);
+  }
+  if (document) return { text: await file.text(), made: null };
+  const reader = await maker();
+  if (!reader) return null;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const outcome = await reader.ask({ kind: "open", bytes });
+  switch (outcome.state) {
+    case "superseded":
+      return null;
+    case "refused":
+      return { refusal: outcome.refusal };
+    case "done":
+      return outcome.value === null
+        ? refused("no-design", whyNot(file.name))
+        : { text: outcome.value.link, made: outcome.value.making };
+  }
+}
+
+/** Why there is nothing to open in a file that was read. */
+function whyNot(name: string): string {
+  return /\.stl$/i.test(name)
+    ? `“${name}” cannot be opened: an STL holds triangles, and a design only if its link is very short. Open the link, or another file that Pasu saved.`
+    : `“${name}” cannot be opened: it holds no design, because Pasu did not save it or another program has changed it.`;
+}
+
+/** Whether a file is a document or a link, which the solver reads and whose faults it names. */
+export function isDocument(name: string, beginning: string): boolean {
+  return /\.(json|txt)$/i.test(name) || /^\ufeff?\s*(\{|#?\d+[~/]|https?:)/.test(beginning);
+}
+
+function refused(code: string, message: string): Found {
+  return { refusal: { code, path: "", message } };
+}

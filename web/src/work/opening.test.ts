@@ -1,0 +1,166 @@
+import { expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
+import { JAR, tall } from "../../testing/jar";
+import { realMaker } from "../../testing/real-maker";
+import { realSolver } from "../../testing/real-solver";
+import { Page } from "../../testing/surroundings";
+import { NEW_SESSION } from "../state/session";
+import { keepWork } from "../state/storage";
+import { Store } from "../state/store";
+import { Keeper } from "./keeper";
+import { Notices } from "./notices";
+import { Opening } from "./opening";
+import { Origin } from "./origin";
+import { Surface } from "./surface";
+
+const VASE = "#1/second-order?height=5";
+
+function bench(page = new Page()) {
+  const { solver } = realSolver({ free: true });
+  const { maker } = realMaker({ free: true });
+  const store = new Store(JAR, NEW_SESSION);
+  const surface = new Surface(store, solver);
+  surface.grid = () => ({ rows: 13, columns: 25 });
+  const origin = new Origin(store, surface);
+  const keeper = new Keeper(store, surface, origin, solver, new Notices(), page);
+  const opening = new Opening(store, surface, origin, keeper, solver, async () => maker);
+  for (const each of [origin, surface, keeper, opening]) each.connect();
+  const rests = async () => {
+    while (surface.settled === null) await settled();
+  };
+  const kind = () => store.design.parts[0]?.shape.kind;
+  return { keeper, kind, maker, opening, origin, page, rests, solver, store, surface };
+}
+
+/** A page with work that was kept. */
+function kept(unsaved: boolean): Page {
+  const page = new Page();
+  keepWork(page.shelf, { text: JSON.stringify(tall(JAR, 33)), link: "1/fourth-order?h1=33", unsaved });
+  return page;
+}
+
+const linked = (page: Page, hash = VASE) => Object.assign(page, { hash });
+
+test("a first visit begins with what is there, and nothing to lose", async () => {
+  const { keeper, opening, rests, store } = bench();
+  await opening.start();
+  await rests();
+  expect(store.design).toBe(JAR);
+  expect(keeper.unsaved).toBe(false);
+  expect(store.canUndo).toBe(false);
+});
+
+test("a link is opened, also in the place of work that is in safety", async () => {
+  for (const page of [new Page(), kept(false)]) {
+    const { keeper, kind, opening, rests } = bench(linked(page));
+    await opening.start();
+    await rests();
+    expect(kind()).toBe("second-order");
+    expect(keeper.unsaved).toBe(false);
+  }
+});
+
+test("work that was kept goes on", async () => {
+  for (const unsaved of [true, false]) {
+    const { keeper, opening, rests, surface } = bench(kept(unsaved));
+    await opening.start();
+    await rests();
+    expect(surface.shown?.solved.facts?.height).toBeCloseTo(33);
+    expect(keeper.unsaved).toBe(unsaved);
+  }
+});
+
+test("a link over unsaved work asks first, and the address waits for the answer", async () => {
+  for (const take of ["theirs", "mine"] as const) {
+    const { kind, opening, page, rests, store } = bench(linked(kept(true)));
+    await opening.start();
+    await rests();
+    expect(opening.conflict).not.toBeNull();
+    expect(page.hash).toBe(VASE);
+    opening.settleConflict(take);
+    expect(opening.conflict).toBeNull();
+    await rests();
+    expect(kind()).toBe(take === "theirs" ? "second-order" : "fourth-order");
+    expect(store.canUndo).toBe(take === "theirs");
+    expect(page.hash).not.toContain(take === "theirs" ? "h1=33" : "second-order");
+  }
+});
+
+test("a damaged link is told of until a person goes on", async () => {
+  const { opening, page, rests, store } = bench(linked(new Page(), "#1/no-such-thing"));
+  await opening.start();
+  await rests();
+  expect(opening.problem?.message).not.toBe("");
+  expect(page.hash).toBe("#1/no-such-thing");
+  store.apply({ design: tall(JAR, 21), undo: "step" });
+  expect(opening.problem).toBeNull();
+  await rests();
+  expect(page.hash).toContain("h1=21");
+});
+
+test("another address is followed, but not the one that was written here, nor one of what is on the stage", async () => {
+  const { kind, keeper, opening, page, rests, store } = bench();
+  page.hash = VASE;
+  await opening.addressChanged();
+  expect(kind()).toBe("fourth-order");
+  page.hash = "";
+  await opening.start();
+  await rests();
+  store.apply({ design: tall(JAR, 21), undo: "step" });
+  await rests();
+  await opening.addressChanged();
+  expect(opening.conflict).toBeNull();
+  keeper.markShared();
+  page.hash = VASE;
+  await opening.addressChanged();
+  expect(kind()).toBe("second-order");
+  await rests();
+  store.apply({ design: { ...store.design, title: "Mine" }, undo: "step" });
+  page.hash = "#1/mixed-order";
+  await opening.addressChanged();
+  expect(opening.conflict?.theirs.design.parts[0]?.shape.kind).toBe("mixed-order");
+});
+
+test("a file says how it was made, until undo leads back before it", async () => {
+  const { keeper, maker, opening, rests, store, surface } = bench();
+  await opening.start();
+  await rests();
+  const making = { product: "solid", shrinkage: 12 } as const;
+  const written = await maker.ask({ kind: "write", design: tall(JAR, 30), format: "obj", making });
+  if (written.state !== "done") throw new Error(JSON.stringify(written));
+  await opening.openFile(new File([written.value.bytes], "jar.obj"));
+  await rests();
+  expect(surface.shown).toMatchObject({ framing: 1, design: store.design });
+  expect(opening.making).toMatchObject(making);
+  expect(keeper.unsaved).toBe(false);
+  store.undo();
+  expect(opening.making).toBeNull();
+  store.redo();
+  expect(opening.making).toMatchObject(making);
+  await opening.openText(VASE);
+  expect(opening.making).toBeNull();
+});
+
+test("what is no design is told of and changes nothing", async () => {
+  const { opening, rests, store } = bench();
+  await opening.start();
+  await rests();
+  await opening.openText("milk, eggs");
+  expect(opening.problem?.message).toMatch(/milk/);
+  opening.dismissProblem();
+  await opening.openFile(new File([new Uint8Array(84)], "holiday.stl"));
+  expect(opening.problem?.message).toMatch(/holiday\.stl/);
+  expect(store.design).toBe(JAR);
+});
+
+test("work of an earlier visit goes on from where it was opened then", async () => {
+  const page = new Page();
+  const text = JSON.stringify(tall(JAR, 33));
+  keepWork(page.shelf, { text, link: "1/fourth-order?h1=33", unsaved: true, origin: JSON.stringify(tall(JAR, 25)) });
+  const { opening, origin, rests, store } = bench(page);
+  await opening.start();
+  await rests();
+  expect(store.design.parts[0]?.shape).toMatchObject({ h1: 33 });
+  expect(origin.design.parts[0]?.shape).toMatchObject({ h1: 25 });
+  expect(origin.size).toBeGreaterThan(30);
+});

@@ -1,0 +1,172 @@
+/** Opens designs: from the address, from what this browser kept, from files and texts, and asks before work is lost. */
+
+import { batch, effect, signal, untracked } from "@preact/signals-core";
+import type { Design, Making, Refusal } from "../document/types";
+import type { MakerClient } from "../maker/client";
+import type { SolverClient } from "../solver/client";
+import type { Parsed } from "../solver/messages";
+import { openDesign } from "../state/actions";
+import type { Store } from "../state/store";
+import type { Keeper } from "./keeper";
+import type { Origin } from "./origin";
+import type { Surface } from "./surface";
+
+/** A link that waits for the person's decision because there is unsaved work. */
+export interface Conflict {
+  readonly theirs: Parsed;
+}
+
+export class Opening {
+  readonly #store: Store;
+  readonly #surface: Surface;
+  readonly #origin: Origin;
+  readonly #keeper: Keeper;
+  readonly #solver: SolverClient;
+  readonly #maker: () => Promise<MakerClient | null>;
+  readonly #problem = signal<Refusal | null>(null);
+  readonly #conflict = signal<Conflict | null>(null);
+  /** How the opened file was made, and which design it took the place of. */
+  readonly #opened = signal<{ readonly making: Making | null; readonly replaced: Design | null }>({
+    making: null,
+    replaced: null,
+  });
+  #begun = false;
+  /** The design that was followed last. */
+  #last: Design;
+
+  /** `maker` reads files that are no documents; null where it cannot be fetched. */
+  constructor(
+    store: Store,
+    surface: Surface,
+    origin: Origin,
+    keeper: Keeper,
+    solver: SolverClient,
+    maker: () => Promise<MakerClient | null>,
+  ) {
+    this.#store = store;
+    this.#surface = surface;
+    this.#origin = origin;
+    this.#keeper = keeper;
+    this.#solver = solver;
+    this.#maker = maker;
+    this.#last = store.design;
+    // The address holds what is asked about, and what is read about.
+    keeper.holdWhile(() => this.#conflict.peek() !== null || this.#problem.peek() !== null);
+  }
+
+  /** Why a link or a file was not opened. */
+  get problem(): Refusal | null {
+    return this.#problem.value;
+  }
+
+  get conflict(): Conflict | null {
+    return this.#conflict.value;
+  }
+
+  /** How the file was made that this design was opened from; null for any other, and for the design before it, to which undo leads. */
+  get making(): Making | null {
+    const { making, replaced } = this.#opened.value;
+    return this.#store.design === replaced ? null : making;
+  }
+
+  /** Follows the document until what comes back is called: who goes on working has read why a link or file was not opened, and the address may be written again. */
+  connect(): () => void {
+    return effect(() => {
+      const { design } = this.#store;
+      const changed = design !== this.#last;
+      this.#last = design;
+      if (changed && untracked(() => this.#surface.shown) !== null) this.dismissProblem();
+    });
+  }
+
+  /** Opens what the address asks for, or the work that this browser kept, or leaves what is there. */
+  async start(): Promise<void> {
+    this.#solver.warm();
+    const { foreignFragment: fragment, work } = this.#keeper;
+    const linked = fragment === "" ? null : await this.#solver.parse(fragment);
+    if (linked?.state === "refused") this.#problem.value = linked.refusal;
+    const theirs = linked?.state === "done" ? linked.value : null;
+    if (theirs && (!work?.unsaved || work.link === theirs.link)) {
+      await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
+      return;
+    }
+    const mine = work ? await this.#solver.parse(work.text) : null;
+    if (mine?.state === "done") {
+      await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
+      if (theirs) this.#conflict.value = { theirs };
+    } else {
+      await this.#begin(theirs?.design ?? this.#store.design, true);
+    }
+  }
+
+  /** `origin` is the document that the design was opened as in an earlier visit. */
+  async #begin(design: Design, saved: boolean, origin?: string): Promise<void> {
+    const opened = origin === undefined ? null : await this.#solver.parse(origin);
+    this.#origin.open(design, opened?.state === "done" ? opened.value.design : design);
+    this.#begun = true;
+    batch(() => {
+      if (saved) this.#keeper.markSaved(design);
+      this.#store.apply({ design, undo: "none" });
+      this.#surface.begin();
+    });
+  }
+
+  /** The address changed under the page: someone pasted a link, or went back. */
+  async addressChanged(): Promise<void> {
+    const fragment = this.#keeper.foreignFragment;
+    if (this.#begun && fragment !== "") await this.#openText(fragment, true);
+  }
+
+  /** Opens JSON text or a link. */
+  async openText(text: string): Promise<void> {
+    await this.#openText(text, false);
+  }
+
+  /** Opens a document, or anything that Pasu made and that holds its link. */
+  async openFile(file: File): Promise<void> {
+    const found = await import("./open-file").then(
+      ({ readFile }) => readFile(file, this.#maker),
+      () => null,
+    );
+    if (!found) return;
+    if ("text" in found) await this.#openText(found.text, false, found.made);
+    else this.#problem.value = found.refusal;
+  }
+
+  async #openText(text: string, asLink: boolean, making: Making | null = null): Promise<void> {
+    const outcome = await this.#solver.parse(text);
+    if (outcome.state === "superseded") return;
+    if (outcome.state === "refused") {
+      this.#problem.value = outcome.refusal;
+      return;
+    }
+    const theirs = outcome.value;
+    if (asLink && this.#surface.shown?.solved.link === theirs.link) return;
+    if (asLink && this.#keeper.unsaved) this.#conflict.value = { theirs };
+    else this.open(theirs.design, making);
+  }
+
+  /** Replaces the design; undo brings the old one back. */
+  open(design: Design, making: Making | null = null): void {
+    batch(() => {
+      const before = this.#store.design;
+      this.#problem.value = null;
+      this.#surface.reframe();
+      this.#origin.open(design);
+      this.#store.apply(openDesign(this.#store.state, design));
+      this.#opened.value = { making, replaced: this.#store.design === before ? null : before };
+      this.#keeper.markSaved(this.#store.design);
+    });
+  }
+
+  settleConflict(take: "theirs" | "mine"): void {
+    const conflict = this.#conflict.peek();
+    this.#conflict.value = null;
+    if (conflict && take === "theirs") this.open(conflict.theirs.design);
+    else this.#keeper.writeAddress();
+  }
+
+  dismissProblem(): void {
+    this.#problem.value = null;
+  }
+}

@@ -1,0 +1,189 @@
+/** The surface on the stage: asks the solver for the mesh of what the document says, as finely as the hand allows. */
+
+import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
+import { describeAccuracy } from "../document/describe";
+import { unitOf } from "../document/look";
+import type { Design, Refusal } from "../document/types";
+import type { GridSize } from "../document/waves";
+import type { SolverClient } from "../solver/client";
+import type { MeshArrays, Solved } from "../solver/messages";
+import type { Store } from "../state/store";
+import type { Outcome } from "../worker/port";
+import { gridFor } from "./grid";
+import { Pace } from "./pace";
+import { trace } from "./trace";
+
+/** What is on the stage: the last design that the solver accepted. */
+export interface Shown {
+  readonly design: Design;
+  readonly solved: Solved;
+  /** The number of the change that led here, counted from 1. */
+  readonly change: number;
+  /** Whether this is the fine mesh of a finished gesture. */
+  readonly settled: boolean;
+  /** Which opened design this is: the camera goes to each once, edits never move it. */
+  readonly framing: number;
+  /** Whether undo or redo led here. */
+  readonly travelled: boolean;
+}
+
+export type Status = "starting" | "solving" | "ready" | "error";
+
+/** What a surface is not to be shown without: its wall. */
+export interface Companion {
+  /** Whether the next surface has to wait for the pair that is under way; `run` is called after it. */
+  waits(run: () => void): boolean;
+  /** The solved surface once its companion is there too; null where it comes alone. */
+  join(design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> | null;
+}
+
+/** What the stage needs now. */
+interface Wanted {
+  readonly design: Design;
+  /** Whether the gesture is over. */
+  readonly settle: boolean;
+  readonly lines: boolean;
+  /** The part whose section is wanted. */
+  readonly section: number | null;
+}
+
+export class Surface {
+  /** How fine the grid is during a gesture. */
+  readonly pace = new Pace();
+  /** The grid of a design now; measurements put their own here. */
+  grid = (design: Design): GridSize => gridFor(design, this.#store.inGesture ? this.pace.step : 0);
+  readonly #store: Store;
+  readonly #solver: SolverClient;
+  readonly #begun = signal(false);
+  readonly #shown = signal<Shown | null>(null);
+  readonly #status = signal<Status>("starting");
+  readonly #problem = signal<Refusal | null>(null);
+  readonly #wanted = computed(() => this.#want());
+  readonly #accuracy = computed(() => {
+    const shown = this.#shown.value;
+    return shown && shown.solved.bound !== null ? describeAccuracy(shown.solved.bound, unitOf(shown.design)) : "";
+  });
+  #companion: Companion | null = null;
+  /** What the solver was asked for last. */
+  #asked: Wanted | null = null;
+  #changes = 0;
+  #framing = 0;
+  #travelled = false;
+
+  constructor(store: Store, solver: SolverClient) {
+    this.#store = store;
+    this.#solver = solver;
+  }
+
+  get shown(): Shown | null {
+    return this.#shown.value;
+  }
+
+  get status(): Status {
+    return this.#status.value;
+  }
+
+  /** Why the design on the screen is not the one in the panel. */
+  get problem(): Refusal | null {
+    return this.#problem.value;
+  }
+
+  /** What is shown where that is what the document says, finely; null while it is not. */
+  get settled(): Shown | null {
+    const shown = this.#shown.value;
+    return shown?.settled && shown.design === this.#store.design ? shown : null;
+  }
+
+  /** How true the picture is, in words; empty while it is not known. */
+  get accuracy(): string {
+    return this.#accuracy.value;
+  }
+
+  /** Follows the document until what comes back is called. */
+  connect(): () => void {
+    return effect(() => {
+      const wanted = this.#wanted.value;
+      if (wanted) untracked(() => this.#follow(wanted));
+    });
+  }
+
+  /** The document holds what is to be shown: nothing is solved before that is decided. */
+  begin(): void {
+    this.#begun.value = true;
+  }
+
+  /** The next design is one that was just opened. */
+  reframe(): void {
+    this.#framing += 1;
+  }
+
+  /** Shows surfaces together with this from now on; alone at null. */
+  accompany(companion: Companion | null): void {
+    this.#companion = companion;
+  }
+
+  /** Takes back a mesh that nobody shows any more. */
+  recycle(mesh: MeshArrays): void {
+    this.#solver.recycle(mesh);
+  }
+
+  #want(): Wanted | null {
+    if (!this.#begun.value) return null;
+    const { design, inGesture, part, session } = this.#store;
+    const { overlays, tab } = session;
+    return {
+      design,
+      settle: !inGesture,
+      lines: overlays.isoU || overlays.isoV || overlays.boundary,
+      // Even while a gesture has no time for more.
+      section: !inGesture || tab === "profile" ? part : null,
+    };
+  }
+
+  #follow(wanted: Wanted): void {
+    const asked = this.#asked;
+    const enough =
+      asked?.design === wanted.design &&
+      asked.settle >= wanted.settle &&
+      asked.lines >= wanted.lines &&
+      (wanted.section === null || asked.section === wanted.section);
+    if (enough || this.#companion?.waits(() => this.#again())) return;
+    this.#asked = wanted;
+    this.#solve(wanted);
+  }
+
+  /** What had to wait may have become something else meanwhile. */
+  #again(): void {
+    const wanted = this.#wanted.peek();
+    if (wanted) this.#follow(wanted);
+  }
+
+  #solve({ design, settle, lines, section }: Wanted): void {
+    this.#changes += 1;
+    const change = this.#changes;
+    const framing = this.#framing;
+    this.#travelled ||= this.#store.travelled;
+    const travelled = this.#travelled;
+    if (this.#status.value !== "starting") this.#status.value = "solving";
+    trace("asked", change);
+    const solving = this.#solver.solve(design, { ...this.grid(design), lines, section, settle });
+    void (this.#companion?.join(design, solving) ?? solving).then((outcome) => {
+      if (outcome.state === "superseded") return;
+      const current = design === this.#store.design;
+      if (outcome.state === "done") trace("solved", change, outcome.value.times);
+      batch(() => {
+        if (outcome.state === "refused") {
+          if (!current) return;
+          this.#problem.value = outcome.refusal;
+          this.#status.value = "error";
+          return;
+        }
+        this.#shown.value = { design, solved: outcome.value, change, settled: settle, framing, travelled };
+        if (!current) return;
+        this.#travelled = false;
+        this.#problem.value = null;
+        if (settle) this.#status.value = "ready";
+      });
+    });
+  }
+}

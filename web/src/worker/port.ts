@@ -1,0 +1,26 @@
+/** What the page sees of a worker, and how what was asked of one ends. */
+
+import type { Refusal } from "../document/types";
+
+export type Outcome<T> =
+  | { readonly state: "done"; readonly value: T }
+  | { readonly state: "refused"; readonly refusal: Refusal }
+  | { readonly state: "superseded" };
+
+/** A worker's answer to the request of this number; `broken` says that its module trapped and is of no more use. */
+export type Reply<Answer> =
+  | { readonly id: number; readonly ok: true; readonly answer: Answer }
+  | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };
+
+/** The part of the Worker interface that is used, so that tests need no browser. */
+export interface Port<Request, Answer> {
+  postMessage(message: Request, transfer: Transferable[]): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<Reply<Answer>>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
+export interface Begin {
+  readonly module: WebAssembly.Module | null;
+}

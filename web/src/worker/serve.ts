@@ -1,0 +1,54 @@
+/** The worker's side: answers one request after the other, once its module is there. */
+
+import type { Refusal } from "../document/types";
+import type { Begin, Reply } from "./port";
+
+/** The part of a worker's scope, or of a message port, that is used. */
+export interface Scope<Request, Answer> {
+  addEventListener(type: "message", listener: (event: MessageEvent<Request | Begin>) => void): void;
+  postMessage(message: Reply<Answer>, options: { readonly transfer: Transferable[] }): void;
+}
+
+/** The package that answers, as far as this needs it: how it begins, and how it says no. */
+export interface Package {
+  readonly init: (module?: WebAssembly.Module) => Promise<void>;
+  readonly PasuError: new (...parameters: never[]) => Refusal;
+  /** What is said before the words of a fault that is none of the design's. */
+  readonly fault: string;
+}
+
+/** `perform` answers or throws; the buffers of what it answers travel, they are not copied. */
+export function serve<Request extends { readonly id: number }, Answer>(
+  scope: Scope<Request, Answer>,
+  { init, PasuError, fault }: Package,
+  perform: (request: Request) => Answer,
+  buffersOf: (answer: Answer) => Transferable[],
+): void {
+  let begin: (ready: Promise<void>) => void;
+  const ready = new Promise<void>((resolve) => {
+    begin = resolve;
+  });
+
+  scope.addEventListener("message", ({ data }) => {
+    if ("module" in data) begin(data.module ? init(data.module) : init());
+    else void respond(data);
+  });
+
+  async function respond(request: Request): Promise<void> {
+    const { id } = request;
+    try {
+      await ready;
+      const answer = perform(request);
+      scope.postMessage({ id, ok: true, answer }, { transfer: buffersOf(answer) });
+    } catch (error) {
+      const broken = error instanceof WebAssembly.RuntimeError;
+      scope.postMessage({ id, ok: false, refusal: refusalOf(error), broken }, { transfer: [] });
+    }
+  }
+
+  function refusalOf(error: unknown): Refusal {
+    if (error instanceof PasuError) return { code: error.code, path: error.path, message: error.message };
+    const message = error instanceof Error ? error.message : String(error);
+    return { code: "internal", path: "", message: `${fault}: ${message}` };
+  }
+}
