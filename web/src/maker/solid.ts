@@ -1,5 +1,6 @@
 /** A pot as its picture needs it: without the face that the design's own surface shows already, and with what the glaze goes by. */
 
+import { DEFAULTS } from "../document/tables.gen";
 import type { Design, Part } from "../document/types";
 import { boundsOf } from "../solver/bounds";
 import type { Solid, Spare } from "./messages";
@@ -63,7 +64,7 @@ export function solidOf(
     indices: whole ? new Uint32Array(indices.buffer) : drawn,
     groups: Uint32Array.from(groups),
     bounds: boundsOf(positions),
-    sides: parts.map(({ wall }) => (wall ? (wall.side ?? "inside") : null)),
+    sides: parts.map(({ wall }) => (wall ? (wall.side ?? DEFAULTS.side) : null)),
   };
 }
 

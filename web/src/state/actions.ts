@@ -1,13 +1,13 @@
 /** What a person can do to a design as a whole and to the page: pure functions from a state to the change that they ask for. */
 
-import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
-import type { Design, Look, Unit } from "../document/types";
+import { DEFAULTS, LIMITS } from "../document/tables.gen";
+import type { Design, Look, OrderKind, Unit } from "../document/types";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
-export const MAX_TITLE = 200;
+export const MAX_TITLE = LIMITS.characters;
 const NOTHING: Change = { undo: "none" };
 
 /** Replaces the design, as one step: undo brings the old one back. */
@@ -27,7 +27,7 @@ export function setTitle(state: State, title: string): Change {
 }
 
 export function setUnit(state: State, unit: Unit): Change {
-  if ((state.design.unit ?? "cm") === unit) return NOTHING;
+  if ((state.design.unit ?? DEFAULTS.unit) === unit) return NOTHING;
   return { design: setPath(state.design, ["unit"], unit), undo: "step" };
 }
 
