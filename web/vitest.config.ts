@@ -3,7 +3,9 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
+const packaged = (file: string) => fileURLToPath(new URL(`../crates/pasu-wasm/pkg/${file}`, import.meta.url));
+
 export default defineConfig({
-  resolve: { alias: { pasu: fileURLToPath(new URL("../crates/pasu-wasm/pkg/node.js", import.meta.url)) } },
+  resolve: { alias: { "pasu/drawing": packaged("drawing.js"), pasu: packaged("pasu.js") } },
   test: { environment: "node", include: ["src/**/*.test.ts", "build/**/*.test.ts"], passWithNoTests: true },
 });

@@ -3,13 +3,13 @@
  * files. Components read from it and are told when anything changed.
  */
 
-import type { OrderKind } from "../document/convert";
 import { describe, describeAccuracy } from "../document/describe";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { looksOf, unitOf } from "../document/look";
+import { convertible } from "../document/orders";
 import { setPath } from "../document/path";
-import type { Design, Look, Making, Refusal } from "../document/types";
+import type { Design, Look, Making, OrderKind, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays, Parsed, Solved } from "../solver/messages";
@@ -401,15 +401,20 @@ export class Designer {
     const { design, session } = this.state;
     const order = session.compare;
     const part = design.parts[session.part];
-    const made = order && part ? (await import("../document/convert")).convert(part.shape, order) : null;
-    if (this.state.session.compare !== order || this.state.design !== design) return;
-    if (!order || !made) {
+    if (!order || !part || !convertible(part.shape.kind)) {
       this.comparison = null;
       this.comparisonProblem = null;
       this.#tell();
       return;
     }
-    const other = setPath(design, ["parts", session.part, "shape"], made.shape);
+    const made = await this.solver.convert("compare", part.shape, order);
+    if (this.state.session.compare !== order || this.state.design !== design || made.state === "superseded") return;
+    if (made.state === "refused") {
+      this.comparisonProblem = made.refusal;
+      this.#tell();
+      return;
+    }
+    const other = setPath(design, ["parts", session.part, "shape"], made.value.shape);
     const { rows, columns } = this.grid(other);
     const outcome = await this.solver.mesh("compare", other, rows, columns);
     if (outcome.state === "superseded" || this.state.session.compare !== order) return;
