@@ -112,6 +112,39 @@ for (const entry of ["pasu.js", "drawing.js"]) {
   });
 }
 
+test("a vase comes in another order, and a hand learns what it drags, from both entries", async () => {
+  await inFreshProject(async (project) => {
+    for (const entry of ["pasu.js", "drawing.js"]) {
+      const pasu = await import(pathToFileURL(join(project, "node_modules/pasu", entry)).href);
+      await pasu.default();
+      const shape = { kind: "second-order", r: [1, 0.1, 0.6, 0.06], height: 4 };
+      const { shape: fourth, lost } = pasu.convert(shape, "fourth-order");
+      assert.deepEqual([fourth.kind, fourth.r1, fourth.r0, fourth.h1, lost], ["fourth-order", 1, 0.6, 4, ["petals"]]);
+      const { rim, list } = pasu.handles(fourth);
+      assert.equal(rim, "end");
+      assert.deepEqual(
+        list.map(({ id }) => id),
+        ["rim", "rim-slope", "foot-slope", "foot"],
+      );
+      assert.deepEqual(list[0], {
+        id: "rim",
+        radial: [
+          { path: "r1", by: 1 },
+          { path: "rm", by: 0.25 },
+        ],
+        axial: [{ path: "h1", by: 1 }],
+        restraints: [],
+      });
+      assert.throws(() => pasu.convert(shape, "third-order"), {
+        name: "PasuError",
+        code: "unknown-name",
+        path: "order",
+      });
+      assert.throws(() => pasu.handles(), { name: "PasuError", code: "wrong-type", path: "shape" });
+    }
+  });
+});
+
 test("a refusal says where in space the pot went wrong", async () => {
   await inFreshProject(async (project) => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);

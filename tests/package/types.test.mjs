@@ -11,10 +11,10 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 
 const CONSUMER = `
 import init, {
-  bound, check, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, link, type Making, type Measures, measure,
+  bound, check, type Conversion, convert, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, type Handle, type HandleId, handles, link, type Making, type Measures, measure,
   type Mesh, mesh, objMaterials, open, paint, parse, PasuError, type PasuErrorCode, type Provenance, provenance, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
 } from "pasu";
-import start, { mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
+import start, { convert as switched, mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
 const ready: Promise<void> = init(new URL("https://example.org/pasu_bg.wasm"));
 await ready;
@@ -59,6 +59,11 @@ const kept: string | null = open(new Uint8Array(8));
 const clays: Blob = new Blob([objMaterials(), write(design, "obj.zip"), write(design, "a4.svg")]);
 const told: Provenance | null = provenance(new Uint8Array(8));
 if (told?.making) write(told.link, "stl", told.making);
+const fourth: Conversion = convert({ kind: "mixed-order", r: [1, 0, 0.6, 0], rise: -10 }, "fourth-order");
+const dragged: readonly Handle[] = handles(fourth.shape).list;
+const moved: readonly [HandleId, string | undefined, number | undefined][] = dragged.map(({ id, radial: [step] }) => [id, step?.path, step?.by]);
+const level_rise: boolean = switched(fourth.shape, "second-order").lost.includes("rise");
+void moved; void level_rise;
 void brim; void findings; void file; void linings; void level; void colours; void wet; void kept; void clays;
 await start();
 const same: Mesh = drawn(design) satisfies Drawn;
@@ -77,6 +82,8 @@ const wrong: Design = { pasu: 1, unit: "furlong", parts: [] };
 check(design, { size: { height: 1, width: 2 } });
 // @ts-expect-error there is no such format
 write(design, "doc");
+// @ts-expect-error no vase is of third order
+convert(fourth.shape, "third-order");
 // @ts-expect-error there is no such map
 paint(design, "heat");
 // @ts-expect-error there is no such kind

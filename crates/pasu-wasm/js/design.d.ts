@@ -234,3 +234,63 @@ export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino"
 
 /** A clay body. */
 export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";
+
+/** An order of the equation for which Zhang and You (2001) have a vase. */
+export type VaseOrder = "second-order" | "mixed-order" | "fourth-order";
+
+/** A shape in another order. */
+export interface Conversion {
+  /** It has the same rim, foot and height. */
+  readonly shape: Shape;
+  /** What it had to leave behind. */
+  readonly lost: readonly Loss[];
+}
+
+/** What a vase has to leave behind in another order. */
+export type Loss = "dints" | "skew" | "petals" | "push" | "turns" | "rise" | "slopes";
+
+/** What of a shape a hand can drag: the rim and the foot of its profile at `v = 0`, and the slopes of the wall there. All before placement. What is prescribed is linear in the numbers of every kind, so that one answer is good for a whole drag: moving one handle leaves its own steps as they are, and the data of all others. */
+export interface Handles {
+  /** Which end of `u` is the rim, that is the higher one. */
+  readonly rim: End;
+  /** All four, from the rim to the foot. */
+  readonly list: readonly Handle[];
+}
+
+/** An end of the profile: u = 0, or u = 1. */
+export type End = "start" | "end";
+
+/** One handle. */
+export interface Handle {
+  /** Which. */
+  readonly id: HandleId;
+  /** What moves it away from the axis by 1, a slope `X_u` as a point; empty where it cannot be moved so. */
+  readonly radial: readonly Step[];
+  /** What moves it upwards by 1; empty where it cannot be moved so. */
+  readonly axial: readonly Step[];
+  /** Why it cannot be moved one way or at all. */
+  readonly restraints: readonly Restraint[];
+}
+
+/** A point of the profile that can be dragged. */
+export type HandleId = "rim" | "rim-slope" | "foot-slope" | "foot";
+
+/** Why a handle does not move, or moves one way only. */
+export type Restraint =
+  | "foot-height"
+  | "second-order-slope"
+  | "mixed-order-lean"
+  | "mixed-order-foot"
+  | "no-swell"
+  | "level-foot"
+  | "no-radius"
+  | "lean-order"
+  | "rise-order";
+
+/** A number of the document that moves with a handle. */
+export interface Step {
+  /** Where it stands within the shape, such as `r[0]` or `x.modes[2].cos.start`. What is left out counts as its default; a mode behind the last is a new one. */
+  readonly path: string;
+  /** By how much it changes for 1; 0 of a number that has to be written and does not change. */
+  readonly by: number;
+}

@@ -13,7 +13,18 @@ export type {
   Point,
   Remesh,
 } from "./pasu.js";
-export { bound, default, derivatives, evaluate, fingerprint, link, PasuError, parse } from "./pasu.js";
+export {
+  bound,
+  convert,
+  default,
+  derivatives,
+  evaluate,
+  fingerprint,
+  handles,
+  link,
+  PasuError,
+  parse,
+} from "./pasu.js";
 
 /** As that of `pasu`, but for `progress`, which this module does not tell. */
 export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;

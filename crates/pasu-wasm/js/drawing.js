@@ -4,9 +4,11 @@
 import load, {
   __wbg_reset_state,
   bound as boundOf,
+  convert as convertOf,
   derivatives as derivativesOf,
   evaluate as evaluateOf,
   fingerprint as fingerprintOf,
+  handles as handlesOf,
   link as linkOf,
   mesh as meshOf,
   parse as parseOf,
@@ -23,12 +25,14 @@ const bindings = {
   evaluate: evaluateOf,
   derivatives: derivativesOf,
   fingerprint: fingerprintOf,
+  convert: convertOf,
+  handles: handlesOf,
 };
 
-const { init, parse, link, mesh, bound, evaluate, derivatives, fingerprint } = entry(
+const { init, parse, link, mesh, bound, evaluate, derivatives, fingerprint, convert, handles } = entry(
   { module: () => new URL("./pasu_drawing_bg.wasm", import.meta.url), bindings: () => bindings },
   // Old engines are too few for a small module of their own.
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => import("./bindings.js") },
 );
 
-export { bound, derivatives, evaluate, fingerprint, init as default, link, mesh, PasuError, parse };
+export { bound, convert, derivatives, evaluate, fingerprint, handles, init as default, link, mesh, PasuError, parse };

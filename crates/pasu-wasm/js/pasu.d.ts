@@ -1,7 +1,7 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
 import type { Measures, Report } from "./answers.js";
-import type { Design } from "./design.js";
+import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
 export type * from "./design.js";
@@ -292,6 +292,18 @@ export function derivatives(source: DesignSource, part: number, at: Float64Array
 
 /** A short hash of the design's mesh: the same design has the same on every machine. */
 export function fingerprint(source: DesignSource): string;
+
+/**
+ * A vase in another order, with what that order can hold of it: rim, foot and height always, and of the slopes at both ends what can be prescribed. A wall of second order is the same wall in fourth
+ * order, and the way back leads to the vase that one came from. Refused is free boundary data, which has no order as a whole.
+ */
+export function convert(shape: Shape, order: VaseOrder): Conversion;
+
+/**
+ * What of a shape a hand can drag, and which of its numbers move then by how much. They move in proportion, so that one answer is good for a whole drag. Paths are those of the
+ * shape as it is given here, which may be one that is not canonical.
+ */
+export function handles(shape: Shape): Handles;
 
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;

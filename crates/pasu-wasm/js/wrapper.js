@@ -164,6 +164,8 @@ export function entry(simd, scalar) {
     evaluate: (source, part, at) => call("evaluate", source, part, at),
     derivatives: (source, part, at) => call("derivatives", source, part, at),
     fingerprint: (source) => call("fingerprint", source),
+    convert: (shape, order) => call("convert", shape, order),
+    handles: (shape) => call("handles", shape),
   };
 }
 

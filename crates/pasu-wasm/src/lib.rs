@@ -19,6 +19,7 @@ mod mesh;
 mod options;
 mod plain;
 mod points;
+mod shape;
 #[cfg(feature = "making")]
 mod sketch;
 mod source;
@@ -31,6 +32,7 @@ use wasm_bindgen::prelude::*;
 use crate::error::thrown;
 #[cfg(feature = "making")]
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
+pub use crate::shape::{convert, handles};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;
 #[cfg(feature = "making")]

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use pasu::{Design, Result, Solution};
+use pasu::{Design, Result, Shape, Solution};
 use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 
@@ -15,6 +15,11 @@ pub(crate) fn design(source: &JsValue) -> Result<Design> {
         Some(text) => Design::parse(&text),
         None => Design::read(Plain(source.clone())),
     }
+}
+
+/// Reads a bare shape from a plain object. Paths in refusals begin at the shape.
+pub(crate) fn shape(shape: &JsValue) -> Result<Shape> {
+    argument(shape, "shape")
 }
 
 /// Reads a design and solves it, unless that is what the last call did.

@@ -1,7 +1,7 @@
 //! What JavaScript may pass, what it gets back and how it is refused, in Node.
 
 use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
-use pasu_wasm::{derivatives, evaluate, fingerprint, link, mesh, parse};
+use pasu_wasm::{convert, derivatives, evaluate, fingerprint, handles, link, mesh, parse};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -290,6 +290,51 @@ fn expect<T: std::fmt::Debug>(outcome: Result<T, impl Into<JsValue>>, code: &str
         text("message")
     );
     assert!(text("message").is_some_and(|message| message.len() > 10), "a message for a person");
+}
+
+const SECOND: &str = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "height": 10 }"#;
+
+#[wasm_bindgen_test]
+fn a_vase_comes_in_another_order_as_the_crate_says() {
+    let made = convert(&js(SECOND), &"fourth-order".into()).expect("a conversion");
+    let native =
+        pasu::Shape::parse(SECOND).and_then(|vase| vase.convert(pasu::VaseOrder::Fourth)).expect("a conversion");
+    let read = |value: &JsValue| serde_json::from_str::<serde_json::Value>(&stringified(value)).expect("JSON");
+    assert_eq!(read(&made), serde_json::to_value(&native).expect("JSON"));
+    assert_eq!(read(&made)["lost"], serde_json::json!(["petals"]));
+    let design = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {} }}] }}"#, read(&made)["shape"]);
+    link(&design.as_str().into()).expect("a design of it");
+}
+
+#[wasm_bindgen_test]
+fn handles_are_those_of_the_crate_with_the_paths_of_the_given_shape() {
+    let found = handles(&js(SECOND)).expect("handles");
+    let native = pasu::Shape::parse(SECOND).expect("a shape").handles();
+    let read = |value: &JsValue| serde_json::from_str::<serde_json::Value>(&stringified(value)).expect("JSON");
+    assert_eq!(read(&found), serde_json::to_value(&native).expect("JSON"));
+    // Not in ascending order of n, as no canonical design has it.
+    let free = r#"{ "kind": "boundary-value", "span": "2pi",
+        "x": { "order": 2, "s": 1, "t": 1, "modes": [{ "n": 4, "cos": { "end": 1 } }, { "n": 1, "cos": { "start": 1, "end": 2 } }] },
+        "y": { "order": 2, "s": 1, "t": 1, "modes": [{ "n": 1, "sin": { "start": 1, "end": 2 } }] },
+        "z": { "order": 2, "s": 1, "t": 1, "modes": [] } }"#;
+    let list = &read(&handles(&js(free)).expect("handles"))["list"];
+    assert_eq!(list[0]["radial"][0], serde_json::json!({ "path": "x.modes[1].cos.start", "by": 1.0 }));
+}
+
+#[wasm_bindgen_test]
+fn what_is_no_shape_and_no_order_is_refused_by_its_path() {
+    let refused = |made: Result<JsValue, JsValue>| {
+        let error = made.expect_err("a refusal");
+        ["code", "path"].map(|key| Reflect::get(&error, &key.into()).expect("a field").as_string().expect("a text"))
+    };
+    assert_eq!(refused(convert(&js(SECOND), &"fifth-order".into())), ["unknown-name", "order"]);
+    assert_eq!(refused(convert(&js(SECOND), &JsValue::UNDEFINED)), ["wrong-type", "order"]);
+    assert_eq!(refused(convert(&JsValue::NULL, &"fourth-order".into())), ["wrong-type", "shape"]);
+    assert_eq!(refused(handles(&js(r#"{ "kind": "second-order", "r": [1, 0] }"#))), ["wrong-type", "r"]);
+    assert_eq!(refused(handles(&js(r#"{ "kind": "jug" }"#))), ["unknown-name", "kind"]);
+    let free = js(r#"{ "kind": "boundary-value", "span": 1, "x": { "order": 2, "s": 1, "t": 1, "modes": [] },
+        "y": { "order": 2, "s": 1, "t": 1, "modes": [] }, "z": { "order": 2, "s": 1, "t": 1, "modes": [] } }"#);
+    assert_eq!(refused(convert(&free, &"second-order".into())), ["unsupported-shape", ""]);
 }
 
 fn js(text: &str) -> JsValue {

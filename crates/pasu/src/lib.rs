@@ -47,12 +47,13 @@ mod watch;
 mod weave;
 
 pub use design::read;
-#[cfg(feature = "typescript")]
-pub use design::typescript;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Clay, Component, Datum, Design, FourthOrder, Glaze, Look, MixedOrder, Mode,
-    Order, Part, Placement, RimForm, SecondOrder, Shape, Side, Span, Unit, Wall,
+    Axis, BloorWilson, BoundaryValue, Clay, Component, Conversion, Datum, Design, End, FourthOrder, Glaze, Handle,
+    HandleId, Handles, Look, Loss, MixedOrder, Mode, Order, Part, Placement, Restraint, RimForm, SecondOrder, Shape,
+    Side, Span, Step, Unit, VaseOrder, Wall,
 };
+#[cfg(feature = "typescript")]
+pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{

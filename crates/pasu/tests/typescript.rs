@@ -1,4 +1,4 @@
-//! The TypeScript declarations of documents and answers, and the files of the npm package that they are written to.
+//! The TypeScript declarations of documents and answers, the tables of the document, and the files of the npm package and the page that they are written to.
 #![cfg(feature = "typescript")]
 
 #[test]
@@ -42,9 +42,15 @@ fn answers_leave_nothing_out() {
 
 /// `PASU_BLESS=1 cargo test -p pasu --features typescript` writes the files anew.
 #[test]
-fn the_package_ships_what_is_generated() {
-    for (name, generated) in [("design.d.ts", pasu::typescript()), ("answers.d.ts", pasu::typescript_of_answers())] {
-        let file = format!("{}/../pasu-wasm/js/{name}", env!("CARGO_MANIFEST_DIR"));
+fn package_and_page_have_what_is_generated() {
+    for (name, generated) in [
+        ("crates/pasu-wasm/js/design.d.ts", pasu::typescript()),
+        ("crates/pasu-wasm/js/answers.d.ts", pasu::typescript_of_answers()),
+        ("web/src/document/families.gen.ts", pasu::typescript_of_sliders()),
+        ("web/src/document/tables.gen.ts", pasu::typescript_of_tables()),
+        ("web/src/render/materials.gen.ts", pasu::typescript_of_materials()),
+    ] {
+        let file = format!("{}/../../{name}", env!("CARGO_MANIFEST_DIR"));
         if std::env::var_os("PASU_BLESS").is_some() {
             std::fs::write(&file, &generated).unwrap();
         }

@@ -1,14 +1,16 @@
 /** Editing free boundary data: the modes of each component, each with the data of its cosine and its sine. */
 
+import { DATA } from "./families.gen";
 import type { Path } from "./path";
 import { setPath } from "./path";
+import { LIMITS } from "./tables.gen";
 import type { BoundaryValue, Component, Datum, Mode } from "./types";
 
 export type Axis = "x" | "y" | "z";
 export const AXES: readonly Axis[] = ["x", "y", "z"];
-export const MAX_MODES = 4096;
+export const MAX_MODES = LIMITS.modes;
 
-export type DatumName = "start" | "end" | "start_u" | "end_u";
+export type DatumName = (typeof DATA)[2 | 4][number];
 
 export const DATUM_NAMES: Readonly<Record<DatumName, string>> = {
   start: "Value at u = 0",
@@ -19,7 +21,7 @@ export const DATUM_NAMES: Readonly<Record<DatumName, string>> = {
 
 /** The data that an order can prescribe. */
 export function datumNames(order: 2 | 4): readonly DatumName[] {
-  return order === 2 ? ["start", "end"] : ["start", "end", "start_u", "end_u"];
+  return DATA[order];
 }
 
 export function hasSine(mode: Mode): boolean {

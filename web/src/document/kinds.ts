@@ -1,6 +1,7 @@
 /** What each kind of shape is called, and what its documents may leave out. */
 
-import type { Kind, SecondOrder, Shape } from "./types";
+import { SHAPES } from "./tables.gen";
+import type { Kind, Shape } from "./types";
 
 export const KIND_NAMES: Readonly<Record<Kind, string>> = {
   "second-order": "Second order",
@@ -10,16 +11,7 @@ export const KIND_NAMES: Readonly<Record<Kind, string>> = {
   "boundary-value": "Free boundary data",
 };
 
-/** The fields that a document of second or mixed order may leave out, with what then holds. */
-const PLANAR: Omit<SecondOrder, "kind" | "r"> = {
-  n: [1, 8],
-  height: 3.6,
-  s: [1, 1],
-  t: [0.5, 0.5],
-  force: [0, 0],
-};
-
 /** The shape with everything written out that its document may leave out. */
 export function filled<S extends Shape>(shape: S): S {
-  return shape.kind === "second-order" || shape.kind === "mixed-order" ? { ...PLANAR, ...shape } : shape;
+  return shape.kind === "boundary-value" ? shape : { ...SHAPES[shape.kind].defaults, ...shape };
 }

@@ -1,5 +1,6 @@
 /** Glazes, clays and units: their names in the document and for people. */
 
+import { DEFAULTS } from "./tables.gen";
 import type { ClayName, Design, GlazeName, Look, Part, Unit } from "./types";
 
 export const GLAZES: Readonly<Record<GlazeName, string>> = {
@@ -29,8 +30,8 @@ export const UNITS: Readonly<Record<Unit, string>> = {
 /** Both names of a part's look, defaults included. */
 export function lookOf(part: Part | undefined): Required<Look> {
   return {
-    glaze: part?.look?.glaze ?? "celadon",
-    clay: part?.look?.clay ?? "stoneware",
+    glaze: part?.look?.glaze ?? DEFAULTS.glaze,
+    clay: part?.look?.clay ?? DEFAULTS.clay,
   };
 }
 
@@ -39,5 +40,5 @@ export function looksOf(design: Design): readonly Required<Look>[] {
 }
 
 export function unitOf(design: Design): Unit {
-  return design.unit ?? "cm";
+  return design.unit ?? DEFAULTS.unit;
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { frozen, getPath, pathText, setPath } from "./path";
+import { frozen, getPath, pathOf, pathText, setPath } from "./path";
 
 const document = frozen({ title: "Pot", parts: [{ shape: { r: [1, 2, 3, 4] } }, { shape: { r: [5] } }] });
 
@@ -33,4 +33,11 @@ test("names a place as the solver does", () => {
 
 test("freezes all the way down", () => {
   expect(Object.isFrozen(document.parts[0]?.shape.r)).toBe(true);
+});
+
+test("the solver's names of places lead there, and back", () => {
+  for (const text of ["r[0]", "height", "x.modes[12].cos.start_u", "parts[0].shape.s[1]", ""]) {
+    expect(pathText(pathOf(text))).toBe(text);
+  }
+  expect(pathOf("x.modes[12].cos.start_u")).toEqual(["x", "modes", 12, "cos", "start_u"]);
 });

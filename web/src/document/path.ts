@@ -52,6 +52,12 @@ export function pathText(path: Path): string {
   return text;
 }
 
+/** The same the other way: the place that the solver names. */
+export function pathOf(text: string): Path {
+  const keys = text.split(/[.[\]]/).filter((key) => key !== "");
+  return keys.map((key) => (/^\d+$/.test(key) ? Number(key) : key));
+}
+
 /** Freezes plain data all the way down, so that no part of the page can change a document behind the history's back. */
 export function frozen<T>(value: T): T {
   if (typeof value === "object" && value !== null && !Object.isFrozen(value)) {

@@ -1,13 +1,11 @@
 /** Numbers of the workbench as people read them: lengths, areas, volumes, masses and angles with their units. */
 
 import { formatNumber } from "../number";
+import { UNITS as MILLIMETRES } from "./tables.gen";
 import type { Unit } from "./types";
 
 /** Digits that a person reads; the error tells how many more are known. */
 const DIGITS = 4;
-
-/** Millimetres in one unit. */
-export const MILLIMETRES: Readonly<Record<Unit, number>> = { mm: 1, cm: 10, in: 25.4 };
 
 /** From here on, rounded to whole numbers, the larger unit is shorter. */
 const THOUSAND = 999.5;

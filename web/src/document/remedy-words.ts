@@ -1,6 +1,7 @@
 /** What is different of a wall that would make a pot, in words for a button; and of one that was fitted, as a sentence. */
 
 import { lengthWords } from "./quantities";
+import { DEFAULTS } from "./tables.gen";
 import type { Finding, Unit, Wall } from "./types";
 
 /** Digits of the lengths that the solver proposes. */
@@ -31,12 +32,12 @@ export function fittedWords({ code, remedy }: Finding, unit: Unit): string | nul
 export function remedyWords(asked: Wall, wall: Wall, unit: Unit): string {
   const length = (value: number) => lengthWords(value, unit, DIGITS);
   const changes: string[] = [];
-  if ((wall.side ?? "inside") !== (asked.side ?? "inside")) {
+  if ((wall.side ?? DEFAULTS.side) !== (asked.side ?? DEFAULTS.side)) {
     changes.push(wall.side === "outside" ? "the clay laid outwards" : "the clay laid inwards");
   }
   if (wall.thickness !== asked.thickness) changes.push(`a wall of ${length(wall.thickness)}`);
   if (wall.base !== asked.base) changes.push(`a base of ${length(wall.base)}`);
-  if ((wall.rim ?? "flat") !== (asked.rim ?? "flat")) changes.push("a flat rim");
+  if ((wall.rim ?? DEFAULTS.rim) !== (asked.rim ?? DEFAULTS.rim)) changes.push("a flat rim");
   if (wall.foot) {
     const [width, height] = wall.foot;
     if (width !== asked.foot?.[0] || height !== asked.foot[1]) {

@@ -2,8 +2,9 @@
 
 import { formatNumber } from "../number";
 import { hangingInsideWords, type Outline, placeWords } from "./places";
-import { degreesWords, lengthWords, MILLIMETRES } from "./quantities";
+import { degreesWords, lengthWords } from "./quantities";
 import { fittedWords } from "./remedy-words";
+import { UNITS as MILLIMETRES } from "./tables.gen";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
 
 export type Severity = "error" | "warning" | "note" | "good";

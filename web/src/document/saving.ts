@@ -1,7 +1,8 @@
 /** From what a person chooses in the export dialogue to what is made, and how large that will be. */
 
 import { formatNumber, parseNumber } from "../number";
-import { MILLIMETRES, millilitres } from "./quantities";
+import { millilitres } from "./quantities";
+import { UNITS as MILLIMETRES } from "./tables.gen";
 import type { Format, Making, Measures, Product, Unit } from "./types";
 
 export interface FormatNote {

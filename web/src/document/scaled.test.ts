@@ -15,7 +15,7 @@ test.each(FAMILIES.map((family) => [family.kind, family] as const))(
   (_, family) => {
     const twice = shapeBy(family.reset, 2);
     for (const field of family.fields) {
-      const grows = field.length || field.path[0] === "force";
+      const grows = field.dimension === "length" || field.path[0] === "force";
       expect(fieldValue(twice, field), field.name).toBeCloseTo((grows ? 2 : 1) * fieldValue(family.reset, field), 12);
     }
   },

@@ -4,7 +4,7 @@
  */
 
 import { filled } from "./kinds";
-import { MILLIMETRES } from "./quantities";
+import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
 import type { Component, Design, MixedOrder, Mode, Part, Placement, SecondOrder, Shape, Unit, Wall } from "./types";
 
 /** Digits that a number of a document keeps: those of canonical form. */
@@ -20,7 +20,7 @@ export function scaled(design: Design, factor: number, walls: Walls): Design {
 
 /** The same pot with its numbers in another unit. */
 export function inUnit(design: Design, unit: Unit): Design {
-  const before = design.unit ?? "cm";
+  const before = design.unit ?? DEFAULTS.unit;
   return before === unit ? design : { ...scaled(design, MILLIMETRES[before] / MILLIMETRES[unit], "scale"), unit };
 }
 

@@ -1,46 +1,30 @@
-/** What a person may change in each family: symbol, plain name, range, step and help, grouped as a potter thinks. */
+/** What a person may change in each family: the numbers of the generated tables with their plain names, grouped as a potter thinks. */
 
 import { BLOOR_WILSON } from "./families/bloor-wilson";
 import { FOURTH_ORDER } from "./families/fourth-order";
 import { MIXED_ORDER } from "./families/mixed-order";
-import { SECOND_ORDER } from "./families/second-order";
-import { filled } from "./kinds";
-import type { Path } from "./path";
+import { PLANAR } from "./families/second-order";
+import { FAMILIES, GROUPS } from "./families.gen";
+import type { Entry, FamilyKind, Field, FieldKey, FieldWords, Group } from "./field";
+import { filled, KIND_NAMES } from "./kinds";
 import { numberAt, setPath } from "./path";
 import { petalsAt, withPetals } from "./petals";
 import type { Kind, Shape } from "./types";
 
-export type Group = "Rim" | "Foot" | "Wall" | "Height" | "Equation" | "Force";
-export const GROUPS: readonly Group[] = ["Rim", "Foot", "Height", "Wall", "Equation", "Force"];
+export type { FamilyKind, Field, Group } from "./field";
+export { GROUPS };
 
-export const GROUP_HELP: Readonly<Record<Group, string>> = {
-  Rim: "The upper edge",
-  Foot: "The lower edge",
-  Wall: "What the clay does in between",
-  Height: "From the foot to the rim",
-  Equation: "The weights of its terms",
-  Force: "A push along the whole wall",
+export const GROUP_WORDS: Readonly<Record<Group, { readonly name: string; readonly help: string }>> = {
+  rim: { name: "Rim", help: "The upper edge" },
+  foot: { name: "Foot", help: "The lower edge" },
+  wall: { name: "Wall", help: "What the clay does in between" },
+  height: { name: "Height", help: "From the foot to the rim" },
+  equation: { name: "Equation", help: "The weights of its terms" },
+  force: { name: "Force", help: "A push along the whole wall" },
 };
 
-/** One number of a shape. Two fields with the same `pair` are the `x` and `y` of one vector-valued parameter. */
-export interface Field {
-  /** Where the number is, inside the shape. */
-  readonly path: Path;
-  /** The papers' symbol; `_` lowers what follows, `'` is a prime. */
-  readonly symbol: string;
-  readonly name: string;
-  readonly group: Group;
-  /** Whether the number is a length in the design's unit. */
-  readonly length: boolean;
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly help: string;
-  readonly pair?: string;
-}
-
 export interface Family {
-  readonly kind: Exclude<Kind, "boundary-value">;
+  readonly kind: FamilyKind;
   readonly name: string;
   readonly source: string;
   readonly fields: readonly Field[];
@@ -48,16 +32,31 @@ export interface Family {
   readonly reset: Shape;
 }
 
-const FAMILIES: Readonly<Record<Family["kind"], Family>> = {
-  "second-order": SECOND_ORDER,
-  "mixed-order": MIXED_ORDER,
-  "fourth-order": FOURTH_ORDER,
-  "bloor-wilson": BLOOR_WILSON,
+function family<K extends FamilyKind>(
+  kind: K,
+  source: string,
+  words: Readonly<Record<FieldKey<K>, FieldWords>>,
+): Family {
+  const { fields, reset }: { readonly fields: readonly Entry[]; readonly reset: Shape } = FAMILIES[kind];
+  return {
+    kind,
+    name: KIND_NAMES[kind],
+    source,
+    fields: fields.map((field) => ({ ...field, ...words[field.key as FieldKey<K>] })),
+    reset,
+  };
+}
+
+const WITH_WORDS: Readonly<Record<FamilyKind, Family>> = {
+  "second-order": family("second-order", "Zhang and You 2001, eqs 1 to 8", PLANAR),
+  "mixed-order": family("mixed-order", "Zhang and You 2001, eqs 9 to 12", MIXED_ORDER),
+  "fourth-order": family("fourth-order", "Zhang and You 2001, eqs 13 to 17", FOURTH_ORDER),
+  "bloor-wilson": family("bloor-wilson", "Ishak and Ali, eqs 15 to 18", BLOOR_WILSON),
 };
 
 /** The family of a kind; a boundary-value shape has a table of modes instead. */
 export function familyOf(kind: Kind): Family | null {
-  return kind === "boundary-value" ? null : FAMILIES[kind];
+  return kind === "boundary-value" ? null : WITH_WORDS[kind];
 }
 
 export function fieldValue(shape: Shape, field: Field): number {
@@ -86,7 +85,7 @@ export function rowsOf(family: Family, group: Group): readonly Row[] {
     if (before && first && field.pair !== undefined && first.pair === field.pair) {
       rows[rows.length - 1] = { id: before.id, fields: [first, field] };
     } else {
-      rows.push({ id: field.pair ?? field.path.join("-"), fields: [field] });
+      rows.push({ id: field.pair ?? field.key, fields: [field] });
     }
   }
   return rows;
@@ -101,7 +100,7 @@ const NICE = [1, 2, 5];
 export function sizeFactor(family: Family, shape: Shape): number {
   let most = 0;
   for (const field of family.fields) {
-    if (field.length && field.min >= 0) {
+    if (field.dimension === "length" && field.min >= 0) {
       most = Math.max(most, Math.abs(fieldValue(shape, field)) / field.max);
     }
   }

@@ -54,6 +54,23 @@ export interface Design extends Omit<Frozen<pasu.Design>, "parts"> {
 
 /** The same as the package takes it: a component has the data of its order. The package holds a design to that; while it is being edited, the page does not. */
 export type Sent = pasu.Design;
+export type SentShape = pasu.Shape;
+
+/** An order that a vase can be switched to. */
+export type OrderKind = pasu.VaseOrder;
+export type Loss = pasu.Loss;
+/** A vase in another order, and what it had to leave behind. */
+export interface Conversion extends Omit<Frozen<pasu.Conversion>, "shape"> {
+  readonly shape: Shape;
+}
+
+/** What of a shape a hand can drag. */
+export type Handles = Frozen<pasu.Handles>;
+export type Handle = Frozen<pasu.Handle>;
+export type HandleId = pasu.HandleId;
+export type Restraint = pasu.Restraint;
+/** An end of the profile: `u = 0`, or `u = 1`. */
+export type End = pasu.End;
 
 export type Making = Frozen<pasu.Making>;
 /** What a file that Pasu made says of itself. */

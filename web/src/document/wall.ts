@@ -1,57 +1,57 @@
 /** What makes an open surface a pot: its numbers as a person changes them, and the wall that a pot begins with. */
 
+import { WALL } from "./families.gen";
 import type { Path } from "./path";
 import { numberAt, setPath } from "./path";
 import type { Part, Wall } from "./types";
 
-/** One number of a wall; all are lengths. */
-export interface WallField {
-  readonly path: Path;
+type WallKey = (typeof WALL)[number]["key"];
+
+interface WallWords {
   readonly name: string;
-  /** The end of the slider, as a share of the size of the pot. */
-  readonly most: number;
   readonly help: string;
 }
 
-const THICKNESS: WallField = {
-  path: ["thickness"],
-  name: "Thickness",
-  most: 0.2,
-  help: "Through the clay, square to the wall. Where the pot bends more tightly than this, the wall is thinned.",
+/** One number of a wall; all are lengths. */
+export interface WallField extends WallWords {
+  readonly key: WallKey;
+  readonly path: Path;
+  /** The end of the slider, as a share of the size of the pot. */
+  readonly most: number;
+}
+
+const WORDS: Readonly<Record<WallKey, WallWords>> = {
+  thickness: {
+    name: "Thickness",
+    help: "Through the clay, square to the wall. Where the pot bends more tightly than this, the wall is thinned.",
+  },
+  base: {
+    name: "Base",
+    help: "How thick the floor is. 0 leaves the pot open below, as a tube.",
+  },
+  "foot-0": {
+    name: "Ring width",
+    help: "How wide the ring is that the pot stands on.",
+  },
+  "foot-1": {
+    name: "Ring height",
+    help: "How far the underside is set back inside the ring.",
+  },
+  drain: {
+    name: "Drain hole",
+    help: "Across the hole in the middle of the base. 0 is none.",
+  },
 };
 
-const BASE: WallField = {
-  path: ["base"],
-  name: "Base",
-  most: 0.2,
-  help: "How thick the floor is. 0 leaves the pot open below, as a tube.",
-};
-
-const RING_WIDTH: WallField = {
-  path: ["foot", 0],
-  name: "Ring width",
-  most: 0.2,
-  help: "How wide the ring is that the pot stands on.",
-};
-
-const RING_HEIGHT: WallField = {
-  path: ["foot", 1],
-  name: "Ring height",
-  most: 0.2,
-  help: "How far the underside is set back inside the ring.",
-};
-
-const DRAIN: WallField = {
-  path: ["drain"],
-  name: "Drain hole",
-  most: 0.4,
-  help: "Across the hole in the middle of the base. 0 is none.",
-};
+const FIELDS: readonly WallField[] = WALL.map((field) => ({ ...field, ...WORDS[field.key] }));
 
 /** The numbers of a wall that mean something as it is. */
 export function wallFields(wall: Wall): readonly WallField[] {
-  const closed = wall.base > 0;
-  return [THICKNESS, BASE, ...(wall.foot ? [RING_WIDTH, RING_HEIGHT] : []), ...(closed ? [DRAIN] : [])];
+  const means = (field: WallField) => {
+    if (field.path[0] === "foot") return wall.foot !== undefined;
+    return field.key !== "drain" || wall.base > 0;
+  };
+  return FIELDS.filter(means);
 }
 
 export function wallNumber(wall: Wall, field: WallField): number {
@@ -60,7 +60,7 @@ export function wallNumber(wall: Wall, field: WallField): number {
 
 /** The wall with one number changed; a hole of no width is left out. */
 export function withWallNumber(wall: Wall, field: WallField, value: number): Wall {
-  return setPath(wall, field.path, field === DRAIN && value === 0 ? undefined : value);
+  return setPath(wall, field.path, field.key === "drain" && value === 0 ? undefined : value);
 }
 
 /** How the thickness of a first wall relates to the height or width of its pot. */

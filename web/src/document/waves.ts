@@ -1,6 +1,8 @@
 /** How finely a design has to be sampled to look round: its highest frequency. */
 
 import { filled } from "./kinds";
+import { numberAt } from "./path";
+import { SHAPES } from "./tables.gen";
 import type { Design, Shape } from "./types";
 
 /** Vertices along the profile and round the pot. */
@@ -15,16 +17,9 @@ export function wavesOf(design: Design): number {
 }
 
 function highestFrequency(shape: Shape): number {
-  switch (shape.kind) {
-    case "second-order":
-      return Math.max(...(filled(shape).n ?? [1]).map(Math.abs));
-    case "mixed-order":
-      return Math.max(...(filled(shape).n ?? [1]).map(Math.abs));
-    case "fourth-order":
-      return 1;
-    case "bloor-wilson":
-      return Math.abs(shape.n1);
-    case "boundary-value":
-      return Math.max(0, ...[shape.x, shape.y, shape.z].flatMap(({ modes }) => modes.map((mode) => Math.abs(mode.n))));
+  if (shape.kind === "boundary-value") {
+    return Math.max(0, ...[shape.x, shape.y, shape.z].flatMap(({ modes }) => modes.map((mode) => Math.abs(mode.n))));
   }
+  const whole = filled(shape);
+  return Math.max(0, ...SHAPES[shape.kind].waves.map((path) => Math.abs(numberAt(whole, path, 0))));
 }

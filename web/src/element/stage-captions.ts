@@ -2,8 +2,8 @@
 
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import type { OrderKind } from "../document/convert";
 import { KIND_NAMES } from "../document/kinds";
+import type { OrderKind } from "../document/types";
 import { base } from "../ui/styles";
 import { DesignerElement } from "./designer-element";
 

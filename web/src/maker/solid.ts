@@ -1,6 +1,7 @@
 /** A pot as its picture needs it: without the face that the design's own surface shows already, and with what the glaze goes by. */
 
 import { extentsOf } from "../document/extents";
+import { DEFAULTS } from "../document/tables.gen";
 import type { Design, Part } from "../document/types";
 import { boundsOf } from "../solver/bounds";
 import type { Solid, Spare } from "./messages";
@@ -65,7 +66,7 @@ export function solidOf(
     groups: Uint32Array.from(groups),
     bounds: boundsOf(positions),
     extents: extentsOf(positions),
-    sides: parts.map(({ wall }) => (wall ? (wall.side ?? "inside") : null)),
+    sides: parts.map(({ wall }) => (wall ? (wall.side ?? DEFAULTS.side) : null)),
   };
 }
 

@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
-import type { Design, Part } from "../document/types";
+import type { Design, Part, Shape } from "../document/types";
 import { SolverClient } from "./client";
 import type { MeshArrays, Reply, Request, SentMesh, SolveOptions, SolverPort } from "./messages";
 
@@ -27,7 +27,9 @@ const design = (title: string): Design => ({ pasu: 1, title, parts: [PART] });
 /** An answer without a mesh: what comes back is what was sent. */
 const answer = (name: string) => ({ design: name });
 const titles = (port: FakePort) =>
-  port.sent.map(({ ask }) => (ask.kind === "parse" ? ask.text : (ask.design.title ?? "")));
+  port.sent.map(({ ask }) =>
+    "design" in ask ? (ask.design.title ?? "") : ask.kind === "parse" ? ask.text : ask.order,
+  );
 
 let ports: FakePort[];
 let client: SolverClient;
@@ -61,6 +63,20 @@ test("lanes do not wait for each other, and parsing is never superseded", () => 
   void client.parse("one");
   void client.parse("two");
   expect(titles(port())).toEqual(["main", "other", "one", "two"]);
+});
+
+test("a vase in another order comes as it was sent, the latest of its lane", async () => {
+  const shape: Shape = { kind: "second-order", r: [1, 0, 0.6, 0] };
+  const first = client.convert("switch", shape, "mixed-order");
+  const second = client.convert("switch", shape, "mixed-order");
+  const third = client.convert("switch", shape, "fourth-order");
+  const beside = client.convert("compare", shape, "mixed-order");
+  expect(titles(port())).toEqual(["mixed-order", "mixed-order"]);
+  const converted = { shape, lost: ["petals"] };
+  for (const index of [0, 1, 2]) port().reply({ id: port().sent[index]?.id, ok: true, answer: converted });
+  const done = { state: "done", value: converted };
+  expect(await Promise.all([first, second, third, beside])).toEqual([done, { state: "superseded" }, done, done]);
+  expect(titles(port())).toEqual(["mixed-order", "mixed-order", "fourth-order"]);
 });
 
 test("a refusal comes back as it was said", async () => {

@@ -3,7 +3,7 @@
  * place of the waiting one, which then resolves as "superseded". A worker whose module trapped is replaced by a new one.
  */
 
-import type { Design, Refusal } from "../document/types";
+import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
 import type { Outcome } from "../worker/port";
 import type {
   Answers,
@@ -80,6 +80,11 @@ export class SolverClient {
     return this.#ask(`parse ${this.#nextId}`, { kind: "parse", text }) as Promise<Outcome<Parsed>>;
   }
 
+  /** A vase in another order. Requests of the same lane supersede each other. */
+  convert(lane: string, shape: Shape, order: OrderKind): Promise<Outcome<Conversion>> {
+    return this.#ask(`convert ${lane}`, { kind: "convert", shape, order }) as Promise<Outcome<Conversion>>;
+  }
+
   dispose(): void {
     this.#port?.terminate();
     this.#port = null;
@@ -145,7 +150,7 @@ export class SolverClient {
 
   /** Adds to a mesh what was not sent because it is here. */
   #whole(answer: SentAnswers[Ask["kind"]], then: Lattices): Answers[Ask["kind"]] {
-    if ("design" in answer) return answer;
+    if ("design" in answer || "lost" in answer) return answer;
     return "mesh" in answer
       ? { ...answer, mesh: this.#stock.whole(answer.mesh, then) }
       : this.#stock.whole(answer, then);

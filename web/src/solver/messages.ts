@@ -1,7 +1,7 @@
 /** What the page and the solver's worker say to each other. Everything here survives structured cloning. */
 
 import type { Facts } from "../document/describe";
-import type { Design } from "../document/types";
+import type { Conversion, Design, Handles, OrderKind, Shape } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
@@ -56,6 +56,8 @@ export interface Section {
   readonly left: Float64Array;
   /** `X_u` at `v = 0`, as `x, z` at `u = 0` and then at `u = 1`. */
   readonly slopes: Float64Array;
+  /** What of it a hand can drag; good for a whole drag. */
+  readonly handles: Handles;
 }
 
 export interface SolveOptions extends GridSize {
@@ -98,12 +100,14 @@ export interface Parsed {
 export type Ask =
   | { readonly kind: "solve"; readonly design: Design; readonly options: SolveOptions }
   | ({ readonly kind: "mesh"; readonly design: Design } & GridSize)
-  | { readonly kind: "parse"; readonly text: string };
+  | { readonly kind: "parse"; readonly text: string }
+  | { readonly kind: "convert"; readonly shape: Shape; readonly order: OrderKind };
 
 export interface Answers {
   readonly solve: Solved;
   readonly mesh: MeshArrays;
   readonly parse: Parsed;
+  readonly convert: Conversion;
 }
 
 /** What is sent in the place of {@link Answers}. */
@@ -111,6 +115,7 @@ export interface SentAnswers {
   readonly solve: Solved<SentMesh>;
   readonly mesh: SentMesh;
   readonly parse: Parsed;
+  readonly convert: Conversion;
 }
 
 export interface Request {

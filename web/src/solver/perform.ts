@@ -1,9 +1,21 @@
 /** What the solver's worker answers. */
 
-import { bound, derivatives, evaluate, fingerprint, link, type Mesh, mesh, parse } from "pasu/drawing";
+import {
+  bound,
+  convert,
+  derivatives,
+  evaluate,
+  fingerprint,
+  handles,
+  link,
+  type Mesh,
+  mesh,
+  parse,
+} from "pasu/drawing";
 import type { Grid } from "../document/describe";
 import { facts } from "../document/describe";
-import type { Part, Sent } from "../document/types";
+import { SHAPES } from "../document/tables.gen";
+import type { Part, Sent, SentShape } from "../document/types";
 import { type GridSize, wavesOf } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
@@ -27,6 +39,8 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
       const design = parse(ask.text);
       return { design, link: link(design) };
     }
+    case "convert":
+      return convert(ask.shape as SentShape, ask.order);
   }
 }
 
@@ -129,15 +143,8 @@ function gridsOf(positions: Float32Array, { rows, columns }: GridSize): readonly
 }
 
 function spanOf({ shape }: Part): number {
-  switch (shape.kind) {
-    case "second-order":
-    case "mixed-order":
-      return 1;
-    case "boundary-value":
-      return shape.span === "2pi" ? TAU : shape.span;
-    default:
-      return TAU;
-  }
+  const { span } = shape.kind === "boundary-value" ? shape : SHAPES[shape.kind];
+  return span === "2pi" ? TAU : span;
 }
 
 function tangentsOf(design: Sent, part: Part, index: number) {
@@ -157,7 +164,7 @@ function sectionOf(design: Sent, part: Part, index: number): Section {
     return flat(evaluate(design, index, at));
   };
   const slopes = flat(derivatives(design, index, new Float64Array([0, 0, 1, 0])).du);
-  return { right: along(0), left: along(half), slopes };
+  return { right: along(0), left: along(half), slopes, handles: handles(part.shape as SentShape) };
 }
 
 /** `x, z` of xyz triples. */
@@ -169,7 +176,7 @@ function flat(triples: Float64Array): Float64Array {
 
 /** What travels with an answer. */
 export function buffersOf(answer: SentAnswers[Ask["kind"]]): Transferable[] {
-  if ("design" in answer) return [];
+  if ("design" in answer || "lost" in answer) return [];
   const { positions, normals, ware: wares, lattice } = "mesh" in answer ? answer.mesh : answer;
   const arrays = [positions, normals, wares.texels, ...(lattice ? [lattice.uvs, lattice.indices, lattice.groups] : [])];
   return arrays.map((array) => array.buffer);

@@ -1,15 +1,15 @@
 /** What a person can do to a design as a whole and to the page: pure functions from a state to the change that they ask for. */
 
-import type { OrderKind } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
 import { inUnit, scaled, type Walls } from "../document/scaled";
-import type { Design, Look, Unit } from "../document/types";
+import { LIMITS } from "../document/tables.gen";
+import type { Design, Look, OrderKind, Unit } from "../document/types";
 import { freshIds } from "./parts";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
-export const MAX_TITLE = 200;
+export const MAX_TITLE = LIMITS.characters;
 const NOTHING: Change = { undo: "none" };
 
 /** Replaces the design, as one step: undo brings the old one back. Water, cut and colours were those of the other pot. */

@@ -76,7 +76,7 @@ test("the same design opened again after a change of it begins anew", () => {
 
 test("a part of another order begins anew, since what it was has none of its numbers", () => {
   type(44);
-  store.apply(switchOrder(store.state, "second-order"));
+  store.apply(switchOrder(store.state, { kind: "second-order", r: [5.4, 0, 5.5, 0], height: 20 }));
   expect(origin().parts[0]?.shape).toBe(store.state.design.parts[0]?.shape);
   store.undo();
   expect(height(origin())).toBe(20);

@@ -1,7 +1,6 @@
 /** What the page remembers that is not part of the design. */
 
-import type { OrderKind } from "../document/convert";
-import type { Format, MapName } from "../document/types";
+import type { Format, MapName, OrderKind } from "../document/types";
 import type { PartId } from "./parts";
 
 export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";

@@ -1,14 +1,11 @@
 /** What a person can do to the shape of the selected part: pure functions from a state to the change that they ask for. */
 
-import type { OrderKind } from "../document/convert";
-import { convert } from "../document/convert";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
-import type { HandleId } from "../document/profile";
 import { moveHandle } from "../document/profile";
 import type { Field } from "../document/schema";
 import { fieldValue, withField } from "../document/schema";
-import type { Shape } from "../document/types";
+import type { Handle, Shape } from "../document/types";
 import type { Change, State } from "./store";
 
 /** Sets one number, or the `x` and `y` of a locked parameter, in one go. `gesture` joins the steps of one drag. */
@@ -57,13 +54,16 @@ export function editShape(state: State, edit: (shape: Shape) => Shape): Change {
 }
 
 /** Drags a handle of the profile. */
-export function dragHandle(state: State, id: HandleId, radial: number, axial: number): Change {
-  return reshape(state, (shape) => moveHandle(shape, id, radial, axial), { undo: "merge", key: `handle:${id}` });
+export function dragHandle(state: State, handle: Handle, radial: number, axial: number): Change {
+  return reshape(state, (shape) => moveHandle(shape, handle, radial, axial), {
+    undo: "merge",
+    key: `handle:${handle.id}`,
+  });
 }
 
-/** Switches the selected part to another order. */
-export function switchOrder(state: State, to: OrderKind): Change {
-  const change = reshape(state, (shape) => convert(shape, to)?.shape ?? shape, { undo: "step" });
+/** Puts the selected part as it is in another order into its place. */
+export function switchOrder(state: State, converted: Shape): Change {
+  const change = reshape(state, () => converted, { undo: "step" });
   return { ...change, session: { compare: null } };
 }
 

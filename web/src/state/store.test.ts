@@ -2,7 +2,7 @@ import { effect } from "@preact/signals-core";
 import { beforeEach, describe, expect, test } from "vitest";
 import { getPath } from "../document/path";
 import { type Field, familyOf } from "../document/schema";
-import type { Design } from "../document/types";
+import type { Design, Handle, Shape } from "../document/types";
 import * as actions from "./actions";
 import { NEW_SESSION } from "./session";
 import * as shapeActions from "./shape-actions";
@@ -15,6 +15,9 @@ const RIM = named("r_1");
 const PULL = [named("t_x"), named("t_y")] as const;
 
 const START: Design = { pasu: 1, title: "Start", parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] } }] };
+
+const RIM_HANDLE: Handle = { id: "rim", radial: [{ path: "r[0]", by: 1 }], axial: [], restraints: [] };
+const OTHER: Shape = { kind: "mixed-order", r: [1, 0.1, 0.6, 0.06], rise: -10 };
 
 let store: Store;
 beforeEach(() => {
@@ -51,7 +54,7 @@ describe("undo", () => {
 
   test("a gesture that changes hands is two steps", () => {
     set(1.1, true);
-    store.apply(shapeActions.dragHandle(store.state, "rim", 0.2, 0));
+    store.apply(shapeActions.dragHandle(store.state, RIM_HANDLE, 0.2, 0));
     store.undo();
     expect(rim()).toBe(1.1);
   });
@@ -154,8 +157,8 @@ describe("actions", () => {
 
   test("switching the order is one step and ends a comparison", () => {
     store.apply(actions.compareWith("fourth-order"));
-    store.apply(shapeActions.switchOrder(store.state, "fourth-order"));
-    expect(store.state.design.parts[0]?.shape.kind).toBe("fourth-order");
+    store.apply(shapeActions.switchOrder(store.state, OTHER));
+    expect(store.state.design.parts[0]?.shape.kind).toBe("mixed-order");
     expect(store.state.session.compare).toBeNull();
     store.undo();
     expect(store.state.design).toBe(store.state.design);

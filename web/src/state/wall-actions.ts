@@ -1,6 +1,7 @@
 /** What a person can do to the wall of the selected part, to the water in it and to the colours on it. */
 
 import { setPath } from "../document/path";
+import { DEFAULTS } from "../document/tables.gen";
 import type { MapName, Wall } from "../document/types";
 import { firstFoot, firstWall, type WallField, withWallNumber } from "../document/wall";
 import type { Change, State } from "./store";
@@ -29,13 +30,15 @@ export function setWallNumber(state: State, field: WallField, value: number, ges
 }
 
 export function setSide(state: State, side: "inside" | "outside"): Change {
-  return rewall(state, (wall) => wall && setPath(wall, ["side"], side === "inside" ? undefined : side), {
+  return rewall(state, (wall) => wall && setPath(wall, ["side"], side === DEFAULTS.side ? undefined : side), {
     undo: "step",
   });
 }
 
 export function setRim(state: State, rim: "flat" | "rounded"): Change {
-  return rewall(state, (wall) => wall && setPath(wall, ["rim"], rim === "flat" ? undefined : rim), { undo: "step" });
+  return rewall(state, (wall) => wall && setPath(wall, ["rim"], rim === DEFAULTS.rim ? undefined : rim), {
+    undo: "step",
+  });
 }
 
 /** Puts a ring under the base, or takes it away. */

@@ -1,10 +1,10 @@
 /** The selected part in another order, shown beside the design while a person compares them. */
 
 import { batch, computed, effect, signal } from "@preact/signals-core";
-import type { OrderKind } from "../document/convert";
 import { looksOf } from "../document/look";
+import { convertible } from "../document/orders";
 import { setPath } from "../document/path";
-import type { Design, Look, Refusal } from "../document/types";
+import type { Design, Look, OrderKind, Refusal } from "../document/types";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays } from "../solver/messages";
 import type { Store } from "../state/store";
@@ -50,15 +50,18 @@ export class Comparison {
   }
 
   async #compare(order: OrderKind, design: Design, part: number): Promise<void> {
-    const { convert } = await import("../document/convert");
-    if (this.#order.peek() !== order || this.#store.design !== design) return;
     const shape = design.parts[part]?.shape;
-    const made = shape && convert(shape, order);
-    if (!made) {
+    if (!shape || !convertible(shape.kind)) {
       this.#put(null, null);
       return;
     }
-    const other = setPath(design, ["parts", part, "shape"], made.shape);
+    const made = await this.#solver.convert("compare", shape, order);
+    if (this.#order.peek() !== order || this.#store.design !== design || made.state === "superseded") return;
+    if (made.state === "refused") {
+      this.#put(this.#shown.peek(), made.refusal);
+      return;
+    }
+    const other = setPath(design, ["parts", part, "shape"], made.value.shape);
     const { rows, columns } = this.#surface.grid(other);
     const outcome = await this.#solver.mesh("compare", other, rows, columns);
     if (outcome.state === "superseded" || this.#order.peek() !== order) return;

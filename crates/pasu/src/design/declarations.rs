@@ -4,10 +4,18 @@ use super::fields::{Field, Need};
 use super::quantity::{Range, Size};
 use super::tables::Entry;
 
+/// The longest line that the formatter of the package leaves as it is.
+const WIDTH: usize = 120;
+
 /// One of several names.
 pub(super) fn union(text: &mut String, name: &str, about: &str, names: &[&str]) {
     let names: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
-    text.push_str(&format!("\n/** {about} */\nexport type {name} = {};\n", names.join(" | ")));
+    let line = format!("export type {name} = {};\n", names.join(" | "));
+    let declaration = match line.len() <= WIDTH + 1 {
+        true => line,
+        false => format!("export type {name} =\n  | {};\n", names.join("\n  | ")),
+    };
+    text.push_str(&format!("\n/** {about} */\n{declaration}"));
 }
 
 /// Fields of any type.

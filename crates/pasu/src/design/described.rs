@@ -7,9 +7,14 @@ use serde::de::DeserializeOwned;
 
 use super::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
+use super::boundary_value::Span;
+#[cfg(feature = "typescript")]
 use super::declarations;
-use super::fields::{Field, Fields};
+use super::fields::{Dimension, Field, Fields};
+use super::handles::Handles;
 use super::quantity::Size;
+#[cfg(feature = "typescript")]
+use super::slider::Slider;
 use crate::error::{Code, Error, Result};
 
 /// A kind of shape: `serde` reads and writes the fields beside `kind`, and this is what else there is to know of them.
@@ -37,6 +42,9 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
     fn link(&self) -> Option<Vec<String>>;
 
+    /// What of it a hand can drag.
+    fn handles(&self) -> Handles;
+
     /// Refuses parameters within the range of numbers whose products leave it.
     ///
     /// # Errors
@@ -61,6 +69,12 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
 pub(crate) struct Family {
     pub(crate) fields: &'static [Field],
     pub(crate) start: fn() -> Vec<Vec<f64>>,
+    /// How a person changes them, in the order in which they are shown.
+    #[cfg(feature = "typescript")]
+    pub(crate) sliders: fn() -> Vec<Slider>,
+    /// Round the axis, the same for all of them.
+    #[cfg(feature = "typescript")]
+    pub(crate) span: fn() -> Span,
 }
 
 /// A named family: a few numbers that expand into a boundary-value problem.
@@ -73,16 +87,26 @@ pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
     #[cfg(feature = "typescript")]
     const NAME: &'static str;
 
+    /// How a person changes its numbers, in the order in which they are shown.
+    #[cfg(feature = "typescript")]
+    fn sliders() -> Vec<Slider>;
+
     /// The problem that these numbers stand for.
     fn boundary_value(&self) -> BoundaryValue;
+
+    /// What of it a hand can drag.
+    fn handles(&self) -> Handles;
 }
 
-/// The fields of families that count waves.
-const WAVES: [&str; 2] = ["n", "n1"];
-
 impl<T: Expanded> Described for T {
-    const FAMILY: Option<Family> =
-        Some(Family { fields: T::FIELDS, start: || T::START.numbers().into_iter().map(<[f64]>::to_vec).collect() });
+    const FAMILY: Option<Family> = Some(Family {
+        fields: T::FIELDS,
+        start: || T::START.numbers().into_iter().map(<[f64]>::to_vec).collect(),
+        #[cfg(feature = "typescript")]
+        sliders: T::sliders,
+        #[cfg(feature = "typescript")]
+        span: || T::START.boundary_value().span,
+    });
 
     fn problem(&self) -> Cow<'_, BoundaryValue> {
         Cow::Owned(self.boundary_value())
@@ -95,7 +119,8 @@ impl<T: Expanded> Described for T {
 
     fn waves(&self) -> Vec<(String, f64)> {
         let mut waves = Vec::with_capacity(2);
-        for (field, numbers) in T::FIELDS.iter().zip(self.numbers()).filter(|(field, _)| WAVES.contains(&field.name)) {
+        let fields = T::FIELDS.iter().zip(self.numbers());
+        for (field, numbers) in fields.filter(|(field, _)| field.dimension == Dimension::Waves) {
             let place = |index: usize| match field.size {
                 Size::One => field.name.to_owned(),
                 Size::List(_) => format!("{}[{index}]", field.name),
@@ -107,6 +132,11 @@ impl<T: Expanded> Described for T {
 
     fn link(&self) -> Option<Vec<String>> {
         Some(self.link_fields())
+    }
+
+    #[inline]
+    fn handles(&self) -> Handles {
+        Expanded::handles(self)
     }
 
     #[cfg(feature = "typescript")]

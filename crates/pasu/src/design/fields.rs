@@ -15,10 +15,24 @@ pub(crate) struct Field {
     pub(crate) size: Size,
     pub(crate) need: Need,
     pub(crate) range: Range,
+    pub(crate) dimension: Dimension,
     /// What it means, in the lines of its doc comment.
     /// Compiled in only where the declarations are written: the texts would be a fair part of what a page loads.
     #[cfg(feature = "typescript")]
     pub(crate) about: &'static [&'static str],
+}
+
+/// What the numbers of a field measure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dimension {
+    /// Nothing: a ratio, a weight, a direction.
+    One,
+    /// Lengths, in the unit of the design.
+    Length,
+    /// Waves round the axis.
+    Waves,
+    /// Radians.
+    Angle,
 }
 
 /// Whether a document may leave the field out; it then has the value of [`Fields::START`].
@@ -191,12 +205,12 @@ impl<'de> Visitor<'de> for Place<'_> {
 
 /// Declares a struct of numbers together with its table of fields, so that the two cannot disagree.
 ///
-/// After its name stands what it is, for a message. A field reads `name: type = start, Need, Range;`. The document knows it by the same name.
+/// After its name stands what it is, for a message. A field reads `name: type = start, Need, Range, Dimension;`. The document knows it by the same name.
 macro_rules! fields {
     (
         $(#[$about:meta])*
         pub struct $record:ident, $what:literal {
-            $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $start:expr, $need:ident, $range:ident; )+
+            $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $start:expr, $need:ident, $range:ident, $dimension:ident; )+
         }
     ) => {
         $(#[$about])*
@@ -214,6 +228,7 @@ macro_rules! fields {
                     size: <$type as $crate::design::quantity::Quantity>::SIZE,
                     need: $crate::design::fields::Need::$need,
                     range: $crate::design::quantity::Range::$range,
+                    dimension: $crate::design::fields::Dimension::$dimension,
                     #[cfg(feature = "typescript")]
                     about: &[$($doc),+],
                 }, )+

@@ -1,12 +1,15 @@
 //! The design document: what a person has chosen, as data.
 
 mod boundary_value;
+mod ceramics;
+mod conversion;
 #[cfg(feature = "typescript")]
 mod declarations;
 mod described;
 mod document;
 mod family;
 mod fields;
+mod handles;
 mod label;
 mod limits;
 mod link;
@@ -15,12 +18,16 @@ mod look;
 mod modes;
 mod names;
 mod number;
+#[cfg(feature = "typescript")]
+mod page;
 mod part;
 mod placement;
 mod quantity;
 mod reader;
 mod refusal;
 mod shape;
+#[cfg(feature = "typescript")]
+mod slider;
 #[cfg(feature = "typescript")]
 mod tables;
 mod text;
@@ -31,11 +38,16 @@ mod value;
 mod wall;
 
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
+pub(crate) use ceramics::Layer;
+pub use conversion::{Conversion, Loss, VaseOrder};
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
 pub(crate) use limits::{RATE, SWING, WAVES};
 pub use look::{Clay, Glaze, Look};
 pub(crate) use number::{plain, rounded};
+#[cfg(feature = "typescript")]
+pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub use part::Part;
 pub use placement::Placement;
 pub use reader::read_from as read;

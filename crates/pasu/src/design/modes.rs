@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use super::boundary_value::{BoundaryValue, Component, Datum, Mode, Span};
+use super::boundary_value::{BoundaryValue, Component, Datum, Mode, Order, Span};
 #[cfg(feature = "typescript")]
 use super::declarations::interface;
 use super::described::{Described, Family};
+use super::handles::{Handle, HandleId, Handles, Restraint, steps};
 use super::number::{plain, rounded};
 #[cfg(feature = "typescript")]
 use super::tables::{BOUNDARY_VALUE, FOURTH, FOURTH_DATUM, MODE, SECOND, SECOND_DATUM};
@@ -42,6 +43,60 @@ impl Described for BoundaryValue {
 
     fn link(&self) -> Option<Vec<String>> {
         None
+    }
+
+    /// The radius is that of the first harmonic, the height that of the harmonic 0.
+    #[inline]
+    fn handles(&self) -> Handles {
+        let level = self.z.modes.iter().position(|mode| mode.n == 0.0);
+        let height = level.map_or((0.0, 0.0), |index| (self.z.modes[index].cos.start, self.z.modes[index].cos.end));
+        let is_start = height.1 <= height.0;
+        let first = |modes: &[Mode], datum: fn(&Mode) -> &Datum| {
+            modes.iter().position(|mode| mode.n == 1.0 && !datum(mode).is_zero())
+        };
+        let round = first(&self.x.modes, |mode| &mode.cos).zip(first(&self.y.modes, |mode| &mode.sin));
+        let fourth = |component: &Component| component.order == Order::Fourth;
+        let radial = |name: &str| match round {
+            Some((x, y)) => {
+                // y may run the other way round the axis: its radius grows with the sign it has.
+                let is_against = self.y.modes[y].sin.numbers().find(|number| *number != 0.0) < Some(0.0);
+                let sense = if is_against { -1.0 } else { 1.0 };
+                let [x, y] = [format!("x.modes[{x}].cos.{name}"), format!("y.modes[{y}].sin.{name}")];
+                steps([(&x, 1.0), (&y, sense)])
+            }
+            None => Vec::new(),
+        };
+        let axial = |name: &str| match level {
+            Some(index) => steps([(&format!("z.modes[{index}].cos.{name}"), 1.0)]),
+            None => {
+                let mode = format!("z.modes[{}]", self.z.modes.len());
+                steps([(&format!("{mode}.n"), 0.0), (&format!("{mode}.cos.{name}"), 1.0)])
+            }
+        };
+        let point = |id, name| {
+            let why = round.is_none().then_some(Restraint::NoRadius);
+            Handle::new(id, radial(name), axial(name)).held(why)
+        };
+        let slope = |id, name| {
+            let (leans, rises) = (fourth(&self.x) && fourth(&self.y), fourth(&self.z));
+            let why_no_lean = if leans { Restraint::NoRadius } else { Restraint::LeanOrder };
+            Handle::new(id, if leans { radial(name) } else { Vec::new() }, if rises { axial(name) } else { Vec::new() })
+                .held((!leans || round.is_none()).then_some(why_no_lean))
+                .held((!rises).then_some(Restraint::RiseOrder))
+        };
+        let [(rim, rim_u), (foot, foot_u)] = match is_start {
+            true => [("start", "start_u"), ("end", "end_u")],
+            false => [("end", "end_u"), ("start", "start_u")],
+        };
+        Handles::new(
+            is_start,
+            [
+                point(HandleId::Rim, rim),
+                slope(HandleId::RimSlope, rim_u),
+                slope(HandleId::FootSlope, foot_u),
+                point(HandleId::Foot, foot),
+            ],
+        )
     }
 
     #[cfg(feature = "typescript")]

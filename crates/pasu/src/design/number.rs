@@ -5,7 +5,12 @@
 /// Twelve digits are a hundred times finer than any result of the solver is promised, and coarse enough that sums and
 /// products that differ only in their last bits (`0.1 + 0.2`) are written alike. Idempotent.
 pub(crate) fn rounded(x: f64) -> f64 {
-    rounded_by_doubles(x).unwrap_or_else(|| reread(&format!("{x:.11e}")))
+    rounded_by_doubles(x).unwrap_or_else(|| rounded_to(x, 12))
+}
+
+/// The nearest number of so many significant decimal digits, at least one; negative zero becomes zero.
+pub(crate) fn rounded_to(x: f64, digits: usize) -> f64 {
+    reread(&format!("{x:.*e}", digits - 1))
 }
 
 /// The same for numbers of everyday size, a hundred times as fast: a document is read anew at every step of a drag.

@@ -14,13 +14,13 @@ fields! {
     /// `k > 0`, or `k = 0` and `h > 0`, or (0, 0, 1); `angle` lies in [-pi, pi); a turn by 0 has the axis (0, 0, 1).
     pub struct Placement, "a placement" {
         /// Factors along x, y and z, before turning.
-        scale: [f64; 3] = [1.0, 1.0, 1.0], Optional, NotZero;
+        scale: [f64; 3] = [1.0, 1.0, 1.0], Optional, NotZero, One;
         /// The direction of the axis of rotation.
-        axis: [f64; 3] = [0.0, 0.0, 1.0], Optional, Any;
+        axis: [f64; 3] = [0.0, 0.0, 1.0], Optional, Any, One;
         /// The angle in radians, anti-clockwise seen from where the axis points to.
-        angle: f64 = 0.0, Optional, Any;
+        angle: f64 = 0.0, Optional, Any, Angle;
         /// The movement along x, y and z, after turning.
-        shift: [f64; 3] = [0.0, 0.0, 0.0], Optional, Any;
+        shift: [f64; 3] = [0.0, 0.0, 0.0], Optional, Any, Length;
     }
 }
 

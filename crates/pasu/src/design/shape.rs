@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::boundary_value::BoundaryValue;
 use super::described::{Described, Family};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+use super::handles::Handles;
 use super::{reader, text};
 use crate::error::Result;
 
@@ -78,6 +79,26 @@ macro_rules! shapes {
             pub(crate) fn link(&self) -> Option<Vec<String>> {
                 match self {
                     $( Shape::$kind(shape) => shape.link(), )+
+                }
+            }
+
+            /// Where its profile can be dragged, and what that does to its numbers.
+            ///
+            /// ```
+            /// let vase = pasu::Design::parse("#1/fourth-order")?;
+            /// let handles = vase.parts()[0].shape.handles();
+            /// assert_eq!(handles.rim, pasu::End::End);
+            /// let rim = &handles.list[0];
+            /// // Drawing the rim outwards by 1 widens it by 1, and the belly by 1/4: the slopes at both ends stay.
+            /// let steps: Vec<(&str, f64)> = rim.radial.iter().map(|step| (step.path.as_str(), step.by)).collect();
+            /// assert_eq!(steps, [("r1", 1.0), ("rm", 0.25)]);
+            /// # Ok::<(), pasu::Error>(())
+            /// ```
+            // Compiled where it is called, for size: see `Design::from_value`.
+            #[inline]
+            pub fn handles(&self) -> Handles {
+                match self {
+                    $( Shape::$kind(shape) => Described::handles(shape), )+
                 }
             }
 
@@ -155,3 +176,6 @@ impl Shape {
         self.problem().into_owned()
     }
 }
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Shape, "Shape");

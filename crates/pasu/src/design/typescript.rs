@@ -1,13 +1,16 @@
 //! The TypeScript declarations of the design document, from the tables by which it is read.
 
+use super::conversion::{Conversion, Loss, VaseOrder};
 use super::declarations::{interface, numbers, union};
 use super::fields::Fields;
+use super::handles::{End, Handle, HandleId, Handles, Restraint, Step};
 use super::look::{Clay, Glaze};
 use super::placement::Placement;
 use super::shape::KINDS;
 use super::tables::{DESIGN, LOOK, PART, WALL};
 use super::unit::Unit;
 use super::wall::{RimForm, Side};
+use crate::answer::Answer;
 
 /// The declarations of everything that a design document may hold, as the text of a `.d.ts` module.
 ///
@@ -33,6 +36,20 @@ pub fn typescript() -> String {
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
     union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
     union(&mut text, "ClayName", "A clay body.", Clay::NAMES);
+    union(
+        &mut text,
+        "VaseOrder",
+        "An order of the equation for which Zhang and You (2001) have a vase.",
+        VaseOrder::NAMES,
+    );
+    Conversion::declare(&mut text);
+    union(&mut text, "Loss", "What a vase has to leave behind in another order.", Loss::NAMES);
+    Handles::declare(&mut text);
+    union(&mut text, "End", "An end of the profile: u = 0, or u = 1.", End::NAMES);
+    Handle::declare(&mut text);
+    union(&mut text, "HandleId", "A point of the profile that can be dragged.", HandleId::NAMES);
+    union(&mut text, "Restraint", "Why a handle does not move, or moves one way only.", Restraint::NAMES);
+    Step::declare(&mut text);
     text
 }
 

@@ -5,6 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::names::names;
 use super::number::rounded;
 use super::quantity::{is_default, is_zero, maybe_positive, not_negative, not_negative_or_zero, or_default, positive};
+#[cfg(feature = "typescript")]
+use super::slider::Which;
 
 /// The clay between the surface and the lining, in model units after placement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -51,6 +53,17 @@ names! {
         Rounded = "rounded",
     }
 }
+
+/// The numbers of a wall as a person changes them, in the order in which they are shown: the field, which of its numbers, and where its slider ends, as a share of the
+/// size of the pot. All are lengths, from 0.
+#[cfg(feature = "typescript")]
+pub(super) const SLIDERS: [(&str, Which, f64); 5] = [
+    ("thickness", Which::Only, 0.2),
+    ("base", Which::Only, 0.2),
+    ("foot", Which::At(0), 0.2),
+    ("foot", Which::At(1), 0.2),
+    ("drain", Which::Only, 0.4),
+];
 
 impl Wall {
     /// Every number to twelve significant digits.

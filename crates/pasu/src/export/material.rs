@@ -1,6 +1,6 @@
 //! Clay and glaze as a plain material: one colour and one roughness.
 
-use crate::design::{Clay, Glaze, Look};
+use crate::design::{Glaze, Layer, Look};
 
 /// A surface that reflects as a dielectric.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,37 +11,15 @@ pub(super) struct Material {
     pub(super) roughness: f64,
 }
 
-/// The fired body: colour and roughness. The numbers are those of the designer's stage.
-fn clay(clay: Clay) -> ([f64; 3], f64) {
-    match clay {
-        Clay::Stoneware => ([0.4, 0.29, 0.195], 0.78),
-        Clay::Porcelain => ([0.79, 0.765, 0.715], 0.6),
-        Clay::Terracotta => ([0.47, 0.165, 0.075], 0.85),
-        Clay::Black => ([0.035, 0.031, 0.029], 0.7),
-    }
-}
-
-/// The layer on it: what it lets through, what it scatters, how opaque and how rough it is.
-fn glaze(glaze: Glaze) -> Option<([f64; 3], [f64; 3], f64, f64)> {
-    Some(match glaze {
-        Glaze::Celadon => ([0.4, 0.66, 0.5], [0.34, 0.49, 0.39], 0.62, 0.1),
-        Glaze::Tenmoku => ([0.1, 0.04, 0.02], [0.016, 0.01, 0.008], 0.95, 0.09),
-        Glaze::Cobalt => ([0.05, 0.12, 0.5], [0.012, 0.035, 0.2], 0.8, 0.08),
-        Glaze::TinWhite => ([0.85, 0.84, 0.8], [0.78, 0.765, 0.72], 0.96, 0.2),
-        Glaze::Shino => ([0.8, 0.6, 0.42], [0.72, 0.64, 0.54], 0.88, 0.36),
-        Glaze::CopperRed => ([0.5, 0.035, 0.025], [0.2, 0.012, 0.013], 0.8, 0.06),
-        Glaze::Clear => ([0.9, 0.88, 0.8], [0.6, 0.6, 0.55], 0.06, 0.07),
-        Glaze::Bare => return None,
-    })
-}
-
 impl Material {
     /// A plain wall: `clay tint (1 - opacity) + body opacity`.
     pub(super) fn of(look: Look) -> Material {
-        let (colour, roughness) = clay(look.clay);
-        let Some((tint, body, opacity, glossy)) = glaze(look.glaze) else { return Material { colour, roughness } };
-        let colour = [0, 1, 2].map(|i| colour[i] * tint[i] * (1.0 - opacity) + body[i] * opacity);
-        Material { colour, roughness: glossy }
+        let clay = look.clay.body();
+        let Some(Layer { tint, body, opacity, roughness }) = look.glaze.layer() else {
+            return Material { colour: clay.colour, roughness: clay.roughness };
+        };
+        let colour = [0, 1, 2].map(|i| clay.colour[i] * tint[i] * (1.0 - opacity) + body[i] * opacity);
+        Material { colour, roughness }
     }
 }
 

@@ -1,12 +1,20 @@
 /** Glaze, clay and unit, and which part of the design is being edited. */
 
-import { css, html } from "lit";
+import { css, html, unsafeCSS } from "lit";
 import { customElement } from "lit/decorators.js";
 import { CLAYS, GLAZES, lookOf, UNITS, unitOf } from "../../document/look";
+import * as tables from "../../document/tables.gen";
 import type { ClayName, GlazeName, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { setLook, setUnit } from "../../state/actions";
 import { base, fields } from "../../ui/styles";
+
+/** The colours of the tables: nothing of a document. */
+const SWATCHES = unsafeCSS(
+  Object.entries({ ...tables.GLAZES, ...tables.CLAYS })
+    .map(([name, colour]) => `.${name} { --colour: ${colour}; }`)
+    .join("\n"),
+);
 
 @customElement("pasu-look")
 export class PasuLook extends DesignerElement {
@@ -126,42 +134,7 @@ export class PasuLook extends DesignerElement {
           inset 3px 3px 6px rgb(255 255 255 / 0.45),
           inset -4px -4px 8px rgb(0 0 0 / 0.28);
       }
-      .celadon {
-        --colour: #9dbfa6;
-      }
-      .tenmoku {
-        --colour: #2f1a12;
-      }
-      .cobalt {
-        --colour: #1f3f8f;
-      }
-      .tin-white {
-        --colour: #f1eee6;
-      }
-      .shino {
-        --colour: #e6c9ae;
-      }
-      .copper-red {
-        --colour: #8f1f24;
-      }
-      .clear {
-        --colour: #d9cdb8;
-      }
-      .bare {
-        --colour: #b99a76;
-      }
-      .stoneware {
-        --colour: #a98e6f;
-      }
-      .porcelain {
-        --colour: #efece6;
-      }
-      .terracotta {
-        --colour: #b9613d;
-      }
-      .black {
-        --colour: #38332f;
-      }
+      ${SWATCHES}
       .unit {
         display: flex;
         align-items: center;

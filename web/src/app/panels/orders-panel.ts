@@ -1,18 +1,61 @@
 /** Second, mixed and fourth order: what each can and cannot do, switching the open design, and seeing two side by side. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
-import { convert, ORDER_KINDS, ORDER_NOTES, type OrderKind } from "../../document/convert";
+import { customElement, state } from "lit/decorators.js";
+import { convertible, LOSS_WORDS, ORDER_KINDS, ORDER_NOTES } from "../../document/orders";
+import { asSentence } from "../../document/report-words";
 import { familyOf } from "../../document/schema";
-import type { Shape } from "../../document/types";
+import type { Conversion, OrderKind, Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { compareWith } from "../../state/actions";
 import { switchOrder } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
 
+interface Known {
+  readonly of: Shape;
+  readonly converted: ReadonlyMap<OrderKind, Conversion>;
+}
+
 @customElement("pasu-orders")
 export class PasuOrders extends DesignerElement {
+  /** The shape in the orders that it can be switched to, as far as the solver has answered. */
+  @state() private known: Known | null = null;
+  private asked: Shape | null = null;
+
+  override willUpdate(): void {
+    const { design, part } = this.designer.store;
+    const shape = design.parts[part]?.shape ?? null;
+    if (shape === this.asked) return;
+    this.asked = shape;
+    if (shape && convertible(shape.kind)) void this.ask(shape);
+  }
+
+  /** What is left behind of the shape in each order. What the solver refuses is said when it is asked for. */
+  private async ask(shape: Shape): Promise<void> {
+    const others = ORDER_KINDS.filter((kind) => kind !== shape.kind);
+    const { solver } = this.designer;
+    const outcomes = await Promise.all(others.map((kind) => solver.convert(`to ${kind}`, shape, kind)));
+    if (this.asked !== shape) return;
+    const converted = others.flatMap((kind, index) => {
+      const outcome = outcomes[index];
+      return outcome?.state === "done" ? [[kind, outcome.value] as const] : [];
+    });
+    this.known = { of: shape, converted: new Map(converted) };
+  }
+
+  private async switchTo(shape: Shape, kind: OrderKind): Promise<void> {
+    const { designer } = this;
+    const outcome = await designer.solver.convert("switch", shape, kind);
+    if (outcome.state === "superseded") return;
+    if (outcome.state === "refused") {
+      designer.notices.say(`Not switched. ${asSentence(outcome.refusal.message)}`);
+      return;
+    }
+    const { state } = designer;
+    if (state.design.parts[state.part]?.shape === shape) designer.apply(switchOrder(state, outcome.value.shape));
+  }
+
   override render() {
     const { design, part } = this.designer.state;
     const shape = design.parts[part]?.shape;
@@ -45,7 +88,7 @@ export class PasuOrders extends DesignerElement {
     const here = shape.kind === kind;
     const compared = designer.store.session.compare === kind;
     const note = ORDER_NOTES[kind];
-    const lost = here ? [] : (convert(shape, kind)?.lost ?? []);
+    const lost = this.known?.of === shape ? (this.known.converted.get(kind)?.lost ?? []) : [];
     return html`<section aria-labelledby=${kind} class=${here ? "here" : ""}>
       <header>
         <h3 id=${kind}>${note.title}</h3>
@@ -56,7 +99,7 @@ export class PasuOrders extends DesignerElement {
         ${note.can.map((text) => html`<li>${icon("check")}<span>${text}</span></li>`)}
         ${note.cannot.map((text) => html`<li class="cannot">${icon("close")}<span><span class="spoken">Not: </span>${text}</span></li>`)}
       </ul>
-      ${lost.length === 0 ? nothing : html`<p class="lost">If you switch: ${lost.join(" ")}</p>`}
+      ${lost.length === 0 ? nothing : html`<p class="lost">If you switch: ${lost.map((loss) => LOSS_WORDS[loss]).join(" ")}</p>`}
       ${
         here
           ? nothing
@@ -69,7 +112,7 @@ export class PasuOrders extends DesignerElement {
               >
                 <span>${compared ? "Stop comparing" : "Show side by side"}<span class="spoken"> with ${note.title}</span></span>
               </button>
-              <button class="button outlined" type="button" @click=${() => designer.apply(switchOrder(designer.state, kind))}>
+              <button class="button outlined" type="button" @click=${() => this.switchTo(shape, kind)}>
                 <span>Switch<span class="spoken"> to ${note.title}</span></span>
               </button>
             </div>`

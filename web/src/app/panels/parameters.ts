@@ -10,7 +10,7 @@ import {
   type Field,
   familyOf,
   fieldValue,
-  GROUP_HELP,
+  GROUP_WORDS,
   GROUPS,
   type Row,
   rowsOf,
@@ -55,7 +55,7 @@ export class PasuParameters extends DesignerElement {
         const rows = rowsOf(family, group);
         if (rows.length === 0) return nothing;
         return html`<details open>
-          <summary><h3>${group}</h3><span>${GROUP_HELP[group]}</span></summary>
+          <summary><h3>${GROUP_WORDS[group].name}</h3><span>${GROUP_WORDS[group].help}</span></summary>
           ${repeat(
             rows,
             (row) => `${family.kind} ${row.id}`,
@@ -103,14 +103,15 @@ export class PasuParameters extends DesignerElement {
     const { designer } = this;
     // The ranges go by the pot that was opened: no number moves the range of another.
     const origin = this.originOf(shape);
-    const factor = field.length ? sizeFactor(family, origin) : 1;
+    const isLength = field.dimension === "length";
+    const factor = isLength ? sizeFactor(family, origin) : 1;
     const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
     return html`<pasu-number
-      data-field=${field.path.join("-")}
+      data-field=${field.key}
       .label=${field.name}
       .qualifier=${qualifier}
       .symbol=${symbol}
-      .unit=${field.length ? unitOf(designer.store.design) : ""}
+      .unit=${isLength ? unitOf(designer.store.design) : ""}
       .help=${field.help}
       .problem=${this.problemOf(fields)}
       .value=${fieldValue(shape, field)}

@@ -3,7 +3,8 @@
 import { css, html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { HANDLE_IDS, HANDLE_NAMES, type Handle, type HandleId, handles, rimAt } from "../../document/profile";
+import { HANDLE_NAMES, isFree, sharesHandles, whyHeld } from "../../document/profile";
+import type { End, Handle, HandleId } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber } from "../../number";
 import type { Section } from "../../solver/messages";
@@ -46,21 +47,25 @@ export class PasuProfile extends DesignerElement {
   @state() private held: Frame | null = null;
   private spoken = "";
   @query("svg") private readonly picture!: SVGSVGElement;
-  private last: { readonly id: HandleId; readonly x: number; readonly y: number } | null = null;
+  /** What is under the hand, as it was when it was grabbed: its steps are good for the whole drag. */
+  private last: { readonly handle: Handle; readonly rim: End; readonly x: number; readonly y: number } | null = null;
 
   override render() {
     const { designer } = this;
     const { design, part } = designer.state;
     const shape = design.parts[part]?.shape;
+    const shown = designer.surface.shown?.design.parts[part]?.shape;
     const section = designer.surface.shown?.solved.section;
-    if (!shape || !section) return html`<p class="lead">The section appears with the pot.</p>`;
-    const marks = marksOf(section, rimAt(shape));
-    const all = handles(shape);
+    if (!shape || !shown || !section) return html`<p class="lead">The section appears with the pot.</p>`;
+    const all = section.handles.list;
+    const marks = marksOf(section);
+    // Of a pot that is not the one on the screen, and cannot be shown, there is nothing to drag.
+    const moving = sharesHandles(shown, shape) ? all.filter(isFree) : [];
     const frame =
       this.held ??
       frameOf(
         section,
-        all.filter(isFree).map((handle) => pointOf(handle.id, marks)),
+        moving.map((handle) => pointOf(handle.id, marks)),
       );
     const unit = unitOf(design);
     return html`
@@ -68,7 +73,7 @@ export class PasuProfile extends DesignerElement {
       <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label="Section through the axis">
         ${this.drawing(section, frame)}
         ${this.slope(frame, marks.rim, marks.rimTip)} ${this.slope(frame, marks.foot, marks.footTip)}
-        ${all.map((handle) => this.handle(handle, frame, marks))}
+        ${moving.map((handle) => this.handle(handle, section, frame, marks))}
       </svg>
       <p class="spoken" role="status">${this.spoken}</p>
       <dl>
@@ -76,8 +81,8 @@ export class PasuProfile extends DesignerElement {
           (handle) => html`<div>
             <dt>${HANDLE_NAMES[handle.id]}</dt>
             <dd>
-              ${reading(handle.id, section, rimAt(shape), unit)}
-              ${handle.why === "" ? nothing : html`<span class="why">${handle.why}</span>`}
+              ${reading(handle.id, section, unit)}
+              ${handle.restraints.length === 0 ? nothing : html`<span class="why">${whyHeld(handle)}</span>`}
             </dd>
           </div>`,
         )}
@@ -103,12 +108,12 @@ export class PasuProfile extends DesignerElement {
     return svg`<line class="slope" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`;
   }
 
-  private handle(handle: Handle, frame: Frame, marks: Marks) {
-    if (!isFree(handle)) return nothing;
+  private handle(handle: Handle, section: Section, frame: Frame, marks: Marks) {
     const at = toView(pointOf(handle.id, marks), frame);
-    const ways = handle.radial && handle.axial ? "move" : handle.radial ? "across" : "along";
+    const ways = handle.axial.length === 0 ? "across" : handle.radial.length === 0 ? "along" : "move";
     const slope = handle.id.endsWith("slope");
-    const others = HANDLE_IDS.filter((id) => id !== handle.id).map((id) => toView(pointOf(id, marks), frame));
+    const { rim, list } = section.handles;
+    const others = list.filter(({ id }) => id !== handle.id).map(({ id }) => toView(pointOf(id, marks), frame));
     const nearest = Math.min(...others.map((other) => Math.hypot(other.x - at.x, other.y - at.y)));
     const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
     return svg`<g
@@ -119,11 +124,11 @@ export class PasuProfile extends DesignerElement {
       aria-label=${`${HANDLE_NAMES[handle.id]}, ${ways === "move" ? "moves both ways" : ways === "across" ? "moves left and right" : "moves up and down"}`}
       data-handle=${handle.id}
       transform="translate(${at.x} ${at.y})"
-      @pointerdown=${(event: PointerEvent) => this.grab(event, handle.id, frame)}
+      @pointerdown=${(event: PointerEvent) => this.grab(event, handle, rim, frame)}
       @pointermove=${this.drag}
       @pointerup=${this.drop}
       @pointercancel=${this.drop}
-      @keydown=${(event: KeyboardEvent) => this.key(event, handle, frame)}
+      @keydown=${(event: KeyboardEvent) => this.key(event, handle, rim, frame)}
       @keyup=${() => this.designer.store.endGesture()}
       @blur=${() => this.designer.store.endGesture()}
     >
@@ -133,14 +138,14 @@ export class PasuProfile extends DesignerElement {
     </g>`;
   }
 
-  private grab(event: PointerEvent, id: HandleId, frame: Frame): void {
+  private grab(event: PointerEvent, handle: Handle, rim: End, frame: Frame): void {
     if (event.button !== 0) return;
     event.preventDefault();
     const target = event.currentTarget as SVGGElement;
     target.setPointerCapture(event.pointerId);
     target.focus({ preventScroll: true });
     this.held = frame;
-    this.last = { id, x: event.clientX, y: event.clientY };
+    this.last = { handle, rim, x: event.clientX, y: event.clientY };
   }
 
   private readonly drag = (event: PointerEvent): void => {
@@ -148,8 +153,8 @@ export class PasuProfile extends DesignerElement {
     if (!last || !held) return;
     const pixels = this.picture.getBoundingClientRect().width / WIDTH;
     const scale = pixels * held.scale;
-    this.move(last.id, (event.clientX - last.x) / scale, (last.y - event.clientY) / scale);
-    this.last = { id: last.id, x: event.clientX, y: event.clientY };
+    this.move(last.handle, last.rim, (event.clientX - last.x) / scale, (last.y - event.clientY) / scale);
+    this.last = { ...last, x: event.clientX, y: event.clientY };
   };
 
   private readonly drop = (): void => {
@@ -159,21 +164,18 @@ export class PasuProfile extends DesignerElement {
   };
 
   /** Moves a handle by a distance in the section. */
-  private move(id: HandleId, x: number, z: number): void {
-    const { state } = this.designer;
-    const shape = state.design.parts[state.part]?.shape;
-    if (!shape) return;
-    const factor = id.endsWith("slope") ? towards(id, rimAt(shape)) / SLOPE_SHARE : 1;
-    this.designer.apply(dragHandle(state, id, factor * x, factor * z));
+  private move(handle: Handle, rim: End, x: number, z: number): void {
+    const factor = handle.id.endsWith("slope") ? towards(handle.id, rim) / SLOPE_SHARE : 1;
+    this.designer.apply(dragHandle(this.designer.state, handle, factor * x, factor * z));
   }
 
-  private key(event: KeyboardEvent, handle: Handle, frame: Frame): void {
+  private key(event: KeyboardEvent, handle: Handle, rim: End, frame: Frame): void {
     const arrow = ARROWS[event.key];
     if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     const pixel = 1 / frame.scale;
     const step = 10 ** Math.floor(Math.log10(3 * pixel)) * (event.shiftKey ? COARSE : 1);
-    this.move(handle.id, arrow[0] * step, arrow[1] * step);
+    this.move(handle, rim, arrow[0] * step, arrow[1] * step);
   }
 
   /** What a screen reader says after a key moved the handle that has the focus. */
@@ -181,9 +183,7 @@ export class PasuProfile extends DesignerElement {
     const section = this.designer.surface.shown?.solved.section;
     const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
     if (!section || !active || this.last) return;
-    const { design, part } = this.designer.state;
-    const shape = design.parts[part]?.shape;
-    if (shape) this.spoken = reading(active, section, rimAt(shape), unitOf(design));
+    this.spoken = reading(active, section, unitOf(this.designer.state.design));
   }
 
   static override readonly styles = [
@@ -297,10 +297,14 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
+/** The `u` of the end that a handle belongs to. */
+function endAt(id: HandleId, rim: End): 0 | 1 {
+  return id.startsWith("rim") === (rim === "start") ? 0 : 1;
+}
+
 /** From either end into the wall: along `u` at `u = 0`, against it at `u = 1`. */
-function towards(id: HandleId, rim: 0 | 1): 1 | -1 {
-  const end = id.startsWith("rim") ? rim : 1 - rim;
-  return end === 0 ? 1 : -1;
+function towards(id: HandleId, rim: End): 1 | -1 {
+  return endAt(id, rim) === 0 ? 1 : -1;
 }
 
 function endOf(section: Section, end: number): Point {
@@ -312,18 +316,15 @@ function slopeOf(section: Section, end: number): Point {
   return { x: section.slopes[2 * end] ?? 0, z: section.slopes[2 * end + 1] ?? 0 };
 }
 
-function marksOf(section: Section, rim: 0 | 1): Marks {
+function marksOf(section: Section): Marks {
   const tip = (end: number): Point => {
     const at = endOf(section, end);
     const slope = slopeOf(section, end);
     const share = end === 0 ? SLOPE_SHARE : -SLOPE_SHARE;
     return { x: at.x + share * slope.x, z: at.z + share * slope.z };
   };
+  const rim = endAt("rim", section.handles.rim);
   return { rim: endOf(section, rim), foot: endOf(section, 1 - rim), rimTip: tip(rim), footTip: tip(1 - rim) };
-}
-
-function isFree(handle: Handle): boolean {
-  return handle.radial || handle.axial;
 }
 
 function pointOf(id: HandleId, marks: Marks): Point {
@@ -339,8 +340,8 @@ function pointOf(id: HandleId, marks: Marks): Point {
   }
 }
 
-function reading(id: HandleId, section: Section, rim: 0 | 1, unit: string): string {
-  const end = id.startsWith("rim") ? rim : 1 - rim;
+function reading(id: HandleId, section: Section, unit: string): string {
+  const end = endAt(id, section.handles.rim);
   const slope = id.endsWith("slope");
   const { x, z } = slope ? slopeOf(section, end) : endOf(section, end);
   const size = Math.hypot(...section.slopes);

@@ -6,6 +6,7 @@ import { unitOf } from "../../document/look";
 import { pathText } from "../../document/path";
 import { fittedWords } from "../../document/remedy-words";
 import { asSentence } from "../../document/report-words";
+import { DEFAULTS } from "../../document/tables.gen";
 import type { Wall } from "../../document/types";
 import { type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
 import { DesignerElement } from "../../element/designer-element";
@@ -75,8 +76,8 @@ export class PasuWall extends DesignerElement {
         />
         <span>Foot ring</span>
       </label>
-      ${choices("Rim", RIMS, wall.rim ?? "flat", (rim) => designer.apply(setRim(designer.state, rim)))}
-      ${choices("Clay is laid", SIDES, wall.side ?? "inside", (side) => designer.apply(setSide(designer.state, side)))}
+      ${choices("Rim", RIMS, wall.rim ?? DEFAULTS.rim, (rim) => designer.apply(setRim(designer.state, rim)))}
+      ${choices("Clay is laid", SIDES, wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
       <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
         ${icon("make")}<span>Export it for making</span>
       </button>
@@ -117,7 +118,7 @@ export class PasuWall extends DesignerElement {
       // The ranges go by the pot that was opened: no number moves the range of another.
       const { max, step } = wallRange(field, designer.origin.size ?? this.size);
       return html`<pasu-number
-        data-field=${field.path.join("-")}
+        data-field=${field.key}
         .label=${field.name}
         .unit=${unitOf(designer.store.design)}
         .help=${field.help}

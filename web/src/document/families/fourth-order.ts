@@ -1,147 +1,62 @@
-/** The fields of the fourth order vase, ZY01 equations 13 to 17. The foot is at `u = 0`. */
+/** What the fields of the fourth order vase are called, ZY01 equations 13 to 17. The foot is at `u = 0`. */
 
-import { KIND_NAMES } from "../kinds";
-import type { Family, Field } from "../schema";
+import type { FieldKey, FieldWords } from "../field";
 
-function both(
-  name: "s" | "t" | "w",
-  field: Omit<Field, "path" | "symbol" | "pair" | "length" | "group">,
-): readonly Field[] {
-  return (["x", "y"] as const).map((axis, index) => ({
-    ...field,
-    path: [name, index],
-    symbol: `${name}_${axis}`,
-    pair: name,
-    length: false,
-    group: "Equation" as const,
-  }));
-}
-
-export const FOURTH_ORDER: Family = {
-  kind: "fourth-order",
-  name: KIND_NAMES["fourth-order"],
-  source: "Zhang and You 2001, eqs 13 to 17",
-  fields: [
-    {
-      path: ["r1"],
-      symbol: "r_1",
-      name: "Rim radius",
-      group: "Rim",
-      length: true,
-      min: 0,
-      max: 3,
-      step: 0.01,
-      help: "How wide the rim is.",
-    },
-    {
-      path: ["eta", 1],
-      symbol: "η_2",
-      name: "Rim flare",
-      group: "Rim",
-      length: false,
-      min: -5,
-      max: 5,
-      step: 0.05,
-      help: "How strongly the wall leans where it meets the rim, as a share of the belly’s swell.",
-    },
-    {
-      path: ["dz", 1],
-      symbol: "h_1'",
-      name: "Rise at the rim",
-      group: "Rim",
-      length: true,
-      min: -15,
-      max: 15,
-      step: 0.1,
-      help: "How steeply the wall climbs where it meets the rim.",
-    },
-    {
-      path: ["r0"],
-      symbol: "r_0",
-      name: "Foot radius",
-      group: "Foot",
-      length: true,
-      min: 0,
-      max: 3,
-      step: 0.01,
-      help: "How wide the foot is.",
-    },
-    {
-      path: ["eta", 0],
-      symbol: "η_1",
-      name: "Foot flare",
-      group: "Foot",
-      length: false,
-      min: -5,
-      max: 5,
-      step: 0.05,
-      help: "How strongly the wall leans where it leaves the foot, as a share of the belly’s swell.",
-    },
-    {
-      path: ["dz", 0],
-      symbol: "h_0'",
-      name: "Rise at the foot",
-      group: "Foot",
-      length: true,
-      min: -15,
-      max: 15,
-      step: 0.1,
-      help: "How steeply the wall climbs where it leaves the foot.",
-    },
-    {
-      path: ["h1"],
-      symbol: "h_1",
-      name: "Height",
-      group: "Height",
-      length: true,
-      min: 0.2,
-      max: 10,
-      step: 0.05,
-      help: "From the foot up to the rim.",
-    },
-    {
-      path: ["rm"],
-      symbol: "r_m",
-      name: "Belly radius",
-      group: "Wall",
-      length: true,
-      min: 0,
-      max: 3,
-      step: 0.01,
-      help: "The width that the two flares aim at half way up.",
-    },
-    ...both("t", {
-      name: "Waist pull",
-      min: 0,
-      max: 60,
-      step: 0.5,
-      help: "Tightens the wall like a skin, towards the shortest way between its ends.",
-    }),
-    ...both("w", {
-      name: "Axis pull",
-      min: 0,
-      max: 200,
-      step: 1,
-      help: "Draws the middle of the wall in towards the axis.",
-    }),
-    ...both("s", {
-      name: "Wall stiffness",
-      min: 0.1,
-      max: 10,
-      step: 0.05,
-      help: "Bends the wall in wide, even curves. It may not be 0.",
-    }),
-  ],
-  reset: {
-    kind: "fourth-order",
-    r0: 0.4,
-    r1: 0.3,
-    rm: 0.8,
-    h1: 2,
-    eta: [0.5, 0.5],
-    dz: [6, 6],
-    s: [1, 1],
-    t: [3, 3],
-    w: [1, 1],
+export const FOURTH_ORDER: Readonly<Record<FieldKey<"fourth-order">, FieldWords>> = {
+  r1: {
+    name: "Rim radius",
+    help: "How wide the rim is.",
+  },
+  "eta-1": {
+    name: "Rim flare",
+    help: "How strongly the wall leans where it meets the rim, as a share of the belly’s swell.",
+  },
+  "dz-1": {
+    name: "Rise at the rim",
+    help: "How steeply the wall climbs where it meets the rim.",
+  },
+  r0: {
+    name: "Foot radius",
+    help: "How wide the foot is.",
+  },
+  "eta-0": {
+    name: "Foot flare",
+    help: "How strongly the wall leans where it leaves the foot, as a share of the belly’s swell.",
+  },
+  "dz-0": {
+    name: "Rise at the foot",
+    help: "How steeply the wall climbs where it leaves the foot.",
+  },
+  h1: {
+    name: "Height",
+    help: "From the foot up to the rim.",
+  },
+  rm: {
+    name: "Belly radius",
+    help: "The width that the two flares aim at half way up.",
+  },
+  "t-0": {
+    name: "Waist pull",
+    help: "Tightens the wall like a skin, towards the shortest way between its ends.",
+  },
+  "t-1": {
+    name: "Waist pull",
+    help: "Tightens the wall like a skin, towards the shortest way between its ends.",
+  },
+  "w-0": {
+    name: "Axis pull",
+    help: "Draws the middle of the wall in towards the axis.",
+  },
+  "w-1": {
+    name: "Axis pull",
+    help: "Draws the middle of the wall in towards the axis.",
+  },
+  "s-0": {
+    name: "Wall stiffness",
+    help: "Bends the wall in wide, even curves. It may not be 0.",
+  },
+  "s-1": {
+    name: "Wall stiffness",
+    help: "Bends the wall in wide, even curves. It may not be 0.",
   },
 };

@@ -1,163 +1,60 @@
-/** The fields of the second order vase, ZY01 equations 1 to 8. */
+/** What the fields of the second order vase are called, ZY01 equations 1 to 8. */
 
-import { KIND_NAMES } from "../kinds";
-import type { Family, Field } from "../schema";
+import type { FieldKey, FieldWords } from "../field";
 
 /** Shared with the mixed order, which differs in `z` alone. */
-export const PLANAR_FIELDS: readonly Field[] = [
-  {
-    path: ["r", 0],
-    symbol: "r_1",
+export const PLANAR: Readonly<Record<FieldKey<"second-order">, FieldWords>> = {
+  "r-0": {
     name: "Rim radius",
-    group: "Rim",
-    length: true,
-    min: 0,
-    max: 3,
-    step: 0.01,
     help: "How wide the rim is, from the axis to the middle of its petals.",
   },
-  {
-    path: ["r", 1],
-    symbol: "r_2",
+  "r-1": {
     name: "Rim petal depth",
-    group: "Rim",
-    length: true,
-    min: -0.5,
-    max: 0.5,
-    step: 0.005,
     help: "How far the petals of the rim swing out and in. 0 gives a round rim.",
   },
-  {
-    path: ["r", 2],
-    symbol: "r_3",
+  "r-2": {
     name: "Foot radius",
-    group: "Foot",
-    length: true,
-    min: 0,
-    max: 3,
-    step: 0.01,
     help: "How wide the foot is.",
   },
-  {
-    path: ["r", 3],
-    symbol: "r_4",
+  "r-3": {
     name: "Foot petal depth",
-    group: "Foot",
-    length: true,
-    min: -0.5,
-    max: 0.5,
-    step: 0.005,
     help: "How far the petals of the foot swing out and in.",
   },
-  {
-    path: ["height"],
-    symbol: "h_0",
+  height: {
     name: "Height",
-    group: "Height",
-    length: true,
-    min: 0.2,
-    max: 10,
-    step: 0.05,
     help: "From the foot up to the rim.",
   },
-  {
-    path: ["n", 1],
+  "n-1": {
     symbol: "n_2 − n_1",
     name: "Petals",
-    group: "Wall",
-    length: false,
-    min: 0,
-    max: 24,
-    step: 1,
     help: "How many petals the eye counts while the wall goes round. In the paper the wave has one more for each turn of the wall. A fraction leaves the pot open.",
   },
-  {
-    path: ["n", 0],
-    symbol: "n_1",
+  "n-0": {
     name: "Turns of the wall",
-    group: "Wall",
-    length: false,
-    min: 1,
-    max: 4,
-    step: 1,
     help: "How often the wall goes round the axis before it closes. 1 is a pot; a fraction leaves it open.",
   },
-  {
-    path: ["t", 0],
-    symbol: "t_x",
+  "t-0": {
     name: "Waist pull",
-    group: "Equation",
-    length: false,
-    min: 0,
-    max: 2,
-    step: 0.01,
-    pair: "t",
     help: "Draws the wall in towards the axis between rim and foot. 0 leaves it straight.",
   },
-  {
-    path: ["t", 1],
-    symbol: "t_y",
+  "t-1": {
     name: "Waist pull",
-    group: "Equation",
-    length: false,
-    min: 0,
-    max: 2,
-    step: 0.01,
-    pair: "t",
     help: "Draws the wall in towards the axis between rim and foot, across.",
   },
-  {
-    path: ["s", 0],
-    symbol: "s_x",
+  "s-0": {
     name: "Wall stiffness",
-    group: "Equation",
-    length: false,
-    min: 0.1,
-    max: 10,
-    step: 0.05,
-    pair: "s",
     help: "Keeps the wall straight against the waist pull. It may not be 0.",
   },
-  {
-    path: ["s", 1],
-    symbol: "s_y",
+  "s-1": {
     name: "Wall stiffness",
-    group: "Equation",
-    length: false,
-    min: 0.1,
-    max: 10,
-    step: 0.05,
-    pair: "s",
     help: "Keeps the wall straight against the waist pull, across. It may not be 0.",
   },
-  {
-    path: ["force", 0],
-    symbol: "p_0",
+  "force-0": {
     name: "Even push",
-    group: "Force",
-    length: false,
-    min: -5,
-    max: 5,
-    step: 0.05,
     help: "Pushes the whole wall: below 0 outwards, above 0 inwards.",
   },
-  {
-    path: ["force", 1],
-    symbol: "p_1",
+  "force-1": {
     name: "Push growing to the foot",
-    group: "Force",
-    length: false,
-    min: -5,
-    max: 5,
-    step: 0.05,
     help: "Pushes harder the nearer the foot: below 0 outwards, above 0 inwards.",
   },
-];
-
-export const SECOND_ORDER: Family = {
-  kind: "second-order",
-  name: KIND_NAMES["second-order"],
-  source: "Zhang and You 2001, eqs 1 to 8",
-  fields: PLANAR_FIELDS,
-  reset: { kind: "second-order", r: [1, 0.1, 0.6, 0.06] },
 };
