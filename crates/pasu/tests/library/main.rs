@@ -2,12 +2,14 @@
 
 mod allocation;
 mod canonical;
+mod conversion;
 mod export;
 mod findings;
 mod fingerprint;
 mod finite;
 mod fitted;
 mod flood;
+mod handles;
 mod hostile;
 mod interface;
 mod links;

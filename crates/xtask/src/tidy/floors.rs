@@ -13,43 +13,20 @@ pub(super) struct House {
     pub(super) floors: &'static [&'static str],
     /// Rooms that take from these alone, though there are others below them.
     pub(super) alone: &'static [(&'static str, &'static [&'static str])],
-    /// What is known to breach a rule and waits to be mended: which file takes from which. Once it does not any more, or nothing is wrong with it any more, its line is to be deleted.
-    pub(super) known: &'static [(&'static str, &'static str)],
 }
 
 impl House {
-    /// Breaches but for those that are known, and what of these is out of date.
+    /// Every breach.
     pub(super) fn judged(&self, imports: &Imports) -> Vec<String> {
-        let mut found = Vec::new();
-        let all = self.wrong(imports);
-        let delete = format!("delete that from the known breaches in {}", self.rules);
-        for (file, from) in self.known {
-            if !imports.get(*file).is_some_and(|taken| taken.contains_key(*from)) {
-                found.push(format!("{file} takes nothing from {from} any more: {delete}"));
-            } else if !all.contains(&((*file).to_owned(), (*from).to_owned())) {
-                found.push(format!("nothing is wrong any more with what {file} takes from {from}: {delete}"));
-            }
-        }
-        let mut rest = imports.clone();
-        for (file, from) in self.known {
-            rest.get_mut(*file).and_then(|taken| taken.remove(*from));
-        }
-        found.extend(self.unknown_rooms(&rest));
-        found.extend(self.climbs(&rest).into_iter().map(|climb| climb.1));
-        let files = file_graph(&rest);
-        found.extend(circles(&files).iter().map(|circle| told(&files, circle, "files", &rest)));
-        for folder in folders(&rest) {
-            let graph = folder_graph(&rest, &folder);
-            found.extend(circles(&graph).iter().map(|circle| told(&graph, circle, "folders", &rest)));
+        let mut found = self.unknown_rooms(imports);
+        found.extend(self.climbs(imports));
+        let files = file_graph(imports);
+        found.extend(circles(&files).iter().map(|circle| told(&files, circle, "files", imports)));
+        for folder in folders(imports) {
+            let graph = folder_graph(imports, &folder);
+            found.extend(circles(&graph).iter().map(|circle| told(&graph, circle, "folders", imports)));
         }
         found
-    }
-
-    /// Everything that has a part in some breach: which file takes from which.
-    fn wrong(&self, imports: &Imports) -> BTreeSet<(String, String)> {
-        let mut wrong: BTreeSet<(String, String)> = self.climbs(imports).into_iter().map(|climb| climb.0).collect();
-        wrong.extend(round(imports));
-        wrong
     }
 
     fn floor(&self, room: &str) -> Option<usize> {
@@ -62,8 +39,8 @@ impl House {
         unknown.map(|room| format!("{room}: a room that is on no floor: give it one in {}", self.rules)).collect()
     }
 
-    /// What is taken from above, or from where it may not be: which file takes from which, and how that is told.
-    fn climbs(&self, imports: &Imports) -> Vec<((String, String), String)> {
+    /// What is taken from above, or from where it may not be.
+    fn climbs(&self, imports: &Imports) -> Vec<String> {
         let mut climbs = Vec::new();
         for (file, taken) in imports {
             for (from, line) in taken {
@@ -84,33 +61,11 @@ impl House {
                 } else {
                     continue;
                 };
-                climbs.push(((file.clone(), from.clone()), format!("{file}:{line}: takes from {from}, but {why}")));
+                climbs.push(format!("{file}:{line}: takes from {from}, but {why}"));
             }
         }
         climbs
     }
-}
-
-/// Everything that has a part in some circle: which file takes from which.
-fn round(imports: &Imports) -> BTreeSet<(String, String)> {
-    let mut wrong = BTreeSet::new();
-    let files = circles(&file_graph(imports));
-    let folders: Vec<(String, Vec<Vec<String>>)> =
-        folders(imports).into_iter().map(|folder| (folder.clone(), circles(&folder_graph(imports, &folder)))).collect();
-    for (file, from) in pairs(imports) {
-        let is_round = |circle: &Vec<String>| circle.contains(file) && circle.contains(from);
-        let is_round_folders = folders.iter().any(|(folder, circles)| {
-            let [one, other] = [file, from].map(|file| child_of(folder, file));
-            one != other
-                && circles.iter().any(|circle| {
-                    [one, other].iter().all(|end| end.is_some_and(|end| circle.iter().any(|node| node == end)))
-                })
-        });
-        if files.iter().any(is_round) || is_round_folders {
-            wrong.insert((file.clone(), from.clone()));
-        }
-    }
-    wrong
 }
 
 fn pairs(imports: &Imports) -> impl Iterator<Item = (&String, &String)> {
@@ -186,7 +141,6 @@ mod tests {
         rules: "rules.rs",
         floors: &["error", "mesh", "check", "surface", "export", "lib"],
         alone: &[("check", &["mesh"]), ("export", &[])],
-        known: &[],
     };
 
     fn imports(edges: &[(&str, &str)]) -> Imports {
@@ -244,26 +198,5 @@ mod tests {
         assert!(
             HOUSE.judged(&imports(&[("export/x/a.rs", "export/b.rs"), ("export/c.rs", "export/x/a.rs")])).is_empty()
         );
-    }
-
-    #[test]
-    fn what_is_known_is_passed_over_until_it_is_mended() {
-        let climbing = imports(&[("mesh/a.rs", "surface/b.rs")]);
-        let house = House { known: &[("mesh/a.rs", "surface/b.rs")], ..HOUSE };
-        assert!(house.judged(&climbing).is_empty());
-        let mended = imports(&[("mesh/a.rs", "error.rs"), ("surface/b.rs", "error.rs")]);
-        let found = house.judged(&mended);
-        assert!(found.len() == 1 && found[0].contains("takes nothing from surface/b.rs any more"), "{found:?}");
-        let house = House { known: &[("mesh/a.rs", "error.rs")], ..HOUSE };
-        let found = house.judged(&mended);
-        assert!(found.len() == 1 && found[0].starts_with("nothing is wrong any more"), "{found:?}");
-    }
-
-    #[test]
-    fn a_circle_is_passed_over_where_it_is_known_to_close() {
-        let circle = imports(&[("mesh/a.rs", "mesh/b.rs"), ("mesh/b.rs", "mesh/c.rs"), ("mesh/c.rs", "mesh/a.rs")]);
-        assert_eq!(HOUSE.judged(&circle).len(), 1);
-        let house = House { known: &[("mesh/c.rs", "mesh/a.rs")], ..HOUSE };
-        assert!(house.judged(&circle).is_empty());
     }
 }

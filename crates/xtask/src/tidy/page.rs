@@ -14,15 +14,6 @@ const PAGE: House = House {
     ],
     // What draws knows neither documents nor a page, what a page is made of knows no pot, and what keeps a copy for later knows no page.
     alone: &[("render", &[]), ("ui", &["number"]), ("sw", &[])],
-    known: &[
-        // What a family is and which there are stands in one file.
-        ("document/families/bloor-wilson.ts", "document/schema.ts"),
-        ("document/families/fourth-order.ts", "document/schema.ts"),
-        ("document/families/mixed-order.ts", "document/schema.ts"),
-        ("document/families/second-order.ts", "document/schema.ts"),
-        // The material of a pot takes the uniforms that the pot declares.
-        ("render/ceramic.ts", "render/pot.ts"),
-    ],
 };
 
 /// The files of the page with their text, by their path below its root.
@@ -100,8 +91,7 @@ mod tests {
 
     #[test]
     fn a_file_is_a_room_as_a_folder_is() {
-        let house = House { known: &[], ..PAGE };
-        let judged = |texts: &[(&str, &str)]| house.judged(&imports(&files(texts)));
+        let judged = |texts: &[(&str, &str)]| PAGE.judged(&imports(&files(texts)));
         assert!(judged(&[("number.ts", ""), ("ui/field.ts", "import { n } from \"../number\";")]).is_empty());
         assert_eq!(
             judged(&[("document/types.ts", ""), ("ui/field.ts", "import type { T } from \"../document/types\";")]),
@@ -115,12 +105,11 @@ mod tests {
 
     #[test]
     fn what_a_type_is_taken_from_counts_in_a_circle() {
-        let house = House { known: &[], ..PAGE };
         let texts = [
             ("work/a.ts", "import type { B } from \"./b\";"),
             ("work/b.ts", "export class B {}\nconst a = () => import(\"./a\");"),
         ];
-        let found = house.judged(&imports(&files(&texts)));
+        let found = PAGE.judged(&imports(&files(&texts)));
         assert!(found.len() == 1 && found[0].starts_with("work/a.ts: 2 files in a circle"), "{found:?}");
     }
 }

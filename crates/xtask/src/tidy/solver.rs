@@ -35,7 +35,6 @@ const SOLVER: House = House {
         "lib",
     ],
     alone: &[("check", &["mesh", "watch"])],
-    known: &[],
 };
 
 /// Every breach in the solver, each with its file and line.

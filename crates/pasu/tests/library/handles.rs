@@ -3,7 +3,7 @@
 use pasu::{Design, End, Handle, HandleId, Restraint, Shape, Step, derivatives, evaluate};
 use serde_json::{Map, Value, json};
 
-const GALLERY: &str = include_str!("reference/gallery.json");
+const GALLERY: &str = include_str!("../reference/gallery.json");
 
 fn shape(json: &Value) -> Shape {
     Shape::parse(&json.to_string()).unwrap()

@@ -3,7 +3,7 @@
 use pasu::{Code, Conversion, Design, FourthOrder, Loss, Shape, VaseOrder, evaluate};
 use serde_json::{Value, json};
 
-const GALLERY: &str = include_str!("reference/gallery.json");
+const GALLERY: &str = include_str!("../reference/gallery.json");
 
 fn gallery() -> Vec<(String, Shape)> {
     let exhibits: Vec<Value> = serde_json::from_str(GALLERY).unwrap();
