@@ -10,10 +10,10 @@ use crate::solution::Columns;
 use crate::watch;
 
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
-const TURN: f64 = 1.0;
+const TURN: f64 = 0.6;
 
 /// The most places of a wall's side at which an integrand is taken, and as much time on any other face.
-const MOST_PLACES: usize = 1_500_000;
+const MOST_PLACES: usize = 3_000_000;
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
