@@ -19,8 +19,10 @@ beforeEach(async () => {
   await pot.fingerprint();
   // Puts parts beside each other, on one level: copies of the pot that the page shows, an arm's length apart.
   await pot.page.evaluate(() => {
-    const app = document.querySelector("pasu-app") as unknown as { designer: { shown: { solved: { mesh: unknown } } } };
-    const whole = app.designer.shown.solved.mesh as PartBehind["mesh"] & {
+    const app = document.querySelector("pasu-app") as unknown as {
+      designer: { surface: { shown: { solved: { mesh: unknown } } } };
+    };
+    const whole = app.designer.surface.shown.solved.mesh as PartBehind["mesh"] & {
       bounds: { min: number[]; max: number[]; radius: number };
     };
     const num = (values: ArrayLike<number>, i: number) => values[i] as number;
