@@ -57,7 +57,7 @@ async function change(pot: Visit, times: number): Promise<number> {
   return solved;
 }
 
-test("10,000 changes leave memory where it was", { timeout: 600_000 }, async ({ annotate }) => {
+test("10,000 changes leave memory where it was", { timeout: 1_200_000 }, async ({ annotate }) => {
   // A small stage, because frames are drawn all the while.
   const pot = await here.enter({
     link: "#1/second-order",
