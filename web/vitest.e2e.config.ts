@@ -12,6 +12,8 @@ export default defineConfig({
     ...browser.test,
     fileParallelism: true,
     maxWorkers: 2,
+    // A shared machine may stall for seconds between two steps of a hand: what fails there is tried once more, and the report says so.
+    retry: process.env.CI ? 1 : 0,
     projects: [
       {
         extends: true,

@@ -49,6 +49,25 @@ test("every exhibit is rendered, and opens as the pot that it shows", { timeout:
   expect(seen.size).toBe(ids.length);
 });
 
+test("a gallery that was closed while it drew has every picture when it opens again", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  await pot.fingerprint();
+  const pictures = pot.page.locator("pasu-gallery button[data-exhibit] canvas");
+  for (let visit = 0; visit < 4; visit += 1) {
+    await pot.command("Gallery");
+    await pictures.first().waitFor();
+    await pot.page.keyboard.press("Escape");
+    await pictures.first().waitFor({ state: "detached" });
+  }
+  await pot.command("Gallery");
+  for (let place = 0; place < 6; place += 1) {
+    const picture = pictures.nth(place);
+    await picture.scrollIntoViewIfNeeded();
+    await expect.poll(() => picture.getAttribute("data-drawn"), { timeout: 20_000 }).toBe("true");
+    expect((await picture.evaluate(pictureOf)).covered).toBeGreaterThan(0.05);
+  }
+});
+
 /** How much of a canvas is painted, and in how many tones. */
 function pictureOf(element: Element): { covered: number; tones: number } {
   const canvas = element as HTMLCanvasElement;

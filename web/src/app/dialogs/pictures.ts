@@ -69,7 +69,8 @@ export class Pictures {
       this.#painter = Promise.resolve(null);
       drawStill(outcome.value, canvas, [0.66, 0.8, 0.73]);
     }
-    canvas.dataset.drawn = "true";
+    // What draws gives up without a word once it is at its end: the picture is drawn the next time.
+    if (!this.#ended) canvas.dataset.drawn = "true";
   }
 }
 
