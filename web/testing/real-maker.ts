@@ -24,7 +24,7 @@ export function realMaker({ free = false, took }: Options = {}): {
   readonly maker: MakerClient;
   readonly worker: Worker;
 } {
-  const kit = { init, PasuError, fault: "This could not be made" };
+  const kit = { init, PasuError, fault: "maker-unusable" };
   const paced = (request: Request): Answers[Kind] => {
     const answer = perform(request);
     const quick = took !== undefined && answer !== null && "solid" in answer;

@@ -1,6 +1,6 @@
 /** Curves on the placed surface: isoparametric lines and boundaries from the mesh itself, tangents from the exact derivatives. */
 
-import type { Grid } from "../document/describe";
+import type { Grid } from "../document/facts";
 import type { Placement, Triple } from "../document/types";
 import type { LineArrays } from "./messages";
 

@@ -1,6 +1,6 @@
 /** What the page and the solver's worker say to each other. Everything here survives structured cloning. */
 
-import type { Facts } from "../document/describe";
+import type { Facts } from "../document/facts";
 import type { Conversion, Design, Handles, OrderKind, Shape } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type * as worker from "../worker/port";

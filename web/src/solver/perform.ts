@@ -12,8 +12,8 @@ import {
   mesh,
   parse,
 } from "pasu/drawing";
-import type { Grid } from "../document/describe";
-import { facts } from "../document/describe";
+import type { Grid } from "../document/facts";
+import { facts } from "../document/facts";
 import { SHAPES } from "../document/tables.gen";
 import type { Part, Sent, SentShape } from "../document/types";
 import { type GridSize, wavesOf } from "../document/waves";

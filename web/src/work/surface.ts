@@ -1,13 +1,13 @@
 /** The surface on the stage: asks the solver for the mesh of what the document says, as finely as the hand allows. */
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
-import { describeAccuracy } from "../document/describe";
 import { unitOf } from "../document/look";
 import type { Design, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { MeshArrays, Solved } from "../solver/messages";
 import type { Store } from "../state/store";
+import { describeAccuracy } from "../words/description";
 import type { Outcome } from "../worker/port";
 import { gridFor } from "./grid";
 import { Pace } from "./pace";

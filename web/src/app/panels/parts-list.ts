@@ -11,13 +11,14 @@ import {
   isTaken,
   MAX_NAME,
   movePart,
-  partName,
   renamePart,
   selectParts,
 } from "../../state/scene-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
+import { parts } from "../../words/english/parts";
+import { partName } from "../../words/parts";
 
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
@@ -34,7 +35,7 @@ export class PasuParts extends DesignerElement {
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
     return html`<section aria-labelledby="parts">
-      <h3 id="parts">Parts</h3>
+      <h3 id="parts">${parts.heading}</h3>
       <ul
         role="listbox"
         tabindex="0"
@@ -52,22 +53,20 @@ export class PasuParts extends DesignerElement {
             aria-selected=${id === chosen ? "true" : "false"}
             @click=${() => this.designer.apply(selectParts(id))}
           >
-            ${partName(design.parts, at)}
+            ${partName(at, design.parts[at]?.name)}
           </li>`,
         )}
       </ul>
-      <p id="keys" class="spoken">
-        Arrow keys select, with Alt they move the part up or down. D makes a copy, Delete takes the part away, F2 names it.
-      </p>
+      <p id="keys" class="spoken">${parts.keys}</p>
       <div class="tools">
         <input
           class="field"
           type="text"
-          aria-label="Name of the part"
+          aria-label=${parts.name}
           aria-describedby="taken"
           autocomplete="off"
           maxlength=${MAX_NAME}
-          placeholder="Part ${place + 1}"
+          placeholder=${partName(place, null)}
           .value=${design.parts[place]?.name ?? ""}
           @input=${this.typed}
           @change=${this.named}
@@ -76,10 +75,10 @@ export class PasuParts extends DesignerElement {
             if (event.key === "Enter") this.list.focus();
           }}
         />
-        ${this.button("Move up", "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
-        ${this.button("Move down", "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
-        ${this.button("Duplicate", "copy", false, () => this.copy(chosen))}
-        ${this.button("Delete", "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
+        ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
+        ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
+        ${this.button(parts.duplicate, "copy", false, () => this.copy(chosen))}
+        ${this.button(parts.delete, "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
       </div>
       <p class="problem" id="taken" role="status"></p>
     </section>`;
@@ -122,7 +121,7 @@ export class PasuParts extends DesignerElement {
     const id = ids[part];
     if (id === undefined) return;
     const taken = isTaken(this.designer.state, id, this.name.value);
-    this.say(taken ? "Another part has this name." : "");
+    this.say(taken ? parts.taken : "");
     if (!taken) this.designer.apply(renamePart(this.designer.state, id, this.name.value));
   };
 

@@ -1,17 +1,15 @@
 /** Numbers of the workbench as people read them: lengths, areas, volumes, masses and angles with their units. */
 
-import { formatNumber } from "../number";
-import { UNITS as MILLIMETRES } from "./tables.gen";
-import type { Unit } from "./types";
+import type { Unit } from "../document/types";
+import { millilitres } from "../document/volume";
+import { formatNumber, inOunces } from "../number";
+import { quantities } from "./english/quantities";
 
 /** Digits that a person reads; the error tells how many more are known. */
 const DIGITS = 4;
 
 /** From here on, rounded to whole numbers, the larger unit is shorter. */
 const THOUSAND = 999.5;
-
-/** A space that does not break, between a number and its unit. */
-const GAP = "\u00a0";
 
 /** How a measure is shown: by what it is multiplied, and the unit that it has then. */
 export interface Shown {
@@ -20,26 +18,32 @@ export interface Shown {
 }
 
 export function lengthWords(value: number, unit: Unit, digits = DIGITS): string {
-  return words(value, { factor: 1, unit }, digits);
+  return words(value, lengthShown(unit), digits);
+}
+
+export function lengthShown(unit: Unit): Shown {
+  return { factor: 1, unit: quantities.units[unit] };
+}
+
+/** The same inside a sentence, which may break between number and unit. */
+export function spokenLength(value: number, unit: Unit, digits = DIGITS): string {
+  return quantities.spoken(formatNumber(value, digits), quantities.units[unit]);
 }
 
 export function areaShown(unit: Unit): Shown {
-  return { factor: 1, unit: `${unit}²` };
+  return { factor: 1, unit: quantities.squares[unit] };
 }
 
 export function areaWords(value: number, unit: Unit): string {
   return words(value, areaShown(unit));
 }
 
-/** Millilitres in a volume of this unit's cube. */
-export function millilitres(value: number, unit: Unit): number {
-  return (value * MILLIMETRES[unit] ** 3) / 1000;
-}
-
 /** In ml below a litre, else in l: what jugs are marked with, whatever the unit of the design. */
 export function volumeShown(value: number, unit: Unit): Shown {
   const factor = millilitres(1, unit);
-  return Math.abs(value * factor) < THOUSAND ? { factor, unit: "ml" } : { factor: factor / 1000, unit: "l" };
+  return Math.abs(value * factor) < THOUSAND
+    ? { factor, unit: quantities.millilitres }
+    : { factor: factor / 1000, unit: quantities.litres };
 }
 
 export function volumeWords(value: number, unit: Unit, digits = DIGITS): string {
@@ -48,34 +52,43 @@ export function volumeWords(value: number, unit: Unit, digits = DIGITS): string 
 
 /** From grams. */
 export function massShown(grams: number): Shown {
-  return Math.abs(grams) < THOUSAND ? { factor: 1, unit: "g" } : { factor: 0.001, unit: "kg" };
+  return Math.abs(grams) < THOUSAND
+    ? { factor: 1, unit: quantities.grams }
+    : { factor: 0.001, unit: quantities.kilograms };
 }
 
 /** A number with its unit, which does not leave it at the end of a line. */
 export function words(value: number, { factor, unit }: Shown, digits = DIGITS): string {
-  return `${formatNumber(value * factor, digits)}${GAP}${unit}`;
+  return quantities.measured(formatNumber(value * factor, digits), unit);
 }
 
 export function angleWords(degrees: number): string {
-  return `${formatNumber(Number(degrees.toFixed(1)))}°`;
+  return quantities.angle(formatNumber(Number(degrees.toFixed(1))));
 }
 
 /** An angle inside a sentence that may be read aloud. */
 export function degreesWords(degrees: number): string {
   const rounded = Math.round(degrees);
-  return `${formatNumber(rounded)} ${Math.abs(rounded) === 1 ? "degree" : "degrees"}`;
+  return quantities.degrees(rounded, formatNumber(rounded));
 }
 
+/** "151 US fl oz", or from a pint on in pints. */
+export function ouncesWords(volume: number): string {
+  const { value, unit } = inOunces(volume);
+  return quantities.measured(formatNumber(value, 3), unit === "ounce" ? quantities.ounces : quantities.pints);
+}
+
+const GAP = "\u00a0";
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /** "± 3 × 10⁻¹³", rounded up, because it is a promise; nothing where nothing is known. */
 export function errorWords(error: number): string {
   if (!Number.isFinite(error) || error < 0) return "";
-  if (error === 0) return "exact";
+  if (error === 0) return quantities.exact;
   const power = Math.floor(Math.log10(error));
   const digit = Math.ceil(error / 10 ** power - 1e-9);
   const [shown, exponent] = digit === 10 ? [1, power + 1] : [digit, power];
-  if (exponent >= -3 && exponent <= 2) return `±${GAP}${formatNumber(shown * 10 ** exponent, 1)}`;
+  if (exponent >= -3 && exponent <= 2) return quantities.within(formatNumber(shown * 10 ** exponent, 1));
   const raised = [...String(Math.abs(exponent))].map((each) => SUPERSCRIPT[Number(each)]).join("");
-  return `±${GAP}${shown === 1 ? "" : `${shown}${GAP}×${GAP}`}10${exponent < 0 ? "⁻" : ""}${raised}`;
+  return quantities.within(`${shown === 1 ? "" : `${shown}${GAP}×${GAP}`}10${exponent < 0 ? "⁻" : ""}${raised}`);
 }

@@ -6,6 +6,7 @@ import {
   errorWords,
   lengthWords,
   massShown,
+  ouncesWords,
   volumeWords,
   words,
 } from "./quantities";
@@ -34,4 +35,12 @@ test.each([
   [errorWords(Number.NaN), ""],
 ])("%s", (text, wanted) => {
   expect(plain(text)).toBe(wanted);
+});
+
+test("ounces below a pint, pints from there on", () => {
+  expect([330, 473.176473, 4481].map((each) => plain(ouncesWords(each)))).toEqual([
+    "11.2 US fl oz",
+    "1 US pt",
+    "9.47 US pt",
+  ]);
 });

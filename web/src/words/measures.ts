@@ -1,21 +1,25 @@
 /** Measures as the panel lists them, and what can be said of a pot that holds water. */
 
-import { formatNumber, ouncesWords } from "../number";
+import type { Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "../document/types";
+import { millilitres } from "../document/volume";
+import { formatNumber } from "../number";
+import { measures as said } from "./english/measures";
+import { quantities } from "./english/quantities";
 import {
   angleWords,
   areaShown,
   areaWords,
   errorWords,
+  lengthShown,
   lengthWords,
   massShown,
-  millilitres,
+  ouncesWords,
   type Shown,
   volumeShown,
   volumeWords,
   words,
 } from "./quantities";
-import { asSentence } from "./report-words";
-import type { Capacity, Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "./types";
+import { asSentence } from "./sentence";
 
 /** Areas whose difference nobody can measure are the same. */
 const SAME = 1e-4;
@@ -53,20 +57,20 @@ export function measureGroups(measures: Measures, part: number, unit: Unit, exac
 }
 
 function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): Group {
-  const length: Shown = { factor: 1, unit };
+  const length = lengthShown(unit);
   const size = (name: string, measure: Quantity, note?: string) =>
     quantity(name, measure, length, note, exact ? EXACT_DIGITS : SIZE_DIGITS);
   return {
-    title: "Size",
+    title: said.size,
     lines: [
-      size("Height", height),
+      size(said.height, height),
       ...(isRound(width)
-        ? [size("Width", width.greatest, "the same all round")]
+        ? [size(said.width, width.greatest, said.sameAllRound)]
         : [
-            size("Greatest width", width.greatest, `across, at ${angleWords(width.greatestDirection)}`),
-            size("Least width", width.least, `across, at ${angleWords(width.leastDirection)}`),
+            size(said.greatestWidth, width.greatest, said.across(angleWords(width.greatestDirection))),
+            size(said.leastWidth, width.least, said.across(angleWords(width.leastDirection))),
           ]),
-      quantity("Area of the surface", area, areaShown(unit)),
+      quantity(said.surface, area, areaShown(unit)),
     ],
   };
 }
@@ -78,24 +82,18 @@ function isRound({ greatest, least }: Measures["width"]): boolean {
 
 function held(measures: Measures, unit: Unit): readonly Group[] {
   const { capacity } = measures;
-  if (!capacity) return [{ title: "Capacity", lines: [], reason: emptyReason(measures) }];
+  if (!capacity) return [{ title: said.capacity, lines: [], reason: emptyReason(measures) }];
   const { brim, spill, stopped } = capacity;
+  const notes = [
+    ...(stopped ? [said.stopped] : []),
+    ...(unit === "in" ? [ouncesWords(millilitres(brim.value, unit))] : []),
+  ];
   return [
     {
-      title: "Capacity",
+      title: said.capacity,
       lines: [
-        quantity(
-          "To the brim",
-          brim,
-          volumeShown(brim.value, unit),
-          [
-            stopped ? "with the drain hole stopped" : "",
-            unit === "in" ? ouncesWords(millilitres(brim.value, unit)) : "",
-          ]
-            .filter(Boolean)
-            .join(", ") || undefined,
-        ),
-        quantity("Spills at a height of", aboveFoot(spill.level, measures.bottom), { factor: 1, unit }),
+        quantity(said.brim, brim, volumeShown(brim.value, unit), notes.length > 0 ? said.notes(notes) : undefined),
+        quantity(said.spills, aboveFoot(spill.level, measures.bottom), lengthShown(unit)),
       ],
     },
   ];
@@ -104,18 +102,19 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
 /** Why a design holds nothing. */
 export function emptyReason({ parts }: Measures): string {
   const reasons = parts.map((part) => part.capacityReason ?? part.reason);
-  return asSentence(reasons.find((reason) => reason !== null) ?? "it holds nothing");
+  const reason = reasons.find((each) => each !== null) ?? null;
+  return reason === null ? said.holdsNothing : asSentence(reason);
 }
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
   if (!body) return [];
   return [
     {
-      title: "Clay",
+      title: said.clay,
       lines: [
-        quantity("Volume", body.volume, volumeShown(body.volume.value, unit)),
-        quantity("Mass, fired", body.mass, massShown(body.mass.value)),
-        quantity("Area to glaze, all sides", body.area, areaShown(unit)),
+        quantity(said.volume, body.volume, volumeShown(body.volume.value, unit)),
+        quantity(said.mass, body.mass, massShown(body.mass.value)),
+        quantity(said.glazed, body.area, areaShown(unit)),
       ],
     },
   ];
@@ -131,21 +130,18 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
       name,
       value: lengthWords(z - bottom, unit),
       error: errorWords(at.error),
-      note:
-        off > 1e-6 * Math.abs(z - bottom)
-          ? `above the foot, ${lengthWords(off, unit, 3)} from the axis`
-          : "above the foot",
+      note: off > 1e-6 * Math.abs(z - bottom) ? said.aboveFootOff(lengthWords(off, unit, 3)) : said.aboveFoot,
     });
   };
-  heavy("Centre of mass", centre.empty);
-  heavy("Centre of mass, full", centre.full);
+  heavy(said.centre, centre.empty);
+  heavy(said.centreFull, centre.full);
   if (footprint) {
     const { area, hullArea } = footprint;
     const touching =
       hullArea.value - area.value <= SAME * hullArea.value
-        ? "all of it touches the table"
-        : `of which ${areaWords(area.value, unit)} touch the table`;
-    lines.push(quantity("Footprint", hullArea, areaShown(unit), touching));
+        ? said.allTouches
+        : said.touches(areaWords(area.value, unit));
+    lines.push(quantity(said.footprint, hullArea, areaShown(unit), touching));
   }
   const tips = (name: string, tip: Measures["tipping"]["empty"], heavyAt: { readonly at: Triple } | null) => {
     if (!tip) return;
@@ -153,12 +149,12 @@ function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit):
     const nearest = heavyAt ? (heavyAt.at[2] - bottom) * Math.tan((tip.degrees * Math.PI) / 180) : 0;
     const disc = Math.PI * nearest * nearest;
     const round = footprint !== null && Math.abs(footprint.hullArea.value - disc) <= SAME * disc;
-    const note = round ? "in every direction" : `towards ${angleWords(tip.toward)}`;
+    const note = round ? said.everyWay : said.towards(angleWords(tip.toward));
     lines.push({ name, value: angleWords(tip.degrees), error: errorWords(tip.error), note });
   };
-  tips("Tips when tilted by", tipping.empty, centre.empty);
-  tips("Tips when full, by", tipping.full, centre.full);
-  return lines.length > 0 ? [{ title: "Standing", lines }] : [];
+  tips(said.tips, tipping.empty, centre.empty);
+  tips(said.tipsFull, tipping.full, centre.full);
+  return lines.length > 0 ? [{ title: said.standing, lines }] : [];
 }
 
 function wall(part: PartMeasures, unit: Unit): readonly Group[] {
@@ -169,35 +165,36 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
     const { least, greatest } = thickness;
     const same = formatNumber(least.value, 4) === formatNumber(greatest.value, 4);
     lines.push({
-      name: "Thickness",
-      value: same ? length(least.value) : `${formatNumber(least.value, 4)} to ${length(greatest.value)}`,
+      name: said.thickness,
+      value: same ? length(least.value) : said.range(formatNumber(least.value, 4), length(greatest.value)),
       error: errorWords(Math.max(least.error, greatest.error)),
-      ...(same ? {} : { note: `${length(thickness.asked)} was asked for` }),
+      ...(same ? {} : { note: said.askedFor(length(thickness.asked)) }),
     });
   }
   for (const [name, hangs] of [
-    [overhangInside ? "Largest overhang, outside" : "Largest overhang", overhang],
-    ["Largest overhang, inside", overhangInside],
+    [overhangInside ? said.overhangOutside : said.overhang, overhang],
+    [said.overhangInside, overhangInside],
   ] as const) {
     if (!hangs) continue;
     const { degrees } = hangs;
     const error = errorWords(hangs.error);
     lines.push(
       degrees > 0
-        ? { name, value: angleWords(degrees), error, note: "from upright, where it faces down" }
-        : { name, value: "none", error, note: "nothing faces down" },
+        ? { name, value: angleWords(degrees), error, note: said.fromUpright }
+        : { name, value: said.none, error, note: said.nothingFacesDown },
     );
   }
-  lines.push(...curved("Mean curvature", curvature.mean, `/${unit}`));
-  lines.push(...curved("Gaussian curvature", curvature.gaussian, `/${unit}²`));
-  return [{ title: "Wall", lines }];
+  lines.push(...curved(said.mean, curvature.mean, quantities.bent[unit]));
+  lines.push(...curved(said.gaussian, curvature.gaussian, quantities.bentTwice[unit]));
+  return [{ title: said.wall, lines }];
 }
 
 function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
   const end = (extreme: { readonly value: number } | null, otherwise: string) =>
     extreme ? formatNumber(extreme.value, 4) : otherwise;
   const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));
-  return [{ name, value: `${end(least, "no least")} to ${end(greatest, "no greatest")}\u00a0${unit}`, error }];
+  const range = said.range(end(least, said.noLeast), end(greatest, said.noGreatest));
+  return [{ name, value: quantities.measured(range, unit), error }];
 }
 
 function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {
@@ -213,19 +210,6 @@ function quantity(name: string, { value, error }: Quantity, shown: Shown, note?:
 export function holdsText(measures: Measures, unit: Unit): string {
   const { capacity } = measures;
   if (!capacity) return emptyReason(measures);
-  const stopped = capacity.stopped ? " with its drain hole stopped" : "";
-  return `Holds ${volumeWords(capacity.brim.value, unit, 3)} to the brim${stopped}.`;
-}
-
-/** The heights between which water can stand; null where none can. */
-export function waterRange({ capacity }: Measures): { readonly low: number; readonly high: number } | null {
-  if (!capacity) return null;
-  const [low, high] = [capacity.floor, levelOf(capacity)];
-  return high > low ? { low, high } : null;
-}
-
-/** As high as water can stand, without a doubt: its error is taken off. */
-function levelOf({ spill, floor }: Capacity): number {
-  const { value, error } = spill.level;
-  return Math.max(floor, value - error);
+  const volume = volumeWords(capacity.brim.value, unit, 3);
+  return capacity.stopped ? said.holdsStopped(volume) : said.holds(volume);
 }

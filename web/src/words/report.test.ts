@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import type { Outline } from "./places";
-import { findingWords, madeOf, verdict } from "./report-words";
-import type { Measures, PartMeasures, Report, Triple } from "./types";
+import type { Outline } from "../document/places";
+import type { Measures, PartMeasures, Report, Triple } from "../document/types";
+import { findingWords, madeOf, verdict } from "./report";
 
 const OUTLINE: Outline = [
   [0, 2],

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { fittedWords, remedyWords } from "./remedy-words";
-import type { Wall } from "./types";
+import type { Wall } from "../document/types";
+import { fittedWords, remedyWords } from "./remedies";
 
 const plain: Wall = { thickness: 0.4, base: 0.5 };
 const asked: Wall = { ...plain, foot: [0.45, 0.43], drain: 1 };

@@ -1,6 +1,7 @@
 import { expect, describe as group, test } from "vitest";
+import { type Box, type Facts, facts, type Grid } from "../document/facts";
 import { boundsOf } from "../solver/bounds";
-import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
+import { describe, describeAccuracy } from "./description";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
 function pot(

@@ -1,11 +1,15 @@
 /** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
 
+import { hangingInside, type Outline, placeOf } from "../document/places";
+import { UNITS as MILLIMETRES } from "../document/tables.gen";
+import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "../document/types";
 import { formatNumber } from "../number";
-import { hangingInsideWords, type Outline, placeWords } from "./places";
+import { quantities } from "./english/quantities";
+import { report as said } from "./english/report";
+import { partName } from "./parts";
 import { degreesWords, lengthWords } from "./quantities";
-import { fittedWords } from "./remedy-words";
-import { UNITS as MILLIMETRES } from "./tables.gen";
-import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "./types";
+import { fittedWords } from "./remedies";
+import { asSentence } from "./sentence";
 
 export type Severity = "error" | "warning" | "note" | "good";
 
@@ -76,23 +80,18 @@ export function checked(report: Report, outline: Outline, unit: Unit): readonly 
     }));
   const closed: Sentence = {
     severity: "good",
-    text: "The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+    text: said.closed,
   };
   return report.ok ? [...sentences, closed] : sentences;
 }
 
 /** A finding as a sentence, with the name of its place. */
-export function findingWords({ message, at }: Finding, outline: Outline): string {
-  const sentence = asSentence(message);
+export function findingWords({ code, severity, message, at }: Finding, outline: Outline): string {
+  // A part without a wall is an error by itself, and beside pots left out.
+  const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : asSentence(message);
   if (!at || outline.length < 2) return sentence;
-  const place = placeWords(at, outline);
-  return sentence.includes(place) ? sentence : `${sentence.slice(0, -1)} (${place}).`;
-}
-
-/** A message of the library as a sentence of its own. */
-export function asSentence(message: string): string {
-  const ended = /[.!?]$/.test(message) ? message : `${message}.`;
-  return ended.charAt(0).toUpperCase() + ended.slice(1);
+  const place = whereWords(at, outline);
+  return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
 }
 
 /** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
@@ -100,8 +99,8 @@ function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, un
   const { part, at } = finding;
   const mesh = meshes.find((each) => each.part === part);
   if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline);
-  const share = formatNumber(Math.max(0.1, 100 * mesh.thinned), 2);
-  return `The wall is thinned to ${lengthWords(mesh.thinnest, unit, 3)} ${placeWords(at, outline)}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share}\u00a0% of it is thinner than asked for.`;
+  const share = quantities.percent(formatNumber(Math.max(0.1, 100 * mesh.thinned), 2));
+  return said.thinnedTo(lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline), share);
 }
 
 function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
@@ -115,13 +114,16 @@ function measured(measures: Measures, outline: Outline, unit: Unit, thinned: rea
 function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
   const several = measures.parts.length > 1;
   return measures.parts.flatMap((part) => {
-    const name = several ? `${part.name ?? `Part ${part.part + 1}`}: ` : "";
-    return words(part).map(({ severity, text }) => ({ severity, text: `${name}${text}` }));
+    const name = several ? partName(part.part, part.name) : null;
+    return words(part).map(({ severity, text }) => ({
+      severity,
+      text: name === null ? text : said.ofPart(name, text),
+    }));
   });
 }
 
 function whereWords(at: Triple | null, outline: Outline): string {
-  return at ? placeWords(at, outline) : "in places";
+  return at ? said.places[placeOf(at, outline)] : said.inPlaces;
 }
 
 /** A wall that is too thin to be made where a model unit is so many millimetres. */
@@ -132,7 +134,7 @@ function thinWords({ thickness }: PartMeasures, outline: Outline, millimetres: n
   return [
     {
       severity: "warning",
-      text: `The wall is only ${thin} thick ${whereWords(at, outline)}: too thin for most clay and most printers at this size.`,
+      text: said.tooThin(thin, whereWords(at, outline)),
     },
   ];
 }
@@ -147,10 +149,7 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
     if (part.thickness?.thinned.value && !told) {
-      say(
-        "warning",
-        `The wall is thinned to ${thin} ${where(least.at)}, where the pot bends too tightly for ${lengthWords(asked, unit, 3)}.`,
-      );
+      say("warning", said.thinned(thin, where(least.at), lengthWords(asked, unit, 3)));
     }
   }
   sentences.push(...thinWords(part, outline, MILLIMETRES[unit]));
@@ -161,9 +160,9 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
 /** A printer builds both sides of the wall: the pot prints without support where neither hangs over too far. */
 function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline): readonly Sentence[] {
   const sides = [
-    ...(overhang ? [{ degrees: overhang.degrees, place: placeWords(overhang.at, outline) }] : []),
+    ...(overhang ? [{ degrees: overhang.degrees, place: whereWords(overhang.at, outline) }] : []),
     ...(overhangInside
-      ? [{ degrees: overhangInside.degrees, place: hangingInsideWords(overhangInside.at, outline) }]
+      ? [{ degrees: overhangInside.degrees, place: said.inside[hangingInside(overhangInside.at, outline)] }]
       : []),
   ].sort((a, b) => b.degrees - a.degrees);
   const [steepest] = sides;
@@ -172,29 +171,24 @@ function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline)
   if (hanging.length > 0) {
     return hanging.map(({ degrees, place }) => ({
       severity: "warning",
-      text: `Overhang of ${degreesWords(degrees)} ${place}: a printer needs support there.`,
+      text: said.overhang(degreesWords(degrees), place),
     }));
   }
-  const text =
-    steepest.degrees > 1
-      ? `The steepest overhang is ${degreesWords(steepest.degrees)}, ${steepest.place}: it prints without support.`
-      : "Nothing hangs over: it prints without support.";
+  const text = steepest.degrees > 1 ? said.steepest(degreesWords(steepest.degrees), steepest.place) : said.noOverhang;
   return [{ severity: "good", text }];
 }
 
 function stands({ tipping: { empty, full } }: Measures): readonly Sentence[] {
   if (!empty) return [];
-  const filled = full ? `, and when full by ${degreesWords(full.degrees)}` : "";
   if (empty.degrees === 0) {
-    return [{ severity: "error", text: "It falls over: its weight is not above its foot." }];
+    return [{ severity: "error", text: said.falls }];
   }
   if (full && full.degrees === 0) {
-    return [{ severity: "error", text: `It stands empty, but falls over when it is full.` }];
+    return [{ severity: "error", text: said.fallsFull }];
   }
   const steady = Math.min(empty.degrees, full?.degrees ?? empty.degrees) >= STEADY_DEGREES;
-  return [
-    steady
-      ? { severity: "good", text: `It stands: empty it tips when tilted by ${degreesWords(empty.degrees)}${filled}.` }
-      : { severity: "warning", text: `It tips easily: empty when tilted by ${degreesWords(empty.degrees)}${filled}.` },
-  ];
+  const by = degreesWords(empty.degrees);
+  const [alone, both] = steady ? [said.stands, said.standsFull] : [said.tips, said.tipsFull];
+  const text = full ? both(by, degreesWords(full.degrees)) : alone(by);
+  return [{ severity: steady ? "good" : "warning", text }];
 }

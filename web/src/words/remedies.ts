@@ -1,8 +1,9 @@
 /** What is different of a wall that would make a pot, in words for a button; and of one that was fitted, as a sentence. */
 
+import { DEFAULTS } from "../document/tables.gen";
+import type { Finding, Unit, Wall } from "../document/types";
+import { report } from "./english/report";
 import { lengthWords } from "./quantities";
-import { DEFAULTS } from "./tables.gen";
-import type { Finding, Unit, Wall } from "./types";
 
 /** Digits of the lengths that the solver proposes. */
 const DIGITS = 2;
@@ -20,10 +21,10 @@ export function fittedWords({ code, remedy }: Finding, unit: Unit): string | nul
   const length = (value: number) => lengthWords(value, unit, DIGITS);
   if (code === FITTED_FOOT && foot) {
     const [width, height] = foot;
-    return `There is no room for the foot ring that was asked for: it is made ${length(width)} wide and ${length(height)} high.`;
+    return report.fittedFoot(length(width), length(height));
   }
   if (code === FITTED_DRAIN && drain) {
-    return `There is no room for the drain that was asked for: it is made ${length(drain)} wide.`;
+    return report.fittedDrain(length(drain));
   }
   return null;
 }
@@ -31,20 +32,21 @@ export function fittedWords({ code, remedy }: Finding, unit: Unit): string | nul
 /** "Make it with a ring 3 mm wide and 2 mm high" */
 export function remedyWords(asked: Wall, wall: Wall, unit: Unit): string {
   const length = (value: number) => lengthWords(value, unit, DIGITS);
+  const said = report.remedies;
   const changes: string[] = [];
   if ((wall.side ?? DEFAULTS.side) !== (asked.side ?? DEFAULTS.side)) {
-    changes.push(wall.side === "outside" ? "the clay laid outwards" : "the clay laid inwards");
+    changes.push(wall.side === "outside" ? said.outwards : said.inwards);
   }
-  if (wall.thickness !== asked.thickness) changes.push(`a wall of ${length(wall.thickness)}`);
-  if (wall.base !== asked.base) changes.push(`a base of ${length(wall.base)}`);
-  if ((wall.rim ?? DEFAULTS.rim) !== (asked.rim ?? DEFAULTS.rim)) changes.push("a flat rim");
+  if (wall.thickness !== asked.thickness) changes.push(said.wall(length(wall.thickness)));
+  if (wall.base !== asked.base) changes.push(said.base(length(wall.base)));
+  if ((wall.rim ?? DEFAULTS.rim) !== (asked.rim ?? DEFAULTS.rim)) changes.push(said.flatRim);
   if (wall.foot) {
     const [width, height] = wall.foot;
     if (width !== asked.foot?.[0] || height !== asked.foot[1]) {
-      changes.push(`a ring ${length(width)} wide and ${length(height)} high`);
+      changes.push(said.ring(length(width), length(height)));
     }
-  } else if (asked.foot) changes.push("no ring");
+  } else if (asked.foot) changes.push(said.noRing);
   if ((wall.drain ?? 0) !== (asked.drain ?? 0))
-    changes.push(wall.drain ? `a drain of ${length(wall.drain)}` : "no drain");
-  return `Make it with ${changes.join(" and ")}`;
+    changes.push(wall.drain ? said.drain(length(wall.drain)) : said.noDrain);
+  return said.make(changes);
 }

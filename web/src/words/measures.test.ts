@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
-import { holdsText, measureGroups, waterRange } from "./measure-words";
-import type { Measures } from "./types";
+import type { Measures } from "../document/types";
+import { waterRange } from "../document/water";
+import { holdsText, measureGroups } from "./measures";
 
 const q = (value: number, error = 1e-12) => ({ value, error });
 

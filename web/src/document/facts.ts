@@ -1,8 +1,7 @@
-/** The shape in words: what someone who cannot see the pot should know about it. */
+/** What there is to say of a shape to someone who cannot see it. */
 
-import { formatNumber } from "../number";
 import { type Extents, extentsOf } from "./extents";
-import type { Triple, Unit } from "./types";
+import type { Triple } from "./types";
 
 /** The vertices of one part as a grid, row by row from `u = 0` to `u = 1`. */
 export interface Grid {
@@ -13,7 +12,7 @@ export interface Grid {
   readonly columns: number;
 }
 
-/** What the description is made of; lengths in model units. */
+/** What a description is made of; lengths in model units. */
 export interface Facts {
   readonly parts: number;
   readonly height: number;
@@ -38,21 +37,6 @@ export interface Facts {
 
 /** A ripple smaller than this share of the mean radius (or of the height) is not spoken of. */
 const VISIBLE = 0.015;
-const NUMBER_WORDS = [
-  "no",
-  "one",
-  "two",
-  "three",
-  "four",
-  "five",
-  "six",
-  "seven",
-  "eight",
-  "nine",
-  "ten",
-  "eleven",
-  "twelve",
-];
 
 interface Ring {
   readonly radii: readonly number[];
@@ -179,52 +163,4 @@ function isClosed(grid: Grid): boolean {
     }
   }
   return true;
-}
-
-/** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." */
-export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents = shape.extents): string {
-  const size = `${length(height)} ${unit} high and ${length(greatest.width)} ${unit} wide`;
-  const clauses = [`${capital(noun(shape, greatest.width))} ${size}`, `widest ${place(shape.widestAt)}`];
-  const marks: string[] = [];
-  if (shape.petals === 2) marks.push(`an oval ${shape.petalsAt}`);
-  if (shape.petals > 2) marks.push(`${shape.petals} petals${shape.petalsAt === "foot" ? " at the foot" : ""}`);
-  if (shape.waves === 1) marks.push("a slanting rim");
-  if (shape.waves === 2) marks.push("a saddle-shaped rim");
-  if (shape.waves > 2) marks.push(`${shape.waves} waves in the rim`);
-  if (marks.length > 0) clauses.push(`with ${marks.join(" and ")}`);
-  const open = shape.closed ? "" : " The wall does not close.";
-  const parts = shape.parts > 1 ? ` It is made of ${NUMBER_WORDS[shape.parts] ?? shape.parts} parts.` : "";
-  return `${clauses.join(", ")}.${open}${parts}`;
-}
-
-/** How far the picture's triangles may be from the surface, in words; rounded up, because it is a promise. */
-export function describeAccuracy(bound: number, unit: Unit): string {
-  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
-  const promised = bound > 0 ? Math.ceil(bound / place) * place : 0;
-  return `Drawn to within ${formatNumber(promised, 2)} ${unit} of the true surface.`;
-}
-
-function noun(shape: Facts, across: number): string {
-  const slenderness = across > 0 ? shape.height / across : 1;
-  if (slenderness < 0.3) return "a plate";
-  if (slenderness < 0.85 && shape.mouth > 0.7) return "a bowl";
-  if (shape.mouth < 0.45 && slenderness > 1.2) return "a bottle";
-  if (slenderness < 1.35 && shape.mouth < 0.85) return "a jar";
-  return "a vase";
-}
-
-function place(at: number): string {
-  if (at > 0.93) return "at the rim";
-  if (at > 0.62) return "at the shoulder";
-  if (at > 0.38) return "in the middle";
-  if (at > 0.07) return "low down";
-  return "at the foot";
-}
-
-function length(value: number): string {
-  return formatNumber(value, 3);
-}
-
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
