@@ -1,15 +1,15 @@
 import { afterEach, expect, test } from "vitest";
-import { decimal, ENGLISH, grouped, isolated, listed, phrases, plural, speak } from "./language";
+import { decimal, either, ENGLISH, grouped, isolated, listed, phrases, plural, speak } from "./language";
 
 const german = { ...ENGLISH, tag: "de" };
 
 afterEach(() => speak(ENGLISH));
 
 test("numbers, counts and lists are those of the language", () => {
-  const said = () => [decimal(-1234.5678, 6), grouped(1234567), listed(["a", "b", "c"])];
-  expect(said()).toEqual(["−1234.57", "1,234,567", "a, b, and c"]);
+  const said = () => [decimal(-1234.5678, 6), grouped(1234567), listed(["a", "b", "c"]), either(["a", "b"])];
+  expect(said()).toEqual(["−1234.57", "1,234,567", "a, b, and c", "a or b"]);
   speak(german);
-  expect(said()).toEqual(["−1234,57", "1.234.567", "a, b und c"]);
+  expect(said()).toEqual(["−1234,57", "1.234.567", "a, b und c", "a oder b"]);
   // Digits that can be typed again.
   speak({ ...ENGLISH, tag: "ar" });
   expect(decimal(12.5, 6)).toMatch(/^12.5$/);

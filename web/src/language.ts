@@ -70,6 +70,11 @@ export function listed(items: readonly string[]): string {
   return once("list", () => new Intl.ListFormat(current.tag, { type: "conjunction" })).format(items);
 }
 
+/** "a, b, or c" */
+export function either(items: readonly string[]): string {
+  return once("either", () => new Intl.ListFormat(current.tag, { type: "disjunction" })).format(items);
+}
+
 /** Writing from right to left, and marks that turn the direction of what follows them. */
 const TURNS =
   /[\u0590-\u08ff\u200e\u200f\u202a-\u202e\u2066-\u2069\ufb1d-\ufdff\ufe70-\ufefc]|[\u{10800}-\u{10fff}\u{1e800}-\u{1efff}]/u;

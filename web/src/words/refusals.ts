@@ -6,7 +6,7 @@
 import { getPath, type Path, pathOf, pathText } from "../document/path";
 import { familyOf } from "../document/schema";
 import type { Design, Refusal } from "../document/types";
-import { isolated, listed } from "../language";
+import { either, isolated, listed } from "../language";
 import { formatNumber } from "../number";
 import { refusals } from "./english/refusals";
 import { fieldWords } from "./parameters";
@@ -22,7 +22,9 @@ export function whyWords(refusal: Refusal): string {
 /** The whole sentence. `design` is what was refused, where the page has it. */
 export function refusalWords(refusal: Refusal, design: Design | null = null): string {
   const why = whyWords(refusal);
-  const subjects = subjectsOf(pathOf(refusal.path), design);
+  const path = pathOf(refusal.path);
+  // What is not known there is named by the sentence itself.
+  const subjects = subjectsOf(refusal.code === "unknown-field" ? path.slice(0, -1) : path, design);
   return subjects.length === 0 ? why : refusals.of(refusals.within(subjects), why);
 }
 
@@ -34,7 +36,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "unknown-name": (refusal) =>
     expected(
       refusal,
-      wordsOf(refusal, (words) => refusals.oneOf(listed(words))),
+      wordsOf(refusal, either),
     ),
   "unknown-field": (refusal) => {
     const found = textOf(refusal, "found");
@@ -105,7 +107,8 @@ function subjectsOf(path: Path, design: Design | null): readonly string[] {
   const told = design?.parts.length === 1 ? [] : [whole];
   const [kind, ...inside] = rest;
   if (kind === undefined) return told;
-  if (kind !== "shape") return [...told, fieldOf(String(kind))];
+  if (kind !== "shape")
+    return [...told, fieldOf(String(kind)), ...(inside.length > 0 ? [refusals.field(pathText(inside))] : [])];
   return [...told, ...numberOfShape(inside, part?.shape)];
 }
 

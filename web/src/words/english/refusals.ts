@@ -34,7 +34,6 @@ export const refusals = phrases("refusals", {
   not: (number: string) => `a number other than ${number}`,
   hasToBe: (expected: string) => `It has to be ${expected}.`,
   hasToBeNot: (expected: string, found: string) => `It has to be ${expected}, and is ${found}.`,
-  oneOf: (words: string) => `one of ${words}`,
   quoted: (text: string) => `“${text}”`,
   unknownField: (found: string, words: string) => `“${found}” is nothing that is known here. What is known: ${words}.`,
   missing: "It is missing.",
