@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from "vitest";
-import { decimal, either, ENGLISH, grouped, isolated, listed, phrases, plural, speak } from "./language";
+import { decimal, ENGLISH, either, grouped, isolated, listed, phrases, plural, speak } from "./language";
 
 const german = { ...ENGLISH, tag: "de" };
 

@@ -7,6 +7,7 @@ import { looksOf, unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { base } from "../ui/styles";
 import { page } from "../words/english/page";
+import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
 import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
@@ -105,7 +106,7 @@ export class PasuStage extends DesignerElement {
       this.stage = new Stage(this.host, {
         theme: this.theme(),
         reducedMotion: this.reduced.matches,
-        unit: unitOf(this.designer.store.design),
+        lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
         onContextLost: () => {
           this.mode = "lost";
         },
@@ -192,7 +193,7 @@ export class PasuStage extends DesignerElement {
     }
     if (!stage) return;
     stage.theme(this.theme());
-    stage.unit(unitOf(design));
+    stage.lengths(LENGTH_LABELS[unitOf(design)]);
     this.display();
     stage.measure(designer.extents);
     stage.overlays(session.overlays);

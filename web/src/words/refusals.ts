@@ -33,11 +33,7 @@ type Statement = (refusal: Refusal) => string | null;
 /** Null where what the refusal names is not enough for a sentence of the page's own. */
 const STATEMENTS: Readonly<Record<string, Statement>> = {
   "out-of-range": (refusal) => expected(refusal, rangeOf(refusal)),
-  "unknown-name": (refusal) =>
-    expected(
-      refusal,
-      wordsOf(refusal, either),
-    ),
+  "unknown-name": (refusal) => expected(refusal, wordsOf(refusal, either)),
   "unknown-field": (refusal) => {
     const found = textOf(refusal, "found");
     return found && wordsOf(refusal, (words) => refusals.unknownField(isolated(found), listed(words)));

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { lengthText } from "./length";
+import { lengthLabel } from "./length";
 
 it("writes lengths in three digits with their unit", () => {
   for (const [length, text] of [
@@ -16,7 +16,7 @@ it("writes lengths in three digits with their unit", () => {
     [-1.5, "−1.5 cm"],
     [Number.NaN, "– cm"],
   ] as const) {
-    expect(lengthText(length, "cm")).toBe(text);
+    expect(lengthLabel(length, "cm")).toBe(text);
   }
-  expect(lengthText(2, "in")).toBe("2 in");
+  expect(lengthLabel(2, "in")).toBe("2 in");
 });
