@@ -13,7 +13,7 @@ const DRAWING =
   /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
 /** What is said before anything is opened: the rest of the words comes with what says it. */
 const WORDS =
-  /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|sentence|typed))\.ts/;
+  /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
 
 export default defineConfig({
   base: "./",

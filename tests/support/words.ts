@@ -5,12 +5,21 @@ import type { Visit } from "./visit.ts";
 /** The address of the page in English whose every letter is changed: see `web/src/words/pseudo.ts`. */
 export const PSEUDO = "?lang=en-XA";
 
+/** What the library says in sentences of its own, the words of the format, and what is quoted. */
+const EXCUSED = [
+  "This link is damaged or cut short \\([^)]*\\); copy it once more, from its first to its last letter\\.",
+  "This is neither a design nor a link to one: .*; a link looks like .*\\.",
+  "This part has no wall: expected one with thickness and base to make it a pot, or the solid as product\\.",
+  "second-order, mixed-order, fourth-order, bloor-wilson, or boundary-value",
+  "“[^”]*”",
+];
+
 /**
- * Every text, name, tip and description that a person meets and that has a plain letter, with where it is. Excused are only symbols of equations, which are the same everywhere, and places in the
- * document, which are code.
+ * Every text, name, tip and description that a person meets and that has a plain letter, with where it is. Excused are only symbols of equations, which are the same everywhere, places in the
+ * document, which are code, what is quoted (“so”), and the sentences of the library that the page has no words for.
  */
 export async function unmarked(pot: Visit): Promise<string[]> {
-  return await pot.page.evaluate(() => {
+  return await pot.page.evaluate((excused) => {
     const NAMES = [
       "aria-label",
       "aria-valuetext",
@@ -24,7 +33,8 @@ export async function unmarked(pot: Visit): Promise<string[]> {
     const found: string[] = [];
     const where = (element: Element) => `${element.localName}.${element.className}`;
     const judge = (text: string | null, element: Element, of: string) => {
-      if (text && /[a-z]/i.test(text)) found.push(`${where(element)} ${of}: ${text.trim()}`);
+      const own = excused.reduce((rest, pattern) => rest.replace(new RegExp(pattern, "g"), ""), text ?? "");
+      if (/[a-z]/i.test(own)) found.push(`${where(element)} ${of}: ${own.trim()}`);
     };
     const isSymbol = (element: Element) =>
       element.closest("code") !== null ||
@@ -48,7 +58,7 @@ export async function unmarked(pot: Visit): Promise<string[]> {
     walk(document.body);
     judge(document.title, document.body, "is titled");
     return [...new Set(found)];
-  });
+  }, EXCUSED);
 }
 
 /** How many texts there are, so that a page without any is no good page. */

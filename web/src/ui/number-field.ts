@@ -98,7 +98,7 @@ export class PasuNumber extends LitElement {
             aria-label=${name}
             .value=${text}
             aria-valuenow=${this.value}
-            aria-valuetext=${this.told(text)}
+            aria-valuetext=${this.draft ?? this.told(text)}
             aria-invalid=${message === "" ? "false" : "true"}
             aria-describedby=${described === "" ? nothing : described}
             @input=${this.typedInto}
@@ -116,7 +116,7 @@ export class PasuNumber extends LitElement {
                 class="slider"
                 type="range"
                 aria-label=${name}
-                aria-valuetext=${this.told(text)}
+                aria-valuetext=${this.draft ?? this.told(text)}
                 min=${this.range.low}
                 max=${this.range.high}
                 step="any"

@@ -19,7 +19,7 @@ import {
   volumeWords,
   words,
 } from "./quantities";
-import { asSentence } from "./sentence";
+import { libraryWords } from "./refusals";
 
 /** Areas whose difference nobody can measure are the same. */
 const SAME = 1e-4;
@@ -103,7 +103,7 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
 export function emptyReason({ parts }: Measures): string {
   const reasons = parts.map((part) => part.capacityReason ?? part.reason);
   const reason = reasons.find((each) => each !== null) ?? null;
-  return reason === null ? said.holdsNothing : asSentence(reason);
+  return reason === null ? said.holdsNothing : libraryWords(reason);
 }
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {

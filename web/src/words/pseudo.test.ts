@@ -18,3 +18,8 @@ test("lists, groups and what functions say are changed alike", () => {
   expect(words.list).toEqual(["⟦ç⟧"]);
   expect(words.say("jar", 3)).toEqual({ text: "⟦ĵåŕ 3⟧" });
 });
+
+test("words that a function is given stay as they came: they have to be of the catalogue by themselves", () => {
+  const { joined } = markedAll({ joined: (all: readonly string[], last: string) => `${all.join(", ")} and ${last}` });
+  expect(joined(["cm", "⟦åŕéå⟧", "hard-coded"], "last")).toBe("⟦çɱ, ⟦åŕéå⟧, hard-coded åñð last⟧");
+});

@@ -21,10 +21,38 @@ export function markedAll<T>(words: T): T {
 
 function change(value: unknown): unknown {
   if (typeof value === "string") return marked(value);
-  if (typeof value === "function") return (...given: readonly unknown[]) => change(value(...given));
+  if (typeof value === "function") return (...given: readonly unknown[]) => said(value as Say, given);
   if (Array.isArray(value)) return value.map(change);
   if (typeof value !== "object" || value === null) return value;
   return Object.fromEntries(Object.entries(value).map(([key, each]) => [key, change(each)]));
+}
+
+type Say = (...given: readonly unknown[]) => unknown;
+
+/** So many letters are a word, and no sign of a unit or of an equation. */
+const WORD = /[a-z]{4}/i;
+
+/** Signs that no text has, in the place of what a function is given while what it says is changed. */
+const FIRST_SIGN = 0xe000;
+
+/** What a function says: its own words are changed, and those that it was given stay as they came, so that it hides none that are not from the catalogue. */
+function said(say: Say, given: readonly unknown[]): unknown {
+  const kept: string[] = [];
+  const hidden = (value: unknown): unknown => {
+    if (Array.isArray(value)) return value.map(hidden);
+    if (typeof value !== "string" || !WORD.test(value)) return value;
+    kept.push(value);
+    return String.fromCharCode(FIRST_SIGN + kept.length - 1);
+  };
+  return shown(change(say(...given.map(hidden))), kept);
+}
+
+function shown(value: unknown, kept: readonly string[]): unknown {
+  if (typeof value === "string")
+    return value.replace(/[\ue000-\uf8ff]/g, (sign) => kept[sign.charCodeAt(0) - FIRST_SIGN] ?? sign);
+  if (Array.isArray(value)) return value.map((each) => shown(each, kept));
+  if (typeof value !== "object" || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, each]) => [key, shown(each, kept)]));
 }
 
 const known = new WeakMap<object, unknown>();

@@ -129,7 +129,6 @@ test("every code of the library has words or is known to speak in the library's"
       "damaged-link",
       "tolerance-too-fine",
       "no-such-point",
-      "no-wall",
       "open-surface",
       "pinched-surface",
       "crosses-itself",

@@ -11,12 +11,17 @@ import { formatNumber } from "../number";
 import { refusals } from "./english/refusals";
 import { fieldWords } from "./parameters";
 import { partName } from "./parts";
-import { asSentence } from "./sentence";
 
 /** Why, where the place already says of what. */
 export function whyWords(refusal: Refusal): string {
   const own = STATEMENTS[refusal.code]?.(refusal) ?? null;
-  return own ?? refusals.general[refusal.code] ?? refusals.library(asSentence(refusal.message));
+  return own ?? refusals.general[refusal.code] ?? libraryWords(refusal.message);
+}
+
+/** What the library says, where all that is known of it is its sentence. */
+export function libraryWords(message: string): string {
+  const ended = /[.!?]$/.test(message) ? message : `${message}.`;
+  return refusals.library(ended.charAt(0).toUpperCase() + ended.slice(1));
 }
 
 /** The whole sentence. `design` is what was refused, where the page has it. */
@@ -45,6 +50,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     if (refusal.args?.rows !== undefined) return refusals.tooManyPoints;
     return found !== null && greatest !== null ? refusals.tooMany(found, greatest) : null;
   },
+  "no-wall": () => refusals.noWall,
   overflow: () => refusals.overflow,
   "resonant-problem": () => refusals.resonant,
   "file-too-large": (refusal) => refusals.fileTooLarge(named(refusal)),

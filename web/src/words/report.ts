@@ -8,8 +8,8 @@ import { quantities } from "./english/quantities";
 import { report as said } from "./english/report";
 import { partName } from "./parts";
 import { degreesWords, lengthWords } from "./quantities";
+import { libraryWords, whyWords } from "./refusals";
 import { fittedWords } from "./remedies";
-import { asSentence } from "./sentence";
 
 export type Severity = "error" | "warning" | "note" | "good";
 
@@ -88,7 +88,7 @@ export function checked(report: Report, outline: Outline, unit: Unit): readonly 
 /** A finding as a sentence, with the name of its place. */
 export function findingWords({ code, severity, message, at }: Finding, outline: Outline): string {
   // A part without a wall is an error by itself, and beside pots left out.
-  const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : asSentence(message);
+  const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : whyWords({ code, path: "", message });
   if (!at || outline.length < 2) return sentence;
   const place = whereWords(at, outline);
   return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
@@ -143,7 +143,7 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
   const sentences: Sentence[] = [];
   const say = (severity: Severity, text: string) => sentences.push({ severity, text });
   const where = (at: Triple | null) => whereWords(at, outline);
-  if (!part.isPot && part.reason) say("error", asSentence(part.reason));
+  if (!part.isPot && part.reason) say("error", libraryWords(part.reason));
   const { thickness } = part;
   if (thickness) {
     const { least, asked } = thickness;

@@ -40,6 +40,7 @@ export const refusals = phrases("refusals", {
   notFinite: "It has to be a number that can be computed with.",
   tooMany: (found: string, greatest: string) => `There are ${found}; at most ${greatest} are possible.`,
   tooManyPoints: "It has so many waves that drawing it would take more points than can be drawn.",
+  noWall: "This part has no wall. With one it is a pot.",
   overflow: "Its numbers grow so large that they cannot be computed. Smaller ones can.",
   resonant:
     "The equation swings between foot and rim by itself, so that the edges do not decide the surface. Change a weight of the equation or the number of waves a little.",
