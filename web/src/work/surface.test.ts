@@ -31,10 +31,12 @@ async function begun(): Promise<() => void> {
 }
 
 const drag = (height: number) => store.apply({ design: tall(store.design, height), undo: "merge", key: "height" });
+/** What was asked for last, as the solver was told. */
 const options = () => {
   const { ask } = worker.last;
-  if (ask.kind !== "solve") throw new Error(`asked for a ${ask.kind}`);
-  return ask.options;
+  if (ask.kind !== "parts") throw new Error(`asked for a ${ask.kind}`);
+  const section = ask.parts.find((part) => part.section)?.place ?? null;
+  return { settle: ask.whole !== null, section, lines: ask.parts.some(({ mesh }) => mesh?.lines) };
 };
 
 test("nothing is solved before it is decided what is shown, and then at once", async () => {
