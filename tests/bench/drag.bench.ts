@@ -155,7 +155,9 @@ async function watchPassages(pot: Visit): Promise<void> {
       if (gl) finish(gl);
       const drawn = now();
       const { designer } = document.querySelector("pasu-app") as unknown as {
-        designer: { surface: { shown: { solved: { parts: { mesh: { ware: { rows: number; columns: number } } }[] } } } };
+        designer: {
+          surface: { shown: { solved: { parts: { mesh: { ware: { rows: number; columns: number } } }[] } } };
+        };
       };
       const { rows, columns } = designer.surface.shown.solved.parts[0]?.mesh.ware ?? { rows: 0, columns: 0 };
       const at = (name: string) => moments.get(name) ?? Number.NaN;

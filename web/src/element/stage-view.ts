@@ -6,7 +6,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
-import { selectParts } from "../state/scene-actions";
+import { selectParts } from "../state/seen-actions";
 import { base } from "../ui/styles";
 import type { Compared } from "../work/comparison";
 import { UNFETCHED } from "../work/notices";
@@ -117,8 +117,8 @@ export class PasuStage extends DesignerElement {
           this.mode = "live";
         },
         onTap: (part) => {
-          const { apply, store } = this.designer;
-          if (store.ids.length > 1) apply.call(this.designer, selectParts(Number(part)));
+          const { designer } = this;
+          if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
         },
         onDrawn: () => {
           if (this.drawn) trace("drawn", this.drawn.change);

@@ -1,6 +1,7 @@
 /** The pot without WebGL2: triangles painted from back to front into a plain 2D canvas, with one soft light. */
 
-import { type Matrix, placedAll, placedNormals } from "../document/placement";
+import { placedNormals } from "../document/placed-normals";
+import { type Matrix, placedAll } from "../document/placement";
 import type { PartMesh } from "../solver/messages";
 
 /** Turned a little and seen from above, like the stage's three-quarter view. */

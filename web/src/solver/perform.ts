@@ -14,7 +14,8 @@ import {
   parse,
 } from "pasu/drawing";
 import { bodyOf, type Grid, isClosed } from "../document/body";
-import { matrixOf, placedAll, placedNormals } from "../document/placement";
+import { placedNormals } from "../document/placed-normals";
+import { matrixOf, placedAll } from "../document/placement";
 import { SHAPES } from "../document/tables.gen";
 import type { Sent, SentShape, Shape } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";

@@ -10,24 +10,6 @@ const NOTHING: Change = { undo: "none" };
 /** Longer names than titles may be are of no use in a list. */
 export const MAX_NAME = 60;
 
-export function selectParts(...selection: readonly PartId[]): Change {
-  return { undo: "none", session: { selection } };
-}
-
-/** Hides a part, or shows it again. It stays in the design, in its measures and in its files. */
-export function togglePart({ session }: State, id: PartId): Change {
-  const { hidden } = session;
-  return {
-    undo: "none",
-    session: { hidden: hidden.includes(id) ? hidden.filter((each) => each !== id) : [...hidden, id] },
-  };
-}
-
-/** How many parts of the design are hidden. */
-export function hiddenParts({ ids, session }: Pick<State, "ids" | "session">): number {
-  return ids.filter((id) => session.hidden.includes(id)).length;
-}
-
 /** What a part is called: its name, or its place. */
 export function partName(parts: readonly Part[], place: number): string {
   return parts[place]?.name ?? `Part ${place + 1}`;

@@ -5,7 +5,7 @@ import { realSolver } from "../../testing/real-solver";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
 import { selectTab, toggleOverlay } from "../state/actions";
-import { selectParts } from "../state/scene-actions";
+import { selectParts } from "../state/seen-actions";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { type Companion, Surface } from "./surface";

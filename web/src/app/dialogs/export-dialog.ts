@@ -26,6 +26,7 @@ import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { base, buttons, fields } from "../../ui/styles";
 import { fileName, saveBlob } from "../../work/files";
+import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { exportStyles } from "./export-styles";
 
@@ -103,6 +104,7 @@ export class PasuExport extends DesignerElement {
           (format) => this.choose({}, { format }),
         )}
         <p class="hint">${formatNote(this.format).note} ${opensAgain(this.format)}</p>
+        ${hiddenNote(this.designer)}
       </div>
       ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
       <div class="row">
