@@ -4,7 +4,7 @@
  */
 
 import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
-import type { Outcome } from "../worker/port";
+import type { Outcome, Told } from "../worker/port";
 import type {
   Answers,
   Ask,
@@ -132,7 +132,8 @@ export class SolverClient {
     return port;
   }
 
-  #receive(reply: Reply): void {
+  #receive(reply: Reply | Told): void {
+    if ("done" in reply) return;
     const sent = this.#sent.get(reply.id);
     if (!sent) return;
     if (!reply.ok && reply.broken) {
