@@ -14,7 +14,7 @@ const WHEEL_RATE = 0.0015;
 /** A pinch on a trackpad arrives as a wheel with the control key and in much smaller numbers. */
 const PINCH_WHEEL_RATE = 0.01;
 /** A hand that moves no farther than this did not mean to. */
-const STILL = 4;
+const STILL = 6;
 const PIXELS_PER_LINE = 16;
 const PIXELS_PER_PAGE = 400;
 

@@ -1,5 +1,6 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design, Part, Shape } from "../document/types";
+import type { Told } from "../worker/port";
 import { SolverClient } from "./client";
 import type { Desk, SolveOptions } from "./desk";
 import type { PartMesh, Reply, Request, SentMesh, SentParts, SolverPort } from "./messages";
@@ -8,7 +9,7 @@ class FakePort implements SolverPort {
   readonly sent: Request[] = [];
   readonly transferred: Transferable[][] = [];
   stopped = false;
-  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onmessage: ((event: MessageEvent<Reply | Told>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
   postMessage(message: Request, transfer: Transferable[]): void {
     this.sent.push(message);

@@ -4,7 +4,7 @@
  */
 
 import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
-import type { Outcome } from "../worker/port";
+import type { Outcome, Told } from "../worker/port";
 import { askOf, Desk, type Desktop, meshWanted, type Task } from "./desk";
 import type { Ask, Parsed, PartsAsk, Reply, SentAnswers, SentMesh, SentParts, SolverPort, Used } from "./messages";
 import { nextRevision, placedParts, type Solved, type SolvedParts } from "./solved";
@@ -181,7 +181,8 @@ export class SolverClient implements Desktop {
     return port;
   }
 
-  #receive(reply: Reply): void {
+  #receive(reply: Reply | Told): void {
+    if ("done" in reply) return;
     const sent = this.#sent.get(reply.id);
     if (!sent) return;
     if (!reply.ok && reply.broken) {

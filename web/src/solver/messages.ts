@@ -41,7 +41,7 @@ export interface Spare {
 }
 
 /** What is known of a part from its mesh. */
-export interface Told {
+export interface PartFacts {
   /** The points (xyz, before placement) that tell how far it reaches. */
   readonly reach: Float32Array;
   /** What it fills before placement. */
@@ -132,7 +132,7 @@ export interface Times {
 export interface SentPart {
   readonly id: PartId;
   readonly mesh: SentMesh | null;
-  readonly told: Told | null;
+  readonly told: PartFacts | null;
   readonly lines: PartLines | null;
   readonly section: Section | null;
 }

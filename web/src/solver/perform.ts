@@ -33,7 +33,7 @@ import type {
   SentPart,
   SentParts,
   Spare,
-  Told,
+  PartFacts,
   WholeAsk,
 } from "./messages";
 import { reachOf } from "./reach";
@@ -123,7 +123,7 @@ function meshed(
   spare: Spare | null,
   here: Set<string>,
   spent: Spent,
-): { readonly mesh: SentMesh; readonly told: Told; readonly grid: Grid } {
+): { readonly mesh: SentMesh; readonly told: PartFacts; readonly grid: Grid } {
   const begun = now();
   const guess = [...here].at(-1);
   // A longer array would do, but a grid that became coarse is not to hold the memory of a fine one.

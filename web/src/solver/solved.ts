@@ -7,7 +7,7 @@ import type { Design } from "../document/types";
 import type { PartId } from "../state/parts";
 import { type Bounds, boundsOfParts } from "./bounds";
 import { placedLines } from "./lines";
-import type { LineArrays, PartLines, PartMesh, Section, Times, Told } from "./messages";
+import type { LineArrays, PartLines, PartMesh, Section, Times, PartFacts } from "./messages";
 
 /** A part of a solved design. The same revision is the same mesh. */
 export interface SolvedPart {
@@ -49,7 +49,7 @@ export interface PartAnswer {
   readonly id: PartId;
   readonly revision: number;
   readonly mesh: PartMesh;
-  readonly told: Told;
+  readonly told: PartFacts;
   readonly lines: PartLines | null;
 }
 
