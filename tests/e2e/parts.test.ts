@@ -209,7 +209,7 @@ test("a part that is hidden is not drawn and not found, and stays in the design,
   await pot.tab("Measures");
   await pot.page.locator("pasu-measures").getByText("One part is hidden.").waitFor();
   await pot.command("Export");
-  await pot.dialog("Export").getByText("One part is hidden.").waitFor();
+  await pot.page.locator("pasu-export").getByText("One part is hidden.").waitFor();
   await keyboard.press("Escape");
   // It is the session's alone: a design that is opened again has nothing hidden.
   await pot.page.reload();

@@ -25,6 +25,7 @@ import type {
   Ask,
   MeshWanted,
   PartAsk,
+  PartFacts,
   PartsAsk,
   Request,
   Section,
@@ -33,7 +34,6 @@ import type {
   SentPart,
   SentParts,
   Spare,
-  PartFacts,
   WholeAsk,
 } from "./messages";
 import { reachOf } from "./reach";

@@ -7,7 +7,7 @@ import type { Design } from "../document/types";
 import type { PartId } from "../state/parts";
 import { type Bounds, boundsOfParts } from "./bounds";
 import { placedLines } from "./lines";
-import type { LineArrays, PartLines, PartMesh, Section, Times, PartFacts } from "./messages";
+import type { LineArrays, PartFacts, PartLines, PartMesh, Section, Times } from "./messages";
 
 /** A part of a solved design. The same revision is the same mesh. */
 export interface SolvedPart {
