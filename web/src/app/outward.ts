@@ -2,6 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { isolated } from "../language";
+import { verticesOf } from "../solver/solved";
 import { page } from "../words/english/page";
 import type { Designer } from "../work/designer";
 
@@ -21,7 +22,7 @@ export function outward(designer: Designer, app: HTMLElement): () => void {
       const { settled, shown, status } = surface;
       app.dataset.state = status === "starting" ? "solving" : status;
       app.dataset.fingerprint = settled?.solved.fingerprint ?? "";
-      app.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
+      app.dataset.vertices = String(shown ? verticesOf(shown.solved.parts) : 0);
     }),
   ];
   return () => {

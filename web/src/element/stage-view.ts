@@ -3,8 +3,10 @@
 import { effect } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import { looksOf, unitOf } from "../document/look";
+import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
+import type { PartId } from "../state/parts";
+import { selectParts } from "../state/seen-actions";
 import { base } from "../ui/styles";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
@@ -13,6 +15,7 @@ import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
 import { DesignerElement } from "./designer-element";
 import type { StageMade } from "./stage-made";
+import { stageModel } from "./stage-model";
 import { VIEWS, ZOOM } from "./views";
 
 const TURN = Math.PI / 18;
@@ -30,6 +33,7 @@ export class PasuStage extends DesignerElement {
   @query(".still") private readonly still!: HTMLCanvasElement | null;
   private stage: Stage | null = null;
   private drawn: Shown | null = null;
+  private hiding: readonly PartId[] = [];
   private compared: Compared | null = null;
   private said = "";
   private made: StageMade | null = null;
@@ -113,6 +117,10 @@ export class PasuStage extends DesignerElement {
         onContextRestored: () => {
           this.mode = "live";
         },
+        onTap: (part) => {
+          const { designer } = this;
+          if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
+        },
         onDrawn: () => {
           if (this.drawn) trace("drawn", this.drawn.change);
         },
@@ -188,8 +196,9 @@ export class PasuStage extends DesignerElement {
     const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (designer.surface.shown !== this.drawn) void this.drawStill();
+      if (designer.surface.shown !== this.drawn || session.hidden !== this.hiding) void this.drawStill();
       this.drawn = designer.surface.shown;
+      this.hiding = session.hidden;
     }
     if (!stage) return;
     stage.theme(this.theme());
@@ -202,7 +211,7 @@ export class PasuStage extends DesignerElement {
     if (comparison !== this.compared) {
       this.compared = comparison;
       if (comparison) void import("./stage-captions");
-      stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
+      stage.compare(comparison && stageModel(comparison.design, comparison.solved));
     }
   }
 
@@ -222,10 +231,16 @@ export class PasuStage extends DesignerElement {
   private display(): void {
     const { designer, stage } = this;
     const { shown } = designer.surface;
-    if (!stage || !shown || shown === this.drawn) return;
+    const { hidden } = designer.store.session;
+    if (!stage || !shown || (shown === this.drawn && hidden === this.hiding)) return;
+    const another = shown !== this.drawn;
     this.drawn = shown;
-    const before = stage.show(shown.solved.mesh, looksOf(shown.design));
-    if (before) designer.surface.recycle(before);
+    this.hiding = hidden;
+    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, hidden)));
+    if (!another) {
+      this.made?.update();
+      return;
+    }
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
     stage.measure(designer.extents);
@@ -266,7 +281,9 @@ export class PasuStage extends DesignerElement {
     const ratio = Math.min(2, devicePixelRatio || 1);
     canvas.width = Math.round(canvas.clientWidth * ratio);
     canvas.height = Math.round(canvas.clientHeight * ratio);
-    drawStill(shown.solved.mesh, canvas, this.theme() === "dark" ? [0.62, 0.78, 0.71] : [0.66, 0.8, 0.73]);
+    const { hidden } = this.designer.store.session;
+    const seen = shown.solved.parts.filter(({ id }) => !hidden.includes(id));
+    drawStill(seen, canvas, this.theme() === "dark" ? [0.62, 0.78, 0.71] : [0.66, 0.8, 0.73]);
   }
 
   private readonly key = (event: KeyboardEvent): void => {

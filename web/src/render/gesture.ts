@@ -3,6 +3,8 @@ export interface GestureTarget {
   orbit(dx: number, dy: number): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number): void;
+  /** The first button, a pen or one finger came down and went up again at about the same place of the window. */
+  tap(x: number, y: number): void;
   /** A gesture has begun or ended: pictures may be coarser in between. */
   gesture(active: boolean): void;
 }
@@ -11,6 +13,8 @@ export interface GestureTarget {
 const WHEEL_RATE = 0.0015;
 /** A pinch on a trackpad arrives as a wheel with the control key and in much smaller numbers. */
 const PINCH_WHEEL_RATE = 0.01;
+/** A hand that moves no farther than this did not mean to. */
+const STILL = 6;
 const PIXELS_PER_LINE = 16;
 const PIXELS_PER_PAGE = 400;
 
@@ -21,6 +25,8 @@ const PIXELS_PER_PAGE = 400;
 export class Gesture {
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private moves = false;
+  /** Where a touch came down that may turn out to be a tap. */
+  private tapped: { readonly x: number; readonly y: number } | null = null;
   private readonly listeners = new AbortController();
 
   constructor(
@@ -48,8 +54,9 @@ export class Gesture {
     if (this.pointers.size >= 2 || this.pointers.has(event.pointerId)) return;
     if (this.pointers.size === 0) {
       this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
+      this.tapped = this.moves ? null : { x: event.clientX, y: event.clientY };
       this.target.gesture(true);
-    }
+    } else this.tapped = null;
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     try {
       this.surface.setPointerCapture(event.pointerId);
@@ -61,6 +68,9 @@ export class Gesture {
   private readonly move = (event: PointerEvent): void => {
     const pointer = this.pointers.get(event.pointerId);
     if (!pointer) return;
+    if (this.tapped && Math.hypot(event.clientX - this.tapped.x, event.clientY - this.tapped.y) > STILL) {
+      this.tapped = null;
+    }
     const before = this.spread();
     const dx = event.clientX - pointer.x;
     const dy = event.clientY - pointer.y;
@@ -82,7 +92,11 @@ export class Gesture {
     if (!this.pointers.delete(event.pointerId)) return;
     // The finger that stays goes on turning, not moving.
     this.moves = false;
-    if (this.pointers.size === 0) this.target.gesture(false);
+    if (this.pointers.size > 0) return;
+    this.target.gesture(false);
+    const { tapped } = this;
+    this.tapped = null;
+    if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY);
   };
 
   private readonly wheel = (event: WheelEvent): void => {

@@ -31,6 +31,7 @@ import { refusalWords } from "../../words/refusals";
 import { checked, madeOf, type Sentence } from "../../words/report";
 import { opensAgain, problemWords, sizesOf } from "../../words/saving";
 import { fileName, saveBlob } from "../../work/files";
+import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { exportStyles } from "./export-styles";
 
@@ -52,6 +53,9 @@ export class PasuExport extends DesignerElement {
   @state() private report: Report | null = null;
   @state() private refusal: Refusal | null = null;
   @state() private saving = false;
+  /** How far the file is, and how far the check: from 0 to 1; null before anything is known of it. */
+  @state() private written: number | null = null;
+  @state() private looked: number | null = null;
   @state() private failure = "";
   /** What the report is of, or the one that is under way; empty when there is neither. */
   private asked = "";
@@ -103,6 +107,7 @@ export class PasuExport extends DesignerElement {
           (format) => this.choose({}, { format }),
         )}
         <p class="hint">${words.notes(words.formats[this.format].note, opensAgain(this.format))}</p>
+        ${hiddenNote(this.designer)}
       </div>
       ${choices(words.made, this.products(), chosen.product, (product) => this.choose({ product }))}
       <div class="row">
@@ -136,7 +141,7 @@ export class PasuExport extends DesignerElement {
       ${this.outcome(making)}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
-        ${this.saving ? html`<span>${words.writing}</span><span class="track"></span>` : this.brief(making)}
+        ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
       </div>
       <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
         ${this.saving ? words.stop : words.cancel}
@@ -204,7 +209,11 @@ export class PasuExport extends DesignerElement {
         ${report ? this.fineness(report, making, measures) : nothing}
       </dl>
       <div role="status">
-        ${report ? sentences(this.verdict(report, making, measures)) : html`<p class="wait">${page.checking}</p>`}
+        ${
+          report
+            ? sentences(this.verdict(report, making, measures))
+            : html`<div class="wait">${page.checking}${track(page.checking, this.looked)}</div>`
+        }
       </div>
     </section>`;
   }
@@ -324,7 +333,10 @@ export class PasuExport extends DesignerElement {
     if (asked === "") return;
     this.asked = asked;
     const making = JSON.parse(asked) as Making;
-    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING);
+    this.looked = null;
+    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING, (done) => {
+      this.looked = done;
+    });
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     if (outcome.state === "done") this.report = outcome.value;
@@ -337,8 +349,11 @@ export class PasuExport extends DesignerElement {
     const maker = designer.made?.maker;
     if (!maker) return;
     this.saving = true;
+    this.written = null;
     this.failure = "";
-    const outcome = await maker.ask({ kind: "write", design, format, making });
+    const outcome = await maker.ask({ kind: "write", design, format, making }, "write", (done) => {
+      this.written = done;
+    });
     this.saving = false;
     if (this.ended || outcome.state === "superseded") return;
     if (outcome.state === "refused") {
@@ -362,6 +377,11 @@ export class PasuExport extends DesignerElement {
   };
 
   static override readonly styles = [base, buttons, fields, choiceStyles, sentenceStyles, exportStyles];
+}
+
+/** How far something is; as long as nothing is known of it, that it goes on. */
+function track(label: string, done: number | null) {
+  return html`<progress class="track" aria-label=${label} max="1" value=${done ?? nothing}></progress>`;
 }
 
 declare global {

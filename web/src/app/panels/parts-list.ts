@@ -5,20 +5,14 @@ import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { DesignerElement } from "../../element/designer-element";
 import type { PartId } from "../../state/parts";
-import {
-  deletePart,
-  duplicatePart,
-  isTaken,
-  MAX_NAME,
-  movePart,
-  renamePart,
-  selectParts,
-} from "../../state/scene-actions";
+import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "../../state/scene-actions";
+import { selectParts, togglePart } from "../../state/seen-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { parts } from "../../words/english/parts";
 import { partName } from "../../words/parts";
+import { hiddenNote } from "../hidden-note";
 
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
@@ -31,7 +25,7 @@ export class PasuParts extends DesignerElement {
   private followed: PartId | undefined;
 
   override render() {
-    const { design, ids, part: place } = this.designer.store;
+    const { design, ids, part: place, session } = this.designer.store;
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
     return html`<section aria-labelledby="parts">
@@ -51,9 +45,13 @@ export class PasuParts extends DesignerElement {
             role="option"
             id="part-${id}"
             aria-selected=${id === chosen ? "true" : "false"}
+            ?data-hidden=${session.hidden.includes(id)}
             @click=${() => this.designer.apply(selectParts(id))}
           >
-            ${partName(at, design.parts[at]?.name)}
+            <span
+              >${partName(at, design.parts[at]?.name)}${session.hidden.includes(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}</span
+            >
+            ${this.eye(id, session.hidden.includes(id))}
           </li>`,
         )}
       </ul>
@@ -75,12 +73,18 @@ export class PasuParts extends DesignerElement {
             if (event.key === "Enter") this.list.focus();
           }}
         />
+        ${
+          session.hidden.includes(chosen)
+            ? this.button(parts.show, "hidden", false, () => togglePart(this.designer.state, chosen))
+            : this.button(parts.hide, "seen", false, () => togglePart(this.designer.state, chosen))
+        }
         ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
         ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
         ${this.button(parts.duplicate, "copy", false, () => this.copy(chosen))}
         ${this.button(parts.delete, "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
       </div>
       <p class="problem" id="taken" role="status"></p>
+      ${hiddenNote(this.designer)}
     </section>`;
   }
 
@@ -95,6 +99,15 @@ export class PasuParts extends DesignerElement {
     const { scrollTop } = this.list;
     if (top < scrollTop) this.list.scrollTop = top;
     else if (top + option.offsetHeight > scrollTop + height) this.list.scrollTop = top + option.offsetHeight - height;
+  }
+
+  /** For pointers: an option of a list can hold nothing that takes the focus, and the keyboard has H. */
+  private eye(id: PartId, hidden: boolean) {
+    const press = (event: Event) => {
+      event.stopPropagation();
+      this.designer.apply(togglePart(this.designer.state, id));
+    };
+    return html`<span class="eye" title=${hidden ? parts.show : parts.hide} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
   }
 
   private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
@@ -173,6 +186,9 @@ export class PasuParts extends DesignerElement {
       case "d":
       case "D":
         return this.copy(id);
+      case "h":
+      case "H":
+        return togglePart(state, id);
       case "F2":
         return "name";
       default:
@@ -204,11 +220,30 @@ export class PasuParts extends DesignerElement {
       }
       li {
         display: grid;
+        grid-template-columns: 1fr auto;
         align-items: center;
         min-height: var(--touch);
-        padding: 4px 12px;
+        padding: 0 0 0 12px;
         overflow-wrap: anywhere;
         cursor: pointer;
+      }
+      li[data-hidden] {
+        color: var(--soft);
+      }
+      .eye {
+        display: grid;
+        place-items: center;
+        align-self: stretch;
+        width: var(--touch);
+        color: var(--soft);
+      }
+      .eye:hover {
+        color: var(--ink);
+      }
+      .hint {
+        padding-top: 6px;
+        color: var(--soft);
+        font-size: 0.88rem;
       }
       li:hover {
         background: var(--well);

@@ -1,6 +1,6 @@
 /** The page around the pot: its bar, its tabs, the stage, and what is said for a moment. */
 
-import { phrases } from "../../language";
+import { phrases, plural } from "../../language";
 import type { Overlays, Tab, ThemeChoice } from "../../state/session";
 
 export const page = phrases("page", {
@@ -27,6 +27,9 @@ export const page = phrases("page", {
   /** The pot that a new visitor sees. */
   firstPot: "Shoulder jar",
   part: (number: number) => `Part ${number}`,
+  /** Where somebody might take hidden parts for parts that are gone. */
+  hidden: (count: number) =>
+    `${plural(count, { one: "One part is hidden.", other: `${count} parts are hidden.` })} What is hidden is still part of the design, of its measures and of its files.`,
   title: "Title",
   edited: "Edited",
   editedMeans: "Changed since it was opened or saved",
