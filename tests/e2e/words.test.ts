@@ -173,6 +173,8 @@ test("what goes wrong is said in the words of the catalogue", { timeout: 400_000
   }
   await page.button("Copy link").click();
   await pot.page.locator(".toast").waitFor();
+  // Whoever is given the link has a language of their own.
+  expect(await pot.page.evaluate(() => navigator.clipboard.readText())).not.toContain("lang");
   await page.check("a notice");
   await page.type("Height", "5");
   await pot.fingerprintOtherThan(first);
@@ -211,6 +213,9 @@ test("several parts, free boundary data and a pot that cannot be made are told f
   const scene = await pot.fingerprintOtherThan(first);
   await pot.page.getByRole("listbox").waitFor();
   await page.check("the parts");
+  await page.button("Hide").click();
+  await pot.page.locator("pasu-parts [data-hidden]").waitFor();
+  await page.check("a hidden part");
   await page.tab("Wall");
   await page.button("Make it a pot").click();
   await page.type("Thickness", "3");

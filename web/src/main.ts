@@ -20,7 +20,7 @@ function start(): void {
   document.documentElement.lang = spokenTag();
   const designer = new Designer(new SolverClient(startWorker), {
     shelf: browserShelf(),
-    address: () => location.href.replace(/#.*$/s, ""),
+    address,
     fragment: () => (location.hash.length > 1 ? location.hash : ""),
     writeFragment: (link) => {
       try {
@@ -39,4 +39,11 @@ function start(): void {
   void designer.opening.start();
   window.addEventListener("hashchange", () => void designer.opening.addressChanged());
   registerOffline(() => designer.notices.announceNewVersion(), pictured(app));
+}
+
+/** Without the design, and without the language that this person asked for: whoever is given the address has their own. */
+function address(): string {
+  const here = new URL(location.href);
+  if (here.searchParams.has("lang")) here.searchParams.delete("lang");
+  return here.href.replace(/#.*$/s, "");
 }

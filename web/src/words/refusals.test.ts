@@ -92,7 +92,7 @@ test("waves in free boundary data are told by their equation and how many they a
     args: { n: 3 },
   };
   expect(refusalWords(refusal, { pasu: 1, parts: [{ shape: free }] } as unknown as Design)).toMatch(
-    /^equation of x, wave 3: The equation swings/,
+    /^Equation of x, wave 3: The equation swings/,
   );
 });
 

@@ -3,6 +3,7 @@
 import { hangingInside, type Outline, placeOf } from "../document/places";
 import { UNITS as MILLIMETRES } from "../document/tables.gen";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "../document/types";
+import { isolated } from "../language";
 import { formatNumber } from "../number";
 import { quantities } from "./english/quantities";
 import { report as said } from "./english/report";
@@ -114,7 +115,7 @@ function measured(measures: Measures, outline: Outline, unit: Unit, thinned: rea
 function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
   const several = measures.parts.length > 1;
   return measures.parts.flatMap((part) => {
-    const name = several ? partName(part.part, part.name) : null;
+    const name = several ? isolated(partName(part.part, part.name)) : null;
     return words(part).map(({ severity, text }) => ({
       severity,
       text: name === null ? text : said.ofPart(name, text),

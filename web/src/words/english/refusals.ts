@@ -11,7 +11,7 @@ const range = (least: string | null, greatest: string | null) =>
 
 export const refusals = phrases("refusals", {
   /** What it is about, and the sentence. */
-  of: (subject: string, sentence: string) => `${subject}: ${sentence}`,
+  of: (subject: string, sentence: string) => `${subject.charAt(0).toUpperCase()}${subject.slice(1)}: ${sentence}`,
   /** From the large to the small: a part, a number of it. */
   within: (subjects: readonly string[]) => subjects.join(", "),
   fields: { title: "Title", unit: "Unit", name: "Name", place: "Place", wall: "Wall", look: "Glaze and clay" },
