@@ -11,6 +11,9 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const folderOf = (module: string | null) => module?.split("/").at(-2);
 const DRAWING =
   /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
+/** What is said before anything is opened: the rest of the words comes with what says it. */
+const WORDS =
+  /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
 
 export default defineConfig({
   base: "./",
@@ -48,6 +51,7 @@ export default defineConfig({
           groups: [
             // What draws, in one piece: the parts that are fetched later share it.
             { name: "tableau", test: DRAWING },
+            { name: "words", test: WORDS },
             { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
           ],
         },
