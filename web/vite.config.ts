@@ -5,10 +5,11 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { offline } from "./build/offline.ts";
+import { aliases, workers } from "./build/pasu-package.ts";
+import { potOnSite } from "./build/pot.ts";
 import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-const folderOf = (module: string | null) => module?.split("/").at(-2);
 const DRAWING =
   /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
 
@@ -17,20 +18,9 @@ export default defineConfig({
   // A path that does not exist is an honest 404, in development and preview as on a static host.
   appType: "mpa",
   clearScreen: false,
-  resolve: {
-    alias: {
-      "pasu/drawing": here("../crates/pasu-wasm/pkg/drawing.js"),
-      pasu: here("../crates/pasu-wasm/pkg/pasu.js"),
-    },
-  },
+  resolve: { alias: aliases },
   server: { fs: { allow: [here("..")] } },
-  worker: {
-    format: "es",
-    // A worker is called like its folder, by which web/weight.json knows it.
-    rolldownOptions: {
-      output: { entryFileNames: (chunk) => `assets/${folderOf(chunk.facadeModuleId) ?? "[name]"}-[hash].js` },
-    },
-  },
+  worker: workers,
   build: {
     target: "es2022",
     outDir: "dist",
@@ -56,6 +46,7 @@ export default defineConfig({
   },
   plugins: [
     contentSecurityPolicy(),
+    potOnSite(),
     preload({ renderer: here("src/render/stage.ts") }),
     offline({ worker: here("src/sw/worker.ts") }),
   ],

@@ -16,6 +16,18 @@ interface Face {
   readonly corners: readonly number[];
 }
 
+/** What the clay looks like without light from everywhere. */
+const COLOURS: Readonly<Record<"light" | "dark", Rgb>> = { light: [0.66, 0.8, 0.73], dark: [0.62, 0.78, 0.71] };
+const MOST_PIXELS_PER_PIXEL = 2;
+
+/** Draws the mesh to fill the canvas as large as it is on the page. */
+export function paintStill(mesh: MeshArrays, canvas: HTMLCanvasElement, theme: "light" | "dark"): void {
+  const ratio = Math.min(MOST_PIXELS_PER_PIXEL, devicePixelRatio || 1);
+  canvas.width = Math.round(canvas.clientWidth * ratio);
+  canvas.height = Math.round(canvas.clientHeight * ratio);
+  drawStill(mesh, canvas, COLOURS[theme]);
+}
+
 /** Draws the mesh to fill the canvas; the canvas keeps its size in pixels. */
 export function drawStill(mesh: MeshArrays, canvas: HTMLCanvasElement, colour: Rgb): void {
   const context = canvas.getContext("2d");
