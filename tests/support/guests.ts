@@ -182,15 +182,21 @@ function watchCounts(): void {
       count.workers.add(this);
     }
   };
-  document.addEventListener("load", ({ target }) => {
-    if (target instanceof HTMLElement && target.localName === "pasu-pot") count.loads += 1;
-  }, true);
+  document.addEventListener(
+    "load",
+    ({ target }) => {
+      if (target instanceof HTMLElement && target.localName === "pasu-pot") count.loads += 1;
+    },
+    true,
+  );
 }
 
 export async function counted({ page }: Guest): Promise<Count> {
   return await page.evaluate(() => {
     const { contexts, workers, loads } = (
-      globalThis as unknown as { pasuCount: { contexts: Set<WebGL2RenderingContext>; workers: Set<Worker>; loads: number } }
+      globalThis as unknown as {
+        pasuCount: { contexts: Set<WebGL2RenderingContext>; workers: Set<Worker>; loads: number };
+      }
     ).pasuCount;
     return { contexts: [...contexts].filter((gl) => !gl.isContextLost()).length, workers: workers.size, loads };
   });
@@ -199,7 +205,9 @@ export async function counted({ page }: Guest): Promise<Count> {
 /** Waits until so many pots are on the screen. */
 export async function loaded({ page }: Pick<Guest, "page">, pots = 1): Promise<void> {
   await page.waitForFunction(
-    (many) => [...document.querySelectorAll("pasu-pot")].filter((pot) => (pot as { loaded?: boolean } & Element).loaded).length >= many,
+    (many) =>
+      [...document.querySelectorAll("pasu-pot")].filter((pot) => (pot as { loaded?: boolean } & Element).loaded)
+        .length >= many,
     pots,
   );
 }

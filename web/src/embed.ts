@@ -8,7 +8,8 @@ const TOLD = ["alt", "camera-orbit", "auto-rotate", "controls", "ui", "theme"];
 const pot = new PasuPotElement();
 // The frame is as near the screen as its page decided.
 pot.setAttribute("loading", "eager");
-for (const [name, value] of new URLSearchParams(location.search)) if (TOLD.includes(name)) pot.setAttribute(name, value);
+for (const [name, value] of new URLSearchParams(location.search))
+  if (TOLD.includes(name)) pot.setAttribute(name, value);
 const follow = () => pot.setAttribute("src", location.hash);
 window.addEventListener("hashchange", follow);
 follow();

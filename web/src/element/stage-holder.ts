@@ -30,7 +30,7 @@ export class StageHolder implements ReactiveController {
   readonly #reduced = matchMedia(REDUCED);
   readonly #dark = matchMedia(DARK);
   /** The stage that is being fetched: one that nobody waits for any more is not put up. */
-  #opening: object | null = null;
+  #opening: Promise<void> | null = null;
 
   constructor(element: ReactiveControllerHost & HTMLElement, needs: StageNeeds) {
     this.#element = element;
@@ -57,31 +57,35 @@ export class StageHolder implements ReactiveController {
     });
   }
 
-  /** Fetches the stage and puts it up, unless it is there. */
-  async open(): Promise<void> {
-    if (this.stage || this.#opening) return;
-    const mine = {};
-    this.#opening = mine;
+  /** Fetches the stage and puts it up, unless it is there; then the mode is known. */
+  open(): Promise<void> {
+    if (this.stage || this.mode === "still") return Promise.resolve();
+    this.#opening ??= this.#open();
+    return this.#opening;
+  }
+
+  async #open(): Promise<void> {
+    const fetched = await import("../render/stage").catch(() => null);
+    const opening = this.#opening;
+    if (!opening || this.stage) return;
+    this.#opening = null;
+    if (!fetched?.Stage.supported()) {
+      this.#become("still");
+      return;
+    }
     try {
-      const { Stage } = await import("../render/stage");
-      if (this.#opening !== mine) return;
-      if (!Stage.supported()) {
-        this.#become("still");
-        return;
-      }
-      this.stage = new Stage(this.#needs.host(), {
+      this.stage = new fetched.Stage(this.#needs.host(), {
         ...this.#needs.options(),
         reducedMotion: this.#reduced.matches,
         onContextLost: () => this.#become("lost"),
         onContextRestored: () => this.#become("live"),
       });
-      this.#become("live");
-      this.#needs.opened();
     } catch {
       this.#become("still");
-    } finally {
-      if (this.#opening === mine) this.#opening = null;
+      return;
     }
+    this.#become("live");
+    this.#needs.opened();
   }
 
   /** Gives back what the stage holds of the graphics card. */

@@ -11,9 +11,9 @@ import { UNFETCHED } from "../work/notices";
 import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
 import { DesignerElement } from "./designer-element";
-import type { StageMade } from "./stage-made";
 import { StageHolder } from "./stage-holder";
 import { stageKey } from "./stage-keys";
+import type { StageMade } from "./stage-made";
 
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;

@@ -7,11 +7,11 @@ import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
 import type { MeshArrays } from "../../solver/messages";
 import { base } from "../../ui/styles";
-import { gridFor } from "../../work/grid";
+import { COARSEST, gridFor } from "../../work/grid";
 import { StageHolder } from "../stage-holder";
 import { stageKey } from "../stage-keys";
-import { familyIn, namesIn, shownFields } from "./controls";
 import type { Contract, PotChange, PotOrbit, PotPicture, PotProblem } from "./contract";
+import { familyIn, namesIn, shownFields } from "./controls";
 import { type Orbit, orbitOf, orbitText, USUAL } from "./orbit";
 import { potStyles } from "./pot-styles";
 import { type SolverShare, shareSolver } from "./shared-solver";
@@ -229,7 +229,8 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** Brings a design to the screen; false when something newer came. */
   private async solve(next: Shown, fineness: number, signal: AbortSignal): Promise<boolean> {
-    const { rows, columns } = gridFor(next.design, fineness);
+    await this.holder.open();
+    const { rows, columns } = gridFor(next.design, this.holder.mode === "still" ? COARSEST : fineness);
     const outcome = await this.solver.mesh(this.lane, next.design, rows, columns);
     if (signal.aborted || outcome.state === "superseded") return false;
     if (outcome.state === "refused") throw outcome.refusal;
