@@ -171,7 +171,14 @@ test("one finger scrolls, two turn and pinch", async () => {
   await touch("touchEnd");
   await expect.poll(() => there.evaluate(() => scrollY)).toBeGreaterThan(100);
   expect(await orbit(there)).toBe(before);
-  await there.evaluate(() => scrollTo(0, 0));
+  // What was thrown goes on for a while.
+  const rest = () =>
+    there.evaluate(async () => {
+      scrollTo(0, 0);
+      for (let i = 0; i < 6; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+      return scrollY;
+    });
+  await expect.poll(rest).toBe(0);
   await touch("touchStart", [150, 300]);
   await touch("touchStart", [150, 300], [250, 300]);
   for (let by = 10; by <= 100; by += 10) await touch("touchMove", [150 + by, 300], [250 + by, 300]);

@@ -28,7 +28,7 @@ export class PasuPotSliders extends LitElement {
   @property({ attribute: false }) fields: readonly Field[] = [];
   /** The solver's objection to the design. */
   @property({ attribute: false }) problem: Refusal | null = null;
-  hand: Hand | null = null;
+  @property({ attribute: false }) hand: Hand | null = null;
 
   override render() {
     const { design } = this;
