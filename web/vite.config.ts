@@ -6,7 +6,7 @@ import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { offline } from "./build/offline.ts";
 import { aliases, workers } from "./build/pasu-package.ts";
-import { potOnSite } from "./build/pot.ts";
+import { potFolder, potOnSite } from "./build/pot.ts";
 import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -21,6 +21,8 @@ export default defineConfig({
   resolve: { alias: aliases },
   server: { fs: { allow: [here("..")] } },
   worker: workers,
+  // Where pages of other people find the element.
+  define: { __PASU_POT__: JSON.stringify(potFolder()) },
   build: {
     target: "es2022",
     outDir: "dist",

@@ -24,6 +24,8 @@ const FILE_ITEMS: readonly Item[] = [
   { command: "picture", label: "Picture", icon: "picture" },
 ];
 
+const EMBED: Item = { command: "embed", label: "Embed", icon: "embed" };
+
 const THEME_NAMES: Readonly<Record<ThemeChoice, string>> = {
   auto: "Colours follow the system",
   light: "Light colours",
@@ -68,6 +70,7 @@ export class PasuTopBar extends DesignerElement {
         <button class="button primary" type="button" aria-label="Copy link" @click=${() => this.ask("link")}>
           ${icon("link")}<span class="text">Copy link</span>
         </button>
+        <span class="wide">${this.bare(EMBED)}</span>
         ${sharing ? html`<span class="wide">${this.bare({ command: "share", label: "Share", icon: "share" })}</span>` : nothing}
       </div>
       <div class="wide page">
@@ -75,6 +78,7 @@ export class PasuTopBar extends DesignerElement {
       </div>
       <pasu-menu class="narrow" label="More" icon="more" bare once>
         ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
+        ${this.item(EMBED)}
         ${sharing ? this.item({ command: "share", label: "Share", icon: "share" }) : nothing} ${this.theme(false)}
         ${this.item({ command: "help", label: "Help", icon: "help" })}
       </pasu-menu>
