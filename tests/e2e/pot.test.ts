@@ -148,7 +148,7 @@ test("the wheel scrolls the page, and zooms with the control key or once the pot
 });
 
 test("one finger scrolls, two turn and pinch", async () => {
-  const style = "body { height: 3000px; margin: 0 } pasu-pot { display: grid; width: 100%; height: 500px }";
+  const style = "body { height: 3000px; margin: 0 } pasu-pot { display: block; width: 100%; height: 500px }";
   const guest = await here.open(page('<pasu-pot src="#1/second-order"></pasu-pot>', style), {
     viewport: { width: 390, height: 700 },
     isMobile: true,

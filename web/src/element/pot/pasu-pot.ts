@@ -405,6 +405,7 @@ export class PasuPotElement extends LitElement implements Contract {
     const label = this.alt || this.shown?.design.title || WORDS.pot;
     return html`
       <span class="probe" aria-hidden="true"></span>
+      <div class="frame">
       <div class="view" part="view">
         <div
           class="stage"
@@ -430,6 +431,7 @@ export class PasuPotElement extends LitElement implements Contract {
         ${this.message()}
       </div>
       ${this.sliders()}
+      </div>
     `;
   }
 

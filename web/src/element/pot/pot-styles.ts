@@ -5,8 +5,7 @@ import { css } from "lit";
 export const potStyles = css`
   :host {
     position: relative;
-    display: inline-grid;
-    grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
+    display: inline-block;
     width: 300px;
     height: 300px;
     overflow: hidden;
@@ -54,8 +53,15 @@ export const potStyles = css`
     visibility: hidden;
     color: light-dark(#fff, #000);
   }
+  .frame {
+    position: absolute;
+    inset: 0;
+    display: flex;
+    flex-direction: column;
+  }
   .view {
     position: relative;
+    flex: 1 1 0;
     min-height: 0;
     background: var(--poster-color, var(--paper));
   }
@@ -158,7 +164,8 @@ export const potStyles = css`
     pointer-events: auto;
   }
   .sliders {
-    max-height: 46cqh;
+    flex: 0 0 auto;
+    max-height: 46%;
     overflow: auto;
   }
   .printed {
