@@ -19,6 +19,8 @@ const LINK = "#1/second-order";
 /** What the software that stands in for a GPU draws is not the point here: a small stage. */
 const SMALL: VisitOptions = { link: LINK, viewport: { width: 860, height: 480 } };
 
+const SMALL_PARTS: VisitOptions = { ...SMALL, before: watchPassages };
+
 /** One change; times in milliseconds. */
 interface Passage {
   /** From the event to the question put to the worker: controls, document. */
@@ -53,6 +55,7 @@ test("drag", async () => {
   try {
     const passages = await measured(browser, site.url);
     for (const size of SIZES) tell(size, passages);
+    await among(browser, site.url);
     await frames(browser, site.url);
   } finally {
     await browser.close();
@@ -73,6 +76,60 @@ async function measured(browser: Browser, url: string): Promise<ReadonlyMap<numb
   }
   await pot.leave();
   return passages;
+}
+
+/** So many pots stand beside the one that is dragged. */
+const OTHERS = 19;
+const AMONG = 128;
+
+/** The way of a change of one part among many, beside that of the same part alone, in turns. */
+async function among(browser: Browser, url: string): Promise<void> {
+  const [alone, many] = [await visit(browser, url, SMALL_PARTS), await visit(browser, url, SMALL_PARTS)];
+  for (const [pot, count] of [
+    [alone, 1],
+    [many, OTHERS + 1],
+  ] as const) {
+    const first = await pot.fingerprint();
+    await pot.dropFile("row.json", JSON.stringify(rowOf(count)));
+    await pot.fingerprintOtherThan(first);
+  }
+  const passages: [Passage[], Passage[]] = [[], []];
+  for (let turn = 0; turn < TURNS; turn += 1) {
+    passages[0].push(...(await dragAt(alone, AMONG)).slice(WARM));
+    passages[1].push(...(await dragAt(many, AMONG)).slice(WARM));
+  }
+  await alone.leave();
+  await many.leave();
+  const way = ({ mesh, coarse, glaze, back, page, upload }: Passage) => mesh + coarse + glaze + back + page + upload;
+  const row = (name: string, index: 0 | 1, of: (passage: Passage) => number) => ({
+    name,
+    samples: passages[index].map(of),
+  });
+  record({
+    group: `one part from the hand to the screen, ${AMONG} x ${AMONG}`,
+    unit: "ms",
+    tail: true,
+    rows: [
+      row("alone, solve to upload", 0, way),
+      {
+        ...row("among twenty, solve to upload", 1, way),
+        against: "alone, solve to upload",
+        at_most: 2,
+        note: "The others are neither solved nor sent nor uploaded.",
+      },
+      row("alone, event to drawn", 0, ({ whole }) => whole),
+      { ...row("among twenty, event to drawn", 1, ({ whole }) => whole), against: "alone, event to drawn" },
+    ],
+  });
+}
+
+/** Pots in a row, each of another height. */
+function rowOf(count: number): object {
+  const parts = Array.from({ length: count }, (_, index) => ({
+    shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], height: 2 + index / 100 },
+    place: { shift: [3 * index, 0, 0] },
+  }));
+  return { pasu: 1, parts };
 }
 
 /** What is put into the page to measure there. */
@@ -155,9 +212,11 @@ async function watchPassages(pot: Visit): Promise<void> {
       if (gl) finish(gl);
       const drawn = now();
       const { designer } = document.querySelector("pasu-app") as unknown as {
-        designer: { surface: { shown: { solved: { mesh: { ware: { rows: number; columns: number } } } } } };
+        designer: {
+          surface: { shown: { solved: { parts: { mesh: { ware: { rows: number; columns: number } } }[] } } };
+        };
       };
-      const { rows, columns } = designer.surface.shown.solved.mesh.ware;
+      const { rows, columns } = designer.surface.shown.solved.parts[0]?.mesh.ware ?? { rows: 0, columns: 0 };
       const at = (name: string) => moments.get(name) ?? Number.NaN;
       resolve?.({
         input: at("asked") - event,

@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { countUploads, type PartBehind, type StageBehind, stageOf, uploads } from "../support/on-stage.ts";
 import { stay } from "../support/stay.ts";
 import type { Visit, VisitOptions } from "../support/visit.ts";
 
@@ -131,4 +132,134 @@ test("the list is there for everybody", async () => {
     const { pot } = await three({ colorScheme });
     expect(await findings(pot)).toEqual([]);
   }
+});
+
+/** What of each part is seen along the middle of the picture: the parts by their places, each once. */
+async function seen(pot: Visit): Promise<readonly number[]> {
+  const stage = await stageOf(pot);
+  return await stage.evaluate(async (it: StageBehind) => {
+    await it.whenIdle();
+    const { designer } = document.querySelector("pasu-app") as unknown as { designer: { store: { ids: number[] } } };
+    const { clientWidth, clientHeight } = it.root;
+    const found = Array.from({ length: 60 }, (_, i) => it.pick(((i + 0.5) / 60) * clientWidth, clientHeight / 2));
+    return [...new Set(found.flatMap((id) => (id === null ? [] : [designer.store.ids.indexOf(Number(id))])))].sort();
+  });
+}
+
+/** Where a part is seen on the page. */
+async function spotOf(pot: Visit, place: number): Promise<{ readonly x: number; readonly y: number }> {
+  const stage = await stageOf(pot);
+  return await stage.evaluate(async (it: StageBehind, wanted) => {
+    await it.whenIdle();
+    const { designer } = document.querySelector("pasu-app") as unknown as { designer: { store: { ids: number[] } } };
+    const { left, top, width, height } = it.root.getBoundingClientRect();
+    const across = Array.from({ length: 60 }, (_, i) => ((i + 0.5) / 60) * width);
+    const own = across.filter((x) => it.pick(x, height / 2) === designer.store.ids[wanted]);
+    return { x: left + (own[own.length >> 1] ?? Number.NaN), y: top + height / 2 };
+  }, place);
+}
+
+test("a click on a part of the picture selects it, and turning the pot selects nothing", async () => {
+  const { pot } = await three();
+  const { mouse } = pot.page;
+  expect(await selected(pot)).toBe("Body");
+  for (const [place, name] of [
+    [2, "Part 3"],
+    [1, "Lid"],
+  ] as const) {
+    const { x, y } = await spotOf(pot, place);
+    await mouse.click(x, y);
+    await expect.poll(() => selected(pot)).toBe(name);
+  }
+  expect(await radius(pot)).toBe("1.2");
+  const { x, y } = await spotOf(pot, 0);
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 40, y + 5, { steps: 4 });
+  await mouse.up();
+  expect(await selected(pot)).toBe("Lid");
+  const corner = await pot.page.locator("pasu-stage .host").boundingBox();
+  if (!corner) throw new Error("no stage");
+  await mouse.click(corner.x + 3, corner.y + corner.height / 2);
+  expect(await selected(pot)).toBe("Lid");
+});
+
+test("a part that is hidden is not drawn and not found, and stays in the design, its measures and its files", async () => {
+  const { pot, scene } = await three();
+  const { keyboard } = pot.page;
+  const note = pot.page.getByText("What is hidden is still part of the design");
+  const caption = () => pot.page.locator("pasu-stage #description").innerText();
+  expect(await seen(pot)).toEqual([0, 1, 2]);
+  const said = await caption();
+  const eyes = pot.page.locator("pasu-parts .eye");
+  await eyes.nth(1).click();
+  await expect.poll(() => seen(pot)).toEqual([0, 2]);
+  // What is hidden by its eye is not what is selected.
+  expect(await selected(pot)).toBe("Body");
+  expect(await pot.fingerprint()).toBe(scene);
+  expect(await caption()).toBe(said);
+  await note.waitFor();
+  await list(pot).focus();
+  await keyboard.press("h");
+  await expect.poll(() => seen(pot)).toEqual([2]);
+  expect(await options(pot).first().innerText()).toContain("hidden");
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Show").click();
+  await expect.poll(() => seen(pot)).toEqual([0, 2]);
+  await pot.tab("Measures");
+  await pot.page.locator("pasu-measures").getByText("One part is hidden.").waitFor();
+  await pot.command("Export");
+  await pot.page.locator("pasu-export").getByText("One part is hidden.").waitFor();
+  await keyboard.press("Escape");
+  // It is the session's alone: a design that is opened again has nothing hidden.
+  await pot.page.reload();
+  await pot.fingerprint();
+  await expect.poll(() => seen(pot)).toEqual([0, 1, 2]);
+});
+
+test("of twenty parts the one whose slider is dragged travels to the graphics card, and one that moves does not", async () => {
+  const parts = Array.from({ length: 20 }, (_, i) => part(1 + i / 100, { place: { shift: [3 * i, 0, 0] } }));
+  const pot = await here.enter({ before: countUploads });
+  const first = await pot.fingerprint();
+  await pot.dropFile("twenty.json", JSON.stringify({ pasu: 1, parts }));
+  const scene = await pot.fingerprintOtherThan(first);
+  const rest = async () => {
+    const stage = await stageOf(pot);
+    await stage.evaluate((it: StageBehind) => it.whenIdle());
+  };
+  await rest();
+  const own = await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { surface: { shown: { solved: { parts: PartBehind[] } } } };
+    };
+    const { positions, normals, ware } = (designer.surface.shown.solved.parts[0] as PartBehind).mesh;
+    return positions.byteLength + normals.byteLength + ware.texels.byteLength;
+  });
+  await options(pot).nth(6).click();
+  await expect.poll(() => radius(pot)).toBe("1.06");
+  await rest();
+  await uploads(pot);
+  // The grid is the same under the hand and at rest: the size of what travels is that of whole parts.
+  await pot.drag("Rim radius", 0.6, { steps: 3 });
+  const wider = await pot.fingerprintOtherThan(scene);
+  await rest();
+  const dragged = await uploads(pot);
+  expect(dragged.bytes % own).toBe(0);
+  expect(dragged.bytes / own).toBeGreaterThanOrEqual(1);
+  // Three movements and the rest: each is one part, never all of twenty.
+  expect(dragged.bytes / own).toBeLessThanOrEqual(5);
+  expect(dragged.pieces).toBe((3 * dragged.bytes) / own);
+  // Moved by the document: its matrix is all that changes.
+  await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { store: { design: { parts: object[] } }; apply(change: object): void };
+    };
+    const { design } = designer.store;
+    const moved = design.parts.map((each, i) => (i === 4 ? { ...each, place: { shift: [12, 2, 1] } } : each));
+    designer.apply({ design: { ...design, parts: moved }, undo: "step" });
+  });
+  await pot.fingerprintOtherThan(wider);
+  await rest();
+  expect(await uploads(pot)).toEqual({ pieces: 0, bytes: 0 });
+  expect(pot.troubles).toEqual([]);
 });

@@ -20,10 +20,12 @@ beforeEach(async () => {
   // Puts parts beside each other, on one level: copies of the pot that the page shows, an arm's length apart.
   await pot.page.evaluate(() => {
     const app = document.querySelector("pasu-app") as unknown as {
-      designer: { surface: { shown: { solved: { mesh: unknown } } } };
+      designer: { surface: { shown: { solved: { parts: PartBehind[]; bounds: object } } } };
     };
-    const whole = app.designer.surface.shown.solved.mesh as PartBehind["mesh"] & {
-      bounds: { min: number[]; max: number[]; radius: number };
+    const { solved } = app.designer.surface.shown;
+    const whole = {
+      ...(solved.parts[0] as PartBehind).mesh,
+      bounds: solved.bounds as { min: number[]; max: number[]; radius: number },
     };
     const num = (values: ArrayLike<number>, i: number) => values[i] as number;
     const width = num(whole.bounds.max, 0) - num(whole.bounds.min, 0);
@@ -59,7 +61,7 @@ test("of twenty parts one that changes travels alone, and one that moves does no
     const { part, bounds } = (globalThis as unknown as { pasuParts: Parts }).pasuParts;
     const parts = Array.from({ length: count }, (_, i) => part(`part ${i}`, i));
     Object.assign(globalThis, { pasuShown: parts });
-    it.showParts({ parts, bounds: bounds(count) });
+    it.show({ parts, bounds: bounds(count) });
     await it.whenIdle();
     const { positions, normals, uvs, indices, ware } = (parts[0] as PartBehind).mesh;
     return {
@@ -77,7 +79,7 @@ test("of twenty parts one that changes travels alone, and one that moves does no
         const matrix = [...old.matrix];
         matrix[14] = (matrix[14] ?? 0) + (move ?? 0);
         shown[at] = { ...old, revision: revision ?? old.revision, matrix };
-        it.showParts({ parts: [...shown], bounds: bounds(count) });
+        it.show({ parts: [...shown], bounds: bounds(count) });
         await it.whenIdle();
       },
       [index, by, PARTS] as const,
@@ -92,7 +94,7 @@ test("of twenty parts one that changes travels alone, and one that moves does no
     const { bounds, part } = (globalThis as unknown as { pasuParts: Parts }).pasuParts;
     const shown = (globalThis as unknown as { pasuShown: PartBehind[] }).pasuShown;
     shown.splice(5, 1, part("another", 5));
-    it.showParts({ parts: [...shown], bounds: bounds(count) });
+    it.show({ parts: [...shown], bounds: bounds(count) });
     await it.whenIdle();
   }, PARTS);
   expect(await uploads(pot)).toEqual({ pieces: 3, bytes: sizes.own });
@@ -116,7 +118,7 @@ test("what a matrix places looks as if it had been computed there", async () => 
     const out: string[] = [];
     for (const m of matrices) {
       const one = part("one", 0);
-      it.showParts({ parts: [{ ...one, matrix: m }], bounds: bounds(1) });
+      it.show({ parts: [{ ...one, matrix: m }], bounds: bounds(1) });
       it.fit();
       await it.whenIdle();
       out.push(await base64());
@@ -148,7 +150,7 @@ test("what a matrix places looks as if it had been computed there", async () => 
           placed.indices[t + 2] = indices[t + 1] as number;
         }
       }
-      it.showParts({ parts: [{ ...part("two", 0), mesh: placed }], bounds: bounds(1) });
+      it.show({ parts: [{ ...part("two", 0), mesh: placed }], bounds: bounds(1) });
       await it.whenIdle();
       out.push(await base64());
     }
@@ -175,14 +177,14 @@ test("a point of the picture belongs to the part that is seen there", async () =
     matrix[13] = 3 * width;
     matrix[14] = 0.2 * width;
     const row = [part("left", 0), part("right", 2), { ...behind, matrix }];
-    it.showParts({ parts: [...row, part("middle", 1)], bounds: bounds(3) });
+    it.show({ parts: [...row, part("middle", 1)], bounds: bounds(3) });
     it.view("front");
     await it.whenIdle();
     const { clientWidth, clientHeight } = it.root;
     const across = (y: number) => Array.from({ length: 41 }, (_, i) => it.pick(((i + 0.5) / 41) * clientWidth, y));
     const runs = (ids: readonly (string | number | null)[]) => ids.filter((id, i) => id !== ids[i - 1]);
     const middle = runs(across(clientHeight / 2));
-    it.showParts({ parts: row, bounds: bounds(3) });
+    it.show({ parts: row, bounds: bounds(3) });
     return {
       middle,
       without: runs(across(clientHeight / 2)),

@@ -6,8 +6,7 @@ import type { Visit } from "./visit.ts";
 /** What tests ask of a stage, as `web/src/render/stage.ts` has it. */
 export interface StageBehind {
   readonly root: HTMLElement;
-  show(mesh: object, looks: readonly object[]): object | null;
-  showParts(model: { parts: readonly PartBehind[]; bounds: object | null }): void;
+  show(model: { parts: readonly PartBehind[]; bounds: object | null }): readonly object[];
   pick(x: number, y: number): string | number | null;
   picture(width: number, height: number, options?: { transparent?: boolean }): Promise<Blob>;
   view(name: string): void;
@@ -22,6 +21,7 @@ export interface PartBehind {
   readonly mesh: MeshBehind;
   readonly matrix: readonly number[];
   readonly look: { readonly glaze: string; readonly clay: string };
+  readonly hidden?: boolean;
 }
 
 export interface MeshBehind {

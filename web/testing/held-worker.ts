@@ -1,6 +1,6 @@
 // A worker in the hands of a test: what it runs is the real thing, and messages are cloned as between threads, but it does the next request only when it is told to.
 
-import type { Begin, Port, Reply } from "../src/worker/port";
+import type { Begin, Port, Reply, Told } from "../src/worker/port";
 import { type Package, serve } from "../src/worker/serve";
 
 export class HeldWorker<Request extends { readonly id: number }, Answer> {
@@ -12,14 +12,14 @@ export class HeldWorker<Request extends { readonly id: number }, Answer> {
   free = false;
   readonly #kit: Package;
   readonly #module: Promise<WebAssembly.Module>;
-  readonly #perform: (request: Request) => Answer;
+  readonly #perform: (request: Request, tell: (done: number) => void) => Answer;
   readonly #buffersOf: (answer: Answer) => Transferable[];
   readonly #waiting: (() => Promise<void>)[] = [];
 
   constructor(
     kit: Package,
     module: Promise<WebAssembly.Module>,
-    perform: (request: Request) => Answer,
+    perform: (request: Request, tell: (done: number) => void) => Answer,
     buffersOf: (answer: Answer) => Transferable[],
   ) {
     this.#kit = kit;
@@ -55,8 +55,12 @@ export class HeldWorker<Request extends { readonly id: number }, Answer> {
     let told: (message: Request | Begin) => void = () => {};
     let heard: () => void = () => {};
     let ended = false;
-    const reply = (data: Reply<Answer>, transfer: Transferable[]) => {
+    const reply = (data: Reply<Answer> | Told, transfer: Transferable[]) => {
       const message = new MessageEvent("message", { data: structuredClone(data, { transfer }) });
+      if ("done" in data) {
+        if (!ended) port.onmessage?.(message);
+        return;
+      }
       this.answered += 1;
       if (!ended) port.onmessage?.(message);
       heard();

@@ -25,8 +25,8 @@ export function realMaker({ free = false, took }: Options = {}): {
   readonly worker: Worker;
 } {
   const kit = { init, PasuError, fault: "This could not be made" };
-  const paced = (request: Request): Answers[Kind] => {
-    const answer = perform(request);
+  const paced = (request: Request, tell: (done: number) => void): Answers[Kind] => {
+    const answer = perform(request, tell);
     const quick = took !== undefined && answer !== null && "solid" in answer;
     return quick ? { ...answer, took } : answer;
   };

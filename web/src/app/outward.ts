@@ -1,6 +1,7 @@
 /** What the page shows outside its components: its title and colours, and how far it is, for whoever watches from outside. */
 
 import { effect } from "@preact/signals-core";
+import { verticesOf } from "../solver/solved";
 import type { Designer } from "../work/designer";
 
 /** Keeps all of that up to date until what comes back is called; `app` carries the state. */
@@ -19,7 +20,7 @@ export function outward(designer: Designer, app: HTMLElement): () => void {
       const { settled, shown, status } = surface;
       app.dataset.state = status === "starting" ? "solving" : status;
       app.dataset.fingerprint = settled?.solved.fingerprint ?? "";
-      app.dataset.vertices = String(shown ? shown.solved.mesh.positions.length / 3 : 0);
+      app.dataset.vertices = String(shown ? verticesOf(shown.solved.parts) : 0);
     }),
   ];
   return () => {

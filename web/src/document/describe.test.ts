@@ -1,6 +1,8 @@
 import { expect, describe as group, test } from "vitest";
 import { boundsOf } from "../solver/bounds";
-import { type Box, describe, describeAccuracy, type Facts, facts, type Grid } from "./describe";
+import { bodyOf, type Grid, isClosed } from "./body";
+import { type Box, describe, describeAccuracy, type Facts, factsOf } from "./describe";
+import { type Extents, extentsOf } from "./extents";
 
 /** A pot from its radius, height and ripple; `u = 0` is the rim. */
 function pot(
@@ -19,11 +21,17 @@ function pot(
       positions.set([r * Math.cos(v), r * Math.sin(v), height(u, v)], 3 * (i * columns + j));
     }
   }
-  return { positions, first: 0, rows, columns };
+  return { positions, rows, columns };
 }
 
-const box = (grid: Grid) => boundsOf(grid.positions) as Box;
-const words = (grid: Grid) => describe(facts([grid], box(grid), grid.positions) as Facts, "cm");
+const box = (grid: Grid) => boundsOf(grid.positions as Float32Array) as Box;
+const facts = (grid: Grid, edges: Grid | null = grid) =>
+  factsOf(
+    [{ body: bodyOf(grid, edges), closed: isClosed(grid), lift: 0 }],
+    box(grid),
+    extentsOf(grid.positions) as Extents,
+  );
+const words = (grid: Grid) => describe(facts(grid) as Facts, "cm");
 const up = (height: number) => (u: number) => height * (1 - u);
 
 group("a pot in words", () => {
@@ -39,7 +47,7 @@ group("a pot in words", () => {
       return pot((u, v) => 1 - 0.5 * u + 0.1 * Math.cos(999 * v), up(3), 1, columns);
     };
     const [coarse, fine] = [many(121), many(16 * 999 + 1)];
-    const said = (edges: Grid | null) => describe(facts([coarse], box(coarse), coarse.positions, edges) as Facts, "cm");
+    const said = (edges: Grid | null) => describe(facts(coarse, edges) as Facts, "cm");
     expect(said(fine)).toContain("with 999 petals");
     expect(said(null)).not.toContain("petals");
   });
@@ -72,14 +80,25 @@ group("a pot in words", () => {
   });
   test("several parts", () => {
     const grid = pot(() => 1, up(3));
-    expect(describe(facts([grid, grid], box(grid), grid.positions) as Facts, "mm")).toContain(
-      "It is made of two parts.",
-    );
+    const told = { body: bodyOf(grid), closed: isClosed(grid), lift: 0 };
+    const both = factsOf([told, told], box(grid), extentsOf(grid.positions) as Extents);
+    expect(describe(both as Facts, "mm")).toContain("It is made of two parts.");
+  });
+  test("a part that is moved upwards is widest where it was", () => {
+    const grid = pot((u) => 0.6 + 0.7 * Math.sin(Math.PI * u), up(2.4));
+    const { min, max } = box(grid);
+    const lifted: Box = { min: [min[0], min[1], min[2] + 5], max: [max[0], max[1], max[2] + 5] };
+    const told = { body: bodyOf(grid), closed: isClosed(grid), lift: 5 };
+    const facts = factsOf([told], lifted, extentsOf(grid.positions) as Extents);
+    expect(facts?.widestAt).toBeCloseTo(0.5, 1);
+    expect(facts?.outline[0]?.[0]).toBeCloseTo(5, 5);
   });
 });
 
 test("nothing is said of nothing", () => {
-  expect(facts([], { min: [0, 0, 0], max: [0, 0, 0] }, new Float32Array())).toBeNull();
+  const nothing = pot(() => 1, up(1));
+  expect(factsOf([], box(nothing), extentsOf(nothing.positions) as Extents)).toBeNull();
+  expect(bodyOf({ ...nothing, rows: 1 })).toBeNull();
 });
 
 test.each([

@@ -23,7 +23,7 @@ const DIRECTIONS = 128;
 const ROUND = 1e-3;
 
 /** Extents of points (xyz); null where there is none. */
-export function extentsOf(positions: Float32Array): Extents | null {
+export function extentsOf(positions: ArrayLike<number>): Extents | null {
   let [bottom, top] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (let i = 2; i < positions.length; i += 3) {
     const z = positions[i] ?? 0;
@@ -61,7 +61,7 @@ export function isRound({ greatest, least }: Extents): boolean {
 type Corner = readonly [x: number, y: number];
 
 /** The points that are farthest in one of the directions, in the order of these: an outline as seen from above, without its hollows. */
-function cornersOf(positions: Float32Array): readonly Corner[] {
+function cornersOf(positions: ArrayLike<number>): readonly Corner[] {
   const corners: Corner[] = [];
   for (let k = 0; k < DIRECTIONS; k += 1) {
     const angle = (2 * Math.PI * k) / DIRECTIONS;

@@ -3,9 +3,12 @@
  * equation, flares as shares of the swell) stays.
  */
 
+import { FAMILIES } from "./families.gen";
+import type { Entry } from "./field";
 import { filled } from "./kinds";
+import { getPath, numberAt, setPath } from "./path";
 import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
-import type { Component, Design, MixedOrder, Mode, Part, Placement, SecondOrder, Shape, Unit, Wall } from "./types";
+import type { Component, Design, Mode, Part, Placement, Shape, Unit, Wall } from "./types";
 
 /** Digits that a number of a document keeps: those of canonical form. */
 const DIGITS = 12;
@@ -44,45 +47,27 @@ function all<T extends readonly number[]>(values: T, factor: number): T {
 }
 
 export function shapeBy(shape: Shape, factor: number): Shape {
-  switch (shape.kind) {
-    case "second-order":
-      return planarBy(shape, factor);
-    case "mixed-order":
-      return { ...planarBy(shape, factor), rise: by(shape.rise, factor) };
-    case "fourth-order": {
-      const { r0, r1, rm, h1, dz } = shape;
-      return {
-        ...shape,
-        r0: by(r0, factor),
-        r1: by(r1, factor),
-        rm: by(rm, factor),
-        h1: by(h1, factor),
-        dz: all(dz, factor),
-      };
-    }
-    case "bloor-wilson": {
-      const { r, R, h, H } = shape;
-      return { ...shape, r: all(r, factor), R: all(R, factor), h: all(h, factor), H: all(H, factor) };
-    }
-    case "boundary-value":
-      return {
-        ...shape,
-        x: componentBy(shape.x, factor),
-        y: componentBy(shape.y, factor),
-        z: componentBy(shape.z, factor),
-      };
-  }
-}
-
-/** A height that the document leaves out is that of the paper, and has to be written out when it changes. */
-function planarBy<S extends SecondOrder | MixedOrder>(shape: S, factor: number): S {
-  const { r, height, force } = filled(shape);
+  if (shape.kind !== "boundary-value") return familyBy(shape, FAMILIES[shape.kind].fields, factor);
   return {
     ...shape,
-    r: all(r, factor),
-    ...(height !== undefined && { height: by(height, factor) }),
-    ...(force && { force: all(force, factor) }),
+    x: componentBy(shape.x, factor),
+    y: componentBy(shape.y, factor),
+    z: componentBy(shape.z, factor),
   };
+}
+
+/** What the tables call a length grows, and so does a force, which is what it moves the wall by. */
+function familyBy<S extends Shape>(shape: S, fields: readonly Entry[], factor: number): S {
+  const whole = filled(shape);
+  let grown = shape;
+  for (const { path, dimension, group } of fields) {
+    if (dimension !== "length" && group !== "force") continue;
+    const [key] = path;
+    // What the document leaves out is that of the paper, and has to be written out when it changes.
+    if (key !== undefined && getPath(grown, [key]) === undefined) grown = setPath(grown, [key], getPath(whole, [key]));
+    grown = setPath(grown, path, by(numberAt(whole, path, 0), factor));
+  }
+  return grown;
 }
 
 function componentBy(component: Component, factor: number): Component {

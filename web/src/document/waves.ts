@@ -16,7 +16,8 @@ export function wavesOf(design: Design): number {
   return Math.max(1, ...design.parts.map((part) => highestFrequency(part.shape)));
 }
 
-function highestFrequency(shape: Shape): number {
+/** The highest frequency of a shape. */
+export function highestFrequency(shape: Shape): number {
   if (shape.kind === "boundary-value") {
     return Math.max(0, ...[shape.x, shape.y, shape.z].flatMap(({ modes }) => modes.map((mode) => Math.abs(mode.n))));
   }

@@ -10,6 +10,7 @@ import { Made as Drawing, type Hold } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
+import { verticesOf } from "../solver/solved";
 import type { Designer } from "../work/designer";
 import type { Made } from "../work/made";
 import type { Piece } from "../work/piece";
@@ -22,7 +23,8 @@ export class StageMade {
   readonly #host: HTMLElement;
   readonly #drawing: Drawing;
   readonly #handle: PasuWaterHandle;
-  #mesh: Shown["solved"]["mesh"] | null = null;
+  /** The meshes that colours are of. */
+  #meshes: readonly unknown[] = [];
   #last: readonly unknown[] = [];
 
   /** The handle of the water is put into the shadow of `host`. */
@@ -47,9 +49,9 @@ export class StageMade {
     const { made, store, surface } = this.#designer;
     const { shown } = surface;
     if (!made || !shown) return;
-    const { map, overlays, fill } = store.session;
+    const { map, overlays, fill, hidden } = store.session;
     const { solid, water, painted, measures } = made;
-    const now = [shown, solid, water, painted, measures, map, overlays, fill];
+    const now = [shown, solid, water, painted, measures, map, overlays, fill, hidden];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
@@ -70,12 +72,14 @@ export class StageMade {
   }
 
   #paint({ painted }: Made, shown: Shown, map: MapName | null): void {
-    const another = shown.solved.mesh !== this.#mesh;
-    this.#mesh = shown.solved.mesh;
+    const { parts } = shown.solved;
+    const meshes = parts.map(({ mesh }) => mesh);
+    const another = meshes.length !== this.#meshes.length || meshes.some((mesh, i) => mesh !== this.#meshes[i]);
+    this.#meshes = meshes;
     if (map === null) this.#drawing.paint(null);
     else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
       const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
-      const fits = painted.value.values.length === shown.solved.mesh.positions.length / 3;
+      const fits = painted.value.values.length === verticesOf(parts);
       const next: StageMap = { values: painted.value.values, low, high, ramp, lean: map === "overhang" };
       this.#drawing.paint(fits ? next : undefined);
     } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);

@@ -3,8 +3,10 @@
 import { effect } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query } from "lit/decorators.js";
-import { looksOf, unitOf } from "../document/look";
+import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
+import type { PartId } from "../state/parts";
+import { selectParts } from "../state/seen-actions";
 import { base } from "../ui/styles";
 import type { Compared } from "../work/comparison";
 import { UNFETCHED } from "../work/notices";
@@ -14,6 +16,7 @@ import { DesignerElement } from "./designer-element";
 import { StageHolder } from "./stage-holder";
 import { stageKey } from "./stage-keys";
 import type { StageMade } from "./stage-made";
+import { stageModel } from "./stage-model";
 
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
@@ -32,6 +35,7 @@ export class PasuStage extends DesignerElement {
     closing: () => this.forget(),
   });
   private drawn: Shown | null = null;
+  private hiding: readonly PartId[] = [];
   private compared: Compared | null = null;
   private said = "";
   private made: StageMade | null = null;
@@ -87,6 +91,10 @@ export class PasuStage extends DesignerElement {
     return {
       theme: this.theme(),
       unit: unitOf(this.designer.store.design),
+      onTap: (part: PartId | string) => {
+        const { designer } = this;
+        if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
+      },
       onDrawn: () => {
         if (this.drawn) trace("drawn", this.drawn.change);
       },
@@ -158,8 +166,9 @@ export class PasuStage extends DesignerElement {
     const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (designer.surface.shown !== this.drawn) void this.drawStill();
+      if (designer.surface.shown !== this.drawn || session.hidden !== this.hiding) void this.drawStill();
       this.drawn = designer.surface.shown;
+      this.hiding = session.hidden;
     }
     if (!stage) return;
     stage.theme(this.theme());
@@ -172,7 +181,7 @@ export class PasuStage extends DesignerElement {
     if (comparison !== this.compared) {
       this.compared = comparison;
       if (comparison) void import("./stage-captions");
-      stage.compare(comparison ? { mesh: comparison.mesh, looks: [...comparison.looks] } : null);
+      stage.compare(comparison && stageModel(comparison.design, comparison.solved));
     }
   }
 
@@ -192,10 +201,16 @@ export class PasuStage extends DesignerElement {
   private display(): void {
     const { designer, stage } = this;
     const { shown } = designer.surface;
-    if (!stage || !shown || shown === this.drawn) return;
+    const { hidden } = designer.store.session;
+    if (!stage || !shown || (shown === this.drawn && hidden === this.hiding)) return;
+    const another = shown !== this.drawn;
     this.drawn = shown;
-    const before = stage.show(shown.solved.mesh, looksOf(shown.design));
-    if (before) designer.surface.recycle(before);
+    this.hiding = hidden;
+    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, hidden)));
+    if (!another) {
+      this.made?.update();
+      return;
+    }
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
     stage.measure(designer.extents);
@@ -228,7 +243,9 @@ export class PasuStage extends DesignerElement {
     const canvas = this.still;
     const shown = this.designer.surface.shown;
     if (!canvas || !shown) return;
-    paintStill(shown.solved.mesh, canvas, this.theme());
+    const { hidden } = this.designer.store.session;
+    const seen = shown.solved.parts.filter(({ id }) => !hidden.includes(id));
+    paintStill(seen, canvas, this.theme());
   }
 
   private readonly key = (event: KeyboardEvent): void => {

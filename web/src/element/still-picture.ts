@@ -1,6 +1,8 @@
 /** The pot without WebGL2: triangles painted from back to front into a plain 2D canvas, with one soft light. */
 
-import type { MeshArrays } from "../solver/messages";
+import { placedNormals } from "../document/placed-normals";
+import { type Matrix, placedAll } from "../document/placement";
+import type { PartMesh } from "../solver/messages";
 
 /** Turned a little and seen from above, like the stage's three-quarter view. */
 const TURN = Math.PI / 5;
@@ -16,27 +18,41 @@ interface Face {
   readonly corners: readonly number[];
 }
 
+/** A mesh and where it stands. */
+export interface StillPart {
+  readonly mesh: Pick<PartMesh, "positions" | "normals" | "indices">;
+  readonly matrix: Matrix;
+}
+
 /** What the clay looks like without light from everywhere. */
 const COLOURS: Readonly<Record<"light" | "dark", Rgb>> = { light: [0.66, 0.8, 0.73], dark: [0.62, 0.78, 0.71] };
 const MOST_PIXELS_PER_PIXEL = 2;
 
-/** Draws the mesh to fill the canvas as large as it is on the page. */
-export function paintStill(mesh: MeshArrays, canvas: HTMLCanvasElement, theme: "light" | "dark"): void {
+/** Draws parts to fill the canvas as large as it is on the page. */
+export function paintStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, theme: "light" | "dark"): void {
   const ratio = Math.min(MOST_PIXELS_PER_PIXEL, devicePixelRatio || 1);
   canvas.width = Math.round(canvas.clientWidth * ratio);
   canvas.height = Math.round(canvas.clientHeight * ratio);
-  drawStill(mesh, canvas, COLOURS[theme]);
+  drawStill(parts, canvas, COLOURS[theme]);
 }
 
-/** Draws the mesh to fill the canvas; the canvas keeps its size in pixels. */
-export function drawStill(mesh: MeshArrays, canvas: HTMLCanvasElement, colour: Rgb): void {
+/** Draws parts to fill the canvas; the canvas keeps its size in pixels. */
+export function drawStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, colour: Rgb): void {
   const context = canvas.getContext("2d");
   if (!context) return;
   const { width, height } = canvas;
   context.clearRect(0, 0, width, height);
-  const points = project(mesh.positions);
-  const scale = frameOf(points, width, height);
-  const faces = facesOf(mesh, points);
+  const seen = parts.map(({ mesh, matrix }) => ({
+    points: project(placedAll(matrix, mesh.positions)),
+    normals: placedNormals(matrix, mesh.normals),
+    indices: mesh.indices,
+  }));
+  const scale = frameOf(
+    seen.map(({ points }) => points),
+    width,
+    height,
+  );
+  const faces = seen.flatMap((part) => facesOf(part));
   faces.sort((a, b) => a.depth - b.depth);
   for (const { corners, shade } of faces) {
     context.beginPath();
@@ -58,7 +74,7 @@ export function drawStill(mesh: MeshArrays, canvas: HTMLCanvasElement, colour: R
 }
 
 /** Right, up and towards the eye, for every vertex. */
-function project(positions: Float32Array): Float32Array {
+function project(positions: Float64Array): Float32Array {
   const out = new Float32Array(positions.length);
   const [ct, st, cp, sp] = [Math.cos(TURN), Math.sin(TURN), Math.cos(TILT), Math.sin(TILT)];
   for (let i = 0; i < positions.length; i += 3) {
@@ -72,21 +88,30 @@ function project(positions: Float32Array): Float32Array {
   return out;
 }
 
-function frameOf(points: Float32Array, width: number, height: number): { x: number; y: number; k: number } {
+function frameOf(parts: readonly Float32Array[], width: number, height: number): { x: number; y: number; k: number } {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (let i = 0; i < points.length; i += 3) {
-    left = Math.min(left, points[i] ?? 0);
-    right = Math.max(right, points[i] ?? 0);
-    low = Math.min(low, points[i + 1] ?? 0);
-    high = Math.max(high, points[i + 1] ?? 0);
+  for (const points of parts) {
+    for (let i = 0; i < points.length; i += 3) {
+      left = Math.min(left, points[i] ?? 0);
+      right = Math.max(right, points[i] ?? 0);
+      low = Math.min(low, points[i + 1] ?? 0);
+      high = Math.max(high, points[i + 1] ?? 0);
+    }
   }
   const k = MARGIN * Math.min(width / Math.max(right - left, 1e-9), height / Math.max(high - low, 1e-9));
   return { k, x: width / 2 - (k * (left + right)) / 2, y: height / 2 + (k * (low + high)) / 2 };
 }
 
 /** The triangles with their mean depth and the light that falls on them. */
-function facesOf(mesh: MeshArrays, points: Float32Array): Face[] {
-  const { indices, normals } = mesh;
+function facesOf({
+  points,
+  normals,
+  indices,
+}: {
+  readonly points: Float32Array;
+  readonly normals: Float64Array;
+  readonly indices: Uint32Array;
+}): Face[] {
   const faces: Face[] = [];
   for (let i = 0; i + 2 < indices.length; i += 3) {
     const [a, b, c] = [indices[i] ?? 0, indices[i + 1] ?? 0, indices[i + 2] ?? 0];
@@ -101,7 +126,7 @@ function facesOf(mesh: MeshArrays, points: Float32Array): Face[] {
   return faces;
 }
 
-function shadeOf(normals: Float32Array, vertex: number): number {
+function shadeOf(normals: Float64Array, vertex: number): number {
   const x = normals[3 * vertex] ?? 0;
   const y = normals[3 * vertex + 1] ?? 0;
   const z = normals[3 * vertex + 2] ?? 0;

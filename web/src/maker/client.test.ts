@@ -1,18 +1,22 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design } from "../document/types";
+import type { Told } from "../worker/port";
 import { MakerClient } from "./client";
 import type { MakerPort, Reply, Request } from "./messages";
 
 class FakePort implements MakerPort {
   readonly sent: Request[] = [];
   stopped = false;
-  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onmessage: ((event: MessageEvent<Reply | Told>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
   postMessage(message: Request): void {
     this.sent.push(message);
   }
   terminate(): void {
     this.stopped = true;
+  }
+  tell(done: number, id = this.sent.at(-1)?.id): void {
+    this.onmessage?.({ data: { id, done } as Told } as MessageEvent<Told>);
   }
   answer(answer: unknown): void {
     const id = this.sent.at(-1)?.id;
@@ -154,4 +158,19 @@ test("a refusal comes back as it was said, and late replies of an ended worker a
   const id = port().sent[0]?.id ?? 0;
   port().onmessage?.({ data: { id, ok: false, refusal, broken: false } } as MessageEvent<Reply>);
   expect(await young).toEqual({ state: "refused", refusal });
+});
+
+test("who asked hears how far the work is, until it is done or given up", async () => {
+  const heard: number[] = [];
+  const first = client.ask({ kind: "check", design: design("a"), making: {} }, "first", (done) => heard.push(done));
+  const firstId = port().sent.at(-1)?.id;
+  port().tell(0);
+  port().tell(0.5);
+  expect(heard).toEqual([0, 0.5]);
+  port().answer("checked");
+  expect(await first).toEqual({ state: "done", value: "checked" });
+  void check("b");
+  port().tell(0.75, firstId);
+  port().tell(0.25);
+  expect(heard).toEqual([0, 0.5]);
 });

@@ -5,15 +5,19 @@
  */
 
 import type { Refusal } from "../document/types";
-import type { Outcome } from "../worker/port";
+import type { Outcome, Told } from "../worker/port";
 import type { Answers, Ask, Kind, MakerPort, Reply } from "./messages";
 
 /** Runs something after so many milliseconds; what comes back takes that back. */
 export type Later = (run: () => void, milliseconds: number) => () => void;
 
+/** What hears how far work is, from 0 to 1. */
+export type Tell = (done: number) => void;
+
 interface Job {
   readonly ask: Ask;
   readonly lane: string;
+  readonly tell: Tell | undefined;
   readonly settle: (outcome: Outcome<Answers[Kind]>) => void;
 }
 
@@ -51,10 +55,17 @@ export class MakerClient {
     return this.#under !== null;
   }
 
-  /** Requests of the same lane supersede each other; whoever asks for something of its own takes a lane of its own. */
-  ask<K extends Kind>(ask: Extract<Ask, { kind: K }>, lane: string = ask.kind): Promise<Outcome<Answers[K]>> {
+  /**
+   * Requests of the same lane supersede each other; whoever asks for something of its own takes a lane of its own. A check and a file
+   * `tell` how far they are.
+   */
+  ask<K extends Kind>(
+    ask: Extract<Ask, { kind: K }>,
+    lane: string = ask.kind,
+    tell?: Tell,
+  ): Promise<Outcome<Answers[K]>> {
     return new Promise((settle) => {
-      const job: Job = { ask, lane, settle: settle as Job["settle"] };
+      const job: Job = { ask, lane, tell, settle: settle as Job["settle"] };
       this.#waiting.get(lane)?.settle(SUPERSEDED);
       this.#waiting.set(lane, job);
       if (this.#under?.job.lane === lane) this.#abandon();
@@ -107,9 +118,13 @@ export class MakerClient {
     return port;
   }
 
-  #receive(reply: Reply): void {
+  #receive(reply: Reply | Told): void {
     const under = this.#under;
     if (under?.id !== reply.id) return;
+    if ("done" in reply) {
+      under.job.tell?.(reply.done);
+      return;
+    }
     if (!reply.ok && reply.broken) {
       this.#crash();
       return;

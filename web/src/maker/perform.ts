@@ -6,7 +6,12 @@ import type { Answers, Ask, Kind, Quick, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { solidOf } from "./solid";
 
-export function perform({ ask }: Request): Answers[Kind] {
+/** `tell` hears how far the work is that may take long: from 0 to 1. */
+export function perform({ ask }: Request, tell: (done: number) => void): Answers[Kind] {
+  const progress = (done: number) => {
+    tell(done);
+    return true;
+  };
   switch (ask.kind) {
     case "solid":
       return drawn(ask.design as Sent, ask.tolerance);
@@ -15,13 +20,13 @@ export function perform({ ask }: Request): Answers[Kind] {
     case "measure":
       return measure(ask.design as Sent, { product: ask.product, ...(ask.fill === null ? {} : { fill: ask.fill }) });
     case "check":
-      return check(ask.design as Sent, ask.making);
+      return check(ask.design as Sent, { ...ask.making, progress });
     case "paint":
       return paintedOf(paint(ask.design as Sent, ask.map, { rows: ask.rows, columns: ask.columns }));
     case "water":
       return { ...water(ask.design as Sent, ask.level), level: ask.level };
     case "write":
-      return { bytes: write(ask.design as Sent, ask.format, ask.making) };
+      return { bytes: write(ask.design as Sent, ask.format, { ...ask.making, progress }) };
     case "open":
       return provenance(ask.bytes);
   }

@@ -3,6 +3,8 @@ export interface GestureTarget {
   orbit(dx: number, dy: number): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number): void;
+  /** The first button, a pen or one finger came down and went up again at about the same place of the window. */
+  tap(x: number, y: number): void;
   /** A gesture has begun or ended: pictures may be coarser in between. */
   gesture(active: boolean): void;
 }
@@ -17,6 +19,8 @@ export interface PageManners {
 const WHEEL_RATE = 0.0015;
 /** A pinch on a trackpad arrives as a wheel with the control key and in much smaller numbers. */
 const PINCH_WHEEL_RATE = 0.01;
+/** A hand that moves no farther than this did not mean to. */
+const STILL = 6;
 const PIXELS_PER_LINE = 16;
 const PIXELS_PER_PAGE = 400;
 
@@ -31,6 +35,8 @@ export class Gesture {
   private active = false;
   /** How many pointers make a gesture. */
   private needed = 1;
+  /** Where a touch came down that may turn out to be a tap. */
+  private tapped: { readonly x: number; readonly y: number } | null = null;
   private readonly listeners = new AbortController();
 
   constructor(
@@ -65,7 +71,8 @@ export class Gesture {
     if (this.pointers.size === 0) {
       this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
       this.needed = this.page && event.pointerType !== "mouse" ? 2 : 1;
-    }
+      this.tapped = this.moves ? null : { x: event.clientX, y: event.clientY };
+    } else this.tapped = null;
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     this.tell();
     if (!this.active) return;
@@ -79,6 +86,9 @@ export class Gesture {
   private readonly move = (event: PointerEvent): void => {
     const pointer = this.pointers.get(event.pointerId);
     if (!pointer) return;
+    if (this.tapped && Math.hypot(event.clientX - this.tapped.x, event.clientY - this.tapped.y) > STILL) {
+      this.tapped = null;
+    }
     const before = this.spread();
     const dx = event.clientX - pointer.x;
     const dy = event.clientY - pointer.y;
@@ -104,6 +114,10 @@ export class Gesture {
     // The finger that stays goes on turning, not moving.
     this.moves = false;
     this.tell();
+    if (this.pointers.size > 0) return;
+    const { tapped } = this;
+    this.tapped = null;
+    if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY);
   };
 
   /** Says when a gesture begins and ends. */

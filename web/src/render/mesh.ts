@@ -30,6 +30,8 @@ export interface StagePart {
   /** Where it stands: from the mesh to the model. It has an inverse. */
   readonly matrix: Matrix;
   readonly look: StageLook;
+  /** What is hidden stays on the graphics card, and is neither drawn nor found at a point. */
+  readonly hidden?: boolean;
 }
 
 /** What is shown: parts in the order of the document, and what they fill where they stand; null when they are empty. */

@@ -51,6 +51,11 @@ export class Pot implements Tenant {
     }
   }
 
+  /** Whether a part is hidden, by its place in the document. */
+  hides(part: number): boolean {
+    return this.shown.parts[part]?.hidden ?? false;
+  }
+
   /** Shows other parts, or the same ones elsewhere. Of parts that are there already nothing is touched but what is different. */
   update(model: StageModel): void {
     this.shown = model;
@@ -66,7 +71,9 @@ export class Pot implements Tenant {
     const [first] = model.parts;
     this.dark = first !== undefined && isDark(first.look);
     this.dress();
-    for (const drawable of this.drawables) drawable.visible = model.bounds !== null;
+    for (const [index, { drawable }] of this.parts.entries()) {
+      drawable.visible = model.bounds !== null && !model.parts[index]?.hidden;
+    }
   }
 
   /** Gives up everything on the GPU; the arrays stay in memory. */

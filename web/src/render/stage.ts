@@ -4,10 +4,9 @@ import { Device, type Tenant, webgl2Supported } from "./gl/device";
 import { draw } from "./gl/drawable";
 import { Pane } from "./gl/pane";
 import type { Source } from "./gl/scene";
-import type { StageLook } from "./glaze";
 import type { Unit } from "./length";
 import { Loop } from "./loop";
-import type { PartId, StageModel } from "./mesh";
+import type { PartId, PartMesh, StageModel } from "./mesh";
 import type { Size } from "./overlay/dimensions";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { type Face, Picker } from "./picker";
@@ -15,7 +14,6 @@ import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, type Direction, fitDistance, VIEWS, type ViewName } from "./pose";
 import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
-import { partsOf, type StageMesh } from "./stage-mesh";
 import { Stopwatch } from "./stopwatch";
 import type { Studio, Theme } from "./studio";
 import { Tableau } from "./tableau";
@@ -30,6 +28,8 @@ export interface StageOptions {
   /** The browser took the graphics context away; the picture stands still until it is back. */
   onContextLost?(): void;
   onContextRestored?(): void;
+  /** A part was clicked on, without turning anything. */
+  onTap?(part: PartId): void;
   /** The camera came to rest somewhere else. */
   onCamera?(camera: CameraPose): void;
   /** A frame was drawn, as far as this thread is concerned. */
@@ -90,7 +90,6 @@ export class Stage {
   private readonly stopwatch: Stopwatch;
   private size = { width: 0, height: 0 };
   private model: StageModel = { parts: [], bounds: null };
-  private mesh: StageMesh | null = null;
   private drawn = 0;
   private placed = false;
   /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
@@ -148,6 +147,7 @@ export class Stage {
       orbit: (dx, dy) => this.turnByPixels(dx, dy),
       pan: (dx, dy) => this.pan(dx, dy),
       zoom: (factor) => this.zoom(factor),
+      tap: (x, y) => this.tap(x, y),
       gesture: (active) => {
         this.gesturing = active;
         this.loop.invalidate();
@@ -176,24 +176,13 @@ export class Stage {
   }
 
   /**
-   * Shows a mesh of all parts; `looks[part]` is the glaze and clay of each part. Its arrays belong to the stage until it gives the mesh back, which it
-   * does when it shows another. The camera stays, except that the first pot shown is fitted into the view, and that one that was seen whole and grows beyond the
-   * stage is followed.
-   */
-  show(mesh: StageMesh, looks: readonly StageLook[]): StageMesh | null {
-    const before = this.mesh;
-    this.showParts(partsOf(mesh, looks));
-    this.mesh = mesh;
-    return before === mesh ? null : before;
-  }
-
-  /**
    * Shows parts. Those that it shows already, by their identities and revisions, stay where they are on the GPU; what is different travels there. The arrays of
-   * their meshes belong to the stage until it is given others.
+   * their meshes belong to the stage until it gives them back, which it does when it shows other ones. The camera stays, except that the first pot shown is fitted
+   * into the view, and that one that was seen whole and grows beyond the stage is followed.
    */
-  showParts(model: StageModel): void {
+  show(model: StageModel): readonly PartMesh[] {
     const whole = this.placed && this.sees();
-    this.mesh = null;
+    const before = this.model.parts;
     this.model = model;
     this.tableau.show(model);
     this.overlay.forget();
@@ -207,6 +196,8 @@ export class Stage {
       this.fitted = fitted;
     }
     this.changed();
+    const kept = new Set(model.parts.map(({ mesh }) => mesh));
+    return before.flatMap(({ mesh }) => (kept.has(mesh) ? [] : [mesh]));
   }
 
   /** The part that is seen at a point of the stage, in CSS pixels from its upper left; null where there is none, and while there is no context. */
@@ -215,13 +206,19 @@ export class Stage {
     if (this.device.lost || !(x >= 0 && y >= 0 && x < width && y < height)) return null;
     this.prepare(this.camera, width / height);
     this.guest?.prepare(this.camera, width, height);
-    const own = this.tableau.main.parts.map(
-      ({ drawable }, part): Face => ({ geometry: drawable.geometry, uniforms: drawable.uniforms ?? {}, part }),
+    const own = this.tableau.main.parts.flatMap(({ drawable }, part): readonly Face[] =>
+      drawable.visible ? [{ geometry: drawable.geometry, uniforms: drawable.uniforms ?? {}, part }] : [],
     );
     const faces = [...own, ...(this.guest?.faces ?? [])];
     const cut = this.guest?.cutPlane.value ?? null;
     const part = this.picker.pick(this.device, faces, cut, this.camera.view, { x, y, of: [width, height] });
     return part === null ? null : (this.model.parts[part]?.id ?? null);
+  }
+
+  private tap(x: number, y: number): void {
+    const { left, top } = this.root.getBoundingClientRect();
+    const part = this.options.onTap ? this.pick(x - left, y - top) : null;
+    if (part !== null) this.options.onTap?.(part);
   }
 
   /** Whether all of the pot is on the stage, where the camera is going to be. */
@@ -233,9 +230,9 @@ export class Stage {
   }
 
   /** Puts a second pot to the right of the first at the same scale, or takes it away, and fits the view when it comes or goes. */
-  compare(other: { mesh: StageMesh; looks: StageLook[] } | null): void {
+  compare(other: StageModel | null): void {
     const before = this.tableau.comparing;
-    this.tableau.compare(other && partsOf(other.mesh, other.looks));
+    this.tableau.compare(other);
     if (before !== this.tableau.comparing) this.fit();
     this.loop.invalidate();
   }

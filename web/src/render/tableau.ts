@@ -96,14 +96,15 @@ export class Tableau implements Tenant {
     return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
   }
 
-  /** Points (xyz, model units) that a fitted view must contain: about so many of the vertices. */
+  /** Points (xyz, model units) that a fitted view must contain: about so many of the vertices of what is not hidden. */
   outline(count = 20_000): number[] {
     const points: number[] = [];
     const add = (pot: Pot, by: Triple) => {
-      const vertices = pot.parts.reduce((sum, part) => sum + part.vertices, 0);
+      const seen = pot.parts.filter(({ drawable }) => drawable.visible);
+      const vertices = seen.reduce((sum, part) => sum + part.vertices, 0);
       // An odd stride wanders over the columns of a grid instead of following some of them.
       const stride = 2 * Math.floor(vertices / count) + 1;
-      for (const part of pot.parts) {
+      for (const part of seen) {
         for (let v = 0; v < part.vertices; v += stride) points.push(...along(part.at(v), by, 1));
       }
     };

@@ -1,9 +1,8 @@
 import { Camera } from "./camera";
 import { Device } from "./gl/device";
-import type { StageLook } from "./glaze";
+import type { StageModel } from "./mesh";
 import { drawPicture } from "./picture";
 import { axesOf, fitDistance, VIEWS } from "./pose";
-import { partsOf, type StageMesh } from "./stage-mesh";
 import { Tableau } from "./tableau";
 
 /** So many milliseconds a lost context is waited for. */
@@ -16,7 +15,7 @@ export interface Thumbnails {
    *
    * @throws {Error} when there is no graphics context to be had
    */
-  draw(mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement): Promise<void>;
+  draw(model: StageModel, canvas: HTMLCanvasElement): Promise<void>;
   dispose(): void;
 }
 
@@ -28,7 +27,7 @@ export function thumbnails(): Thumbnails {
   let disposed = false;
   let queue: Promise<unknown> = Promise.resolve();
 
-  const drawNow = async (mesh: StageMesh, look: StageLook, canvas: HTMLCanvasElement) => {
+  const drawNow = async (model: StageModel, canvas: HTMLCanvasElement) => {
     if (disposed) return;
     device ??= Device.share();
     await device.whenThere(PATIENCE);
@@ -36,8 +35,7 @@ export function thumbnails(): Thumbnails {
     tableau ??= new Tableau("light");
     device.admit(tableau);
     tableau.cutOut = true;
-    const parts = Math.max(1, mesh.groups.length / 3);
-    tableau.show(partsOf(mesh, new Array<StageLook>(parts).fill(look)));
+    tableau.show(model);
     const bounds = tableau.bounds;
     const paper = canvas.getContext("2d");
     if (!paper) throw new Error("the canvas of a thumbnail must have a 2D context");
@@ -57,10 +55,10 @@ export function thumbnails(): Thumbnails {
   };
 
   return {
-    draw(mesh, look, canvas) {
+    draw(model, canvas) {
       // One after the other, with a breath between two: a gallery must not hold up the page.
       const turn = queue.then(() => new Promise((resolve) => setTimeout(resolve, 0)));
-      const done = turn.then(() => drawNow(mesh, look, canvas));
+      const done = turn.then(() => drawNow(model, canvas));
       queue = done.catch(() => {});
       return done;
     },

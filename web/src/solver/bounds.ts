@@ -1,5 +1,6 @@
 /** What the vertices of a mesh fill. */
 
+import { type Matrix, placedAll } from "../document/placement";
 import type { Triple } from "../document/types";
 
 export interface Bounds {
@@ -21,6 +22,46 @@ export function around(a: Bounds | null, b: Bounds | null): Bounds | null {
   const reach = ({ centre: [x, y, z], radius }: Bounds) =>
     Math.hypot(x - centre[0], y - centre[1], z - centre[2]) + radius;
   return { min, max, centre, radius: Math.max(reach(a), reach(b)) };
+}
+
+/** A part where it stands: what it fills before placement, and the points that tell how far it reaches then. */
+export interface Standing {
+  readonly matrix: Matrix;
+  readonly bounds: Bounds | null;
+  /** Placed. */
+  readonly reach: Float64Array;
+}
+
+/** What parts fill together where they stand. The box is that of their farthest points; the radius is large enough. */
+export function boundsOfParts(parts: readonly Standing[]): Bounds | null {
+  const min = [Infinity, Infinity, Infinity];
+  const max = [-Infinity, -Infinity, -Infinity];
+  for (const { reach } of parts) {
+    for (let i = 0; i < reach.length; i += 1) {
+      const x = reach[i] as number;
+      const axis = i % 3;
+      if (x < (min[axis] as number)) min[axis] = x;
+      if (x > (max[axis] as number)) max[axis] = x;
+    }
+  }
+  const [x0, y0, z0] = min as [number, number, number];
+  const [x1, y1, z1] = max as [number, number, number];
+  if (!(x1 >= x0)) return null;
+  const centre: Triple = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2];
+  const far = parts.map(({ matrix, bounds }) => {
+    if (!bounds) return 0;
+    const [x, y, z] = placedAll(matrix, bounds.centre) as unknown as Triple;
+    return Math.hypot(x - centre[0], y - centre[1], z - centre[2]) + stretch(matrix) * bounds.radius;
+  });
+  // Nothing is farther than a corner of the box.
+  const corner = Math.hypot(x1 - centre[0], y1 - centre[1], z1 - centre[2]);
+  return { min: [x0, y0, z0], max: [x1, y1, z1], centre, radius: Math.min(corner, Math.max(...far)) };
+}
+
+/** How much longer anything becomes at most: placements scale along the axes of the part. */
+function stretch(matrix: Matrix): number {
+  const column = (i: number) => Math.hypot(...matrix.slice(4 * i, 4 * i + 3));
+  return Math.max(column(0), column(1), column(2));
 }
 
 /**

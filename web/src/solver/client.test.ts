@@ -1,13 +1,15 @@
 import { beforeEach, expect, test } from "vitest";
 import type { Design, Part, Shape } from "../document/types";
+import type { Told } from "../worker/port";
 import { SolverClient } from "./client";
-import type { MeshArrays, Reply, Request, SentMesh, SolveOptions, SolverPort } from "./messages";
+import type { Desk, SolveOptions } from "./desk";
+import type { PartMesh, Reply, Request, SentMesh, SentParts, SolverPort } from "./messages";
 
 class FakePort implements SolverPort {
   readonly sent: Request[] = [];
   readonly transferred: Transferable[][] = [];
   stopped = false;
-  onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
+  onmessage: ((event: MessageEvent<Reply | Told>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
   postMessage(message: Request, transfer: Transferable[]): void {
     this.sent.push(message);
@@ -23,16 +25,44 @@ class FakePort implements SolverPort {
 
 const OPTIONS: SolveOptions = { rows: 8, columns: 9, lines: false, section: null, settle: false };
 const PART = { shape: { kind: "fourth-order" } } as unknown as Part;
-const design = (title: string): Design => ({ pasu: 1, title, parts: [PART] });
-/** An answer without a mesh: what comes back is what was sent. */
-const answer = (name: string) => ({ design: name });
+/** A design whose part has a shape of its own, by which one knows it again. */
+const design = (name: string): Design => ({
+  pasu: 1,
+  parts: [{ shape: { ...PART.shape, name } as unknown as Part["shape"] }],
+});
+const scene = (name: string) => ({ design: design(name), ids: [0] });
 const titles = (port: FakePort) =>
-  port.sent.map(({ ask }) =>
-    "design" in ask ? (ask.design.title ?? "") : ask.kind === "parse" ? ask.text : ask.order,
-  );
+  port.sent.map(({ ask }) => {
+    if (ask.kind === "parts") return ask.parts.map(({ shape }) => (shape as unknown as { name: string }).name).join();
+    return ask.kind === "parse" ? ask.text : ask.order;
+  });
+
+const made = (topology: string, vertices: number, whole: boolean): SentMesh => ({
+  positions: new Float32Array(3 * vertices),
+  normals: new Float32Array(3 * vertices),
+  topology,
+  ware: { texels: new Float32Array(4), rows: 1, columns: 1 },
+  lattice: whole ? { uvs: new Float32Array(2 * vertices), indices: new Uint32Array(3) } : null,
+});
+
+/** An answer with one mesh. */
+const answer = (mesh: SentMesh = made("a", 72, true)): SentParts => ({
+  parts: [
+    {
+      id: 0,
+      mesh,
+      told: { reach: new Float32Array(3), bounds: null, body: null, closed: true },
+      lines: null,
+      section: null,
+    },
+  ],
+  whole: null,
+  times: { begun: 0, meshed: 0, glazed: 0, done: 0 },
+});
 
 let ports: FakePort[];
 let client: SolverClient;
+let desk: Desk;
 const port = (index = ports.length - 1) => ports[index] as FakePort;
 
 beforeEach(() => {
@@ -41,24 +71,21 @@ beforeEach(() => {
     ports.push(new FakePort());
     return port();
   });
+  desk = client.desk();
 });
 
 test("one under way, one waiting, the latest wins", async () => {
-  const outcomes = ["a", "b", "c", "d"].map((title) => client.solve(design(title), OPTIONS));
+  const outcomes = ["a", "b", "c", "d"].map((title) => desk.solve(scene(title), OPTIONS));
   expect(titles(port())).toEqual(["a"]);
-  port().reply({ id: port().sent[0]?.id, ok: true, answer: answer("A") });
+  port().reply({ id: port().sent[0]?.id, ok: true, answer: answer() });
   expect(titles(port())).toEqual(["a", "d"]);
-  port().reply({ id: port().sent[1]?.id, ok: true, answer: answer("D") });
-  expect(await Promise.all(outcomes)).toEqual([
-    { state: "done", value: answer("A") },
-    { state: "superseded" },
-    { state: "superseded" },
-    { state: "done", value: answer("D") },
-  ]);
+  port().reply({ id: port().sent[1]?.id, ok: true, answer: answer() });
+  const states = (await Promise.all(outcomes)).map(({ state }) => state);
+  expect(states).toEqual(["done", "superseded", "superseded", "done"]);
 });
 
 test("lanes do not wait for each other, and parsing is never superseded", () => {
-  void client.solve(design("main"), OPTIONS);
+  void desk.solve(scene("main"), OPTIONS);
   void client.mesh("compare", design("other"), 8, 9);
   void client.parse("one");
   void client.parse("two");
@@ -87,9 +114,9 @@ test("a refusal comes back as it was said", async () => {
 });
 
 test("a trapped module is replaced, the one to blame refused, the rest asked again", async () => {
-  const blamed = client.solve(design("bad"), OPTIONS);
+  const blamed = desk.solve(scene("bad"), OPTIONS);
   const innocent = client.parse("good");
-  const waiting = client.solve(design("next"), OPTIONS);
+  const waiting = desk.solve(scene("next"), OPTIONS);
   port().reply({
     id: port().sent[0]?.id,
     ok: false,
@@ -100,45 +127,35 @@ test("a trapped module is replaced, the one to blame refused, the rest asked aga
   expect(ports.length).toBe(2);
   expect(await blamed).toMatchObject({ state: "refused", refusal: { code: "solver-stopped" } });
   expect(titles(port()).sort()).toEqual(["good", "next"]);
-  for (const { id } of [...port().sent]) port().reply({ id, ok: true, answer: answer(String(id)) });
+  for (const { id } of [...port().sent]) port().reply({ id, ok: true, answer: answer() });
   expect((await innocent).state).toBe("done");
   expect((await waiting).state).toBe("done");
 });
 
 test("a worker that dies is replaced too", async () => {
-  const outcome = client.solve(design("bad"), OPTIONS);
+  const outcome = desk.solve(scene("bad"), OPTIONS);
   port().onerror?.({} as ErrorEvent);
   expect(await outcome).toMatchObject({ state: "refused" });
-  void client.solve(design("next"), OPTIONS);
+  void desk.solve(scene("next"), OPTIONS);
   expect(titles(port())).toEqual(["next"]);
 });
 
 test("late replies of an old worker are ignored", async () => {
-  const first = client.solve(design("bad"), OPTIONS);
+  const first = desk.solve(scene("bad"), OPTIONS);
   const id = port().sent[0]?.id;
   port().onerror?.({} as ErrorEvent);
-  port(0).reply({ id, ok: true, answer: answer("late") });
+  port(0).reply({ id, ok: true, answer: answer() });
   expect(await first).toMatchObject({ state: "refused" });
 });
 
-const made = (topology: string, vertices: number, whole: boolean): SentMesh => ({
-  positions: new Float32Array(3 * vertices),
-  normals: new Float32Array(3 * vertices),
-  topology,
-  ware: { texels: new Float32Array(4), rows: 1, columns: 1 },
-  bounds: null,
-  lattice: whole
-    ? { uvs: new Float32Array(2 * vertices), indices: new Uint32Array(3), groups: new Uint32Array(3) }
-    : null,
-});
-
 /** Asks for a mesh of so many vertices and gets it. */
-async function solved(sent: SentMesh): Promise<MeshArrays> {
-  const outcome = client.solve(design(""), OPTIONS);
-  port().reply({ id: port().sent.at(-1)?.id, ok: true, answer: { mesh: sent } });
+async function solved(sent: SentMesh): Promise<PartMesh> {
+  const outcome = desk.solve(scene(""), OPTIONS);
+  port().reply({ id: port().sent.at(-1)?.id, ok: true, answer: answer(sent) });
   const value = await outcome;
-  if (value.state !== "done") throw new Error(value.state);
-  return value.value.mesh;
+  const part = value.state === "done" ? value.value.parts[0] : undefined;
+  if (!part) throw new Error(value.state);
+  return part.mesh;
 }
 
 test("what depends on the grid alone comes once, and every mesh has the very same arrays", async () => {
@@ -148,9 +165,9 @@ test("what depends on the grid alone comes once, and every mesh has the very sam
   expect(port().sent[1]?.known).toEqual(["a"]);
   expect(second.indices).toBe(first.indices);
   expect(second.uvs).toBe(first.uvs);
-  for (const topology of ["b", "c", "a", "d"]) await solved(made(topology, 72, topology !== "a"));
-  void client.solve(design(""), OPTIONS);
-  expect(port().sent.at(-1)?.known).toEqual(["c", "a", "d"]);
+  for (const topology of ["b", "c", "d", "e", "f", "a", "g"]) await solved(made(topology, 72, topology !== "a"));
+  void desk.solve(scene(""), OPTIONS);
+  expect(port().sent.at(-1)?.known).toEqual(["c", "d", "e", "f", "a", "g"]);
 });
 
 test("arrays that are given back travel to the worker, once, when the size is right", async () => {
@@ -159,22 +176,22 @@ test("arrays that are given back travel to the worker, once, when the size is ri
   client.recycle(await solved(made("b", 6, true)));
   const { sent, transferred } = port();
   // The first was on its way with the second request.
-  expect(sent[1]?.spare?.positions).toBe(mesh.positions);
+  expect(sent[1]?.spares[0]?.positions).toBe(mesh.positions);
   expect(transferred[1]).toEqual([mesh.positions.buffer, mesh.normals.buffer, mesh.ware.texels.buffer]);
   await solved(made("a", 72, false));
-  expect(sent[2]?.spare).toBeNull();
+  expect(sent[2]?.spares).toEqual([null]);
   expect(transferred[2]).toEqual([]);
 });
 
 test("a lattice that others put out meanwhile is still there for a mesh under way", async () => {
   const first = await solved(made("a", 72, true));
-  const late = client.solve(design(""), OPTIONS);
+  const late = desk.solve(scene(""), OPTIONS);
   const id = port().sent.at(-1)?.id;
-  for (const topology of ["b", "c", "d"]) {
+  for (const topology of ["b", "c", "d", "e", "f", "g"]) {
     const other = client.mesh(topology, design(""), 8, 9);
-    port().reply({ id: port().sent.at(-1)?.id, ok: true, answer: made(topology, 72, true) });
+    port().reply({ id: port().sent.at(-1)?.id, ok: true, answer: answer(made(topology, 72, true)) });
     await other;
   }
-  port().reply({ id, ok: true, answer: { mesh: made("a", 72, false) } });
-  expect(await late).toMatchObject({ state: "done", value: { mesh: { indices: first.indices } } });
+  port().reply({ id, ok: true, answer: answer(made("a", 72, false)) });
+  expect(await late).toMatchObject({ state: "done", value: { parts: [{ mesh: { indices: first.indices } }] } });
 });

@@ -4,28 +4,29 @@
  */
 
 import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
-import type { Outcome } from "../worker/port";
-import type {
-  Answers,
-  Ask,
-  MeshArrays,
-  Parsed,
-  Reply,
-  SentAnswers,
-  Solved,
-  SolveOptions,
-  SolverPort,
-} from "./messages";
+import type { Outcome, Told } from "../worker/port";
+import { askOf, Desk, type Desktop, meshWanted, type Task } from "./desk";
+import type { Ask, Parsed, PartsAsk, Reply, SentAnswers, SentMesh, SentParts, SolverPort, Used } from "./messages";
+import { nextRevision, placedParts, type Solved, type SolvedParts } from "./solved";
 import { type Lattices, Stock } from "./stock";
 
+/** Lanes are known by their names, or by whom they belong to. */
+type LaneKey = string | object;
+
+/** Something that the worker is wanted for. */
 interface Job {
-  readonly ask: Ask;
-  readonly settle: (outcome: Outcome<Answers[Ask["kind"]]>) => void;
+  /** What is asked by now; null where nothing is. */
+  readonly ask: () => Ask | null;
+  /** Takes the answer, null where nothing was asked. Says whether that will do: what was asked for has to be asked for again where not. */
+  readonly take: (answer: SentAnswers[Ask["kind"]] | null, then: Lattices) => boolean;
+  readonly end: (
+    outcome: { readonly state: "superseded" } | { readonly state: "refused"; readonly refusal: Refusal },
+  ) => void;
 }
 
 interface Sent {
   readonly job: Job;
-  readonly lane: string;
+  readonly lane: LaneKey;
   /** What the worker was told that is here. */
   readonly lattices: Lattices;
 }
@@ -41,9 +42,9 @@ const CRASHED: Refusal = {
   message: "The solver stopped on this design and was started again. Undo the last change, or go on.",
 };
 
-export class SolverClient {
+export class SolverClient implements Desktop {
   readonly #start: () => SolverPort;
-  readonly #lanes = new Map<string, Lane>();
+  readonly #lanes = new Map<LaneKey, Lane>();
   readonly #sent = new Map<number, Sent>();
   readonly #stock = new Stock();
   #port: SolverPort | null = null;
@@ -58,68 +59,116 @@ export class SolverClient {
     this.#connect();
   }
 
-  solve(design: Design, options: SolveOptions): Promise<Outcome<Solved>> {
-    return this.#ask("solve", { kind: "solve", design, options }) as Promise<Outcome<Solved>>;
+  /** A place where the parts of one design are kept from one change to the next. */
+  desk(): Desk {
+    return new Desk(this);
+  }
+
+  solve(lane: object, task: Task<Solved>): Promise<Outcome<Solved>> {
+    return this.#parts(lane, task);
   }
 
   /**
    * Takes back a mesh that nobody shows any more. Its arrays travel to the worker, where a later mesh is written over them,
    * so that a drag allocates nothing.
    */
-  recycle(mesh: MeshArrays): void {
+  recycle(mesh: Used): void {
     this.#stock.add(mesh);
   }
 
-  /** A mesh alone. Requests of the same lane supersede each other; give each thumbnail a lane of its own. */
-  mesh(lane: string, design: Design, rows: number, columns: number): Promise<Outcome<MeshArrays>> {
-    return this.#ask(lane, { kind: "mesh", design, rows, columns }) as Promise<Outcome<MeshArrays>>;
+  /** Meshes alone, which nobody keeps. Requests of the same lane supersede each other; give each thumbnail a lane of its own. */
+  mesh(lane: string, design: Design, rows: number, columns: number): Promise<Outcome<SolvedParts>> {
+    const options = { rows, columns, lines: false, settle: true };
+    const parts = design.parts.map((part, place) =>
+      askOf(part, place, place, meshWanted(design, part, options), false),
+    );
+    return this.#parts<SolvedParts>(lane, {
+      ask: () => ({ kind: "parts", parts, whole: null }),
+      take: (answer, whole) => {
+        const sent = answer?.parts ?? [];
+        const made = sent.flatMap(({ id, mesh, told }) =>
+          mesh && told ? [{ id, revision: nextRevision(), mesh: whole(mesh), told, lines: null }] : [],
+        );
+        return placedParts(design, made);
+      },
+    });
   }
 
   /** Reads JSON text or a link. Never superseded. */
   parse(text: string): Promise<Outcome<Parsed>> {
-    return this.#ask(`parse ${this.#nextId}`, { kind: "parse", text }) as Promise<Outcome<Parsed>>;
+    return this.#plain<Parsed>(`parse ${this.#nextId}`, { kind: "parse", text });
   }
 
   /** A vase in another order. Requests of the same lane supersede each other. */
   convert(lane: string, shape: Shape, order: OrderKind): Promise<Outcome<Conversion>> {
-    return this.#ask(`convert ${lane}`, { kind: "convert", shape, order }) as Promise<Outcome<Conversion>>;
+    return this.#plain<Conversion>(`convert ${lane}`, { kind: "convert", shape, order });
   }
 
   dispose(): void {
     this.#port?.terminate();
     this.#port = null;
-    for (const { job } of this.#sent.values()) job.settle({ state: "superseded" });
-    for (const lane of this.#lanes.values()) lane.waiting?.settle({ state: "superseded" });
+    for (const { job } of this.#sent.values()) job.end({ state: "superseded" });
+    for (const lane of this.#lanes.values()) lane.waiting?.end({ state: "superseded" });
     this.#sent.clear();
     this.#lanes.clear();
   }
 
-  #ask(name: string, ask: Ask): Promise<Outcome<Answers[Ask["kind"]]>> {
+  #parts<T>(lane: LaneKey, { ask, take }: Task<T>): Promise<Outcome<T>> {
     return new Promise((settle) => {
-      const lane = this.#lanes.get(name) ?? { busy: false, waiting: null };
-      this.#lanes.set(name, lane);
-      const job: Job = { ask, settle };
-      if (!lane.busy) {
-        this.#send(name, lane, job);
-        return;
-      }
-      lane.waiting?.settle({ state: "superseded" });
-      lane.waiting = job;
+      this.#queue(lane, {
+        ask,
+        take: (answer, then) => {
+          const value = take(answer as SentParts | null, (mesh: SentMesh) => this.#stock.whole(mesh, then));
+          if (value !== undefined) settle({ state: "done", value });
+          return value !== undefined;
+        },
+        end: settle,
+      });
     });
   }
 
-  #send(name: string, lane: Lane, job: Job): void {
+  /** Something whose answer is what was sent. */
+  #plain<T>(lane: LaneKey, ask: Exclude<Ask, PartsAsk>): Promise<Outcome<T>> {
+    return new Promise((settle) => {
+      const take = (answer: unknown) => {
+        settle({ state: "done", value: answer as T });
+        return true;
+      };
+      this.#queue(lane, { ask: () => ask, take, end: settle });
+    });
+  }
+
+  #queue(name: LaneKey, job: Job): void {
+    const lane = this.#lanes.get(name) ?? { busy: false, waiting: null };
+    this.#lanes.set(name, lane);
+    if (!lane.busy) {
+      this.#send(name, lane, job);
+      return;
+    }
+    lane.waiting?.end({ state: "superseded" });
+    lane.waiting = job;
+  }
+
+  #send(name: LaneKey, lane: Lane, job: Job): void {
     lane.busy = true;
+    const { lattices } = this.#stock;
+    const ask = job.ask();
+    if (!ask) {
+      job.take(null, lattices);
+      this.#release(name);
+      return;
+    }
     const id = this.#nextId;
     this.#nextId += 1;
-    const { lattices } = this.#stock;
     this.#sent.set(id, { job, lane: name, lattices });
-    const { ask } = job;
-    const spare =
-      ask.kind === "solve" ? this.#stock.take(ask.design.parts.length * ask.options.rows * ask.options.columns) : null;
+    // Who keeps what he is sent gives it back.
+    const spares =
+      ask.kind === "parts" && typeof name !== "string"
+        ? ask.parts.map(({ mesh }) => mesh && this.#stock.take(mesh.rows * mesh.columns))
+        : [];
     this.#connect().postMessage(
-      { id, ask, known: [...lattices.keys()], spare },
-      spare ? [spare.positions.buffer, spare.normals.buffer, spare.texels.buffer] : [],
+      { id, ask, known: [...lattices.keys()], spares },
+      spares.flatMap((spare) => (spare ? [spare.positions.buffer, spare.normals.buffer, spare.texels.buffer] : [])),
     );
   }
 
@@ -132,7 +181,8 @@ export class SolverClient {
     return port;
   }
 
-  #receive(reply: Reply): void {
+  #receive(reply: Reply | Told): void {
+    if ("done" in reply) return;
     const sent = this.#sent.get(reply.id);
     if (!sent) return;
     if (!reply.ok && reply.broken) {
@@ -140,23 +190,16 @@ export class SolverClient {
       return;
     }
     this.#sent.delete(reply.id);
+    if (!reply.ok) sent.job.end({ state: "refused", refusal: reply.refusal });
+    else if (!sent.job.take(reply.answer, sent.lattices)) {
+      this.#send(sent.lane, this.#lanes.get(sent.lane) ?? { busy: true, waiting: null }, sent.job);
+      return;
+    }
+    // What is answered at once now comes after this answer.
     this.#release(sent.lane);
-    sent.job.settle(
-      reply.ok
-        ? { state: "done", value: this.#whole(reply.answer, sent.lattices) }
-        : { state: "refused", refusal: reply.refusal },
-    );
   }
 
-  /** Adds to a mesh what was not sent because it is here. */
-  #whole(answer: SentAnswers[Ask["kind"]], then: Lattices): Answers[Ask["kind"]] {
-    if ("design" in answer || "lost" in answer) return answer;
-    return "mesh" in answer
-      ? { ...answer, mesh: this.#stock.whole(answer.mesh, then) }
-      : this.#stock.whole(answer, then);
-  }
-
-  #release(name: string): void {
+  #release(name: LaneKey): void {
     const lane = this.#lanes.get(name);
     if (!lane) return;
     const next = lane.waiting;
@@ -175,6 +218,6 @@ export class SolverClient {
     for (const { job, lane } of others) this.#send(lane, this.#lanes.get(lane) ?? { busy: true, waiting: null }, job);
     if (!blamed) return;
     this.#release(blamed.lane);
-    blamed.job.settle({ state: "refused", refusal: CRASHED });
+    blamed.job.end({ state: "refused", refusal: CRASHED });
   }
 }

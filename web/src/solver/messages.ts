@@ -1,8 +1,9 @@
 /** What the page and the solver's worker say to each other. Everything here survives structured cloning. */
 
-import type { Facts } from "../document/describe";
-import type { Conversion, Design, Handles, OrderKind, Shape } from "../document/types";
+import type { Body } from "../document/body";
+import type { Conversion, Design, Handles, OrderKind, Placement, Shape } from "../document/types";
 import type { GridSize } from "../document/waves";
+import type { PartId } from "../state/parts";
 import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
 import type { Ware } from "./ware";
@@ -11,7 +12,6 @@ import type { Ware } from "./ware";
 export interface Lattice {
   readonly uvs: Float32Array;
   readonly indices: Uint32Array;
-  readonly groups: Uint32Array;
 }
 
 /** What is different in every mesh. */
@@ -20,23 +20,44 @@ export interface Surface {
   readonly normals: Float32Array;
   readonly topology: string;
   readonly ware: Ware;
-  readonly bounds: Bounds | null;
 }
 
-/** A mesh as the package documents it, a grid of rows by columns for every part, with what its picture needs besides. */
-export interface MeshArrays extends Surface, Lattice {}
+/** The mesh of one part, before placement: a grid of rows by columns, with what its picture needs besides. */
+export interface PartMesh extends Surface, Lattice {}
 
 /** A mesh on its way: the page has the lattice already, or it comes along. */
 export interface SentMesh extends Surface {
   readonly lattice: Lattice | null;
 }
 
+/** A mesh that may be given back, as far as that goes. */
+export type Used = Pick<Surface, "positions" | "normals" | "ware">;
+
 /** Arrays of an earlier mesh, to be written over. */
 export interface Spare {
   readonly positions: Float32Array;
   readonly normals: Float32Array;
   readonly texels: Float32Array;
-  readonly topology: string;
+}
+
+/** What is known of a part from its mesh. */
+export interface PartFacts {
+  /** The points (xyz, before placement) that tell how far it reaches. */
+  readonly reach: Float32Array;
+  /** What it fills before placement. */
+  readonly bounds: Bounds | null;
+  /** What there is to say of it, scaled and turned as it was asked for. */
+  readonly body: Body | null;
+  readonly closed: boolean;
+}
+
+/** Curves on a part, xyz triples before placement. */
+export interface PartLines {
+  readonly iso_u: readonly Float32Array[];
+  readonly iso_v: readonly Float32Array[];
+  /** At `u = 0` and at `u = 1`. */
+  readonly ends: readonly [Float32Array, Float32Array];
+  readonly tangents: { readonly at: Float64Array; readonly along: Float64Array };
 }
 
 /** Curves on the placed surface, xyz triples. */
@@ -60,35 +81,65 @@ export interface Section {
   readonly handles: Handles;
 }
 
-export interface SolveOptions extends GridSize {
+/** How a mesh is wanted. */
+export interface MeshWanted extends GridSize {
+  /** The grid of what the glaze goes by. */
+  readonly ware: GridSize;
   /** Whether the overlay lines are wanted. */
   readonly lines: boolean;
-  /** The part whose section is wanted, if any. */
-  readonly section: number | null;
-  /** Whether the gesture is over: link and fingerprint are computed then. */
-  readonly settle: boolean;
+  /** Whether its size is told of every vertex: under the hand fewer will do. */
+  readonly exact: boolean;
+}
+
+/** What is asked of one part: of its shape alone, wherever it stands. */
+export interface PartAsk {
+  readonly id: PartId;
+  /** Its number in the design, by which refusals name it. */
+  readonly place: number;
+  readonly shape: Shape;
+  /** How it is scaled and turned, for what is told of it and for how its glaze runs. */
+  readonly turn: Placement | undefined;
+  /** Null where its mesh is there. */
+  readonly mesh: MeshWanted | null;
+  readonly section: boolean;
+}
+
+/** A whole design, whose gesture is over. */
+export interface WholeAsk extends GridSize {
+  readonly design: Design;
+}
+
+/** What is known of a whole design. */
+export interface Whole {
+  /** The largest distance of the triangles from the true surface. */
+  readonly bound: number | null;
+  readonly fingerprint: string;
+  readonly link: string;
 }
 
 /** Times of the worker, in milliseconds on the clock of the page's `performance.timeOrigin + performance.now()`. */
 export interface Times {
   readonly begun: number;
-  /** The mesh stood. */
+  /** The meshes stood. */
   readonly meshed: number;
-  /** The coarse mesh for the glaze stood: with the one before, what solving took and what sampling. */
+  /** The coarse meshes for the glaze stood: with the one before, what solving took and what sampling. */
   readonly glazed: number;
   /** Everything stood. */
   readonly done: number;
 }
 
-export interface Solved<Mesh = MeshArrays> {
-  readonly mesh: Mesh;
-  readonly lines: LineArrays | null;
+/** What was solved of one part. */
+export interface SentPart {
+  readonly id: PartId;
+  readonly mesh: SentMesh | null;
+  readonly told: PartFacts | null;
+  readonly lines: PartLines | null;
   readonly section: Section | null;
-  readonly facts: Facts | null;
-  /** The largest distance of the triangles from the true surface; known once the gesture is over. */
-  readonly bound: number | null;
-  readonly fingerprint: string;
-  readonly link: string;
+}
+
+export interface SentParts {
+  readonly parts: readonly SentPart[];
+  readonly whole: Whole | null;
   readonly times: Times;
 }
 
@@ -97,23 +148,21 @@ export interface Parsed {
   readonly link: string;
 }
 
+/** The parts that are not there yet, and what is known of all together. */
+export interface PartsAsk {
+  readonly kind: "parts";
+  readonly parts: readonly PartAsk[];
+  readonly whole: WholeAsk | null;
+}
+
 export type Ask =
-  | { readonly kind: "solve"; readonly design: Design; readonly options: SolveOptions }
-  | ({ readonly kind: "mesh"; readonly design: Design } & GridSize)
+  | PartsAsk
   | { readonly kind: "parse"; readonly text: string }
   | { readonly kind: "convert"; readonly shape: Shape; readonly order: OrderKind };
 
-export interface Answers {
-  readonly solve: Solved;
-  readonly mesh: MeshArrays;
-  readonly parse: Parsed;
-  readonly convert: Conversion;
-}
-
-/** What is sent in the place of {@link Answers}. */
+/** What is sent for each. */
 export interface SentAnswers {
-  readonly solve: Solved<SentMesh>;
-  readonly mesh: SentMesh;
+  readonly parts: SentParts;
   readonly parse: Parsed;
   readonly convert: Conversion;
 }
@@ -123,7 +172,8 @@ export interface Request {
   readonly ask: Ask;
   /** The topologies whose lattice the page has. */
   readonly known: readonly string[];
-  readonly spare: Spare | null;
+  /** One for each of the first parts that are asked for, where there are any of its size. */
+  readonly spares: readonly (Spare | null)[];
 }
 
 export type Reply = worker.Reply<SentAnswers[Ask["kind"]]>;

@@ -1,17 +1,26 @@
 import { expect, test } from "vitest";
-import { JAR } from "../../testing/jar";
+import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
+import { boundsOf } from "./bounds";
 
 const { solver, worker } = realSolver({ free: true });
 
+const SCENE = { design: JAR, ids: [7] };
+const GRID = { rows: 13, columns: 25 };
+
 test("a design is solved, drawn and told by the real solver across a channel", async () => {
-  const options = { rows: 13, columns: 25, lines: true, section: 0, settle: true };
-  const outcome = await solver.solve(JAR, options);
+  const desk = solver.desk();
+  const options = { ...GRID, lines: true, section: 0, settle: true };
+  const outcome = await desk.solve(SCENE, options);
   if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
-  const { mesh, lines, section, facts, bound, link, fingerprint } = outcome.value;
-  expect(mesh.positions.length).toBe(3 * 13 * 25);
-  expect(mesh.uvs.length).toBe(2 * 13 * 25);
-  expect(mesh.bounds).not.toBeNull();
+  const { bounds, parts, lines, section, facts, bound, link, fingerprint } = outcome.value;
+  const [part] = parts;
+  if (!part) throw new Error("no part");
+  expect(part.id).toBe(7);
+  expect(part.mesh.positions.length).toBe(3 * 13 * 25);
+  expect(part.mesh.uvs.length).toBe(2 * 13 * 25);
+  const { min, max, centre } = boundsOf(part.mesh.positions) ?? {};
+  expect(bounds).toMatchObject({ min, max, centre });
   expect(lines?.rim?.length).toBeGreaterThan(0);
   expect(section?.right.length).toBe(section?.left.length);
   expect(facts?.height).toBeGreaterThan(0);
@@ -19,11 +28,15 @@ test("a design is solved, drawn and told by the real solver across a channel", a
   expect(link).not.toBe("");
   expect(fingerprint).not.toBe("");
   expect(worker.sent).toHaveLength(1);
-  // The lattice of a grid that the page has does not travel again, and the arrays that it gave back are written over.
-  solver.recycle(mesh);
-  const again = await solver.solve(JAR, { ...options, settle: false });
-  expect(worker.last.known).toEqual([mesh.topology]);
-  expect(again.state === "done" && again.value.mesh.uvs).toBe(mesh.uvs);
+  // Asked again it is there. The lattice of a grid that the page has does not travel again, and the arrays that it gave back are written over.
+  expect((await desk.solve(SCENE, options)).state).toBe("done");
+  expect(worker.sent).toHaveLength(1);
+  solver.recycle(part.mesh);
+  const other = { design: tall(JAR, 21), ids: [7] };
+  const again = await desk.solve(other, { ...options, settle: false });
+  expect(worker.last.known).toEqual([part.mesh.topology]);
+  expect(worker.last.spares[0]).not.toBeNull();
+  expect(again.state === "done" && again.value.parts[0]?.mesh.uvs).toBe(part.mesh.uvs);
 });
 
 test("what cannot be a design is refused with its place", async () => {

@@ -10,17 +10,34 @@ import {
   link,
   type Mesh,
   mesh,
+  PasuError,
   parse,
 } from "pasu/drawing";
-import type { Grid } from "../document/describe";
-import { facts } from "../document/describe";
+import { bodyOf, type Grid, isClosed } from "../document/body";
+import { placedNormals } from "../document/placed-normals";
+import { matrixOf, placedAll } from "../document/placement";
 import { SHAPES } from "../document/tables.gen";
-import type { Part, Sent, SentShape } from "../document/types";
-import { type GridSize, wavesOf } from "../document/waves";
+import type { Sent, SentShape, Shape } from "../document/types";
+import { type GridSize, highestFrequency } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
-import type { Ask, Request, Section, SentAnswers, SentMesh, Solved, SolveOptions } from "./messages";
-import { WARE_SIZE, type Ware, ware, wareGrid } from "./ware";
+import type {
+  Ask,
+  MeshWanted,
+  PartAsk,
+  PartFacts,
+  PartsAsk,
+  Request,
+  Section,
+  SentAnswers,
+  SentMesh,
+  SentPart,
+  SentParts,
+  Spare,
+  WholeAsk,
+} from "./messages";
+import { reachOf } from "./reach";
+import { WARE_SIZE, ware } from "./ware";
 
 const SECTION_POINTS = 129;
 const TAU = 2 * Math.PI;
@@ -31,10 +48,8 @@ let coarse: Partial<Mesh> = {};
 export function perform(request: Request): SentAnswers[Ask["kind"]] {
   const { ask } = request;
   switch (ask.kind) {
-    case "solve":
-      return solve(ask.design as Sent, ask.options, request);
-    case "mesh":
-      return meshed(ask.design as Sent, ask, request, true).mesh;
+    case "parts":
+      return solve(ask, request);
     case "parse": {
       const design = parse(ask.text);
       return { design, link: link(design) };
@@ -44,70 +59,107 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
   }
 }
 
-function solve(design: Sent, options: SolveOptions, given: Given): Solved<SentMesh> {
+/** How long each kind of thing took, all parts together. */
+interface Spent {
+  meshes: number;
+  coarse: number;
+}
+
+function solve({ parts, whole }: PartsAsk, { known, spares }: Pick<Request, "known" | "spares">): SentParts {
   const begun = now();
-  const made = meshed(design, options, given, options.settle);
-  const { bounds, positions } = made.mesh;
-  const part = options.section === null ? undefined : design.parts[options.section];
-  return {
-    mesh: made.mesh,
-    lines: options.lines
-      ? linesOf(
-          gridsOf(positions, options),
-          design.parts.map((each, index) => tangentsOf(design, each, index)),
-        )
-      : null,
-    section: part && options.section !== null ? sectionOf(design, part, options.section) : null,
-    facts:
-      bounds &&
-      facts(
-        gridsOf(made.coarse, made.mesh.ware),
-        bounds,
-        options.settle ? positions : made.coarse,
-        edgesOf(design, made),
-      ),
-    bound: options.settle ? bound(design, { rows: options.rows, columns: options.columns }) : null,
-    fingerprint: options.settle ? fingerprint(design) : "",
-    link: options.settle ? link(design) : "",
-    times: { begun, ...made.times, done: now() },
-  };
+  // The document is read as a whole before any of its parts, so that it is refused as a whole.
+  const address = whole ? link(whole.design as Sent) : "";
+  const read = now();
+  const spent: Spent = { meshes: 0, coarse: 0 };
+  const here = new Set(known);
+  const sent = parts.map((part, index) => named(part.place, () => solved(part, spares[index] ?? null, here, spent)));
+  const all = whole && { ...told(whole), link: address };
+  const meshed = read + spent.meshes;
+  return { parts: sent, whole: all, times: { begun, meshed, glazed: meshed + spent.coarse, done: now() } };
+}
+
+function told({ design, rows, columns }: WholeAsk) {
+  const sent = design as Sent;
+  return { bound: bound(sent, { rows, columns }), fingerprint: fingerprint(sent) };
+}
+
+/** What a part is refused for is told of the place that it has in the design. */
+function named<T>(place: number, run: () => T): T {
+  try {
+    return run();
+  } catch (error) {
+    if (!(error instanceof PasuError)) throw error;
+    throw Object.assign(error, { path: error.path.replace(/^parts\[0\]/, `parts[${place}]`) });
+  }
 }
 
 function now(): number {
   return performance.timeOrigin + performance.now();
 }
 
-/** What a request brings along. */
-type Given = Pick<Request, "known" | "spare">;
+/** The design of one shape. */
+function alone(shape: Shape): Sent {
+  return { pasu: 1, parts: [{ shape: shape as SentShape }] };
+}
 
-function meshed(design: Sent, { rows, columns }: GridSize, { known, spare }: Given, exact: boolean) {
-  const guess = spare && known.includes(spare.topology) ? spare.topology : known.at(-1);
+function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
+  const { id, shape } = part;
+  const design = alone(shape);
+  const made = part.mesh && meshed(design, part, part.mesh, spare, here, spent);
+  const { mesh: sent = null, told: about = null, grid } = made ?? {};
+  return {
+    id,
+    mesh: sent,
+    told: about,
+    lines: part.mesh?.lines && grid ? linesOf(grid, tangentsOf(design, shape)) : null,
+    section: part.section ? sectionOf(design, shape) : null,
+  };
+}
+
+function meshed(
+  design: Sent,
+  { shape, turn }: PartAsk,
+  { rows, columns, ware: size, exact }: MeshWanted,
+  spare: Spare | null,
+  here: Set<string>,
+  spent: Spent,
+): { readonly mesh: SentMesh; readonly told: PartFacts; readonly grid: Grid } {
+  const begun = now();
+  const guess = [...here].at(-1);
   // A longer array would do, but a grid that became coarse is not to hold the memory of a fine one.
-  const fits = spare?.positions.length === 3 * rows * columns * design.parts.length;
+  const fits = spare?.positions.length === 3 * rows * columns;
   const made = mesh(design, {
     rows,
     columns,
     into: { ...(fits && { positions: spare.positions, normals: spare.normals }), ...(guess && { topology: guess }) },
   });
-  const meshedAt = now();
-  const { positions, normals, topology, uvs, indices, groups } = made;
-  const size = wareGrid(design.parts.length, wavesOf(design));
+  const { positions, normals, topology, uvs, indices } = made;
+  const fine = now();
   // What is given and still holds is handed back: this mesh is always whole.
   const round = mesh(design, { ...size, into: coarse }) as Mesh;
   coarse = round;
-  const glazed = now();
+  const done = now();
+  spent.meshes += fine - begun;
+  spent.coarse += done - fine;
+  const matrix = turn ? matrixOf(turn) : null;
+  const turned = (points: Float32Array) => (matrix ? placedAll(matrix, points) : points);
+  const wide = { positions: turned(round.positions), ...size };
+  const length = WARE_SIZE * size.rows * size.columns;
+  const texels = spare?.texels.length === length ? spare.texels : new Float32Array(length);
+  ware({ ...wide, normals: matrix ? placedNormals(matrix, round.normals) : round.normals }, size, texels);
+  const lattice = uvs && indices && !here.has(topology) ? { uvs, indices } : null;
+  here.add(topology);
+  // Under the hand the coarse mesh will do: its corners stand on crests and troughs.
+  const sample = exact ? positions : round.positions;
   return {
-    mesh: {
-      positions,
-      normals,
-      topology,
-      ware: wareOf(round, size, spare?.texels),
-      // Under the hand the coarse mesh will do: its corners stand on crests and troughs.
-      bounds: boundsOf(exact ? positions : round.positions, round.positions),
-      lattice: uvs && indices && groups && !known.includes(topology) ? { uvs, indices, groups } : null,
-    } satisfies SentMesh,
-    coarse: round.positions,
-    times: { meshed: meshedAt, glazed },
+    mesh: { positions, normals, topology, ware: { texels, ...size }, lattice },
+    told: {
+      bounds: boundsOf(sample, round.positions),
+      reach: reachOf(sample, matrix),
+      closed: isClosed(wide),
+      body: bodyOf(wide, edgesOf(design, shape, wide, turned)),
+    },
+    grid: { positions, rows, columns },
   };
 }
 
@@ -117,54 +169,39 @@ const PER_WAVE = 16;
 /** With more waves than this no eye counts petals, and no grid is made to do so. */
 const MOST_COUNTED = 4000;
 
-/** The rim and the foot of the first part, sampled finely enough for its waves; null where those are too many. */
-function edgesOf(design: Sent, made: { readonly coarse: Float32Array; readonly mesh: SentMesh }): Grid | null {
-  const waves = wavesOf(design);
-  const [first] = gridsOf(made.coarse, made.mesh.ware);
-  if (first && first.columns > PER_WAVE * waves) return first;
-  const part = design.parts[0];
-  if (!part || !(waves <= MOST_COUNTED)) return null;
-  const [rows, columns] = [2, PER_WAVE * Math.ceil(waves) + 1];
-  const { positions } = mesh({ ...design, parts: [part] }, { rows, columns });
-  return { positions, first: 0, rows, columns };
+/** The rim and the foot, sampled finely enough for their waves; null where those are too many. */
+function edgesOf(
+  design: Sent,
+  shape: Shape,
+  wide: Grid,
+  turned: (points: Float32Array) => Grid["positions"],
+): Grid | null {
+  const waves = Math.max(1, highestFrequency(shape));
+  if (wide.columns > PER_WAVE * waves) return wide;
+  if (!(waves <= MOST_COUNTED)) return null;
+  const size: GridSize = { rows: 2, columns: PER_WAVE * Math.ceil(waves) + 1 };
+  return { positions: turned(mesh(design, size).positions), ...size };
 }
 
-function wareOf(round: Mesh, size: GridSize, old: Float32Array | undefined): Ware {
-  const length = (WARE_SIZE * round.positions.length) / 3;
-  const texels = old?.length === length ? old : new Float32Array(length);
-  ware(round, size, texels);
-  return { texels, ...size };
-}
-
-/** Every part was sampled on the same grid, so its vertices follow those of the part before. */
-function gridsOf(positions: Float32Array, { rows, columns }: GridSize): readonly Grid[] {
-  const parts = Math.round(positions.length / (3 * rows * columns));
-  return Array.from({ length: parts }, (_, index) => ({ positions, first: index * rows * columns, rows, columns }));
-}
-
-function spanOf({ shape }: Part): number {
+function spanOf(shape: Shape): number {
   const { span } = shape.kind === "boundary-value" ? shape : SHAPES[shape.kind];
   return span === "2pi" ? TAU : span;
 }
 
-function tangentsOf(design: Sent, part: Part, index: number) {
-  const points = tangentPoints(spanOf(part));
-  return {
-    at: evaluate(design, index, points),
-    du: derivatives(design, index, points).du,
-    place: part.place,
-  };
+function tangentsOf(design: Sent, shape: Shape) {
+  const points = tangentPoints(spanOf(shape));
+  return { at: evaluate(design, 0, points), along: derivatives(design, 0, points).du };
 }
 
-function sectionOf(design: Sent, part: Part, index: number): Section {
-  const half = spanOf(part) / 2;
+function sectionOf(design: Sent, shape: Shape): Section {
+  const half = spanOf(shape) / 2;
   const along = (v: number) => {
     const at = new Float64Array(2 * SECTION_POINTS);
     for (let i = 0; i < SECTION_POINTS; i += 1) at.set([i / (SECTION_POINTS - 1), v], 2 * i);
-    return flat(evaluate(design, index, at));
+    return flat(evaluate(design, 0, at));
   };
-  const slopes = flat(derivatives(design, index, new Float64Array([0, 0, 1, 0])).du);
-  return { right: along(0), left: along(half), slopes, handles: handles(part.shape as SentShape) };
+  const slopes = flat(derivatives(design, 0, new Float64Array([0, 0, 1, 0])).du);
+  return { right: along(0), left: along(half), slopes, handles: handles(shape as SentShape) };
 }
 
 /** `x, z` of xyz triples. */
@@ -176,8 +213,11 @@ function flat(triples: Float64Array): Float64Array {
 
 /** What travels with an answer. */
 export function buffersOf(answer: SentAnswers[Ask["kind"]]): Transferable[] {
-  if ("design" in answer || "lost" in answer) return [];
-  const { positions, normals, ware: wares, lattice } = "mesh" in answer ? answer.mesh : answer;
-  const arrays = [positions, normals, wares.texels, ...(lattice ? [lattice.uvs, lattice.indices, lattice.groups] : [])];
-  return arrays.map((array) => array.buffer);
+  if (!("parts" in answer)) return [];
+  return answer.parts.flatMap(({ mesh: sent }) => {
+    if (!sent) return [];
+    const { positions, normals, ware: wares, lattice } = sent;
+    const arrays = [positions, normals, wares.texels, ...(lattice ? [lattice.uvs, lattice.indices] : [])];
+    return arrays.map((array) => array.buffer);
+  });
 }

@@ -1,12 +1,12 @@
 /** What the page keeps of meshes between two of them: arrays to be written over, and what depends on the grid alone. */
 
-import type { Lattice, MeshArrays, SentMesh, Spare } from "./messages";
+import type { Lattice, PartMesh, SentMesh, Spare, Used } from "./messages";
 
 /** One set is on the stage and one under way; while a third is sent back, the next may be asked for. */
 const SPARES = 3;
 
-/** The grid under the hand, that at rest, and one of a comparison. */
-const LATTICES = 3;
+/** The grid under the hand, that at rest, and one of a comparison, each with parts that are wound one way and the other. */
+const LATTICES = 6;
 
 export type Lattices = ReadonlyMap<string, Lattice>;
 
@@ -19,9 +19,10 @@ export class Stock {
     return new Map(this.#lattices);
   }
 
-  /** Keeps the arrays of a mesh that is of no more use. */
-  add({ positions, normals, ware, topology }: MeshArrays): void {
-    this.#spares = [...this.#spares, { positions, normals, texels: ware.texels, topology }].slice(-SPARES);
+  /** Keeps the arrays of a mesh that is of no more use. Two stages may give back the same one. */
+  add({ positions, normals, ware }: Used): void {
+    if (this.#spares.some((spare) => spare.positions === positions)) return;
+    this.#spares = [...this.#spares, { positions, normals, texels: ware.texels }].slice(-SPARES);
   }
 
   /** Arrays for so many vertices, if there are any. */
@@ -31,7 +32,7 @@ export class Stock {
   }
 
   /** The mesh with its lattice, the very arrays that the last one of this topology had, or that were there when it was asked for. */
-  whole({ lattice, ...surface }: SentMesh, then: Lattices): MeshArrays {
+  whole({ lattice, ...surface }: SentMesh, then: Lattices): PartMesh {
     const { topology } = surface;
     const found = this.#lattices.get(topology) ?? lattice ?? then.get(topology);
     if (!found) throw new Error(`the solver sent no lattice for ${topology}`);

@@ -8,18 +8,17 @@ import type { GridSize } from "../document/waves";
 /** Numbers per sample. */
 export const WARE_SIZE = 4;
 
-/** A table of samples: for part after part, and row after row of it, four numbers per column (see {@link ware}). */
+/** A table of samples of one part: row after row four numbers per column (see {@link ware}). */
 export interface Ware {
   readonly texels: Float32Array;
-  /** Rows of each part. */
   readonly rows: number;
   readonly columns: number;
 }
 
-/** The vertices of the coarse grids, part after part, as the solver hands them over. */
+/** The vertices of a coarse grid, scaled and turned as the part stands. */
 export interface WareMesh {
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
+  readonly positions: ArrayLike<number>;
+  readonly normals: ArrayLike<number>;
 }
 
 const ROWS = 49;
@@ -30,17 +29,18 @@ const LEAST: GridSize = { rows: 8, columns: 25 };
 /** A texture may be this large on every machine that draws at all well. */
 const LARGEST_SIDE = 4096;
 /** All parts together. */
-const MOST_SAMPLES = 16_000;
+const MOST_SAMPLES = 100_000;
 
-/** The coarse grid of every part. */
+/** The coarse grid of a part among so many. It is the same for about as many, so that one part more leaves the others as they are. */
 export function wareGrid(parts: number, waves: number): GridSize {
+  const about = 2 ** Math.ceil(Math.log2(Math.max(1, parts)));
   // Whole quarters of a wave, so that crests and troughs are met.
   const quarters = 4 * Math.max(1, Math.round(waves));
   const columns = quarters * Math.max(LEAST_PER_QUARTER, Math.ceil(ROUND / quarters)) + 1;
-  const share = Math.min(1, Math.sqrt(MOST_SAMPLES / (ROWS * columns * Math.max(1, parts))));
+  const share = Math.min(1, Math.sqrt(MOST_SAMPLES / (ROWS * columns * about)));
   const scaled = (count: number, least: number) => Math.max(least, Math.floor(share * count));
   return {
-    rows: Math.min(scaled(ROWS, LEAST.rows), Math.floor(LARGEST_SIDE / Math.max(1, parts))),
+    rows: scaled(ROWS, LEAST.rows),
     columns: Math.min(scaled(columns, LEAST.columns), LARGEST_SIDE),
   };
 }
@@ -51,12 +51,6 @@ const NO_EDGE = 1e9;
 /** An end of the profile shorter than this share of the longest ring is a closed one (a pole), not an edge. */
 const POLE_SHARE = 0.02;
 
-/** The grid of one part. */
-interface Grid extends GridSize {
-  /** The first vertex. */
-  readonly first: number;
-}
-
 /**
  * Fills `into` for every vertex, in model units, with four numbers:
  * - the mean curvature beyond that of a plain cylinder of the same girth, positive where the surface bulges outwards (glaze runs thin) and negative in hollows (it pools);
@@ -64,14 +58,10 @@ interface Grid extends GridSize {
  * - the distance along the profile to the foot, or the height above the lowest point when the bottom is closed;
  * - the depth below the rim divided by the radius of the mouth: how much of the light of the opening reaches the inside.
  */
-export function ware(mesh: WareMesh, { rows, columns }: GridSize, into: Float32Array): void {
-  const { positions } = mesh;
-  for (let first = 0; 3 * first < positions.length; first += rows * columns) {
-    const grid: Grid = { first, rows, columns };
-    curvature(mesh, grid, into);
-    straighten(positions, grid, into);
-    edges(positions, grid, into);
-  }
+export function ware(mesh: WareMesh, grid: GridSize, into: Float32Array): void {
+  curvature(mesh, grid, into);
+  straighten(mesh.positions, grid, into);
+  edges(mesh.positions, grid, into);
 }
 
 /** A cell whose sides are this close to one line (by the square of the sine of their angle) has no curvature to speak of. */
@@ -82,15 +72,15 @@ const FLAT = 1e-6;
  * `(L G - 2 M F + N E) / (2 (E G - F^2))`. Round a closed surface there is no seam; a pole has the mean of the ring beside it;
  * elsewhere it is 0 where the surface is degenerate.
  */
-function curvature({ positions: p, normals: n }: WareMesh, { first, rows, columns }: Grid, into: Float32Array): void {
+function curvature({ positions: p, normals: n }: WareMesh, { rows, columns }: GridSize, into: Float32Array): void {
   const closed = [0, rows - 1].every((row) => {
-    const a = 3 * (first + row * columns);
+    const a = 3 * row * columns;
     const b = a + 3 * (columns - 1);
     return at(p, a) === at(p, b) && at(p, a + 1) === at(p, b + 1) && at(p, a + 2) === at(p, b + 2);
   });
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
-      const vertex = first + row * columns + column;
+      const vertex = row * columns + column;
       const a = 3 * (row > 0 ? vertex - columns : vertex);
       const b = 3 * (row < rows - 1 ? vertex + columns : vertex);
       const c = 3 * (column > 0 ? vertex - 1 : closed ? vertex + columns - 2 : vertex);
@@ -121,10 +111,10 @@ function curvature({ positions: p, normals: n }: WareMesh, { first, rows, column
     [0, 1],
     [rows - 1, rows - 2],
   ] as const) {
-    const start = first + end * columns;
+    const start = end * columns;
     const middle = start + (columns >> 1);
     if ([0, 1, 2].some((k) => at(p, 3 * start + k) !== at(p, 3 * middle + k))) continue;
-    const ring = first + beside * columns;
+    const ring = beside * columns;
     let mean = 0;
     for (let v = ring; v < ring + columns; v++) mean += at(into, WARE_SIZE * v) / columns;
     for (let v = start; v < start + columns; v++) into[WARE_SIZE * v] = mean;
@@ -135,32 +125,32 @@ function curvature({ positions: p, normals: n }: WareMesh, { first, rows, column
 const LEAST_GIRTH = 0.2;
 
 /** Takes off the curvature that a row has only because it goes round: a slender neck is no edge. */
-function straighten(p: Float32Array, grid: Grid, into: Float32Array): void {
-  const { first, rows, columns } = grid;
-  const radii = Array.from({ length: rows }, (_, row) => ring(p, first + row * columns, columns).radius);
+function straighten(p: ArrayLike<number>, grid: GridSize, into: Float32Array): void {
+  const { rows, columns } = grid;
+  const radii = Array.from({ length: rows }, (_, row) => ring(p, row * columns, columns).radius);
   const least = LEAST_GIRTH * radii.reduce((a, b) => Math.max(a, b), 0);
   if (!(least > 0)) return;
   for (const [row, radius] of radii.entries()) {
-    const start = first + row * columns;
+    const start = row * columns;
     const plain = 0.5 / Math.max(radius, least);
     for (let v = start; v < start + columns; v++) into[WARE_SIZE * v] = at(into, WARE_SIZE * v) - plain;
   }
 }
 
-function edges(p: Float32Array, grid: Grid, into: Float32Array): void {
-  const { first, rows, columns } = grid;
-  const top = ring(p, first, columns);
-  const bottom = ring(p, first + (rows - 1) * columns, columns);
-  const middle = ring(p, first + (rows >> 1) * columns, columns);
+function edges(p: ArrayLike<number>, grid: GridSize, into: Float32Array): void {
+  const { rows, columns } = grid;
+  const top = ring(p, 0, columns);
+  const bottom = ring(p, (rows - 1) * columns, columns);
+  const middle = ring(p, (rows >> 1) * columns, columns);
   const rimFirst = top.height >= bottom.height;
   const rim = rimFirst ? top : bottom;
   const longest = Math.max(top.radius, bottom.radius, middle.radius);
   const foot = rimFirst ? bottom : top;
   const open = rim.radius > POLE_SHARE * longest;
   const closedFoot = foot.radius <= POLE_SHARE * longest;
-  const lowest = closedFoot ? lowestOf(p, first, first + rows * columns) : 0;
+  const lowest = closedFoot ? lowestOf(p, rows * columns) : 0;
   const step = rimFirst ? columns : -columns;
-  const start = rimFirst ? first : first + (rows - 1) * columns;
+  const start = rimFirst ? 0 : (rows - 1) * columns;
   for (let column = 0; column < columns; column++) {
     let length = 0;
     for (let row = 0, vertex = start + column; row < rows; row++, vertex += step) {
@@ -184,14 +174,14 @@ function edges(p: Float32Array, grid: Grid, into: Float32Array): void {
   }
 }
 
-function lowestOf(p: Float32Array, first: number, end: number): number {
+function lowestOf(p: ArrayLike<number>, end: number): number {
   let lowest = Infinity;
-  for (let v = first; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
+  for (let v = 0; v < end; v++) lowest = Math.min(lowest, at(p, 3 * v + 2));
   return lowest;
 }
 
 /** The mean height of a ring of vertices and their mean distance from their middle. */
-function ring(p: Float32Array, first: number, columns: number): { height: number; radius: number } {
+function ring(p: ArrayLike<number>, first: number, columns: number): { height: number; radius: number } {
   let [x, y, z] = [0, 0, 0];
   for (let v = first; v < first + columns; v++) {
     x += at(p, 3 * v) / columns;

@@ -3,16 +3,8 @@ import { JAR } from "../../testing/jar";
 import { familyOf } from "../document/schema";
 import type { Design, Part } from "../document/types";
 import { openDesign } from "./actions";
-import {
-  deletePart,
-  duplicatePart,
-  isTaken,
-  MAX_NAME,
-  movePart,
-  partName,
-  renamePart,
-  selectParts,
-} from "./scene-actions";
+import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, partName, renamePart } from "./scene-actions";
+import { hiddenParts, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
 import { setFields } from "./shape-actions";
 import { Store } from "./store";
@@ -141,4 +133,22 @@ test("who is not there cannot be moved, copied, named or deleted", () => {
     deletePart(store.state, 99),
   ])
     expect(change).toEqual({ undo: "none" });
+});
+
+test("a part that is hidden stays in the design, through undo too, and its copy is seen", () => {
+  const { design } = store;
+  store.apply(togglePart(store.state, lid));
+  expect(store.session.hidden).toEqual([lid]);
+  expect(store.design).toBe(design);
+  expect(store.canUndo).toBe(false);
+  expect(hiddenParts(store.state)).toBe(1);
+  store.apply(duplicatePart(store.state, lid, 1));
+  expect(hiddenParts(store.state)).toBe(1);
+  store.undo();
+  store.apply(deletePart(store.state, lid));
+  expect(hiddenParts(store.state)).toBe(0);
+  store.undo();
+  expect(hiddenParts(store.state)).toBe(1);
+  store.apply(togglePart(store.state, lid));
+  expect(store.session.hidden).toEqual([]);
 });

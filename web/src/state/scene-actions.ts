@@ -10,10 +10,6 @@ const NOTHING: Change = { undo: "none" };
 /** Longer names than titles may be are of no use in a list. */
 export const MAX_NAME = 60;
 
-export function selectParts(...selection: readonly PartId[]): Change {
-  return { undo: "none", session: { selection } };
-}
-
 /** What a part is called: its name, or its place. */
 export function partName(parts: readonly Part[], place: number): string {
   return parts[place]?.name ?? `Part ${place + 1}`;

@@ -22,6 +22,8 @@ export interface Overlays {
 export interface Session {
   /** The selected parts, the one that panels are about last; those that undo may bring back among them. */
   readonly selection: readonly PartId[];
+  /** Parts that are not drawn, though they are part of the design all the same. */
+  readonly hidden: readonly PartId[];
   readonly tab: Tab;
   readonly theme: ThemeChoice;
   readonly overlays: Overlays;
@@ -41,6 +43,7 @@ export interface Session {
 
 export const NEW_SESSION: Session = {
   selection: [],
+  hidden: [],
   tab: "shape",
   theme: "auto",
   overlays: { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false, cut: false },

@@ -13,6 +13,7 @@ export type Place = "link and browser" | "browser" | "nowhere";
 export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   design: "link and browser",
   selection: "nowhere",
+  hidden: "nowhere",
   tab: "browser",
   theme: "browser",
   overlays: "browser",

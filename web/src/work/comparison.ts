@@ -1,20 +1,18 @@
 /** The selected part in another order, shown beside the design while a person compares them. */
 
 import { batch, computed, effect, signal } from "@preact/signals-core";
-import { looksOf } from "../document/look";
 import { convertible } from "../document/orders";
 import { setPath } from "../document/path";
-import type { Design, Look, OrderKind, Refusal } from "../document/types";
+import type { Design, OrderKind, Refusal } from "../document/types";
 import type { SolverClient } from "../solver/client";
-import type { MeshArrays } from "../solver/messages";
+import type { SolvedParts } from "../solver/solved";
 import type { Store } from "../state/store";
 import type { Surface } from "./surface";
 
 export interface Compared {
   readonly order: OrderKind;
   readonly design: Design;
-  readonly mesh: MeshArrays;
-  readonly looks: readonly Required<Look>[];
+  readonly solved: SolvedParts;
 }
 
 export class Comparison {
@@ -66,7 +64,7 @@ export class Comparison {
     const outcome = await this.#solver.mesh("compare", other, rows, columns);
     if (outcome.state === "superseded" || this.#order.peek() !== order) return;
     if (outcome.state === "refused") this.#put(this.#shown.peek(), outcome.refusal);
-    else this.#put({ order, design: other, mesh: outcome.value, looks: looksOf(other) }, null);
+    else this.#put({ order, design: other, solved: outcome.value }, null);
   }
 
   #put(shown: Compared | null, problem: Refusal | null): void {

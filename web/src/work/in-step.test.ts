@@ -110,7 +110,7 @@ test("letting go settles with a wall, and what was under way is thrown away", as
   expect(surface.settled?.change).toBe(4);
   expect(asked()).toHaveLength(2);
   // What was thrown away is written over by the next of its grid.
-  expect(solving.sent.map(({ spare }) => spare !== null)).toEqual([false, false, false, true]);
+  expect(solving.sent.map(({ spares }) => spares.some((spare) => spare !== null))).toEqual([false, false, false, true]);
 });
 
 test("what cannot be a pot is shown bare, with the reason", async () => {

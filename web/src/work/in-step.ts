@@ -8,7 +8,7 @@ import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
 import type { Quick, Spare } from "../maker/messages";
 import { around } from "../solver/bounds";
-import type { Solved } from "../solver/messages";
+import type { Solved } from "../solver/solved";
 import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
 import { Pace } from "./pace";
@@ -125,7 +125,7 @@ export class InStep implements Companion {
       return solved;
     }
     // Something newer is on its way already.
-    this.#surface.recycle(solved.value.mesh);
+    this.#surface.recycle(solved.value.parts.map(({ mesh }) => mesh));
     if (piece?.value) this.recycle(piece.value.solid);
     return { state: "superseded" };
   }
@@ -172,10 +172,10 @@ export class InStep implements Companion {
 }
 
 /** With the bounds of all of the pot: the wall comes without the surface. */
-function whole(piece: Piece<Quick>, { mesh }: Solved): Piece<Quick> {
+function whole(piece: Piece<Quick>, { bounds }: Solved): Piece<Quick> {
   const { value } = piece;
   if (!value) return piece;
-  return { ...piece, value: { ...value, solid: { ...value.solid, bounds: around(value.solid.bounds, mesh.bounds) } } };
+  return { ...piece, value: { ...value, solid: { ...value.solid, bounds: around(value.solid.bounds, bounds) } } };
 }
 
 function timer(run: () => void, milliseconds: number): () => void {

@@ -2,10 +2,11 @@ import { effect } from "@preact/signals-core";
 import { beforeEach, expect, test } from "vitest";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
+import { moved, rowOf, taller, withPart } from "../../testing/row";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
 import { selectTab, toggleOverlay } from "../state/actions";
-import { selectParts } from "../state/scene-actions";
+import { selectParts } from "../state/seen-actions";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { type Companion, Surface } from "./surface";
@@ -31,10 +32,12 @@ async function begun(): Promise<() => void> {
 }
 
 const drag = (height: number) => store.apply({ design: tall(store.design, height), undo: "merge", key: "height" });
+/** What was asked for last, as the solver was told. */
 const options = () => {
   const { ask } = worker.last;
-  if (ask.kind !== "solve") throw new Error(`asked for a ${ask.kind}`);
-  return ask.options;
+  if (ask.kind !== "parts") throw new Error(`asked for a ${ask.kind}`);
+  const section = ask.parts.find((part) => part.section)?.place ?? null;
+  return { settle: ask.whole !== null, section, lines: ask.parts.some(({ mesh }) => mesh?.lines) };
 };
 
 test("nothing is solved before it is decided what is shown, and then at once", async () => {
@@ -166,4 +169,33 @@ test("it can be left and followed again", async () => {
   again();
   surface.connect();
   expect(worker.sent).toHaveLength(2);
+});
+
+test("with twenty parts a slider asks for one of them, and a part that moves under the hand for nothing until it rests", async () => {
+  store.apply({ design: rowOf(20), undo: "step" });
+  await begun();
+  const parts = () =>
+    worker.sent.splice(0).map(({ ask }) => (ask.kind === "parts" ? ask.parts.map(({ place }) => place) : []));
+  expect(parts()).toEqual([Array.from({ length: 20 }, (_, place) => place)]);
+  const before = surface.shown?.solved.parts;
+  for (const height of [3, 4]) {
+    store.apply({ design: withPart(store.design, 7, taller(height)), undo: "merge", key: "height" });
+    await worker.answer();
+  }
+  store.endGesture();
+  await worker.finish();
+  expect(parts()).toEqual([[7], [7], [7]]);
+  expect(surface.settled?.solved.parts.filter(({ mesh }, place) => mesh !== before?.[place]?.mesh)).toHaveLength(1);
+  for (const y of [1, 2, 3]) {
+    store.apply({ design: withPart(store.design, 3, moved({ shift: [9, y, 0] })), undo: "merge", key: "move" });
+    await worker.finish();
+    expect(surface.shown).toMatchObject({ design: store.design, settled: false });
+    expect(surface.shown?.solved.parts[3]?.matrix[13]).toBe(y);
+  }
+  expect(worker.sent).toEqual([]);
+  store.endGesture();
+  await worker.finish();
+  expect(parts()).toEqual([[]]);
+  expect(surface.settled?.design).toBe(store.design);
+  expect(surface.status).toBe("ready");
 });

@@ -6,7 +6,10 @@ import { unitOf } from "../document/look";
 import type { Design, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
-import type { MeshArrays, Solved } from "../solver/messages";
+import type { Desk } from "../solver/desk";
+import type { Used } from "../solver/messages";
+import type { Solved } from "../solver/solved";
+import type { Identified } from "../state/parts";
 import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
 import { gridFor } from "./grid";
@@ -38,8 +41,7 @@ export interface Companion {
 }
 
 /** What the stage needs now. */
-interface Wanted {
-  readonly design: Design;
+interface Wanted extends Identified {
   /** Whether the gesture is over. */
   readonly settle: boolean;
   readonly lines: boolean;
@@ -53,7 +55,7 @@ export class Surface {
   /** The grid of a design now; measurements put their own here. */
   grid = (design: Design): GridSize => gridFor(design, this.#store.inGesture ? this.pace.step : 0);
   readonly #store: Store;
-  readonly #solver: SolverClient;
+  readonly #desk: Desk;
   readonly #begun = signal(false);
   readonly #shown = signal<Shown | null>(null);
   readonly #status = signal<Status>("starting");
@@ -72,7 +74,7 @@ export class Surface {
 
   constructor(store: Store, solver: SolverClient) {
     this.#store = store;
-    this.#solver = solver;
+    this.#desk = solver.desk();
   }
 
   get shown(): Shown | null {
@@ -122,17 +124,19 @@ export class Surface {
     this.#companion = companion;
   }
 
-  /** Takes back a mesh that nobody shows any more. */
-  recycle(mesh: MeshArrays): void {
-    this.#solver.recycle(mesh);
+  /** Takes back meshes that nobody shows any more; what is on the stage all the same stays there. */
+  recycle(meshes: readonly Used[]): void {
+    const shown = new Set<Used>(this.#shown.peek()?.solved.parts.map(({ mesh }) => mesh));
+    for (const mesh of meshes) if (!shown.has(mesh)) this.#desk.recycle(mesh);
   }
 
   #want(): Wanted | null {
     if (!this.#begun.value) return null;
-    const { design, inGesture, part, session } = this.#store;
+    const { design, ids, inGesture, part, session } = this.#store;
     const { overlays, tab } = session;
     return {
       design,
+      ids,
       settle: !inGesture,
       lines: overlays.isoU || overlays.isoV || overlays.boundary,
       // Even while a gesture has no time for more.
@@ -144,6 +148,7 @@ export class Surface {
     const asked = this.#asked;
     const enough =
       asked?.design === wanted.design &&
+      asked.ids === wanted.ids &&
       asked.settle >= wanted.settle &&
       asked.lines >= wanted.lines &&
       (wanted.section === null || asked.section === wanted.section);
@@ -158,7 +163,7 @@ export class Surface {
     if (wanted) this.#follow(wanted);
   }
 
-  #solve({ design, settle, lines, section }: Wanted): void {
+  #solve({ design, ids, settle, lines, section }: Wanted): void {
     this.#changes += 1;
     const change = this.#changes;
     const framing = this.#framing;
@@ -166,11 +171,11 @@ export class Surface {
     const travelled = this.#travelled;
     if (this.#status.value !== "starting") this.#status.value = "solving";
     trace("asked", change);
-    const solving = this.#solver.solve(design, { ...this.grid(design), lines, section, settle });
+    const solving = this.#desk.solve({ design, ids }, { ...this.grid(design), lines, section, settle });
     void (this.#companion?.join(design, solving) ?? solving).then((outcome) => {
       if (outcome.state === "superseded") return;
       const current = design === this.#store.design;
-      if (outcome.state === "done") trace("solved", change, outcome.value.times);
+      if (outcome.state === "done") trace("solved", change, outcome.value.times ?? undefined);
       batch(() => {
         if (outcome.state === "refused") {
           if (!current) return;

@@ -12,11 +12,17 @@ export type Reply<Answer> =
   | { readonly id: number; readonly ok: true; readonly answer: Answer }
   | { readonly id: number; readonly ok: false; readonly refusal: Refusal; readonly broken: boolean };
 
+/** How far the work on the request of this number is, from 0 to 1: said before its answer, or never. */
+export interface Told {
+  readonly id: number;
+  readonly done: number;
+}
+
 /** The part of the Worker interface that is used, so that tests need no browser. */
 export interface Port<Request, Answer> {
   postMessage(message: Request, transfer: Transferable[]): void;
   terminate(): void;
-  onmessage: ((event: MessageEvent<Reply<Answer>>) => void) | null;
+  onmessage: ((event: MessageEvent<Reply<Answer> | Told>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
 

@@ -1,12 +1,12 @@
 /** The worker's side: answers one request after the other, once its module is there. */
 
 import type { Refusal } from "../document/types";
-import type { Begin, Reply } from "./port";
+import type { Begin, Reply, Told } from "./port";
 
 /** The part of a worker's scope, or of a message port, that is used. */
 export interface Scope<Request, Answer> {
   addEventListener(type: "message", listener: (event: MessageEvent<Request | Begin>) => void): void;
-  postMessage(message: Reply<Answer>, options: { readonly transfer: Transferable[] }): void;
+  postMessage(message: Reply<Answer> | Told, options: { readonly transfer: Transferable[] }): void;
 }
 
 /** The package that answers, as far as this needs it: how it begins, and how it says no. */
@@ -17,11 +17,11 @@ export interface Package {
   readonly fault: string;
 }
 
-/** `perform` answers or throws; the buffers of what it answers travel, they are not copied. */
+/** `perform` answers or throws, and may say how far it is; the buffers of what it answers travel, they are not copied. */
 export function serve<Request extends { readonly id: number }, Answer>(
   scope: Scope<Request, Answer>,
   { init, PasuError, fault }: Package,
-  perform: (request: Request) => Answer,
+  perform: (request: Request, tell: (done: number) => void) => Answer,
   buffersOf: (answer: Answer) => Transferable[],
 ): void {
   let begin: (ready: Promise<void>) => void;
@@ -38,7 +38,7 @@ export function serve<Request extends { readonly id: number }, Answer>(
     const { id } = request;
     try {
       await ready;
-      const answer = perform(request);
+      const answer = perform(request, (done) => scope.postMessage({ id, done }, { transfer: [] }));
       scope.postMessage({ id, ok: true, answer }, { transfer: buffersOf(answer) });
     } catch (error) {
       const broken = error instanceof WebAssembly.RuntimeError;

@@ -24,6 +24,7 @@ pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> V
     if by == Craft::Print {
         let faces = [(FaceKind::Outer, "outside"), (FaceKind::Lining, "inside")];
         found.extend(faces.into_iter().filter_map(|(kind, side)| overhang(made, kind, side, millimetres)));
+        found.extend(ceiling(made, millimetres));
     }
     found
 }
@@ -79,26 +80,35 @@ fn severity(is_impossible: bool) -> Severity {
     if is_impossible { Severity::Error } else { Severity::Warning }
 }
 
-/// The steepest of the triangles of one kind of face that lean out further than can be printed.
-fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option<Finding> {
+/// The corners of the triangles of one kind of face, in millimetres.
+fn triangles(made: &Made, kind: FaceKind) -> impl Iterator<Item = [DVec3; 3]> + '_ {
     let mesh = &made.mesh;
     let point = |vertex: u32| {
         let from = 3 * vertex as usize;
         DVec3::from_array([0, 1, 2].map(|axis| f64::from(mesh.positions[from + axis])))
     };
+    let faces = mesh.faces.iter().filter(move |(of, ..)| *of == kind);
+    let indices = faces.flat_map(|&(_, first, count)| &mesh.indices[first as usize..(first + count) as usize]);
+    let mut corners = indices.map(move |&vertex| point(vertex));
+    core::iter::from_fn(move || Some([corners.next()?, corners.next()?, corners.next()?]))
+}
+
+/// The normal of a triangle, twice its area long, and by how many degrees it leans out.
+fn lean([a, b, c]: [DVec3; 3]) -> (f64, f64) {
+    let normal = (b - a).cross(c - a);
+    (normal.length(), libm::atan2(-normal.z, libm::hypot(normal.x, normal.y)).to_degrees())
+}
+
+/// The steepest of the triangles of one kind of face that lean out further than can be printed.
+fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option<Finding> {
     let (mut area, mut hanging, mut steepest) = (0.0, 0.0, (SUPPORTED, DVec3::ZERO));
-    for &(_, first, count) in mesh.faces.iter().filter(|(of, ..)| *of == kind) {
-        let indices = &mesh.indices[first as usize..(first + count) as usize];
-        for &[a, b, c] in indices.as_chunks::<3>().0 {
-            let [a, b, c] = [a, b, c].map(point);
-            let normal = (b - a).cross(c - a);
-            area += normal.length();
-            let degrees = libm::atan2(-normal.z, libm::hypot(normal.x, normal.y)).to_degrees();
-            if degrees > SUPPORTED {
-                hanging += normal.length();
-                if degrees > steepest.0 {
-                    steepest = (degrees, (a + b + c) / (3.0 * millimetres));
-                }
+    for corners in triangles(made, kind) {
+        let (size, degrees) = lean(corners);
+        area += size;
+        if degrees > SUPPORTED {
+            hanging += size;
+            if degrees > steepest.0 {
+                steepest = (degrees, corners.into_iter().sum::<DVec3>() / (3.0 * millimetres));
             }
         }
     }
@@ -113,6 +123,28 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
     );
     let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
     Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, at, remedy: None })
+}
+
+/// The underside of the base within a foot ring: a printer builds it over air, from one side of the ring to the other.
+fn ceiling(made: &Made, millimetres: f64) -> Option<Finding> {
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let hanging = triangles(made, FaceKind::Recess).filter(|corners| lean(*corners).1 > SUPPORTED);
+    for corner in hanging.flatten() {
+        (low, high) = (low.min(corner), high.max(corner));
+    }
+    let ground = made.mesh.positions.iter().skip(2).step_by(3).fold(f32::INFINITY, |least, z| least.min(*z));
+    let (span, above) = (high - low, 0.5 * (low.z + high.z) - f64::from(ground));
+    if !(span.x.min(span.y) > 0.0 && above > 0.0) {
+        return None;
+    }
+    let at = 0.5 * (low + high) / millimetres;
+    let message = format!(
+        "the base within the foot ring is a ceiling, {} mm wide and {} mm above the ground: printers bridge it or need support",
+        short(span.x.min(span.y)),
+        short(above)
+    );
+    let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
+    Some(Finding { code: "ceiling", severity, part, path: path(made, "wall.foot"), message, at, remedy: None })
 }
 
 #[cfg(test)]
@@ -175,6 +207,30 @@ mod tests {
     #[test]
     fn a_tube_has_no_base_to_be_too_thin() {
         assert_eq!(said(5.0, 0.0, 0.0, Some(Craft::Print)), []);
+    }
+
+    /// A cup of radius 30 mm on a ring 5 mm wide and 2.5 mm high; of a clay that shrinks by 37.5 percent it is made 1.6 times as large.
+    #[test]
+    fn the_ceiling_within_a_foot_ring_is_told_to_who_prints() {
+        let told = |wall: serde_json::Value, craft, shrinkage| {
+            let document = serde_json::json!({ "pasu": 1, "parts": [{
+                "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 }, "wall": wall
+            }] });
+            let design = Design::parse(&document.to_string()).unwrap();
+            let report = check(&design, &Making { craft, shrinkage, ..Making::default() }).unwrap();
+            report.findings.into_iter().find(|found| found.code == "ceiling")
+        };
+        let ring = || serde_json::json!({ "thickness": 0.3, "base": 0.5, "foot": [0.5, 0.25] });
+        let found = told(ring(), None, 0.0).unwrap();
+        assert_eq!((found.severity, found.path.as_deref()), (Severity::Note, Some("parts[0].wall.foot")));
+        assert!(found.message.contains("50 mm wide and 2.5 mm above"), "{}", found.message);
+        let at = DVec3::from_array(found.at.unwrap());
+        assert!(at.truncate().length() < 1e-3, "{at}");
+        let larger = told(ring(), Some(Craft::Print), 37.5).unwrap();
+        assert!(larger.message.contains("80 mm wide and 4 mm above"), "{}", larger.message);
+        assert!((DVec3::from_array(larger.at.unwrap()) - at).length() < 1e-3);
+        assert!(told(ring(), Some(Craft::Clay), 0.0).is_none());
+        assert!(told(serde_json::json!({ "thickness": 0.3, "base": 0.5 }), None, 0.0).is_none());
     }
 
     /// The flank of a straight cup leans out by the angle whose tangent is its flare over its height: 38 mm of flare over 40 are 43.5 degrees, 42 are 46.4.

@@ -15,6 +15,9 @@ use crate::solid::Pot;
 /// Why there is no capacity.
 const DRY: &str = "in this position no water stays in it";
 
+/// The same of a tube.
+const NO_BOTTOM: &str = "a tube has no bottom to hold anything: give the wall a base greater than 0";
+
 answers! {
     /// What a pot holds.
     #[derive(Copy)]
@@ -58,13 +61,14 @@ fn closing_columns(highest: f64) -> usize {
     4 * highest.clamp(1.0, 1e4) as usize + 13
 }
 
-/// The faces that water touches, from the middle of the floor to the rim, and the others of the body, from the rim to the middle of the foot.
+/// The faces that water touches, from the middle of the floor to the rim, and the others of the body, from the rim to the middle of the foot. Those of a tube go once round, from the rim at its foot.
 pub(crate) struct Vessel<'a> {
     faces: Vec<&'a dyn Face>,
     outside: Vec<&'a dyn Face>,
     /// What closes the first of the faces, and the last of those outside.
     caps: [Option<Cap<'a>>; 2],
     is_stopped: bool,
+    is_tube: bool,
     axis: glam::DVec3,
     highest: f64,
 }
@@ -76,8 +80,10 @@ impl<'a> Vessel<'a> {
         let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Floor | FaceKind::Lining | FaceKind::Rim);
         let faces: Vec<&dyn Face> = pieces().filter(|face| is_inside(face.kind())).collect();
         let is_stopped = pieces().any(|face| face.kind() == FaceKind::Drain);
-        if pot.is_ring() && !is_stopped {
-            return Err("a tube has no bottom to hold anything: give the wall a base greater than 0".to_owned());
+        let is_tube = pot.is_ring() && !is_stopped;
+        if is_tube {
+            let (faces, outside, caps) = (pieces().collect(), Vec::new(), [None, None]);
+            return Ok(Vessel { faces, outside, caps, is_stopped, is_tube, axis: pot.axis(), highest });
         }
         if !faces.iter().any(|face| face.kind() == FaceKind::Lining) {
             return Err("a solid has no inside".to_owned());
@@ -88,7 +94,7 @@ impl<'a> Vessel<'a> {
         // A hole is stopped at both ends.
         let ends = [faces.first().map(|face| (*face, 1.0)), outside.last().map(|face| (*face, 0.0))];
         let caps = ends.map(|end| end.filter(|_| is_stopped).map(|(face, a)| Cap::new(face, a, columns)));
-        Ok(Vessel { faces, outside, caps, is_stopped, axis: pot.axis(), highest })
+        Ok(Vessel { faces, outside, caps, is_stopped, is_tube, axis: pot.axis(), highest })
     }
 
     /// A surface taken as a wall of zero thickness, closed at the foot by a cone; the reason in words where it holds nothing. The first is the surface seen from [inside](Bare::inside), the second the same from outside.
@@ -111,7 +117,8 @@ impl<'a> Vessel<'a> {
         }
         let is_open = width(0.0) > 1e-9 * widest;
         let caps = [bare, outside].map(|bare| is_open.then(|| Cap::new(bare, 0.0, closing_columns(highest))));
-        Ok(Vessel { faces: vec![bare], outside: vec![outside], caps, is_stopped: false, axis: bare.axis(), highest })
+        let (faces, outside): (Vec<&dyn Face>, Vec<&dyn Face>) = (vec![bare], vec![outside]);
+        Ok(Vessel { faces, outside, caps, is_stopped: false, is_tube: false, axis: bare.axis(), highest })
     }
 
     /// The chain of faces for columns.
@@ -126,13 +133,14 @@ impl<'a> Vessel<'a> {
         let [first, last] = self.caps.each_ref().map(|cap| cap.iter().map(|cap| cap as &dyn Face));
         let faces: Vec<&dyn Face> =
             first.chain(self.faces.iter().copied()).chain(self.outside.iter().copied()).chain(last).collect();
-        Inside::new(&faces, self.axis, self.highest)
+        let whole = Inside::new(&faces, self.axis, self.highest);
+        if self.is_tube { whole.ring() } else { whole }
     }
 
     /// The waters that stand in it, that which holds most first; the reason in words where there are none.
     pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, String> {
         let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT);
-        if found.is_empty() { Err(DRY.to_owned()) } else { Ok(found) }
+        if found.is_empty() { Err(if self.is_tube { NO_BOTTOM } else { DRY }.to_owned()) } else { Ok(found) }
     }
 
     /// What it holds, and the water at the brim; the reason in words where that is nothing.

@@ -97,6 +97,8 @@ pub(crate) struct Inside<'a> {
     chosen: Option<Chosen<'a>>,
     /// The numbers of the links that columns run through.
     looked_at: Vec<usize>,
+    /// Whether the last link ends where the first begins.
+    is_ring: bool,
 }
 
 /// Whether a stretch of a column that is below a level holds water, given with all of its pieces, face by face, `v` and the level.
@@ -177,7 +179,27 @@ impl<'a> Inside<'a> {
         }
         let seams = links.iter().map(|link| link.face.seams()).collect();
         let looked_at = (0..links.len()).collect();
-        Inside { links, seams, rim: (middle, axis), size, columns, chosen: None, looked_at }
+        Inside { links, seams, rim: (middle, axis), size, columns, chosen: None, looked_at, is_ring: false }
+    }
+
+    /// The same of a tube, whose last face ends where the first begins.
+    pub(crate) fn ring(self) -> Inside<'a> {
+        Inside { is_ring: true, ..self }
+    }
+
+    /// Whether the last link ends where the first begins.
+    pub(crate) fn is_ring(&self) -> bool {
+        self.is_ring
+    }
+
+    /// The number of the link so many further on, or back: once round in a tube.
+    pub(crate) fn link_beyond(&self, link: usize, by: isize) -> Option<usize> {
+        let (n, beyond) = (self.links.len(), link as isize + by);
+        if self.is_ring {
+            Some(beyond.rem_euclid(n as isize) as usize)
+        } else {
+            usize::try_from(beyond).ok().filter(|link| *link < n)
+        }
     }
 
     /// The same, of which only some is wet, and that on no other links.

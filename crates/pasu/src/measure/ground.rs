@@ -15,7 +15,7 @@ const BENEATH: f64 = 1e-9;
 /// A triangle is hit if a drip passes its sides by no more than this part of it: none is to fall between two.
 const BESIDE: f64 = 1e-9;
 
-/// The points of a closed body at the rows and columns of a grid: rows from the middle of the floor over the rim to the middle of the foot. Rows of neighbouring faces that are one curve are one row.
+/// The points of a closed body at the rows and columns of a grid: rows from the middle of the floor over the rim to the middle of the foot, or once round the wall of a tube. Rows of neighbouring faces that are one curve are one row.
 pub(super) struct Ground {
     /// The link and the `s` of each row.
     rows: Vec<(usize, f64)>,
@@ -28,6 +28,8 @@ pub(super) struct Ground {
     signs: Vec<f64>,
     /// Rows that are a point.
     poles: Vec<bool>,
+    /// Whether the last row is the first once more.
+    is_ring: bool,
     /// Every vertex in ascending height, and the place of each in that order.
     order: Vec<u32>,
     ranks: Vec<u32>,
@@ -80,8 +82,9 @@ impl Ground {
         };
         let poles: Vec<bool> = (0..rows.len()).map(is_pole).collect();
         let keys: Vec<i64> = points.iter().map(|p| libm::round(p.z / (STEP * size)) as i64).collect();
-        let mut ground =
-            Ground { rows, of_link, columns, points, keys, signs, poles, order: Vec::new(), ranks: Vec::new(), size };
+        let is_ring = whole.is_ring();
+        let (order, ranks) = (Vec::new(), Vec::new());
+        let mut ground = Ground { rows, of_link, columns, points, keys, signs, poles, is_ring, order, ranks, size };
         ground.sort();
         ground
     }
@@ -125,8 +128,25 @@ impl Ground {
         self.rows[row]
     }
 
+    /// Whether the last row is the first once more.
+    pub(super) fn is_ring(&self) -> bool {
+        self.is_ring
+    }
+
+    /// The row so many further on, or back: once round in a tube. `None` beyond either end of a body that is none.
+    pub(super) fn row_beyond(&self, row: usize, by: isize) -> Option<usize> {
+        let last = self.rows.len() - 1;
+        let beyond = row as isize + by;
+        if self.is_ring {
+            Some(beyond.rem_euclid(last as isize) as usize)
+        } else {
+            usize::try_from(beyond).ok().filter(|row| *row <= last)
+        }
+    }
+
     /// The vertex at a row and a column.
     pub(super) fn vertex(&self, row: usize, column: usize) -> usize {
+        let row = if self.is_ring && row + 1 == self.rows.len() { 0 } else { row };
         row * self.columns + if self.poles[row] { 0 } else { column % self.columns }
     }
 
@@ -156,23 +176,24 @@ impl Ground {
     /// The vertices that have an edge with one.
     pub(super) fn neighbours(&self, vertex: usize) -> Vec<usize> {
         let (row, column) = self.place(vertex);
-        let (n, last) = (self.columns, self.rows.len() - 1);
+        let n = self.columns;
+        let (before, after) = (self.row_beyond(row, -1), self.row_beyond(row, 1));
         let mut found = Vec::with_capacity(8);
         let mut add = |row: usize, column: usize| found.push(self.vertex(row, column));
         if self.poles[row] {
-            for other in [row.checked_sub(1), (row < last).then_some(row + 1)].into_iter().flatten() {
+            for other in [before, after].into_iter().flatten() {
                 (0..n).for_each(|column| add(other, column));
             }
         } else {
             add(row, column + 1);
             add(row, column + n - 1);
-            if row > 0 {
-                add(row - 1, column);
-                add(row - 1, column + n - 1);
+            if let Some(before) = before {
+                add(before, column);
+                add(before, column + n - 1);
             }
-            if row < last {
-                add(row + 1, column);
-                add(row + 1, column + 1);
+            if let Some(after) = after {
+                add(after, column);
+                add(after, column + 1);
             }
         }
         found
@@ -197,7 +218,7 @@ impl Ground {
     /// (J. A. Baerentzen and H. Aanaes, *Signed distance computation using the angle weighted pseudonormal*, 2005).
     fn is_bottom(&self, vertex: usize) -> bool {
         let (row, column) = self.place(vertex);
-        let rows = [row.checked_sub(1), (row + 1 < self.rows.len()).then_some(row)];
+        let rows = [self.row_beyond(row, -1), (row + 1 < self.rows.len()).then_some(row)];
         let columns = if self.poles[row] {
             (0..self.columns).collect()
         } else {

@@ -72,7 +72,7 @@ const SAME: f64 = 1e-9;
 /// How far below the spill the faces under water are compared, as a part of the size.
 const BELOW: f64 = 1e-6;
 
-/// Every pond of a body. `inside` are the faces from the middle of the floor to the rim, and `whole` these and all others, to the middle of the foot.
+/// Every pond of a body. `inside` are the faces from the middle of the floor to the rim, and `whole` these and all others, to the middle of the foot; of a tube both are the wall once round.
 ///
 /// Mostly there is one, which fills every column of the inside up to its crest and runs over the lowest of these: that is seen from the [flood](Ground::basins) of the grid, and then the column says the rest. Anything else (gutters, funnels, a body
 /// that lies or is upside down) is what the flood says, with its ways over refined.
@@ -82,20 +82,23 @@ pub(crate) fn ponds<'a>(inside: Inside<'a>, whole: impl Fn() -> Inside<'a>, is_u
     let body = whole();
     let ground = Rc::new(Ground::new(&body));
     let (basins, shortcuts) = basins(&body, &ground);
-    let columns = inside.even_columns();
-    let (level, at) = inside.spill(&columns);
-    let is_plain = match basins.as_slice() {
-        [basin] => {
-            let way = saddle(&body, &ground, basin.spill, banks(&ground, basin));
-            is_plain(&ground, basin, &way, &columns, level)
+    // The columns of a tube have no crest that water would have to rise to: they go round.
+    if !ground.is_ring() {
+        let columns = inside.even_columns();
+        let (level, at) = inside.spill(&columns);
+        let is_plain = match basins.as_slice() {
+            [basin] => {
+                let way = saddle(&body, &ground, basin.spill, banks(&ground, basin));
+                is_plain(&ground, basin, &way, &columns, level)
+            }
+            _ => false,
+        };
+        if is_plain || is_upright && is_crossed(&ground, &basins, &columns, level) {
+            let spill = Quantity::rounded(level, inside.size());
+            let (floor, deepest) = inside.floor();
+            let pond = Pond { inside, spill, at, floor, deepest };
+            return if level > floor && pond.is_water() { vec![pond] } else { Vec::new() };
         }
-        _ => false,
-    };
-    if is_plain || is_upright && is_crossed(&ground, &basins, &columns, level) {
-        let spill = Quantity::rounded(level, inside.size());
-        let (floor, deepest) = inside.floor();
-        let pond = Pond { inside, spill, at, floor, deepest };
-        return if level > floor && pond.is_water() { vec![pond] } else { Vec::new() };
     }
     let of_basin = |basin: &Basin| {
         let all = whole();
@@ -158,7 +161,9 @@ fn runs_off(whole: &Inside, ground: &Ground, lowest: usize) -> Option<Shortcut> 
     let column = libm::round(v / turn(1, n)).rem_euclid(n as f64) as usize;
     let (from_row, from_column) = ground.place(lowest);
     let apart = column.abs_diff(from_column);
-    let is_near = row.abs_diff(from_row) <= AWAY && apart.min(n - apart) <= AWAY;
+    let rows_apart = row.abs_diff(from_row);
+    let rows_apart = if ground.is_ring() { rows_apart.min(ground.n_rows() - 1 - rows_apart) } else { rows_apart };
+    let is_near = rows_apart <= AWAY && apart.min(n - apart) <= AWAY;
     let landed = ground.vertex(row, column);
     let around = ground.neighbours(landed).into_iter().chain([landed]);
     let to = around.reduce(|best, other| if ground.is_below(other, best) { other } else { best })?;
@@ -179,9 +184,9 @@ fn settled(whole: &Inside, ground: &Ground, vertex: usize) -> (f64, (usize, f64)
         best = climb(best, step, turn(1, ground.n_columns()), |a, v| -walk.jet(a.clamp(0.0, 1.0), v).position.z);
         // At an end it may go on down the next face.
         let next = if best.a >= 1.0 {
-            (link + 1 < whole.links().len()).then_some((link + 1, 0.0))
+            whole.link_beyond(link, 1).map(|after| (after, 0.0))
         } else if best.a <= 0.0 {
-            link.checked_sub(1).map(|before| (before, 1.0))
+            whole.link_beyond(link, -1).map(|before| (before, 1.0))
         } else {
             None
         };
@@ -245,7 +250,8 @@ fn lowest_way(whole: &Inside, ground: &Ground, basin: &Basin, shortcuts: &[Short
     let mut last = basin.spill;
     for _ in 1..WAYS {
         let (row, column) = ground.place(last);
-        for row in row.saturating_sub(AWAY)..=(row + AWAY).min(ground.n_rows() - 1) {
+        let away = AWAY as isize;
+        for row in (-away..=away).filter_map(|by| ground.row_beyond(row, by)) {
             for step in 0..=2 * AWAY {
                 let vertex = ground.vertex(row, column + ground.n_columns() + step - AWAY);
                 if !ground.is_below(vertex, basin.spill) && !barred.contains(&vertex) {

@@ -45,8 +45,9 @@ struct Chain<'a> {
 }
 
 impl Chain<'_> {
-    /// The link and `s` at a place along all faces.
+    /// The link and `s` at a place along all faces; once round in a tube.
     fn place(&self, along: f64) -> (usize, f64) {
+        let along = if self.ground.is_ring() { along.rem_euclid(self.last()) } else { along };
         let after = (libm::ceil(along) as usize).clamp(1, self.ground.n_rows() - 1);
         let (link, end) = self.ground.row(after);
         let start = match self.ground.row(after - 1) {
@@ -61,16 +62,29 @@ impl Chain<'_> {
         self.walks[link].jet(s.clamp(0.0, 1.0), v).position.z
     }
 
+    /// The place of the last row.
+    fn last(&self) -> f64 {
+        (self.ground.n_rows() - 1) as f64
+    }
+
+    /// Whether there is a place: everywhere in a tube, which goes round.
+    fn is_there(&self, along: f64) -> bool {
+        self.ground.is_ring() || (0.0..=self.last()).contains(&along)
+    }
+
     /// The highest place of a column next to a row, and its height.
-    fn crest(&mut self, row: usize, v: f64) -> (f64, f64) {
-        let last = self.ground.n_rows() - 1;
-        let rows = row.saturating_sub(BESIDE)..=(row + BESIDE).min(last);
-        let heights: Vec<(usize, f64)> = rows.map(|row| (row, self.height(row as f64, v))).collect();
-        let Some(&(top, z)) = heights.iter().max_by(|x, y| x.1.total_cmp(&y.1)) else { return (row as f64, f64::NAN) };
-        let mut best = (top as f64, z);
+    fn crest(&mut self, row: f64, v: f64) -> (f64, f64) {
+        let rows = (-BESIDE..=BESIDE).map(|by| row + f64::from(by)).filter(|row| self.is_there(*row));
+        let rows: Vec<f64> = rows.collect();
+        let heights: Vec<(f64, f64)> = rows.into_iter().map(|row| (row, self.height(row, v))).collect();
+        let Some(&(top, z)) = heights.iter().max_by(|x, y| x.1.total_cmp(&y.1)) else { return (row, f64::NAN) };
+        let mut best = (top, z);
         // Between two rows it is smooth.
-        for start in [top.checked_sub(1), (top < last).then_some(top)].into_iter().flatten() {
-            let (from, to) = (start as f64, (start + 1) as f64);
+        for from in [top - 1.0, top] {
+            let to = from + 1.0;
+            if !self.is_there(from) || !self.is_there(to) {
+                continue;
+            }
             let (along, below) = brent::least(from, to, FLAT, |along| -self.height(along, v));
             if -below > best.1 {
                 best = (along, -below);
@@ -81,7 +95,7 @@ impl Chain<'_> {
 }
 
 /// Rows on either side of a saddle among which the crest of a column is looked for.
-const BESIDE: usize = 3;
+const BESIDE: i32 = 3;
 
 /// How closely a crest is found, in rows, and the lowest of crests, in columns: what is left of their height is rounding.
 const FLAT: f64 = 1e-9;
@@ -99,15 +113,18 @@ pub(super) fn saddle(whole: &Inside, ground: &Ground, vertex: usize, bank: impl 
         let beside = |row: usize| [0, 1, ground.n_columns() - 1].map(|more| bank(ground.vertex(row, column + more)));
         rows.find_map(|row| beside(row).into_iter().find(|bank| *bank != Bank::Neither))
     };
-    let sides = [side(Box::new((0..row).rev())), side(Box::new(row + 1..ground.n_rows()))];
+    let rows = ground.n_rows() as isize;
+    let sides = [-1, 1].map(|way| side(Box::new((1..rows).map_while(move |by| ground.row_beyond(row, way * by)))));
     match sides {
-        [Some(one), Some(other)] if one != other => lowest_crest(&mut chain, row, turn(column, ground.n_columns())),
+        [Some(one), Some(other)] if one != other => {
+            lowest_crest(&mut chain, row as f64, turn(column, ground.n_columns()))
+        }
         _ => narrowed(&mut chain, vertex, bank),
     }
 }
 
 /// The lowest crest of neighbouring columns, each of which goes over the ridge between both sides.
-fn lowest_crest(chain: &mut Chain, row: usize, start: f64) -> Saddle {
+fn lowest_crest(chain: &mut Chain, row: f64, start: f64) -> Saddle {
     let step = turn(1, chain.ground.n_columns());
     let (mut row, mut v) = (row, start);
     let (along, z) = chain.crest(row, v);
@@ -122,7 +139,7 @@ fn lowest_crest(chain: &mut Chain, row: usize, start: f64) -> Saddle {
         if !has_moved {
             break;
         }
-        (row, v) = (libm::round(along) as usize, at);
+        (row, v) = (libm::round(along), at);
     }
     best
 }
@@ -131,7 +148,6 @@ fn lowest_crest(chain: &mut Chain, row: usize, start: f64) -> Saddle {
 fn narrowed(chain: &mut Chain, vertex: usize, bank: impl Fn(usize) -> Bank) -> Saddle {
     let ground = chain.ground;
     let (row, column) = ground.place(vertex);
-    let last = (ground.n_rows() - 1) as f64;
     let step = turn(1, ground.n_columns());
     let (mut along, mut v, mut half) = (row as f64, turn(column, ground.n_columns()), 1.0);
     let around =
@@ -142,8 +158,9 @@ fn narrowed(chain: &mut Chain, vertex: usize, bank: impl Fn(usize) -> Bank) -> S
     let mut banks: Banks = [[Bank::Neither; WIDTH]; WIDTH];
     for i in 0..3 {
         for j in 0..3 {
-            let row = (row + i).checked_sub(1).filter(|row| *row < ground.n_rows());
-            let other = row.map(|row| ground.vertex(row, column + j + ground.n_columns() - 1));
+            let other = ground
+                .row_beyond(row, i as isize - 1)
+                .map(|row| ground.vertex(row, column + j + ground.n_columns() - 1));
             if let Some(other) = other {
                 banks[CUTS * i][CUTS * j] = bank(other);
             }
@@ -158,7 +175,7 @@ fn narrowed(chain: &mut Chain, vertex: usize, bank: impl Fn(usize) -> Bank) -> S
         for (i, row) in heights.iter_mut().enumerate() {
             for (j, z) in row.iter_mut().enumerate() {
                 let (along, v) = at(i, j);
-                if (0.0..=last).contains(&along) {
+                if chain.is_there(along) {
                     *z = chain.height(along, v);
                 }
             }

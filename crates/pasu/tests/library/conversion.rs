@@ -144,3 +144,42 @@ fn what_leaves_the_range_of_numbers_is_refused() {
         assert_eq!(error.code(), Code::Overflow, "{s}");
     }
 }
+
+#[test]
+fn what_leaves_the_range_of_numbers_is_refused_and_nothing_else_is_lost_to_it() {
+    let extremes = [1e-300, 1e-160, 1.0, 1e160, 1e300];
+    let mut n_refused = 0;
+    for s in extremes {
+        for t in extremes.iter().flat_map(|t| [*t, -*t]).chain([0.0]) {
+            for kind in ["second-order", "mixed-order"] {
+                let vase = json!({ "kind": kind, "r": [1, 0.1, 0.6, 0.06], "s": [s, 1], "t": [t, 0.5] });
+                let Ok(vase) = Shape::parse(&vase.to_string()) else { continue };
+                match vase.convert(VaseOrder::Fourth) {
+                    Ok(made) => {
+                        let Shape::FourthOrder(made) = made.shape else { panic!("{made:?}") };
+                        let numbers = [made.s, made.t, made.w, made.eta, made.dz].into_iter().flatten();
+                        assert!(numbers.chain([made.r0, made.r1, made.rm, made.h1]).all(f64::is_finite), "{made:?}");
+                    }
+                    Err(refusal) => {
+                        assert_eq!(refusal.code(), Code::Overflow, "s = {s}, t = {t}: {refusal}");
+                        n_refused += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(n_refused > 0);
+}
+
+#[test]
+fn waves_near_resonance_convert_to_a_finite_vase() {
+    // With `t k^2 / s = -pi^2` the wall of second order has no solution of its own.
+    let resonance = -0.25;
+    for t in [resonance, resonance * (1.0 + 1e-12), resonance * (1.0 - 1e-9)] {
+        let vase = json!({ "kind": "second-order", "r": [1, 0, 0.6, 0], "t": [t, t] });
+        match shape(&vase).convert(VaseOrder::Fourth) {
+            Ok(made) => assert!(edges(&made.shape).is_some_and(|edges| edges.iter().all(|x| x.is_finite()))),
+            Err(refusal) => assert_eq!(refusal.code(), Code::Overflow, "{refusal}"),
+        }
+    }
+}

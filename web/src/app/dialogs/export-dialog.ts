@@ -26,6 +26,7 @@ import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { base, buttons, fields } from "../../ui/styles";
 import { fileName, saveBlob } from "../../work/files";
+import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { exportStyles } from "./export-styles";
 
@@ -52,6 +53,9 @@ export class PasuExport extends DesignerElement {
   @state() private report: Report | null = null;
   @state() private refusal: Refusal | null = null;
   @state() private saving = false;
+  /** How far the file is, and how far the check: from 0 to 1; null before anything is known of it. */
+  @state() private written: number | null = null;
+  @state() private looked: number | null = null;
   @state() private failure = "";
   /** What the report is of, or the one that is under way; empty when there is neither. */
   private asked = "";
@@ -103,6 +107,7 @@ export class PasuExport extends DesignerElement {
           (format) => this.choose({}, { format }),
         )}
         <p class="hint">${formatNote(this.format).note} ${opensAgain(this.format)}</p>
+        ${hiddenNote(this.designer)}
       </div>
       ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
       <div class="row">
@@ -131,7 +136,7 @@ export class PasuExport extends DesignerElement {
       ${this.outcome(making)}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
-        ${this.saving ? html`<span>Writing the file…</span><span class="track"></span>` : this.brief(making)}
+        ${this.saving ? html`<span>Writing the file…</span>${track("Writing the file", this.written)}` : this.brief(making)}
       </div>
       <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
         ${this.saving ? "Stop" : "Cancel"}
@@ -198,7 +203,11 @@ export class PasuExport extends DesignerElement {
         ${report ? this.fineness(report, making, measures) : nothing}
       </dl>
       <div role="status">
-        ${report ? sentences(this.verdict(report, making, measures)) : html`<p class="wait">Checking…</p>`}
+        ${
+          report
+            ? sentences(this.verdict(report, making, measures))
+            : html`<div class="wait">Checking…${track("Checking", this.looked)}</div>`
+        }
       </div>
     </section>`;
   }
@@ -319,7 +328,10 @@ export class PasuExport extends DesignerElement {
     if (asked === "") return;
     this.asked = asked;
     const making = JSON.parse(asked) as Making;
-    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING);
+    this.looked = null;
+    const outcome = await designer.made?.maker.ask({ kind: "check", design, making }, CHECKING, (done) => {
+      this.looked = done;
+    });
     if (this.ended || !outcome || outcome.state === "superseded" || asked !== this.asked) return;
     this.refusal = outcome.state === "refused" ? outcome.refusal : null;
     if (outcome.state === "done") this.report = outcome.value;
@@ -332,8 +344,11 @@ export class PasuExport extends DesignerElement {
     const maker = designer.made?.maker;
     if (!maker) return;
     this.saving = true;
+    this.written = null;
     this.failure = "";
-    const outcome = await maker.ask({ kind: "write", design, format, making });
+    const outcome = await maker.ask({ kind: "write", design, format, making }, "write", (done) => {
+      this.written = done;
+    });
     this.saving = false;
     if (this.ended || outcome.state === "superseded") return;
     if (outcome.state === "refused") {
@@ -357,6 +372,11 @@ export class PasuExport extends DesignerElement {
   };
 
   static override readonly styles = [base, buttons, fields, choiceStyles, sentenceStyles, exportStyles];
+}
+
+/** How far something is; as long as nothing is known of it, that it goes on. */
+function track(label: string, done: number | null) {
+  return html`<progress class="track" aria-label=${label} max="1" value=${done ?? nothing}></progress>`;
 }
 
 function sizeLabel(size: SizeKind): string {

@@ -99,14 +99,35 @@ export const exportStyles = css`
     display: block;
     animation: appear 0s 0.5s both;
   }
-  .progress .track {
+  .track {
+    display: block;
+    width: 100%;
+    appearance: none;
     margin-top: 4px;
     height: 4px;
+    border: none;
     border-radius: 2px;
+    overflow: hidden;
+    background: var(--line);
+    animation: appear 0s 0.5s both;
+  }
+  .track:indeterminate {
     background: linear-gradient(90deg, var(--line) 40%, var(--accent) 50%, var(--line) 60%) 0 0 / 250% 100%;
     animation:
       appear 0s 0.5s both,
       flow 1.4s linear infinite;
+  }
+  .track::-webkit-progress-bar {
+    background: transparent;
+  }
+  .track::-webkit-progress-value {
+    background: var(--accent);
+  }
+  .track::-moz-progress-bar {
+    background: var(--accent);
+  }
+  .track:indeterminate::-moz-progress-bar {
+    background: transparent;
   }
   @keyframes flow {
     from {

@@ -41,6 +41,7 @@ const KEYS: readonly (readonly [string, readonly (readonly [string, string])[]])
     [
       ["Arrows", "Select"],
       ["Alt arrows", "Move the part up or down the list"],
+      ["H", "Hide the part, or show it"],
       ["D", "Make a copy beside it"],
       ["F2", "Name it"],
       ["Delete", "Take it away; undo brings it back"],

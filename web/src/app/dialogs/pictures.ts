@@ -2,7 +2,7 @@
 
 import { css, html } from "lit";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
-import { lookOf } from "../../document/look";
+import { stageModel } from "../../element/stage-model";
 import { drawStill } from "../../element/still-picture";
 import type { Thumbnails } from "../../render/thumbnail";
 import type { Designer } from "../../work/designer";
@@ -63,11 +63,11 @@ export class Pictures {
     const painter = await this.#painter.catch(() => null);
     try {
       if (!painter) throw new Error("no WebGL2");
-      await painter.draw(outcome.value, lookOf(design.parts[0]), canvas);
+      await painter.draw(stageModel(design, outcome.value), canvas);
     } catch {
       // Once is enough to know: the rest are drawn without trying again.
       this.#painter = Promise.resolve(null);
-      drawStill(outcome.value, canvas, [0.66, 0.8, 0.73]);
+      drawStill(outcome.value.parts, canvas, [0.66, 0.8, 0.73]);
     }
     // What draws gives up without a word once it is at its end: the picture is drawn the next time.
     if (!this.#ended) canvas.dataset.drawn = "true";

@@ -11,6 +11,7 @@ import { icon } from "../../ui/icons";
 import "./map-choice";
 import "./size-panel";
 import { base, buttons } from "../../ui/styles";
+import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { remedies, remedyStyles } from "./remedies";
 import "./water-control";
@@ -23,6 +24,7 @@ export class PasuMeasures extends DesignerElement {
     const { designer } = this;
     return html`
       <pasu-size .designer=${designer}></pasu-size>
+      ${hiddenNote(designer)}
       ${this.canBeMade()}
       <pasu-water .designer=${designer}></pasu-water>
       <pasu-maps .designer=${designer}></pasu-maps>

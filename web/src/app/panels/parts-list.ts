@@ -13,11 +13,12 @@ import {
   movePart,
   partName,
   renamePart,
-  selectParts,
 } from "../../state/scene-actions";
+import { selectParts, togglePart } from "../../state/seen-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
+import { hiddenNote } from "../hidden-note";
 
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
@@ -30,7 +31,7 @@ export class PasuParts extends DesignerElement {
   private followed: PartId | undefined;
 
   override render() {
-    const { design, ids, part: place } = this.designer.store;
+    const { design, ids, part: place, session } = this.designer.store;
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
     return html`<section aria-labelledby="parts">
@@ -50,14 +51,16 @@ export class PasuParts extends DesignerElement {
             role="option"
             id="part-${id}"
             aria-selected=${id === chosen ? "true" : "false"}
+            ?data-hidden=${session.hidden.includes(id)}
             @click=${() => this.designer.apply(selectParts(id))}
           >
-            ${partName(design.parts, at)}
+            <span>${partName(design.parts, at)}${session.hidden.includes(id) ? html`<span class="spoken">, hidden</span>` : nothing}</span>
+            ${this.eye(id, session.hidden.includes(id))}
           </li>`,
         )}
       </ul>
       <p id="keys" class="spoken">
-        Arrow keys select, with Alt they move the part up or down. D makes a copy, Delete takes the part away, F2 names it.
+        Arrow keys select, with Alt they move the part up or down. D makes a copy, H hides the part or shows it, Delete takes it away, F2 names it.
       </p>
       <div class="tools">
         <input
@@ -76,12 +79,18 @@ export class PasuParts extends DesignerElement {
             if (event.key === "Enter") this.list.focus();
           }}
         />
+        ${
+          session.hidden.includes(chosen)
+            ? this.button("Show", "hidden", false, () => togglePart(this.designer.state, chosen))
+            : this.button("Hide", "seen", false, () => togglePart(this.designer.state, chosen))
+        }
         ${this.button("Move up", "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
         ${this.button("Move down", "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
         ${this.button("Duplicate", "copy", false, () => this.copy(chosen))}
         ${this.button("Delete", "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
       </div>
       <p class="problem" id="taken" role="status"></p>
+      ${hiddenNote(this.designer)}
     </section>`;
   }
 
@@ -96,6 +105,15 @@ export class PasuParts extends DesignerElement {
     const { scrollTop } = this.list;
     if (top < scrollTop) this.list.scrollTop = top;
     else if (top + option.offsetHeight > scrollTop + height) this.list.scrollTop = top + option.offsetHeight - height;
+  }
+
+  /** For pointers: an option of a list can hold nothing that takes the focus, and the keyboard has H. */
+  private eye(id: PartId, hidden: boolean) {
+    const press = (event: Event) => {
+      event.stopPropagation();
+      this.designer.apply(togglePart(this.designer.state, id));
+    };
+    return html`<span class="eye" title=${hidden ? "Show" : "Hide"} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
   }
 
   private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
@@ -174,6 +192,9 @@ export class PasuParts extends DesignerElement {
       case "d":
       case "D":
         return this.copy(id);
+      case "h":
+      case "H":
+        return togglePart(state, id);
       case "F2":
         return "name";
       default:
@@ -205,11 +226,30 @@ export class PasuParts extends DesignerElement {
       }
       li {
         display: grid;
+        grid-template-columns: 1fr auto;
         align-items: center;
         min-height: var(--touch);
-        padding: 4px 12px;
+        padding: 0 0 0 12px;
         overflow-wrap: anywhere;
         cursor: pointer;
+      }
+      li[data-hidden] {
+        color: var(--soft);
+      }
+      .eye {
+        display: grid;
+        place-items: center;
+        align-self: stretch;
+        width: var(--touch);
+        color: var(--soft);
+      }
+      .eye:hover {
+        color: var(--ink);
+      }
+      .hint {
+        padding-top: 6px;
+        color: var(--soft);
+        font-size: 0.88rem;
       }
       li:hover {
         background: var(--well);

@@ -2,14 +2,15 @@
 
 import { html, LitElement, nothing, type PropertyValues } from "lit";
 import { property, query, state } from "lit/decorators.js";
-import { looksOf, unitOf } from "../../document/look";
+import { unitOf } from "../../document/look";
 import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
-import type { MeshArrays } from "../../solver/messages";
+import type { SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
 import { COARSEST, gridFor } from "../../work/grid";
 import { StageHolder } from "../stage-holder";
 import { stageKey } from "../stage-keys";
+import { stageModel } from "../stage-model";
 import type { Contract, PotChange, PotOrbit, PotPicture, PotProblem } from "./contract";
 import { familyIn, namesIn, shownFields } from "./controls";
 import { type Orbit, orbitOf, orbitText, USUAL } from "./orbit";
@@ -83,7 +84,7 @@ export class PasuPotElement extends LitElement implements Contract {
   private given: Design | null = null;
   private pending = false;
   private origin: Design | null = null;
-  private mesh: MeshArrays | null = null;
+  private solved: SolvedParts | null = null;
   /** Events that wait for their picture. */
   private untold = false;
   private aimed = "";
@@ -154,7 +155,7 @@ export class PasuPotElement extends LitElement implements Contract {
     this.wanted.abort();
     this.share?.leave();
     this.share = null;
-    this.mesh = null;
+    this.solved = null;
     this.isLoaded = false;
     this.held = null;
     if (this.shown && !this.pending) this.given = this.shown.design;
@@ -234,7 +235,7 @@ export class PasuPotElement extends LitElement implements Contract {
     const outcome = await this.solver.mesh(this.lane, next.design, rows, columns);
     if (signal.aborted || outcome.state === "superseded") return false;
     if (outcome.state === "refused") throw outcome.refusal;
-    this.mesh = outcome.value;
+    this.solved = outcome.value;
     this.shown = next;
     this.problem = null;
     this.untold = true;
@@ -255,13 +256,13 @@ export class PasuPotElement extends LitElement implements Contract {
 
   private display(): void {
     const { stage } = this.holder;
-    if (!this.mesh || !this.shown) return;
+    if (!this.solved || !this.shown) return;
     if (!stage) {
       this.paint();
       return;
     }
     stage.unit(unitOf(this.shown.design));
-    stage.show(this.mesh, looksOf(this.shown.design));
+    stage.show(stageModel(this.shown.design, this.solved));
     this.aim(true);
     this.turn();
   }
@@ -269,7 +270,7 @@ export class PasuPotElement extends LitElement implements Contract {
   /** Looks from where the page says, once for every design. */
   private aim(atOnce: boolean): void {
     const key = this.cameraOrbit === "" ? "auto" : this.cameraOrbit;
-    if (!this.mesh || key === this.aimed) return;
+    if (!this.solved || key === this.aimed) return;
     this.aimed = key;
     const orbit = this.wantedOrbit((refusal) => this.tell(refusal));
     this.holder.stage?.look(orbit, orbit.share, atOnce);
@@ -303,11 +304,11 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** The picture of a browser without WebGL2. */
   private paint(): void {
-    const { mesh, still } = this;
-    if (!mesh || !still) return;
+    const { solved, still } = this;
+    if (!solved || !still) return;
     void import("../still-picture").then(({ paintStill }) => {
-      if (mesh !== this.mesh || still.clientWidth === 0) return;
-      paintStill(mesh, still, this.scheme());
+      if (solved !== this.solved || still.clientWidth === 0) return;
+      paintStill(solved.parts, still, this.scheme());
       this.drawn();
     });
   }

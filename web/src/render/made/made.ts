@@ -91,6 +91,7 @@ export class Made implements Guest {
     const { made, geometry } = this;
     const faces: Face[] = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
+      if (this.place.pot.hides(at(made.groups, g + 2))) continue;
       const range = [at(made.groups, g), at(made.groups, g + 1)] as const;
       faces.push({ geometry, uniforms: SOLID_PLACING, range, part: at(made.groups, g + 2) });
     }
@@ -150,8 +151,9 @@ export class Made implements Guest {
   }
 
   forget(): void {
-    // Colours belong to vertices, and those are others now.
+    // Colours belong to vertices, and those are others now; which parts are hidden may be different too.
     if (this.map) this.paint(undefined);
+    else this.clothe();
   }
 
   prepare(camera: Camera, width: number, height: number): void {
@@ -201,6 +203,7 @@ export class Made implements Guest {
     const { made, geometry } = this;
     this.solids = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
+      if (this.place.pot.hides(at(made.groups, g + 2))) continue;
       const look = this.looks[at(made.groups, g + 2)] ?? DEFAULT_LOOK;
       const material = this.mapped
         ? this.mapMaterial(this.map?.lean ? this.map : null, -1)

@@ -73,7 +73,8 @@ export class Wireframe implements Tenant {
       this.edges.delete(indices);
     }
     for (const { geometry } of this.lines) geometry.release();
-    this.lines = pot.parts.map(({ positions, lattice, drawable }) => ({
+    const seen = pot.parts.filter(({ drawable }) => drawable.visible);
+    this.lines = seen.map(({ positions, lattice, drawable }) => ({
       geometry: new Geometry({ position: positions }, this.edgesOf(lattice.indices)),
       material: this.material,
       uniforms: drawable.uniforms ?? {},

@@ -1,0 +1,91 @@
+/** A solved design as the page has it: every part with its mesh where it stands, and what is known of all together. */
+
+import { type Facts, factsOf } from "../document/describe";
+import { extentsOf } from "../document/extents";
+import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
+import type { Design } from "../document/types";
+import type { PartId } from "../state/parts";
+import { type Bounds, boundsOfParts } from "./bounds";
+import { placedLines } from "./lines";
+import type { LineArrays, PartFacts, PartLines, PartMesh, Section, Times } from "./messages";
+
+/** A part of a solved design. The same revision is the same mesh. */
+export interface SolvedPart {
+  readonly id: PartId;
+  readonly revision: number;
+  readonly mesh: PartMesh;
+  /** From the mesh to where the part stands. */
+  readonly matrix: Matrix;
+}
+
+/** Parts in the order of the design, and what they fill. */
+export interface SolvedParts {
+  readonly parts: readonly SolvedPart[];
+  readonly bounds: Bounds | null;
+}
+
+export interface Solved extends SolvedParts {
+  readonly lines: LineArrays | null;
+  readonly section: Section | null;
+  readonly facts: Facts | null;
+  /** The largest distance of the triangles from the true surface; known once the gesture is over. */
+  readonly bound: number | null;
+  readonly fingerprint: string;
+  readonly link: string;
+  /** What the worker needed; null where nothing was asked of it. */
+  readonly times: Times | null;
+}
+
+let revisions = 0;
+
+/** A number for a mesh that no mesh before had. */
+export function nextRevision(): number {
+  revisions += 1;
+  return revisions;
+}
+
+/** What there is of one part. */
+export interface PartAnswer {
+  readonly id: PartId;
+  readonly revision: number;
+  readonly mesh: PartMesh;
+  readonly told: PartFacts;
+  readonly lines: PartLines | null;
+}
+
+/** Puts parts where a design has them, which are in its order. */
+export function placedParts(design: Design, answers: readonly PartAnswer[]): SolvedParts & Pick<Solved, "facts"> {
+  const standing = answers.map(({ told, ...answer }, place) => {
+    const matrix = matrixOf(design.parts[place]?.place) ?? IDENTITY;
+    return { answer, told, matrix, bounds: told.bounds, reach: placedAll(matrix, told.reach) };
+  });
+  const bounds = boundsOfParts(standing);
+  const all = new Float64Array(standing.reduce((sum, { reach }) => sum + reach.length, 0));
+  let first = 0;
+  for (const { reach } of standing) {
+    all.set(reach, first);
+    first += reach.length;
+  }
+  const extents = extentsOf(all);
+  const lifted = standing.map(({ told: { body, closed }, matrix }) => ({ body, closed, lift: matrix[14] ?? 0 }));
+  return {
+    parts: standing.map(({ answer: { id, revision, mesh }, matrix }) => ({ id, revision, mesh, matrix })),
+    bounds,
+    facts: bounds && extents && factsOf(lifted, bounds, extents),
+  };
+}
+
+/** The lines of all parts where they stand; null where they are not all there. */
+export function linesOfParts(design: Design, answers: readonly PartAnswer[]): LineArrays | null {
+  const placed: { lines: PartLines; matrix: Matrix }[] = [];
+  for (const [place, { lines }] of answers.entries()) {
+    if (!lines) return null;
+    placed.push({ lines, matrix: matrixOf(design.parts[place]?.place) ?? IDENTITY });
+  }
+  return placedLines(placed);
+}
+
+/** How many vertices the meshes have together. */
+export function verticesOf(parts: readonly SolvedPart[]): number {
+  return parts.reduce((sum, { mesh }) => sum + mesh.positions.length / 3, 0);
+}
