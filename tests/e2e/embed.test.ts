@@ -36,17 +36,18 @@ test("both snippets say the pot on the stage, and the preview shows it with the 
   await loaded("#1/bloor-wilson?n1=5");
   expect(pot.page.workers()).toHaveLength(1);
   expect(await findings(pot)).toEqual([]);
-  const element = dialog.getByLabel("For a page that may have scripts", { exact: true });
-  const frame = dialog.getByLabel("For a system that allows only frames", { exact: true });
+  const inside = pot.page.locator("pasu-embed");
+  const element = inside.getByLabel("For a page that may have scripts", { exact: true });
+  const frame = inside.getByLabel("For a system that allows only frames", { exact: true });
   const { alt } = read(await element.inputValue(), "pasu-pot");
   expect(alt).toMatch(/^A vase .* 5 waves/);
   expect(read(await element.inputValue(), "script").src).toBe(`${here.site.url}pot/0.1/pasu-pot.js`);
 
-  await dialog.getByLabel("What is seen, for people who do not see it").fill("Mine");
-  await dialog.getByLabel("Turns by itself").check();
-  await dialog.getByText("Sliders below it").click();
-  await dialog.getByRole("checkbox", { name: "Smoothing a" }).check();
-  await dialog.getByRole("checkbox", { name: "Number of dints n1" }).check();
+  await inside.getByLabel("What is seen, for people who do not see it").fill("Mine");
+  await inside.getByLabel("Turns by itself").check();
+  await inside.getByText("Sliders below it").click();
+  await inside.getByRole("checkbox", { name: "Smoothing a" }).check();
+  await inside.getByRole("checkbox", { name: "Number of dints n1" }).check();
   expect(read(await element.inputValue(), "pasu-pot")).toEqual({
     src: "#1/bloor-wilson?n1=5",
     alt: "Mine",
@@ -67,8 +68,8 @@ test("both snippets say the pot on the stage, and the preview shows it with the 
   expect(await inFrame.getByRole("slider").count()).toBe(2);
   await inFrame.close();
 
-  await dialog.getByRole("button", { name: "Copy: For a page that may have scripts" }).click();
-  await dialog.getByText("Copied.").waitFor();
+  await inside.getByRole("button", { name: "Copy: For a page that may have scripts" }).click();
+  await inside.getByText("Copied.").waitFor();
   expect(await pot.page.evaluate(() => navigator.clipboard.readText())).toBe(await element.inputValue());
   expect(await findings(pot)).toEqual([]);
   await pot.page.keyboard.press("Escape");

@@ -472,7 +472,8 @@ export class PasuPotElement extends LitElement implements Contract {
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (this.holder.stage) stageKey(event, this.holder.stage);
+    // What the pot takes is not the page's as well: slides turn by the same keys.
+    if (this.holder.stage && stageKey(event, this.holder.stage)) event.stopPropagation();
   };
 
   /** One finger scrolls the page: whoever meant to turn the pot is told how. */
