@@ -12,6 +12,9 @@ import { preload } from "./build/preload.ts";
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const DRAWING =
   /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
+/** What is said before anything is opened: the rest of the words comes with what says it. */
+const WORDS =
+  /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;
 
 export default defineConfig({
   base: "./",
@@ -40,6 +43,7 @@ export default defineConfig({
           groups: [
             // What draws, in one piece: the parts that are fetched later share it.
             { name: "tableau", test: DRAWING },
+            { name: "words", test: WORDS },
             { name: "lit", test: /[\\/]node_modules[\\/](lit|lit-html|lit-element|@lit)[\\/]/ },
           ],
         },

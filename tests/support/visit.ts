@@ -96,9 +96,20 @@ export class Visit {
   async draw(grid: GridSize): Promise<void> {
     await this.context.addInitScript(async (size) => {
       await customElements.whenDefined("pasu-app");
-      const { designer } = document.querySelector("pasu-app") as unknown as {
-        designer: { surface: { grid: () => GridSize } };
-      };
+      // Where another language than English is fetched first, the page comes after its code.
+      const app = await new Promise<Element>((found) => {
+        const look = () => {
+          const there = document.querySelector("pasu-app");
+          if (there) found(there);
+          return there !== null;
+        };
+        if (!look())
+          new MutationObserver((_, observer) => look() && observer.disconnect()).observe(document, {
+            childList: true,
+            subtree: true,
+          });
+      });
+      const { designer } = app as unknown as { designer: { surface: { grid: () => GridSize } } };
       designer.surface.grid = () => size;
     }, grid);
   }

@@ -1,6 +1,13 @@
 /** Numbers as people type and read them. */
 
-export type Typed = { readonly value: number } | { readonly problem: string };
+import { decimal } from "./language";
+
+/** Why what was typed is no number. */
+export type NumberProblem =
+  | { readonly code: "empty" | "too-large" }
+  | { readonly code: "no-number"; readonly typed: string };
+
+export type Typed = { readonly value: number } | { readonly problem: NumberProblem };
 
 const DECIMAL = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 const DIGITS_SHOWN = 6;
@@ -11,7 +18,7 @@ const DIGITS_SHOWN = 6;
  */
 export function parseNumber(text: string): Typed {
   let plain = text.replace(/[\s\u00a0\u202f\u2009'’_]/g, "").replace(/[\u2212\u2013\uff0d]/g, "-");
-  if (plain === "") return { problem: "Type a number." };
+  if (plain === "") return { problem: { code: "empty" } };
   plain = plain.replace(/[×x*]10\^?/i, "e");
   const comma = plain.lastIndexOf(",");
   const point = plain.lastIndexOf(".");
@@ -21,9 +28,9 @@ export function parseNumber(text: string): Typed {
   } else if (comma >= 0) {
     plain = plain.replace(",", ".");
   }
-  if (!DECIMAL.test(plain)) return { problem: `“${shortened(text)}” is not a number.` };
+  if (!DECIMAL.test(plain)) return { problem: { code: "no-number", typed: shortened(text) } };
   const value = Number(plain);
-  if (!Number.isFinite(value)) return { problem: "This number is too large." };
+  if (!Number.isFinite(value)) return { problem: { code: "too-large" } };
   return { value: value === 0 ? 0 : value };
 }
 
@@ -47,7 +54,7 @@ export function parseLength(text: string, unit: string): Typed {
   if ("problem" in typed) return parseAmount(text);
   if (!written || own === undefined) return own === undefined ? parseNumber(text) : typed;
   const value = (typed.value * (MILLIMETRES[unitOf(written)] ?? own)) / own;
-  if (!Number.isFinite(value)) return { problem: "This number is too large." };
+  if (!Number.isFinite(value)) return { problem: { code: "too-large" } };
   return { value: Number(value.toPrecision(CONVERTED_DIGITS)) };
 }
 
@@ -73,7 +80,7 @@ export function parseVolume(text: string, unit: "ml" | "l"): Typed {
   const typed = parseAmount(amount);
   if ("problem" in typed) return parseAmount(text);
   const value = typed.value * (MILLILITRES[volumeUnitOf(written.toLowerCase())] ?? 1);
-  return Number.isFinite(value) ? { value } : { problem: "This number is too large." };
+  return Number.isFinite(value) ? { value } : { problem: { code: "too-large" } };
 }
 
 function volumeUnitOf(word: string): string {
@@ -83,12 +90,12 @@ function volumeUnitOf(word: string): string {
   return word.startsWith("m") ? "ml" : "l";
 }
 
-/** "151 US fl oz": what a volume in millilitres is in ounces, or from a pint on in pints. */
-export function ouncesWords(millilitres: number): string {
-  const pint = MILLILITRES.pt ?? 1;
+/** What a volume in millilitres is in ounces, or from a pint on in pints. */
+export function inOunces(millilitres: number): { readonly value: number; readonly unit: "ounce" | "pint" } {
+  const { "fl oz": ounce = 1, pt: pint = 1 } = MILLILITRES;
   return Math.abs(millilitres) < pint
-    ? `${formatNumber(millilitres / (MILLILITRES["fl oz"] ?? 1), 3)}\u00a0US\u00a0fl\u00a0oz`
-    : `${formatNumber(millilitres / pint, 3)}\u00a0US\u00a0pt`;
+    ? { value: millilitres / ounce, unit: "ounce" }
+    : { value: millilitres / pint, unit: "pint" };
 }
 
 function unitOf(written: string): string {
@@ -117,8 +124,9 @@ export function formatNumber(value: number, digits = DIGITS_SHOWN): string {
   if (value === 0) return "0";
   const rounded = Number(value.toPrecision(digits));
   const size = Math.abs(rounded);
-  const text = size >= 1e-6 && size < 1e9 ? String(rounded) : rounded.toExponential().replace(/e\+?(-?)/, "e$1");
-  return text.replace("-", "\u2212").replace("e-", "e\u2212");
+  if (size >= 1e-6 && size < 1e9) return decimal(rounded, digits);
+  const [mantissa = "0", power = "0"] = rounded.toExponential().split("e");
+  return `${decimal(Number(mantissa), digits)}e${decimal(Number(power), digits)}`;
 }
 
 /** `value` moved by `steps` whole steps and freed of the dust that binary fractions leave. */

@@ -4,8 +4,9 @@ import { designOf } from "../src/document/gallery/exhibit";
 import { FIRST } from "../src/document/gallery/first";
 import { setPath } from "../src/document/path";
 import type { Design, Wall } from "../src/document/types";
+import { page } from "../src/words/english/page";
 
-export const JAR: Design = designOf(FIRST);
+export const JAR: Design = designOf(FIRST, page.firstPot);
 
 /** So thin that it fits in every form of the jar. */
 export const WALL: Wall = { thickness: 0.3, base: 0.3 };

@@ -24,7 +24,7 @@ export function realMaker({ free = false, took }: Options = {}): {
   readonly maker: MakerClient;
   readonly worker: Worker;
 } {
-  const kit = { init, PasuError, fault: "This could not be made" };
+  const kit = { init, PasuError, fault: "maker-unusable" };
   const paced = (request: Request, tell: (done: number) => void): Answers[Kind] => {
     const answer = perform(request, tell);
     const quick = took !== undefined && answer !== null && "solid" in answer;

@@ -14,7 +14,7 @@ const module = bytes.then((found) => WebAssembly.compile(found));
 
 /** A solver whose worker waits to be told, or is free to answer at once. */
 export function realSolver({ free = false } = {}): { readonly solver: SolverClient; readonly worker: Worker } {
-  const kit = { init, PasuError, fault: "The solver could not be used" };
+  const kit = { init, PasuError, fault: "solver-unusable" };
   const worker: Worker = new HeldWorker(kit, module, perform, buffersOf);
   worker.free = free;
   return { solver: new SolverClient(worker.start), worker };

@@ -1,7 +1,9 @@
 /** What the page shows outside its components: its title and colours, and how far it is, for whoever watches from outside. */
 
 import { effect } from "@preact/signals-core";
+import { isolated } from "../language";
 import { verticesOf } from "../solver/solved";
+import { page } from "../words/english/page";
 import type { Designer } from "../work/designer";
 
 /** Keeps all of that up to date until what comes back is called; `app` carries the state. */
@@ -9,7 +11,7 @@ export function outward(designer: Designer, app: HTMLElement): () => void {
   const { store, surface } = designer;
   const leaving = [
     effect(() => {
-      document.title = store.title === "" ? "Pasu" : `${store.title} · Pasu`;
+      document.title = store.title === "" ? page.name : page.titled(isolated(store.title));
     }),
     effect(() => {
       const { theme } = store.session;

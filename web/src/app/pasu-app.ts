@@ -3,11 +3,10 @@
 import { effect } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
-import type { Refusal } from "../document/types";
+import type { Design, Refusal } from "../document/types";
 import { DesignerElement } from "../element/designer-element";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
-import { UNFETCHED } from "../work/notices";
 import type { Command, CommandEvent } from "./command";
 import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
@@ -17,6 +16,9 @@ import { base, buttons } from "../ui/styles";
 import { outward } from "./outward";
 import type { PasuPanel } from "./side-panel";
 import "./top-bar";
+import { isolated, listed } from "../language";
+import { page } from "../words/english/page";
+import { refusalWords } from "../words/refusals";
 import { fetchMadeWhenWanted } from "./wanted-making";
 
 const NOTICE_MS = 6000;
@@ -75,16 +77,16 @@ export class PasuApp extends DesignerElement {
   override render() {
     const { designer } = this;
     return html`
-      <button class="skip" type="button" @click=${() => this.panel.focus()}>Skip to the parameters</button>
+      <button class="skip" type="button" @click=${() => this.panel.focus()}>${page.skip}</button>
       <header>
         <pasu-top-bar .designer=${designer} @command-chosen=${this.commanded}></pasu-top-bar>
       </header>
-      <main aria-label="The pot">
+      <main aria-label=${page.thePot}>
         <pasu-stage .designer=${designer}></pasu-stage>
         <div class="banners">${this.banners()}</div>
-        ${this.dropping ? html`<div class="drop"><p>Drop to open</p></div>` : nothing}
+        ${this.dropping ? html`<div class="drop"><p>${page.drop}</p></div>` : nothing}
       </main>
-      <aside aria-label="Parameters">
+      <aside aria-label=${page.parameters}>
         <pasu-panel .designer=${designer} @command-chosen=${this.commanded}></pasu-panel>
       </aside>
       <p class="spoken" role="status">${this.spoken}</p>
@@ -103,8 +105,8 @@ export class PasuApp extends DesignerElement {
       ${
         openProblem
           ? html`<div class="banner" role="alert">
-              ${icon("warn")} ${explain(openProblem, "Your pot stays as it is.")}
-              <button class="button bare" type="button" aria-label="Dismiss" @click=${() => designer.opening.dismissProblem()}>
+              ${icon("warn")} ${explain(openProblem, null, page.potStays)}
+              <button class="button bare" type="button" aria-label=${page.dismiss} @click=${() => designer.opening.dismissProblem()}>
                 ${icon("close")}
               </button>
             </div>`
@@ -113,10 +115,10 @@ export class PasuApp extends DesignerElement {
       ${
         problem
           ? html`<div class="banner" role="alert">
-              ${icon("warn")} ${explain(problem, designer.surface.shown ? "The pot on the stage is the last one that worked." : "")}
+              ${icon("warn")} ${explain(problem, designer.store.design, designer.surface.shown ? page.lastThatWorked : "")}
               ${
                 designer.store.canUndo
-                  ? html`<button class="button outlined" type="button" @click=${() => designer.store.undo()}>Undo</button>`
+                  ? html`<button class="button outlined" type="button" @click=${() => designer.store.undo()}>${page.undo}</button>`
                   : nothing
               }
             </div>`
@@ -125,8 +127,8 @@ export class PasuApp extends DesignerElement {
       ${
         designer.notices.newVersion
           ? html`<div class="banner calm" role="status">
-              <p>A new version of Pasu is ready. Your pot is kept.</p>
-              <button class="button outlined" type="button" @click=${() => location.reload()}>Reload</button>
+              <p>${page.newVersion}</p>
+              <button class="button outlined" type="button" @click=${() => location.reload()}>${page.reload}</button>
             </div>`
           : nothing
       }
@@ -202,7 +204,7 @@ export class PasuApp extends DesignerElement {
       await DIALOGUES[dialogue]();
       this.dialog = dialogue;
     } catch {
-      this.designer.notices.say(UNFETCHED);
+      this.designer.notices.say(page.unfetched);
     }
   }
 
@@ -211,7 +213,7 @@ export class PasuApp extends DesignerElement {
     if (address === null) return;
     try {
       await navigator.clipboard.writeText(address);
-      this.designer.notices.say("Link copied. Whoever opens it sees this very pot.");
+      this.designer.notices.say(page.linkCopied);
     } catch {
       this.address = address;
       await this.show("link");
@@ -223,32 +225,30 @@ export class PasuApp extends DesignerElement {
     const url = await this.linkOrSay();
     if (url === null) return;
     try {
-      await navigator.share({ title: this.designer.store.design.title ?? "A pot", url });
+      await navigator.share({ title: this.designer.store.design.title ?? page.aPot, url });
       this.designer.keeper.markShared();
     } catch (error) {
       // Closing the share sheet is not a failure.
-      if (!(error instanceof DOMException && error.name === "AbortError"))
-        this.designer.notices.say("Sharing did not work here.");
+      if (!(error instanceof DOMException && error.name === "AbortError")) this.designer.notices.say(page.noSharing);
     }
   }
 
   private async linkOrSay(): Promise<string | null> {
     const address = await this.designer.keeper.address();
-    if (address === null)
-      this.designer.notices.say("There is no link yet: the design has a value that the solver cannot use.");
+    if (address === null) this.designer.notices.say(page.noLink);
     return address;
   }
 
   private readonly savePicture = async ({ width, height, transparent }: PictureSize): Promise<string | null> => {
     try {
       const blob = await this.stage.picture(width, height, transparent);
-      if (!blob) return "Pictures need WebGL2, which this browser does not have.";
+      if (!blob) return page.noPictures;
       const name = fileName(this.designer.store.design.title, "png");
       saveBlob(blob, name);
-      this.designer.notices.say(`Saved as “${name}”.`);
+      this.designer.notices.say(page.savedAs(isolated(name)));
       return null;
     } catch {
-      return "The graphics card could not draw a picture of this size. Try a smaller one.";
+      return page.pictureTooLarge;
     }
   };
 
@@ -304,14 +304,14 @@ export class PasuApp extends DesignerElement {
     }
     if (files.length === 1) return;
     const opened = files[refused.length];
-    const names = (some: readonly File[]) => new Intl.ListFormat("en").format(some.map(({ name }) => `“${name}”`));
+    const names = (some: readonly File[]) => listed(some.map(({ name }) => page.quoted(isolated(name))));
     const left = opened ? files.slice(refused.length + 1) : [];
     const told = [
-      opened ? `Opened ${names([opened])}.` : `None of ${names(files)} could be opened.`,
-      opened && refused.length > 0 ? `${names(refused)} could not be opened.` : "",
-      left.length > 0 ? `Not opened: ${names(left)}, because one design is shown at a time.` : "",
+      opened ? page.opened(names([opened])) : page.noneOpened(names(files)),
+      ...(opened && refused.length > 0 ? [page.notOpened(names(refused))] : []),
+      ...(left.length > 0 ? [page.leftOut(names(left))] : []),
     ];
-    designer.notices.say(told.filter(Boolean).join(" "));
+    designer.notices.say(page.sentences(told));
   }
 
   static override readonly styles = [
@@ -450,8 +450,11 @@ export class PasuApp extends DesignerElement {
 }
 
 /** The solver's sentence first; where it happened and what it means for the stage in small print. */
-function explain(problem: Refusal, comfort: string) {
-  return html`<p>${problem.message}<small>${[comfort, problem.path].filter(Boolean).join(" ")}</small></p>`;
+/** A person's sentence; where in the document that is stands behind it, for whoever writes documents. */
+function explain(problem: Refusal, design: Design | null, comfort: string) {
+  return html`<p>
+    ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code>${problem.path}</code>`}</small>
+  </p>`;
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

@@ -1,24 +1,25 @@
 /** Sentences with a sign of how grave they are, which is also said. */
 
 import { css, html } from "lit";
-import type { Sentence, Severity } from "../document/report-words";
 import { type IconName, icon } from "../ui/icons";
+import { page } from "../words/english/page";
+import type { Sentence, Severity } from "../words/report";
 
-const SIGNS: Readonly<Record<Severity, { readonly icon: IconName; readonly spoken: string }>> = {
-  error: { icon: "close", spoken: "Fault: " },
-  warning: { icon: "warn", spoken: "Mind: " },
-  note: { icon: "more", spoken: "" },
-  good: { icon: "check", spoken: "" },
-};
+const SIGNS: Readonly<Record<Severity, IconName>> = { error: "close", warning: "warn", note: "more", good: "check" };
 
 export function sentences(all: readonly Sentence[]) {
   return html`<ul class="sentences">
     ${all.map(
       ({ severity, text }) => html`<li class=${severity}>
-        ${icon(SIGNS[severity].icon)}<span><span class="spoken">${SIGNS[severity].spoken}</span>${text}</span>
+        ${icon(SIGNS[severity])}<span><span class="spoken">${spoken(severity)}</span>${text}</span>
       </li>`,
     )}
   </ul>`;
+}
+
+/** What is said before it. */
+function spoken(severity: Severity): string {
+  return severity === "error" || severity === "warning" ? page.severities[severity] : "";
 }
 
 export const sentenceStyles = css`

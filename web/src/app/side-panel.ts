@@ -6,16 +6,7 @@ import { DesignerElement } from "../element/designer-element";
 import { selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
 import { base } from "../ui/styles";
-import { UNFETCHED } from "../work/notices";
-
-const TAB_NAMES: Readonly<Record<Tab, string>> = {
-  shape: "Shape",
-  profile: "Profile",
-  order: "Order",
-  look: "Look",
-  wall: "Wall",
-  measures: "Measures",
-};
+import { page } from "../words/english/page";
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
@@ -48,14 +39,14 @@ export class PasuPanel extends DesignerElement {
     this.fetched = tab;
     PANELS[tab]().catch(() => {
       this.fetched = null;
-      this.designer.notices.say(UNFETCHED);
+      this.designer.notices.say(page.unfetched);
     });
   }
 
   override render() {
     const { tab } = this.designer.store.session;
     return html`
-      <div class="tabs" role="tablist" aria-label="Panels" @keydown=${this.key}>
+      <div class="tabs" role="tablist" aria-label=${page.panels} @keydown=${this.key}>
         ${TABS.map(
           (name) => html`<button
             type="button"
@@ -66,12 +57,12 @@ export class PasuPanel extends DesignerElement {
             tabindex=${tab === name ? 0 : -1}
             @click=${() => this.select(name)}
           >
-            ${TAB_NAMES[name]}
+            ${page.tabs[name]}
           </button>`,
         )}
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
-        <h2 class="spoken">${TAB_NAMES[tab]}</h2>
+        <h2 class="spoken">${page.tabs[tab]}</h2>
         ${this.parts()}
         ${this.content(tab)}
       </div>
@@ -104,7 +95,7 @@ export class PasuPanel extends DesignerElement {
       this.listed = true;
       import("./panels/parts-list").catch(() => {
         this.listed = false;
-        designer.notices.say(UNFETCHED);
+        designer.notices.say(page.unfetched);
       });
     }
     return html`<pasu-parts .designer=${designer}></pasu-parts>`;

@@ -9,28 +9,23 @@ import { type IconName, icon } from "../ui/icons";
 import { type Command, CommandEvent } from "./command";
 import "../ui/menu";
 import { base, buttons } from "../ui/styles";
+import { page } from "../words/english/page";
 
-interface Item {
-  readonly command: Command;
-  readonly label: string;
-  readonly icon: IconName;
-}
-
-const FILE_ITEMS: readonly Item[] = [
-  { command: "new", label: "New", icon: "add" },
-  { command: "open", label: "Open", icon: "open" },
-  { command: "save", label: "Save", icon: "save" },
-  { command: "export", label: "Export", icon: "make" },
-  { command: "picture", label: "Picture", icon: "picture" },
-];
-
-const EMBED: Item = { command: "embed", label: "Embed", icon: "embed" };
-
-const THEME_NAMES: Readonly<Record<ThemeChoice, string>> = {
-  auto: "Colours follow the system",
-  light: "Light colours",
-  dark: "Dark colours",
+const ICONS: Readonly<Record<Command, IconName>> = {
+  new: "add",
+  gallery: "gallery",
+  open: "open",
+  save: "save",
+  export: "make",
+  picture: "picture",
+  link: "link",
+  share: "share",
+  embed: "embed",
+  help: "help",
 };
+
+const FILES: readonly Command[] = ["gallery", "new", "open", "save", "export", "picture"];
+
 const THEME_ICONS: Readonly<Record<ThemeChoice, IconName>> = { auto: "auto", light: "sun", dark: "moon" };
 
 @customElement("pasu-top-bar")
@@ -41,12 +36,12 @@ export class PasuTopBar extends DesignerElement {
     const sharing = typeof navigator.share === "function";
     return html`
       <div class="brand">
-        <h1>Pasu</h1>
+        <h1>${page.name}</h1>
         <input
           class="title"
           type="text"
-          aria-label="Title"
-          placeholder="Untitled pot"
+          aria-label=${page.title}
+          placeholder=${page.untitled}
           maxlength=${MAX_TITLE}
           autocomplete="off"
           .value=${store.title}
@@ -57,30 +52,29 @@ export class PasuTopBar extends DesignerElement {
             if (event.key === "Enter") (event.target as HTMLInputElement).blur();
           }}
         />
-        ${keeper.unsaved ? html`<span class="unsaved" title="Changed since it was opened or saved">Edited</span>` : nothing}
+        ${keeper.unsaved ? html`<span class="unsaved" title=${page.editedMeans}>${page.edited}</span>` : nothing}
       </div>
       <div class="history">
-        ${this.plain("Undo", "undo", "Undo (Ctrl Z)", !store.canUndo, () => designer.store.undo())}
-        ${this.plain("Redo", "redo", "Redo (Ctrl Shift Z)", !store.canRedo, () => designer.store.redo())}
+        ${this.plain(page.undo, "undo", page.undoKey, !store.canUndo, () => designer.store.undo())}
+        ${this.plain(page.redo, "redo", page.redoKey, !store.canRedo, () => designer.store.redo())}
       </div>
       <div class="wide files">
-        ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
+        ${FILES.map((command) => this.item(command))}
       </div>
       <div class="sharing">
-        <button class="button primary" type="button" aria-label="Copy link" @click=${() => this.ask("link")}>
-          ${icon("link")}<span class="text">Copy link</span>
+        <button class="button primary" type="button" aria-label=${page.commands.link} @click=${() => this.ask("link")}>
+          ${icon("link")}<span class="text">${page.commands.link}</span>
         </button>
-        <span class="wide">${this.bare(EMBED)}</span>
-        ${sharing ? html`<span class="wide">${this.bare({ command: "share", label: "Share", icon: "share" })}</span>` : nothing}
+        <span class="wide">${this.bare("embed")}</span>
+        ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
-        ${this.theme(true)} ${this.bare({ command: "help", label: "Help", icon: "help" })}
+        ${this.theme(true)} ${this.bare("help")}
       </div>
-      <pasu-menu class="narrow" label="More" icon="more" bare once>
-        ${this.item({ command: "gallery", label: "Gallery", icon: "gallery" })} ${FILE_ITEMS.map((item) => this.item(item))}
-        ${this.item(EMBED)}
-        ${sharing ? this.item({ command: "share", label: "Share", icon: "share" }) : nothing} ${this.theme(false)}
-        ${this.item({ command: "help", label: "Help", icon: "help" })}
+      <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
+        ${FILES.map((command) => this.item(command))}
+        ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
+        ${this.item("help")}
       </pasu-menu>
     `;
   }
@@ -89,14 +83,15 @@ export class PasuTopBar extends DesignerElement {
     this.dispatchEvent(new CommandEvent(command));
   }
 
-  private item({ command, label, icon: name }: Item) {
+  private item(command: Command) {
     return html`<button class="button item" type="button" @click=${() => this.ask(command)}>
-      ${icon(name)}<span>${label}</span>
+      ${icon(ICONS[command])}<span>${page.commands[command]}</span>
     </button>`;
   }
 
-  private bare({ command, label, icon: name }: Item) {
-    return this.plain(label, name, label, false, () => this.ask(command));
+  private bare(command: Command) {
+    const label = page.commands[command];
+    return this.plain(label, ICONS[command], label, false, () => this.ask(command));
   }
 
   private plain(label: string, name: IconName, title: string, disabled: boolean, act: () => void) {
@@ -109,10 +104,9 @@ export class PasuTopBar extends DesignerElement {
     const now = this.designer.store.session.theme;
     const next = THEMES[(THEMES.indexOf(now) + 1) % THEMES.length] ?? "auto";
     const act = () => this.designer.apply(setTheme(next));
-    if (bare)
-      return this.plain(THEME_NAMES[now], THEME_ICONS[now], `${THEME_NAMES[now]} (press to change)`, false, act);
+    if (bare) return this.plain(page.themes[now], THEME_ICONS[now], page.pressToChange(page.themes[now]), false, act);
     return html`<button class="button item" type="button" @click=${act}>
-      ${icon(THEME_ICONS[now])}<span>${THEME_NAMES[now]}</span>
+      ${icon(THEME_ICONS[now])}<span>${page.themes[now]}</span>
     </button>`;
   }
 

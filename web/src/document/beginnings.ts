@@ -1,13 +1,11 @@
 /** What a new design may begin as: plain forms at the size of a hand, in centimetres, of every kind of shape. */
 
-import type { Exhibit } from "./gallery/exhibit";
+import { type Exhibit, exhibits } from "./gallery/exhibit";
 import type { Design } from "./types";
 
-export const BEGINNINGS: readonly Exhibit[] = [
+export const BEGINNINGS = exhibits([
   {
     id: "new-vase",
-    title: "Vase",
-    note: "Fourth order: the slopes at rim and foot are yours.",
     shape: {
       kind: "fourth-order",
       r0: 4,
@@ -23,8 +21,6 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-jar",
-    title: "Jar",
-    note: "Fourth order: a shoulder under a wide mouth.",
     shape: {
       kind: "fourth-order",
       r0: 4,
@@ -41,8 +37,6 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-bowl",
-    title: "Bowl",
-    note: "Fourth order: from a narrow foot to an open rim.",
     shape: {
       kind: "fourth-order",
       r0: 3.4,
@@ -59,8 +53,6 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-bottle",
-    title: "Bottle",
-    note: "Fourth order: a low belly and a long neck.",
     shape: {
       kind: "fourth-order",
       r0: 3.3,
@@ -77,22 +69,16 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-cup",
-    title: "Cup",
-    note: "Second order: two edges, and a straight wall between them.",
     shape: { kind: "second-order", r: [4, 0, 3.4, 0], height: 9.5, s: [1, 1], t: [0, 0] },
     look: { glaze: "tin-white", clay: "porcelain" },
   },
   {
     id: "new-petals",
-    title: "Petalled vase",
-    note: "Second order: petals, and a waist that the equation draws in.",
     shape: { kind: "second-order", r: [5.2, 0.5, 4, 0.25], n: [1, 8], height: 17, s: [1, 1], t: [0.08, 0.08] },
     look: { glaze: "copper-red", clay: "porcelain" },
   },
   {
     id: "new-lip",
-    title: "Vase with a lip",
-    note: "Mixed order: petals, and how steeply the wall leaves the rim.",
     shape: {
       kind: "mixed-order",
       r: [5.2, 0.4, 4.2, 0.2],
@@ -106,8 +92,6 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-dints",
-    title: "Dint vase",
-    note: "Bloor–Wilson: waves in the rim that fade in the wall.",
     shape: {
       kind: "bloor-wilson",
       a: 0.3,
@@ -121,8 +105,6 @@ export const BEGINNINGS: readonly Exhibit[] = [
   },
   {
     id: "new-free",
-    title: "Free boundary data",
-    note: "Any edges, wave by wave. For those who like tables.",
     shape: {
       kind: "boundary-value",
       span: "2pi",
@@ -132,7 +114,7 @@ export const BEGINNINGS: readonly Exhibit[] = [
     },
     look: { glaze: "bare", clay: "black" },
   },
-];
+]);
 
 /** The form as a document of its own; its title is left to the person. */
 export function beginningOf({ shape, look }: Exhibit): Design {

@@ -12,13 +12,6 @@ export const MAX_MODES = LIMITS.modes;
 
 export type DatumName = (typeof DATA)[2 | 4][number];
 
-export const DATUM_NAMES: Readonly<Record<DatumName, string>> = {
-  start: "Value at u = 0",
-  end: "Value at u = 1",
-  start_u: "Slope at u = 0",
-  end_u: "Slope at u = 1",
-};
-
 /** The data that an order can prescribe. */
 export function datumNames(order: 2 | 4): readonly DatumName[] {
   return DATA[order];

@@ -1,4 +1,4 @@
-/** One number of a shape: what the generated tables have of it, and what it is called. */
+/** One number of a shape, as the generated tables have it. */
 
 import type { FAMILIES, GROUPS } from "./families.gen";
 import type { Path } from "./path";
@@ -11,16 +11,8 @@ export type FamilyKind = keyof typeof FAMILIES;
 /** What the fields of a family are told apart by. */
 export type FieldKey<K extends FamilyKind> = (typeof FAMILIES)[K]["fields"][number]["key"];
 
-/** What a field is called. */
-export interface FieldWords {
-  /** Where a person sees another number than that of the table, what it is in the papers' symbols. */
-  readonly symbol?: string;
-  readonly name: string;
-  readonly help: string;
-}
-
-/** One number of a shape, as the tables have it. Two with the same `pair` are the `x` and `y` of one vector-valued parameter. */
-export interface Entry {
+/** Two with the same `pair` are the `x` and `y` of one vector-valued parameter. */
+export interface Field {
   readonly key: string;
   /** Where the number is, inside the shape. */
   readonly path: Path;
@@ -34,6 +26,3 @@ export interface Entry {
   readonly step: number;
   readonly pair?: string;
 }
-
-/** The same with what it is called. */
-export interface Field extends Entry, Omit<FieldWords, "symbol"> {}

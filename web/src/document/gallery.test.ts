@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
+import { exhibitWords } from "../words/gallery";
 import { SHELVES } from "./gallery";
 import { designOf } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
@@ -26,13 +27,14 @@ test("every exhibit is on one shelf, under a title and a note of its own", () =>
   const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
   expect(shown.length).toBe(PAPERS.length + OWN.length);
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
-  expect(new Set(shown.map((exhibit) => exhibit.title)).size).toBe(shown.length);
-  for (const exhibit of shown) expect(exhibit.note.length).toBeGreaterThan(10);
+  const told = shown.map(({ id }) => exhibitWords(id));
+  expect(new Set(told.map(({ title }) => title)).size).toBe(shown.length);
+  for (const { note } of told) expect(note.length).toBeGreaterThan(10);
 });
 
 test("an exhibit opens as a document of its own", () => {
   const [first] = PAPERS;
-  expect(first && designOf(first)).toEqual({
+  expect(first && designOf(first, exhibitWords(first.id).title)).toEqual({
     pasu: 1,
     title: "Zhang and You 2001, figure 1a",
     parts: [{ shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], s: [1, 1], t: [0.5, 0.5] } }],

@@ -4,29 +4,27 @@ import type { Exhibit } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 
+export type ExhibitId = (typeof OWN | typeof PAPERS)[number]["id"];
+
 export interface Shelf {
-  readonly title: string;
-  readonly source: string;
-  readonly exhibits: readonly Exhibit[];
+  readonly id: "own" | "zhang-you" | "ishak-ali";
+  readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
 }
 
 export const SHELVES: readonly Shelf[] = [
   {
-    title: "Our own",
-    source: "Designs that show what the equations can do",
+    id: "own",
     exhibits: OWN,
   },
   {
-    title: "Zhang and You",
-    source: "Surface representation using second, fourth and mixed order partial differential equations, 2001",
+    id: "zhang-you",
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("zhang-you")),
     printed: true,
   },
   {
-    title: "Ishak and Ali",
-    source: "Parametric surface generation using partial differential equation based approach",
+    id: "ishak-ali",
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("ishak-ali")),
     printed: true,
   },

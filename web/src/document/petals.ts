@@ -8,6 +8,9 @@ import type { Path } from "./path";
 import { numberAt, setPath } from "./path";
 import type { Shape } from "./types";
 
+/** What the petals are in the paper's symbols. */
+export const PETALS_SYMBOL = "n_2 − n_1";
+
 /** Digits that a difference of two numbers keeps. */
 const DIGITS = 12;
 

@@ -1,4 +1,4 @@
-/** Where on a pot a point is, in a potter's words, from its height and from which way the wall goes there. */
+/** Where on a pot a point is, from its height and from which way the wall goes there. */
 
 import type { Triple } from "./types";
 
@@ -35,19 +35,13 @@ export function placeOf([, , z]: Triple, outline: Outline): PlaceName {
   return radius < NECK * widest[1] ? "neck" : slope < 0 ? "shoulder" : "neck";
 }
 
-/** The same inside a sentence: "at the shoulder". */
-export function placeWords(at: Triple, outline: Outline): string {
-  const place = placeOf(at, outline);
-  return place === "middle" ? "half way up" : `at the ${place}`;
-}
-
 /**
- * Where on the inside a lining hangs over, inside a sentence: "inside the neck". A lining that faces down belongs to a wall that leans in above the belly, however
- * thick it is and however far below the outside's shoulder its own lies.
+ * Where on the inside a lining hangs over. A lining that faces down belongs to a wall that leans in above the belly, however thick it is and however far below the
+ * outside's shoulder its own lies.
  */
-export function hangingInsideWords(at: Triple, outline: Outline): string {
+export function hangingInside(at: Triple, outline: Outline): "rim" | "neck" | "shoulder" {
   const place = placeOf(at, outline);
-  return `inside the ${place === "rim" || place === "neck" ? place : "shoulder"}`;
+  return place === "rim" || place === "neck" ? place : "shoulder";
 }
 
 /** The radius at a height and how it changes there. */

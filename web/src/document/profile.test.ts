@@ -1,6 +1,6 @@
 import init, { handles } from "pasu/drawing";
 import { beforeAll, describe, expect, test } from "vitest";
-import { HANDLE_NAMES, isFree, moveHandle, sharesHandles, whyHeld } from "./profile";
+import { isFree, moveHandle, sharesHandles } from "./profile";
 import { familyOf } from "./schema";
 import type { BloorWilson, BoundaryValue, FourthOrder, Handle, HandleId, Shape } from "./types";
 
@@ -29,12 +29,12 @@ function moved(shape: Shape, id: HandleId, radial: number, axial: number): Shape
 }
 
 describe.each(KINDS)("%s", (kind) => {
-  test("has four handles with names, and says why one is not free", () => {
+  test("has four handles, and says why one is not free", () => {
     const all = handlesOf(reset(kind));
-    expect(all.map(({ id }) => HANDLE_NAMES[id])).toEqual(["Rim", "Slope at the rim", "Slope at the foot", "Foot"]);
+    expect(all.map(({ id }) => id)).toEqual(["rim", "rim-slope", "foot-slope", "foot"]);
     for (const handle of all) {
       const free = handle.radial.length > 0 && handle.axial.length > 0;
-      expect(whyHeld(handle)).toMatch(free ? /^$/ : /^[A-Z].*\.$/);
+      expect(handle.restraints.length === 0).toBe(free);
       expect(isFree(handle)).toBe(handle.radial.length > 0 || handle.axial.length > 0);
     }
   });

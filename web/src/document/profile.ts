@@ -6,31 +6,7 @@
 import { AXES } from "./boundary-value";
 import { filled } from "./kinds";
 import { numberAt, pathOf, setPath } from "./path";
-import type { Component, Handle, HandleId, Restraint, Shape } from "./types";
-
-export const HANDLE_NAMES: Readonly<Record<HandleId, string>> = {
-  rim: "Rim",
-  foot: "Foot",
-  "rim-slope": "Slope at the rim",
-  "foot-slope": "Slope at the foot",
-};
-
-const RESTRAINT_WORDS: Readonly<Record<Restraint, string>> = {
-  "foot-height": "The foot of this family always stands at height 0.",
-  "second-order-slope": "Second order leaves the slope to the equation. Switch to mixed or fourth order to set it.",
-  "mixed-order-lean": "Mixed order sets the rise at the rim, not the lean.",
-  "mixed-order-foot": "In mixed order the wall always ends level at the foot.",
-  "no-swell": "With this belly radius the flares have no effect. Change the belly radius to free them.",
-  "level-foot": "The dint vase always ends level at the foot.",
-  "no-radius": "There is no first harmonic in x and y, so there is no radius to drag.",
-  "lean-order": "The lean needs x and y of order 4.",
-  "rise-order": "The rise needs z of order 4.",
-};
-
-/** Why a handle does not move, or moves one way only; empty when it is free. */
-export function whyHeld(handle: Handle): string {
-  return handle.restraints.map((restraint) => RESTRAINT_WORDS[restraint]).join(" ");
-}
+import type { Component, Handle, Shape } from "./types";
 
 export function isFree(handle: Handle): boolean {
   return handle.radial.length > 0 || handle.axial.length > 0;

@@ -16,7 +16,7 @@ test.each(FAMILIES.map((family) => [family.kind, family] as const))(
     const twice = shapeBy(family.reset, 2);
     for (const field of family.fields) {
       const grows = field.dimension === "length" || field.path[0] === "force";
-      expect(fieldValue(twice, field), field.name).toBeCloseTo((grows ? 2 : 1) * fieldValue(family.reset, field), 12);
+      expect(fieldValue(twice, field), field.key).toBeCloseTo((grows ? 2 : 1) * fieldValue(family.reset, field), 12);
     }
   },
 );

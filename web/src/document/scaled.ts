@@ -4,7 +4,7 @@
  */
 
 import { FAMILIES } from "./families.gen";
-import type { Entry } from "./field";
+import type { Field } from "./field";
 import { filled } from "./kinds";
 import { getPath, numberAt, setPath } from "./path";
 import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
@@ -57,7 +57,7 @@ export function shapeBy(shape: Shape, factor: number): Shape {
 }
 
 /** What the tables call a length grows, and so does a force, which is what it moves the wall by. */
-function familyBy<S extends Shape>(shape: S, fields: readonly Entry[], factor: number): S {
+function familyBy<S extends Shape>(shape: S, fields: readonly Field[], factor: number): S {
   const whole = filled(shape);
   let grown = shape;
   for (const { path, dimension, group } of fields) {

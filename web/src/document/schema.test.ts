@@ -1,4 +1,5 @@
 import { describe, expect, test } from "vitest";
+import { fieldWords } from "../words/parameters";
 import { PAPERS } from "./gallery/papers";
 import { filled } from "./kinds";
 import { pathText } from "./path";
@@ -27,7 +28,7 @@ describe.each(FAMILIES.map((family) => [family.kind, family] as const))("%s", (_
       expect(field.min).toBeLessThan(field.max);
       expect(field.step).toBeGreaterThan(0);
       expect(field.step).toBeLessThanOrEqual((field.max - field.min) / 3);
-      expect(field.help).toMatch(/\.$/);
+      expect(fieldWords(family.kind, field.key).help).toMatch(/\.$/);
       const reset = fieldValue(family.reset, field);
       expect(reset).toBeGreaterThanOrEqual(field.min);
       expect(reset).toBeLessThanOrEqual(field.max);
@@ -45,7 +46,7 @@ describe.each(FAMILIES.map((family) => [family.kind, family] as const))("%s", (_
 
   test("names every number differently", () => {
     const rows = GROUPS.flatMap((group) => rowsOf(family, group));
-    expect(new Set(rows.map((row) => row.fields[0].name)).size).toBe(rows.length);
+    expect(new Set(rows.map((row) => fieldWords(family.kind, row.fields[0].key).name)).size).toBe(rows.length);
   });
 
   test("sets what it reads, and keeps the shape when nothing changes", () => {

@@ -1,62 +1,38 @@
-/** What a person may change in each family: the numbers of the generated tables with their plain names, grouped as a potter thinks. */
+/** What a person may change in each family: the numbers of the generated tables, grouped as a potter thinks. */
 
-import { BLOOR_WILSON } from "./families/bloor-wilson";
-import { FOURTH_ORDER } from "./families/fourth-order";
-import { MIXED_ORDER } from "./families/mixed-order";
-import { PLANAR } from "./families/second-order";
 import { FAMILIES, GROUPS } from "./families.gen";
-import type { Entry, FamilyKind, Field, FieldKey, FieldWords, Group } from "./field";
-import { filled, KIND_NAMES } from "./kinds";
+import type { FamilyKind, Field, Group } from "./field";
+import { filled } from "./kinds";
 import { numberAt, setPath } from "./path";
-import { petalsAt, withPetals } from "./petals";
+import { PETALS_SYMBOL, petalsAt, withPetals } from "./petals";
 import type { Kind, Shape } from "./types";
 
 export type { FamilyKind, Field, Group } from "./field";
 export { GROUPS };
 
-export const GROUP_WORDS: Readonly<Record<Group, { readonly name: string; readonly help: string }>> = {
-  rim: { name: "Rim", help: "The upper edge" },
-  foot: { name: "Foot", help: "The lower edge" },
-  wall: { name: "Wall", help: "What the clay does in between" },
-  height: { name: "Height", help: "From the foot to the rim" },
-  equation: { name: "Equation", help: "The weights of its terms" },
-  force: { name: "Force", help: "A push along the whole wall" },
-};
-
 export interface Family {
   readonly kind: FamilyKind;
-  readonly name: string;
-  readonly source: string;
   readonly fields: readonly Field[];
   /** The complete shape that an empty readable link stands for: the pot of the paper. */
   readonly reset: Shape;
 }
 
-function family<K extends FamilyKind>(
-  kind: K,
-  source: string,
-  words: Readonly<Record<FieldKey<K>, FieldWords>>,
-): Family {
-  const { fields, reset }: { readonly fields: readonly Entry[]; readonly reset: Shape } = FAMILIES[kind];
-  return {
-    kind,
-    name: KIND_NAMES[kind],
-    source,
-    fields: fields.map((field) => ({ ...field, ...words[field.key as FieldKey<K>] })),
-    reset,
-  };
+function family(kind: FamilyKind): Family {
+  const { fields, reset }: { readonly fields: readonly Field[]; readonly reset: Shape } = FAMILIES[kind];
+  const symbol = (field: Field) => (petalsAt(reset, field.path) === null ? field.symbol : PETALS_SYMBOL);
+  return { kind, fields: fields.map((field) => ({ ...field, symbol: symbol(field) })), reset };
 }
 
-const WITH_WORDS: Readonly<Record<FamilyKind, Family>> = {
-  "second-order": family("second-order", "Zhang and You 2001, eqs 1 to 8", PLANAR),
-  "mixed-order": family("mixed-order", "Zhang and You 2001, eqs 9 to 12", MIXED_ORDER),
-  "fourth-order": family("fourth-order", "Zhang and You 2001, eqs 13 to 17", FOURTH_ORDER),
-  "bloor-wilson": family("bloor-wilson", "Ishak and Ali, eqs 15 to 18", BLOOR_WILSON),
+const BY_KIND: Readonly<Record<FamilyKind, Family>> = {
+  "second-order": family("second-order"),
+  "mixed-order": family("mixed-order"),
+  "fourth-order": family("fourth-order"),
+  "bloor-wilson": family("bloor-wilson"),
 };
 
 /** The family of a kind; a boundary-value shape has a table of modes instead. */
 export function familyOf(kind: Kind): Family | null {
-  return kind === "boundary-value" ? null : WITH_WORDS[kind];
+  return kind === "boundary-value" ? null : BY_KIND[kind];
 }
 
 export function fieldValue(shape: Shape, field: Field): number {

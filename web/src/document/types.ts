@@ -92,9 +92,10 @@ export type Finding = Frozen<pasu.Finding>;
 export type Pair = readonly [number, number];
 export type Triple = readonly [number, number, number];
 
-/** What the solver says when it refuses a design: a stable word, where in the design, and a sentence. */
+/** What the solver says when it refuses a design: a stable word, where in the design, what it names, and a sentence for where nobody has a better one. */
 export interface Refusal {
   readonly code: string;
   readonly path: string;
   readonly message: string;
+  readonly args?: Readonly<Record<string, number | string | readonly string[]>>;
 }

@@ -16,17 +16,11 @@ test("a size that is not known takes a usual wall", () => {
 });
 
 test("only numbers that mean something are asked for", () => {
-  const names = (wall: Parameters<typeof wallFields>[0]) => wallFields(wall).map(({ name }) => name);
+  const names = (wall: Parameters<typeof wallFields>[0]) => wallFields(wall).map(({ key }) => key);
   const wall = firstWall(20);
-  expect(names(wall)).toEqual(["Thickness", "Base", "Drain hole"]);
-  expect(names({ ...wall, base: 0 })).toEqual(["Thickness", "Base"]);
-  expect(names({ ...wall, foot: firstFoot(wall) })).toEqual([
-    "Thickness",
-    "Base",
-    "Ring width",
-    "Ring height",
-    "Drain hole",
-  ]);
+  expect(names(wall)).toEqual(["thickness", "base", "drain"]);
+  expect(names({ ...wall, base: 0 })).toEqual(["thickness", "base"]);
+  expect(names({ ...wall, foot: firstFoot(wall) })).toEqual(["thickness", "base", "foot-0", "foot-1", "drain"]);
 });
 
 test("numbers are read and changed by their fields, and a hole of no width is none", () => {
@@ -36,7 +30,7 @@ test("numbers are read and changed by their fields, and a hole of no width is no
     expect(wallNumber(changed, field)).toBe(0.7);
     expect(withWallNumber(changed, field, 0.7)).toBe(changed);
   }
-  const drain = wallFields(wall).find(({ name }) => name === "Drain hole");
+  const drain = wallFields(wall).find(({ key }) => key === "drain");
   if (!drain) throw new Error("drain");
   expect(withWallNumber({ ...wall, drain: 2 }, drain, 0)).toEqual(wall);
 });

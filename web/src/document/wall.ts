@@ -5,45 +5,18 @@ import type { Path } from "./path";
 import { numberAt, setPath } from "./path";
 import type { Part, Wall } from "./types";
 
-type WallKey = (typeof WALL)[number]["key"];
-
-interface WallWords {
-  readonly name: string;
-  readonly help: string;
-}
+/** What the numbers of a wall are told apart by. */
+export type WallKey = (typeof WALL)[number]["key"];
 
 /** One number of a wall; all are lengths. */
-export interface WallField extends WallWords {
+export interface WallField {
   readonly key: WallKey;
   readonly path: Path;
   /** The end of the slider, as a share of the size of the pot. */
   readonly most: number;
 }
 
-const WORDS: Readonly<Record<WallKey, WallWords>> = {
-  thickness: {
-    name: "Thickness",
-    help: "Through the clay, square to the wall. Where the pot bends more tightly than this, the wall is thinned.",
-  },
-  base: {
-    name: "Base",
-    help: "How thick the floor is. 0 leaves the pot open below, as a tube.",
-  },
-  "foot-0": {
-    name: "Ring width",
-    help: "How wide the ring is that the pot stands on.",
-  },
-  "foot-1": {
-    name: "Ring height",
-    help: "How far the underside is set back inside the ring.",
-  },
-  drain: {
-    name: "Drain hole",
-    help: "Across the hole in the middle of the base. 0 is none.",
-  },
-};
-
-const FIELDS: readonly WallField[] = WALL.map((field) => ({ ...field, ...WORDS[field.key] }));
+const FIELDS: readonly WallField[] = WALL;
 
 /** The numbers of a wall that mean something as it is. */
 export function wallFields(wall: Wall): readonly WallField[] {

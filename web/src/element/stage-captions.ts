@@ -2,9 +2,10 @@
 
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { KIND_NAMES } from "../document/kinds";
 import type { OrderKind } from "../document/types";
 import { base } from "../ui/styles";
+import { page } from "../words/english/page";
+import { parameters } from "../words/english/parameters";
 import { DesignerElement } from "./designer-element";
 
 @customElement("pasu-captions")
@@ -15,8 +16,8 @@ export class PasuCaptions extends DesignerElement {
     const { design, part } = this.designer.state;
     const kind = design.parts[part]?.shape.kind ?? "second-order";
     return html`
-      <p>${KIND_NAMES[kind]} <span>as it is</span></p>
-      <p>${KIND_NAMES[this.order]} <span>to compare</span></p>
+      <p>${parameters.kinds[kind]} <span>${page.asItIs}</span></p>
+      <p>${parameters.kinds[this.order]} <span>${page.toCompare}</span></p>
     `;
   }
 

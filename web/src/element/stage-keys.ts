@@ -23,7 +23,7 @@ export function stageKey(event: KeyboardEvent, stage: Stage): boolean {
     const [x, y] = arrow;
     if (event.shiftKey) stage.pan(-PAN * x, -PAN * y);
     else stage.orbit(TURN * x, TURN * y);
-  } else if (view) stage.view(view.name);
+  } else if (view) stage.view(view);
   else if (event.key === "+" || event.key === "=") stage.zoom(ZOOM);
   else if (event.key === "-" || event.key === "_" || event.key === "−") stage.zoom(1 / ZOOM);
   else if (event.key === "f" || event.key === "F") stage.fit();

@@ -2,7 +2,6 @@
 
 import { looksOf, unitOf } from "../document/look";
 import { mapOf, scaleOf } from "../document/maps";
-import { lengthWords, volumeWords } from "../document/quantities";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
@@ -16,6 +15,8 @@ import type { Made } from "../work/made";
 import type { Piece } from "../work/piece";
 import type { Shown } from "../work/surface";
 import "./water-handle";
+import { page } from "../words/english/page";
+import { lengthWords, volumeWords } from "../words/quantities";
 import type { PasuWaterHandle } from "./water-handle";
 
 export class StageMade {
@@ -95,7 +96,7 @@ function wordsOf({ measures, solid }: Made, { design }: Shown): readonly Word[] 
   if (value?.capacity && measures.of === design) {
     const { brim, spill } = value.capacity;
     words.push({ text: volumeWords(brim.value, unit, 3), at: middleOf(solid.value?.bounds, spill.level.value) });
-    if (wall) words.push({ text: `wall ${lengthWords(wall.thickness, unit, 3)}`, at: spill.at });
+    if (wall) words.push({ text: page.wallOnStage(lengthWords(wall.thickness, unit, 3)), at: spill.at });
   }
   return words;
 }

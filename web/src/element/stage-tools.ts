@@ -9,26 +9,20 @@ import { type IconName, icon } from "../ui/icons";
 import { DesignerElement } from "./designer-element";
 import "../ui/menu";
 import { base, buttons } from "../ui/styles";
+import { page } from "../words/english/page";
 import { VIEWS, ZOOM } from "./views";
 
-const OVERLAYS: readonly { readonly name: keyof Overlays; readonly label: string }[] = [
-  { name: "isoU", label: "Lines round the pot (u)" },
-  { name: "isoV", label: "Lines up the wall (v)" },
-  { name: "wireframe", label: "Wireframe" },
-  { name: "boundary", label: "Rim, foot and tangents" },
-  { name: "axes", label: "Axes and dimensions" },
-  { name: "cut", label: "Cut open" },
-];
+const OVERLAYS: readonly (keyof Overlays)[] = ["isoU", "isoV", "wireframe", "boundary", "axes", "cut"];
 
 const ZOOMS: readonly {
-  readonly label: string;
+  readonly name: "zoomOut" | "zoomIn" | "fit";
   readonly key: string;
   readonly icon: IconName;
   readonly act: (stage: Stage) => void;
 }[] = [
-  { label: "Zoom out", key: "−", icon: "less", act: (stage) => stage.zoom(1 / ZOOM) },
-  { label: "Zoom in", key: "+", icon: "add", act: (stage) => stage.zoom(ZOOM) },
-  { label: "Fit to view", key: "F", icon: "fit", act: (stage) => stage.fit() },
+  { name: "zoomOut", key: "−", icon: "less", act: (stage) => stage.zoom(1 / ZOOM) },
+  { name: "zoomIn", key: "+", icon: "add", act: (stage) => stage.zoom(ZOOM) },
+  { name: "fit", key: "F", icon: "fit", act: (stage) => stage.fit() },
 ];
 
 @customElement("pasu-stage-tools")
@@ -36,33 +30,33 @@ export class PasuStageTools extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
 
   override render() {
-    return html`<div class="tools" role="toolbar" aria-label="View">
+    return html`<div class="tools" role="toolbar" aria-label=${page.view}>
       <div class="views">${this.views("button")}</div>
       <div class="zooms">
         ${ZOOMS.map(
-          ({ label, key, icon: name, act }) =>
-            html`<button class="button bare" type="button" aria-label=${label} title="${label} (${key})" @click=${() => this.stage && act(this.stage)}>
-              ${icon(name)}
+          ({ name, key, icon: sign, act }) =>
+            html`<button class="button bare" type="button" aria-label=${page[name]} title=${page.keyed(page[name], key)} @click=${() => this.stage && act(this.stage)}>
+              ${icon(sign)}
             </button>`,
         )}
       </div>
-      <pasu-menu class="small" label="View" icon="view" side="up" bare>
+      <pasu-menu class="small" label=${page.view} icon="view" side="up" bare>
         ${this.views("button item")}
         ${ZOOMS.map(
-          ({ label, icon: name, act }) =>
+          ({ name, icon: sign, act }) =>
             html`<button class="button item phone" type="button" @click=${() => this.stage && act(this.stage)}>
-              ${icon(name)}<span>${label}</span>
+              ${icon(sign)}<span>${page[name]}</span>
             </button>`,
         )}
       </pasu-menu>
-      <pasu-menu label="Overlays" icon="layers" side="up" bare>${this.overlays()}</pasu-menu>
+      <pasu-menu label=${page.overlays} icon="layers" side="up" bare>${this.overlays()}</pasu-menu>
     </div>`;
   }
 
   private views(style: string) {
     return VIEWS.map(
-      ({ name, label }) =>
-        html`<button class=${style} type="button" @click=${() => this.stage?.view(name)}>${label}</button>`,
+      (name) =>
+        html`<button class=${style} type="button" @click=${() => this.stage?.view(name)}>${page.views[name]}</button>`,
     );
   }
 
@@ -70,13 +64,13 @@ export class PasuStageTools extends DesignerElement {
     const { designer } = this;
     const { overlays } = designer.store.session;
     return OVERLAYS.map(
-      ({ name, label }) => html`<label class="check">
+      (name) => html`<label class="check">
         <input
           type="checkbox"
           .checked=${overlays[name]}
           @change=${() => designer.apply(toggleOverlay(designer.state, name))}
         />
-        <span>${label}</span>
+        <span>${page.overlayNames[name]}</span>
       </label>`,
     );
   }

@@ -8,8 +8,9 @@ import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import { base } from "../ui/styles";
+import { page } from "../words/english/page";
+import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
-import { UNFETCHED } from "../work/notices";
 import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
 import { DesignerElement } from "./designer-element";
@@ -90,7 +91,7 @@ export class PasuStage extends DesignerElement {
   private options() {
     return {
       theme: this.theme(),
-      unit: unitOf(this.designer.store.design),
+      lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
       onTap: (part: PartId | string) => {
         const { designer } = this;
         if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
@@ -112,8 +113,8 @@ export class PasuStage extends DesignerElement {
         class="host"
         tabindex="0"
         role="application"
-        aria-roledescription="3D view"
-        aria-label="The pot"
+        aria-roledescription=${page.stage}
+        aria-label=${page.thePot}
         aria-describedby="description keys"
         @keydown=${this.key}
       ></div>
@@ -124,7 +125,7 @@ export class PasuStage extends DesignerElement {
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
           : nothing
       }
-      <p id="keys" class="spoken">Arrow keys turn the pot, plus and minus zoom, F fits it to the view.</p>
+      <p id="keys" class="spoken">${page.stageKeys}</p>
       <div class="foot">
         <p id="description">${designer.description}${this.accuracy()}</p>
         ${
@@ -148,11 +149,9 @@ export class PasuStage extends DesignerElement {
       case "loading":
         return html`<div class="wheel" aria-hidden="true"></div>`;
       case "lost":
-        return html`<p class="note" role="status">The graphics card was taken away for a moment. The picture comes back by itself.</p>`;
+        return html`<p class="note" role="status">${page.lost}</p>`;
       case "still":
-        return html`<p class="note" role="status">
-          This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.
-        </p>`;
+        return html`<p class="note" role="status">${page.still}</p>`;
       case "live":
         return this.designer.surface.shown === null && this.designer.surface.problem === null
           ? html`<div class="wheel" aria-hidden="true"></div>`
@@ -172,7 +171,7 @@ export class PasuStage extends DesignerElement {
     }
     if (!stage) return;
     stage.theme(this.theme());
-    stage.unit(unitOf(design));
+    stage.lengths(LENGTH_LABELS[unitOf(design)]);
     this.display();
     stage.measure(designer.extents);
     stage.overlays(session.overlays);
@@ -194,7 +193,7 @@ export class PasuStage extends DesignerElement {
       this.made = new StageMade(this.designer, stage, this);
       this.requestUpdate();
     } catch {
-      this.designer.notices.say(UNFETCHED);
+      this.designer.notices.say(page.unfetched);
     }
   }
 

@@ -3,10 +3,11 @@
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../document/look";
-import { volumeWords } from "../document/quantities";
 import type { Hold } from "../render/made/made";
 import { setFill } from "../state/wall-actions";
 import { base } from "../ui/styles";
+import { page } from "../words/english/page";
+import { volumeWords } from "../words/quantities";
 import { DesignerElement } from "./designer-element";
 import { fillAfter } from "./water-keys";
 
@@ -29,7 +30,7 @@ export class PasuWaterHandle extends DesignerElement {
     return html`<div
         role="slider"
         tabindex="0"
-        aria-label="Water on the stage"
+        aria-label=${page.waterOnStage}
         aria-orientation="vertical"
         aria-valuemin="0"
         aria-valuemax="100"

@@ -27,12 +27,7 @@ const PATIENCE_MS = 1000;
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = ["open", "write", "quick", "water", "solid", "paint", "measure", "check"];
 
-const CRASHED: Refusal = {
-  code: "maker-stopped",
-  path: "",
-  message:
-    "The part of Pasu that makes pots stopped on this design and was started again. Change something, or try again.",
-};
+const CRASHED: Refusal = { code: "maker-stopped", path: "", message: "" };
 
 const SUPERSEDED = { state: "superseded" } as const;
 

@@ -4,4 +4,4 @@ import init, { PasuError } from "pasu";
 import { serve } from "../worker/serve";
 import { buffersOf, perform } from "./perform";
 
-serve(self, { init, PasuError, fault: "This could not be made" }, perform, buffersOf);
+serve(self, { init, PasuError, fault: "maker-unusable" }, perform, buffersOf);

@@ -4,7 +4,6 @@ import { Device, type Tenant, webgl2Supported } from "./gl/device";
 import { draw } from "./gl/drawable";
 import { Pane } from "./gl/pane";
 import type { Source } from "./gl/scene";
-import type { Unit } from "./length";
 import { Loop } from "./loop";
 import type { PartId, PartMesh, StageModel } from "./mesh";
 import type { Size } from "./overlay/dimensions";
@@ -18,11 +17,12 @@ import { Stopwatch } from "./stopwatch";
 import type { Studio, Theme } from "./studio";
 import { Tableau } from "./tableau";
 
-/** How the stage begins; `theme`, `reducedMotion` and `unit` may change later. */
+/** How the stage begins; `theme`, `reducedMotion` and `lengths` may change later. */
 export interface StageOptions {
   theme: Theme;
   reducedMotion: boolean;
-  unit: Unit;
+  /** How a length is written beside its dimension line. */
+  lengths: (length: number) => string;
   /** The stage stands in a page that scrolls. */
   page?: PageManners;
   /** The browser took the graphics context away; the picture stands still until it is back. */
@@ -104,7 +104,7 @@ export class Stage {
   private told = "";
   private disposed = false;
   private readonly listeners = new AbortController();
-  private readonly settings = new Map<string, string>();
+  private readonly settings = new Map<string, unknown>();
   private guest: Guest | null = null;
 
   /** Whether the stage can work here: WebGL2 is present. */
@@ -139,7 +139,7 @@ export class Stage {
     this.stopwatch = new Stopwatch(this.device.gl);
     this.tableau = new Tableau(options.theme);
     this.picker = new Picker(this.tableau.studio);
-    this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.unit);
+    this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.lengths);
     this.tableau.scene.add(...this.overlay.sources);
     for (const tenant of this.tenants()) this.device.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
@@ -332,9 +332,9 @@ export class Stage {
     if (this.differs("size", JSON.stringify(size))) this.overlay.measures = size;
   }
 
-  /** The unit of the dimension labels. */
-  unit(unit: Unit): void {
-    if (this.differs("unit", unit)) this.overlay.measure = unit;
+  /** How the dimension labels are written. */
+  lengths(lengths: (length: number) => string): void {
+    if (this.differs("lengths", lengths)) this.overlay.lengths = lengths;
   }
 
   reducedMotion(reduced: boolean): void {
@@ -435,7 +435,7 @@ export class Stage {
   }
 
   /** Whether a setting is another one than before, which takes a new frame: pages set them again and again. */
-  private differs(name: string, value: string): boolean {
+  private differs(name: string, value: unknown): boolean {
     if (this.settings.get(name) === value) return false;
     this.settings.set(name, value);
     this.changed();

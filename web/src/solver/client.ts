@@ -36,11 +36,7 @@ interface Lane {
   waiting: Job | null;
 }
 
-const CRASHED: Refusal = {
-  code: "solver-stopped",
-  path: "",
-  message: "The solver stopped on this design and was started again. Undo the last change, or go on.",
-};
+const CRASHED: Refusal = { code: "solver-stopped", path: "", message: "" };
 
 export class SolverClient implements Desktop {
   readonly #start: () => SolverPort;

@@ -1,7 +1,7 @@
 /** A solved design as the page has it: every part with its mesh where it stands, and what is known of all together. */
 
-import { type Facts, factsOf } from "../document/describe";
 import { extentsOf } from "../document/extents";
+import { type Facts, factsOf } from "../document/facts";
 import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
 import type { Design } from "../document/types";
 import type { PartId } from "../state/parts";

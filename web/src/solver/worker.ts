@@ -4,4 +4,4 @@ import init, { PasuError } from "pasu/drawing";
 import { serve } from "../worker/serve";
 import { buffersOf, perform } from "./perform";
 
-serve(self, { init, PasuError, fault: "The solver could not be used" }, perform, buffersOf);
+serve(self, { init, PasuError, fault: "solver-unusable" }, perform, buffersOf);

@@ -25,7 +25,7 @@ const JAR: Shape = {
 };
 const FIRST: Design = { pasu: 1, title: "Shoulder jar", parts: [{ shape: JAR }] };
 const OTHER: Design = { pasu: 1, title: "Tall", parts: [{ shape: { ...JAR, h1: 31 } }] };
-const HEIGHT = familyOf("fourth-order")?.fields.find(({ name }) => name === "Height") as Field;
+const HEIGHT = familyOf("fourth-order")?.fields.find(({ key }) => key === "h1") as Field;
 
 let store: Store;
 let origins: Origins;

@@ -2,8 +2,9 @@ import { beforeEach, expect, test } from "vitest";
 import { JAR } from "../../testing/jar";
 import { familyOf } from "../document/schema";
 import type { Design, Part } from "../document/types";
+import { partName } from "../words/parts";
 import { openDesign } from "./actions";
-import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, partName, renamePart } from "./scene-actions";
+import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "./scene-actions";
 import { hiddenParts, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
 import { setFields } from "./shape-actions";
@@ -23,7 +24,7 @@ beforeEach(() => {
   [body, lid, foot] = store.ids as [number, number, number];
 });
 
-const names = () => store.design.parts.map((_, place) => partName(store.design.parts, place));
+const names = () => store.design.parts.map(({ name }, place) => partName(place, name));
 
 test("every part has an identity of its own, of which the document knows nothing", () => {
   expect(new Set(store.ids).size).toBe(3);
@@ -31,7 +32,7 @@ test("every part has an identity of its own, of which the document knows nothing
 });
 
 test("a part keeps its identity through changes of its numbers and its name, and through undo", () => {
-  const height = familyOf("fourth-order")?.fields.find(({ name }) => name === "Height");
+  const height = familyOf("fourth-order")?.fields.find(({ key }) => key === "h1");
   store.apply(selectParts(lid));
   store.apply(setFields(store.state, height ? [height] : [], 7, false));
   store.apply(renamePart(store.state, lid, "Cover"));

@@ -10,11 +10,6 @@ const NOTHING: Change = { undo: "none" };
 /** Longer names than titles may be are of no use in a list. */
 export const MAX_NAME = 60;
 
-/** What a part is called: its name, or its place. */
-export function partName(parts: readonly Part[], place: number): string {
-  return parts[place]?.name ?? `Part ${place + 1}`;
-}
-
 /** Whether another part has this name already: the document wants each to be called differently. */
 export function isTaken({ design, ids }: State, id: PartId, name: string): boolean {
   return design.parts.some((part, place) => ids[place] !== id && part.name === name.trim());

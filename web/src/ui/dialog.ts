@@ -2,6 +2,7 @@
 
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
+import { controls } from "../words/english/controls";
 import { icon } from "./icons";
 import { base, buttons } from "./styles";
 
@@ -41,7 +42,7 @@ export class PasuDialog extends LitElement {
       <dialog aria-labelledby="heading" @close=${this.closed} @click=${this.clicked}>
         <div class="head">
           <h2 id="heading">${this.heading}</h2>
-          <button class="button bare" type="button" aria-label="Close" @click=${this.close}>${icon("close")}</button>
+          <button class="button bare" type="button" aria-label=${controls.close} @click=${this.close}>${icon("close")}</button>
         </div>
         <div class="body" tabindex=${this.reading ? 0 : nothing}><slot></slot></div>
         <footer><slot name="actions"></slot></footer>

@@ -3,6 +3,9 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { formatNumber, parseLength, parseNumber, stepped } from "../number";
+import { controls } from "../words/english/controls";
+import { quantities } from "../words/english/quantities";
+import { numberProblemWords } from "../words/typed";
 import { icon } from "./icons";
 import { type Range, reaching } from "./range";
 import { base, buttons, fields } from "./styles";
@@ -74,7 +77,7 @@ export class PasuNumber extends LitElement {
     const message = this.typo !== "" ? this.typo : this.problem;
     const text = this.draft ?? formatNumber(this.value);
     const described = [message === "" ? "" : "problem", this.help === "" ? "" : "help"].filter(Boolean).join(" ");
-    const name = this.qualifier === "" ? this.label : `${this.label}, ${this.qualifier}`;
+    const name = this.qualifier === "" ? this.label : controls.qualified(this.label, this.qualifier);
     return html`
       <div class=${this.compact ? "row compact" : "row"} @dblclick=${this.reset}>
         <label for="field" title=${this.explain ? nothing : this.help}>
@@ -95,7 +98,7 @@ export class PasuNumber extends LitElement {
             aria-label=${name}
             .value=${text}
             aria-valuenow=${this.value}
-            aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
+            aria-valuetext=${this.draft ?? this.told(text)}
             aria-invalid=${message === "" ? "false" : "true"}
             aria-describedby=${described === "" ? nothing : described}
             @input=${this.typedInto}
@@ -104,7 +107,7 @@ export class PasuNumber extends LitElement {
             @focus=${this.selectAll}
             @blur=${this.leave}
           />
-          ${this.unit === "" ? nothing : html`<span class="unit" aria-hidden="true">${this.unit}</span>`}
+          ${this.unit === "" ? nothing : html`<span class="unit" aria-hidden="true">${this.sign}</span>`}
         </span>
         ${
           this.compact
@@ -113,7 +116,7 @@ export class PasuNumber extends LitElement {
                 class="slider"
                 type="range"
                 aria-label=${name}
-                aria-valuetext=${this.unit === "" ? text : `${text} ${this.unit}`}
+                aria-valuetext=${this.draft ?? this.told(text)}
                 min=${this.range.low}
                 max=${this.range.high}
                 step="any"
@@ -132,13 +135,22 @@ export class PasuNumber extends LitElement {
     `;
   }
 
+  /** The unit as it is written. */
+  private get sign(): string {
+    return quantities.units[this.unit as keyof typeof quantities.units] ?? this.unit;
+  }
+
+  private told(number: string): string {
+    return this.unit === "" ? number : quantities.spoken(number, this.sign);
+  }
+
   /** A way back to a number, which it names; there is none to where the number is. */
   private back(name: string, to: "opened" | "paper", goal: number | null) {
     if (goal === null || !Number.isFinite(goal) || goal === this.value || this.compact) return nothing;
     // In the paper's pot and in this one a number of the same name may be the same.
     if (to === "paper" && goal === this.opened) return nothing;
-    const text = this.unit === "" ? formatNumber(goal) : `${formatNumber(goal)} ${this.unit}`;
-    const words = to === "opened" ? `Reset ${name} to ${text}, as opened` : `Set ${name} to ${text}, as in the paper`;
+    const text = this.told(formatNumber(goal));
+    const words = to === "opened" ? controls.resetTo(name, text) : controls.setToPaper(name, text);
     return html`<button
       class="button bare reset"
       type="button"
@@ -195,7 +207,7 @@ export class PasuNumber extends LitElement {
   private readonly typedInto = (event: Event): void => {
     this.draft = (event.target as HTMLInputElement).value;
     const typed = this.read(this.draft);
-    this.typo = "problem" in typed ? typed.problem : "";
+    this.typo = "problem" in typed ? numberProblemWords(typed.problem) : "";
     if ("value" in typed && typed.value !== this.value) this.send(typed.value, true);
   };
 

@@ -4,7 +4,6 @@
  */
 
 import { computed, effect, signal } from "@preact/signals-core";
-import { describe } from "../document/describe";
 import type { Extents } from "../document/extents";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
@@ -13,10 +12,12 @@ import type { SolverClient } from "../solver/client";
 import { readSettings } from "../state/storage";
 import type { Change, State } from "../state/store";
 import { Store } from "../state/store";
+import { describe } from "../words/description";
+import { page } from "../words/english/page";
 import { Comparison } from "./comparison";
 import { Keeper, type Surroundings } from "./keeper";
 import type { Made } from "./made";
-import { Notices, UNFETCHED } from "./notices";
+import { Notices } from "./notices";
 import { Opening } from "./opening";
 import { Origin } from "./origin";
 import { Surface } from "./surface";
@@ -40,7 +41,7 @@ export class Designer {
 
   constructor(solver: SolverClient, around: Surroundings) {
     this.solver = solver;
-    this.store = new Store(designOf(FIRST), readSettings(around.shelf));
+    this.store = new Store(designOf(FIRST, page.firstPot), readSettings(around.shelf));
     this.surface = new Surface(this.store, solver);
     this.origin = new Origin(this.store, this.surface);
     this.comparison = new Comparison(this.store, this.surface, solver);
@@ -101,7 +102,7 @@ export class Designer {
       },
       () => {
         this.#fetching = null;
-        this.notices.say(UNFETCHED);
+        this.notices.say(page.unfetched);
         return null;
       },
     );

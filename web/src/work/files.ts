@@ -1,6 +1,7 @@
 /** Files in and out of the page. */
 
 import { MAX_TITLE } from "../state/actions";
+import { page } from "../words/english/page";
 
 /** A file name from a title: what every file system allows, never empty. */
 export function fileName(title: string | undefined, extension: string): string {
@@ -11,7 +12,7 @@ export function fileName(title: string | undefined, extension: string): string {
     .trim()
     .slice(0, MAX_TITLE / 2)
     .trim();
-  return `${name === "" ? "Pot" : name}.${extension}`;
+  return `${name === "" ? page.pot : name}.${extension}`;
 }
 
 /** Offers a file to the person as a download. */

@@ -2,11 +2,13 @@
 
 import { computed, effect, type Signal, signal, untracked } from "@preact/signals-core";
 import type { Design } from "../document/types";
+import { isolated } from "../language";
 import type { SolverClient } from "../solver/client";
 import type { Session } from "../state/session";
 import type { Shelf, Work } from "../state/storage";
 import { keepSettings, keepWork, readWork } from "../state/storage";
 import type { Store } from "../state/store";
+import { page } from "../words/english/page";
 import { fileName } from "./files";
 import type { Notices } from "./notices";
 import type { Origin } from "./origin";
@@ -108,14 +110,14 @@ export class Keeper {
     const outcome = await this.#solver.parse(JSON.stringify(design));
     if (outcome.state === "superseded") return;
     if (outcome.state === "refused") {
-      this.#notices.say("Not saved: the design has a value that the solver cannot use.");
+      this.#notices.say(page.notSaved);
       return;
     }
     const text = `${JSON.stringify(outcome.value.design, null, 2)}\n`;
     const name = fileName(design.title, "json");
     this.#around.download(new Blob([text], { type: "application/json" }), name);
     this.markSaved(design);
-    this.#notices.say(`Saved as “${name}”.`);
+    this.#notices.say(page.savedAs(isolated(name)));
     this.#keep();
   }
 
@@ -159,6 +161,6 @@ export class Keeper {
     const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved, origin });
     if (kept || !unsaved || this.#warned) return;
     this.#warned = true;
-    this.#notices.say("This browser keeps no copy of your work. Save it, or copy its link, before you leave.");
+    this.#notices.say(page.notKept);
   }
 }

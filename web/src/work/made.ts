@@ -7,12 +7,13 @@
 import { batch, effect, type Signal, signal } from "@preact/signals-core";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
-import { holdsText, waterRange } from "../document/measure-words";
 import type { Design, Measures, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
+import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
 import type { Store } from "../state/store";
+import { holdsText } from "../words/measures";
 import { InStep, type Later } from "./in-step";
 import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";

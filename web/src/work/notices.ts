@@ -7,9 +7,6 @@ export interface Notice {
   readonly id: number;
 }
 
-/** What a part of the page that is loaded late says when it cannot be. */
-export const UNFETCHED = "This part of the page could not be fetched. Try again when there is a network.";
-
 export class Notices {
   readonly #notice = signal<Notice | null>(null);
   readonly #newVersion = signal(false);

@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { settled } from "../../testing/held-worker";
 import { JAR } from "../../testing/jar";
 import { realMaker } from "../../testing/real-maker";
+import { refusalWords } from "../words/refusals";
 import { isDocument, readFile } from "./open-file";
 
 test.each([
@@ -28,9 +29,9 @@ test.each([
 ])("%s without a design says why there is nothing to open", async (name, why) => {
   const { maker } = realMaker({ free: true });
   const file = new File([new Uint8Array(84)], name);
-  expect(await readFile(file, async () => maker)).toMatchObject({
-    refusal: { code: "no-design", message: expect.stringMatching(why) },
-  });
+  const found = await readFile(file, async () => maker);
+  if (found === null || !("refusal" in found)) throw new Error("opened");
+  expect(refusalWords(found.refusal)).toMatch(why);
 });
 
 test("what Pasu saved opens again, and says how it was made", async () => {

@@ -19,7 +19,7 @@ export type Found = { readonly text: string; readonly made: Making | null } | { 
 export async function readFile(file: File, maker: () => Promise<Pick<MakerClient, "ask"> | null>): Promise<Found> {
   const document = isDocument(file.name, await file.slice(0, BEGINNING).text());
   if (file.size > (document ? MAX_TEXT_BYTES : MAX_MADE_BYTES)) {
-    return refused("too-large", `“${file.name}” is too large to be a design of Pasu.`);
+    return refused("file-too-large", file.name);
   }
   if (document) return { text: await file.text(), made: null };
   const reader = await maker();
@@ -33,16 +33,9 @@ export async function readFile(file: File, maker: () => Promise<Pick<MakerClient
       return { refusal: outcome.refusal };
     case "done":
       return outcome.value === null
-        ? refused("no-design", whyNot(file.name))
+        ? refused("no-design", file.name)
         : { text: outcome.value.link, made: outcome.value.making };
   }
-}
-
-/** Why there is nothing to open in a file that was read. */
-function whyNot(name: string): string {
-  return /\.stl$/i.test(name)
-    ? `“${name}” cannot be opened: an STL holds triangles, and a design only if its link is very short. Open the link, or another file that Pasu saved.`
-    : `“${name}” cannot be opened: it holds no design, because Pasu did not save it or another program has changed it.`;
 }
 
 /** Whether a file is a document or a link, which the solver reads and whose faults it names. */
@@ -50,6 +43,6 @@ export function isDocument(name: string, beginning: string): boolean {
   return /\.(json|txt)$/i.test(name) || /^\ufeff?\s*(\{|#?\d+[~/]|https?:)/.test(beginning);
 }
 
-function refused(code: string, message: string): Found {
-  return { refusal: { code, path: "", message } };
+function refused(code: string, name: string): Found {
+  return { refusal: { code, path: "", message: "", args: { name } } };
 }

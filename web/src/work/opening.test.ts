@@ -149,7 +149,7 @@ test("what is no design is told of and changes nothing", async () => {
   expect(opening.problem?.message).toMatch(/milk/);
   opening.dismissProblem();
   await opening.openFile(new File([new Uint8Array(84)], "holiday.stl"));
-  expect(opening.problem?.message).toMatch(/holiday\.stl/);
+  expect(opening.problem?.args).toEqual({ name: "holiday.stl" });
   expect(store.design).toBe(JAR);
 });
 

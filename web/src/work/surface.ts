@@ -1,7 +1,6 @@
 /** The surface on the stage: asks the solver for the mesh of what the document says, as finely as the hand allows. */
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
-import { describeAccuracy } from "../document/describe";
 import { unitOf } from "../document/look";
 import type { Design, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
@@ -11,6 +10,7 @@ import type { Used } from "../solver/messages";
 import type { Solved } from "../solver/solved";
 import type { Identified } from "../state/parts";
 import type { Store } from "../state/store";
+import { describeAccuracy } from "../words/description";
 import type { Outcome } from "../worker/port";
 import { gridFor } from "./grid";
 import { Pace } from "./pace";

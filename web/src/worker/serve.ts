@@ -13,7 +13,7 @@ export interface Scope<Request, Answer> {
 export interface Package {
   readonly init: (module?: WebAssembly.Module) => Promise<void>;
   readonly PasuError: new (...parameters: never[]) => Refusal;
-  /** What is said before the words of a fault that is none of the design's. */
+  /** The code of a fault that is none of the design's. */
   readonly fault: string;
 }
 
@@ -47,8 +47,10 @@ export function serve<Request extends { readonly id: number }, Answer>(
   }
 
   function refusalOf(error: unknown): Refusal {
-    if (error instanceof PasuError) return { code: error.code, path: error.path, message: error.message };
-    const message = error instanceof Error ? error.message : String(error);
-    return { code: "internal", path: "", message: `${fault}: ${message}` };
+    if (error instanceof PasuError) {
+      const { code, path, message, args = {} } = error;
+      return { code, path, message, args };
+    }
+    return { code: fault, path: "", message: error instanceof Error ? error.message : String(error) };
   }
 }

@@ -139,7 +139,7 @@ impl<'a> Vessel<'a> {
 
     /// The waters that stand in it, that which holds most first; the reason in words where there are none.
     pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, String> {
-        let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT);
+        let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT)?;
         if found.is_empty() { Err(if self.is_tube { NO_BOTTOM } else { DRY }.to_owned()) } else { Ok(found) }
     }
 

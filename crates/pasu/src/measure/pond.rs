@@ -40,6 +40,15 @@ impl<'a> Pond<'a> {
         let water = self.level(self.spill.value, self.inside.n_columns()).filling(&Accuracy::new(ROUGH, 1.0));
         water.moments.volume.value > LEAST * size * size * size
     }
+
+    /// Whether its surface is one at every level: that of a body turned inside out is less than nothing.
+    fn has_inside(&self) -> bool {
+        let area = |level: usize| {
+            let z = self.floor + (self.spill.value - self.floor) * level as f64 / LEVELS as f64;
+            self.level(z, self.inside.n_columns()).filling(&Accuracy::new(ROUGH, 1.0)).area.value
+        };
+        (1..=LEVELS).all(|level| area(level) > 0.0)
+    }
 }
 
 /// What is deeper than this part of the size is believed to hold water.
@@ -50,6 +59,12 @@ const ROUGH: f64 = 1e-4;
 
 /// What holds less than this part of the cube of the body's size is no water: dents of the grid.
 const LEAST: f64 = 1e-9;
+
+/// At how many levels a body that runs through itself is asked for its inside.
+const LEVELS: usize = 8;
+
+/// Why a body that runs through itself holds nothing.
+const CROSSED: &str = "the surface runs through itself so far that it has no inside";
 
 /// Hollows whose lowest point is looked at: of more, which only a body of many equal waves has, the smaller ones are believed.
 const LOOKED_AT: usize = 24;
@@ -77,8 +92,13 @@ const BELOW: f64 = 1e-6;
 /// Mostly there is one, which fills every column of the inside up to its crest and runs over the lowest of these: that is seen from the [flood](Ground::basins) of the grid, and then the column says the rest. Anything else (gutters, funnels, a body
 /// that lies or is upside down) is what the flood says, with its ways over refined.
 ///
-/// A surface that runs through itself, as one without a wall may, has no one side that a flood could come from. Where it stands upright and the flood leaves next to nothing in it, it is taken by its columns too.
-pub(crate) fn ponds<'a>(inside: Inside<'a>, whole: impl Fn() -> Inside<'a>, is_upright: bool) -> Vec<Pond<'a>> {
+/// A surface that runs through itself, as one without a wall may, has no one side that a flood could come from. Where it stands upright and the flood leaves next to nothing in it, it is taken by its columns too; where these have no
+/// inside either, the reason is said.
+pub(crate) fn ponds<'a>(
+    inside: Inside<'a>,
+    whole: impl Fn() -> Inside<'a>,
+    is_upright: bool,
+) -> Result<Vec<Pond<'a>>, &'static str> {
     let body = whole();
     let ground = Rc::new(Ground::new(&body));
     let (basins, shortcuts) = basins(&body, &ground);
@@ -97,7 +117,10 @@ pub(crate) fn ponds<'a>(inside: Inside<'a>, whole: impl Fn() -> Inside<'a>, is_u
             let spill = Quantity::rounded(level, inside.size());
             let (floor, deepest) = inside.floor();
             let pond = Pond { inside, spill, at, floor, deepest };
-            return if level > floor && pond.is_water() { vec![pond] } else { Vec::new() };
+            if !(level > floor && pond.is_water()) {
+                return Ok(Vec::new());
+            }
+            return if is_plain || pond.has_inside() { Ok(vec![pond]) } else { Err(CROSSED) };
         }
     }
     let of_basin = |basin: &Basin| {
@@ -113,7 +136,7 @@ pub(crate) fn ponds<'a>(inside: Inside<'a>, whole: impl Fn() -> Inside<'a>, is_u
         let inside = all.only(&links, Box::new(move |wet: &[Wet], v: f64, level: f64| members.hold(wet, v, level)));
         Pond { inside, spill, at, floor, deepest }
     };
-    basins.iter().map(of_basin).filter(|pond| pond.spill.value > pond.floor && pond.is_water()).collect()
+    Ok(basins.iter().map(of_basin).filter(|pond| pond.spill.value > pond.floor && pond.is_water()).collect())
 }
 
 /// Basins that are worth it, those that hold most first, and what connects hollows of the grid alone.

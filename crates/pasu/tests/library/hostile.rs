@@ -49,7 +49,16 @@ fn call(what: &str, design: &Design) -> Option<Error> {
         },
         "check" => check(design, &making).err(),
         "sketch" => sketch(design, &SketchOptions { fill: Some(0.5), ..SketchOptions::default() }).err(),
-        "water" => water(design, 0.0).err(),
+        "water" => {
+            let mut refusal = None;
+            for level in [-1.0, 0.0, 1.0, 3.0] {
+                match water(design, level) {
+                    Ok(water) => assert!(water.volume >= -water.error && water.area >= 0.0, "{water:?}"),
+                    Err(error) => refusal = Some(error),
+                }
+            }
+            refusal
+        }
         "write svg" => match write(design, Format::Svg, &making) {
             Ok(bytes) => {
                 assert!(bytes.len() < PAPER, "{} bytes", bytes.len());
@@ -129,6 +138,7 @@ hostile! {
     ordinary_pot_6: "ordinary pot 6, slowly measured",
     ordinary_pot_7: "ordinary pot 7, slowly measured",
     ordinary_pot_8: "ordinary pot 8, slowly measured",
+    less_than_no_water: "less than no water",
 }
 
 #[test]

@@ -9,11 +9,12 @@ use super::imports::Imports;
 const PAGE: House = House {
     rules: "tidy/page.rs",
     floors: &[
-        "number", "document", "state", "words", "worker", "solver", "maker", "work", "render", "ui", "element", "app",
-        "sw", "main", "embed",
+        "language", "number", "document", "state", "words", "worker", "solver", "maker", "work", "render", "ui", "element",
+        "app", "sw", "main", "embed",
     ],
-    // What draws knows neither documents nor a page, what a page is made of knows no pot, and what keeps a copy for later knows no page.
-    alone: &[("render", &[]), ("ui", &["number"]), ("sw", &[])],
+    // What draws knows neither documents nor a page, what a page is made of knows no pot but says what it says in the page's words, and what keeps a copy for later
+    // knows no page.
+    alone: &[("render", &[]), ("ui", &["number", "words"]), ("sw", &[])],
 };
 
 /// The files of the page with their text, by their path below its root.
@@ -95,7 +96,7 @@ mod tests {
         assert!(judged(&[("number.ts", ""), ("ui/field.ts", "import { n } from \"../number\";")]).is_empty());
         assert_eq!(
             judged(&[("document/types.ts", ""), ("ui/field.ts", "import type { T } from \"../document/types\";")]),
-            ["ui/field.ts:1: takes from document/types.ts, but `ui` takes from `number` alone"]
+            ["ui/field.ts:1: takes from document/types.ts, but `ui` takes from `number`, `words` alone"]
         );
         assert_eq!(
             judged(&[("app/bar.ts", ""), ("element/stage.ts", "const later = import(\"../app/bar\");")]),

@@ -10,22 +10,12 @@ import { lendSolver } from "../../element/pot/shared-solver";
 import "../../ui/dialog";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
+import { embed } from "../../words/english/embed";
+import { fieldWords } from "../../words/parameters";
 import { type Embedding, elementSnippet, frameSnippet } from "./embed-snippets";
 
 /** Where the element is on the site; put in by the build. */
 declare const __PASU_POT__: string;
-
-const WORDS = {
-  heading: "Put the pot into a page",
-  preview: "As it will be seen",
-  alt: "What is seen, for people who do not see it",
-  turns: "Turns by itself",
-  parameters: "Sliders below it",
-  element: "For a page that may have scripts",
-  frame: "For a system that allows only frames",
-  copied: "Copied.",
-  byHand: "Your browser did not let the page copy it. It is selected: copy it by hand.",
-} as const;
 
 type Which = "element" | "frame";
 
@@ -64,10 +54,10 @@ export class PasuEmbed extends DesignerElement {
   override render() {
     const { embedding } = this;
     const { alt, link } = embedding;
-    return html`<pasu-dialog wide heading=${WORDS.heading} @dialog-closed=${() => this.dispatchEvent(new Event("embed-closed"))}>
+    return html`<pasu-dialog wide heading=${embed.heading} @dialog-closed=${() => this.dispatchEvent(new Event("embed-closed"))}>
       <div class="columns">
         <figure>
-          <figcaption>${WORDS.preview}</figcaption>
+          <figcaption>${embed.preview}</figcaption>
           <pasu-pot
             loading="eager"
             src=${link}
@@ -79,7 +69,7 @@ export class PasuEmbed extends DesignerElement {
         </figure>
         <div class="choices">
           <label class="own">
-            <span>${WORDS.alt}</span>
+            <span>${embed.alt}</span>
             <input
               class="field"
               autocomplete="off"
@@ -97,7 +87,7 @@ export class PasuEmbed extends DesignerElement {
                 this.turns = !this.turns;
               }}
             />
-            <span>${WORDS.turns}</span>
+            <span>${embed.turns}</span>
           </label>
           ${this.parameters()} ${this.snippet("element", elementSnippet(embedding))}
           ${this.snippet("frame", frameSnippet(embedding))}
@@ -115,14 +105,14 @@ export class PasuEmbed extends DesignerElement {
     const family = familyIn(this.designer.store.design);
     if (!family) return nothing;
     return html`<details>
-      <summary>${WORDS.parameters}</summary>
+      <summary>${embed.parameters}</summary>
       <ul>
-        ${family.fields.map(({ name, path }) => {
+        ${family.fields.map(({ key: field, path }) => {
           const key = pathText(path);
           return html`<li>
             <label class="check">
               <input type="checkbox" .checked=${this.controls.includes(key)} @change=${() => this.toggle(key)} />
-              <span>${name} <code>${key}</code></span>
+              <span>${fieldWords(family.kind, field).name} <code>${key}</code></span>
             </label>
           </li>`;
         })}
@@ -138,12 +128,12 @@ export class PasuEmbed extends DesignerElement {
 
   private snippet(which: Which, text: string) {
     return html`<div class="snippet">
-      <label for=${which}>${WORDS[which]}</label>
+      <label for=${which}>${embed[which]}</label>
       <textarea id=${which} class="field" readonly rows="4" spellcheck="false" .value=${text}></textarea>
       <div class="copy">
         <span role="status">${this.said?.which === which ? this.said.words : ""}</span>
-        <button class="button outlined" type="button" aria-label="Copy: ${WORDS[which]}" @click=${() => void this.copy(which, text)}>
-          ${icon("copy")} Copy
+        <button class="button outlined" type="button" aria-label=${embed.copyWhat(embed[which])} @click=${() => void this.copy(which, text)}>
+          ${icon("copy")} ${embed.copy}
         </button>
       </div>
     </div>`;
@@ -152,10 +142,10 @@ export class PasuEmbed extends DesignerElement {
   private async copy(which: Which, text: string): Promise<void> {
     try {
       await navigator.clipboard.writeText(text);
-      this.said = { which, words: WORDS.copied };
+      this.said = { which, words: embed.copied };
     } catch {
       this.renderRoot.querySelector<HTMLTextAreaElement>(`#${which}`)?.select();
-      this.said = { which, words: WORDS.byHand };
+      this.said = { which, words: embed.byHand };
     }
   }
 

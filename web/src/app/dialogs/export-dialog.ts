@@ -3,39 +3,39 @@
 import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { lengthWords, millilitres } from "../../document/quantities";
-import { asSentence, checked, madeOf, type Sentence } from "../../document/report-words";
 import {
   type Choices,
   choicesOf,
   FORMATS,
-  formatNote,
+  fileFormat,
   makingOf,
-  opensAgain,
   type Problem,
   type SizeKind,
   scaleOf,
-  sizesOf,
   toleranceIn,
 } from "../../document/saving";
 import type { Format, Making, Measures, Product, Refusal, Report } from "../../document/types";
+import { millilitres } from "../../document/volume";
 import { formatNumber } from "../../number";
 import { setExport } from "../../state/actions";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
+import { grouped, isolated } from "../../language";
 import { base, buttons, fields } from "../../ui/styles";
+import { exporting as words } from "../../words/english/export";
+import { page } from "../../words/english/page";
+import { quantities } from "../../words/english/quantities";
+import { lengthWords } from "../../words/quantities";
+import { refusalWords } from "../../words/refusals";
+import { checked, madeOf, type Sentence } from "../../words/report";
+import { opensAgain, problemWords, sizesOf } from "../../words/saving";
 import { fileName, saveBlob } from "../../work/files";
 import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { exportStyles } from "./export-styles";
 
-const SIZES: readonly { readonly value: SizeKind; readonly label: string }[] = [
-  { value: "designed", label: "As designed" },
-  { value: "height", label: "Height" },
-  { value: "width", label: "Width" },
-  { value: "capacity", label: "Capacity" },
-];
+const SIZES: readonly SizeKind[] = ["designed", "height", "width", "capacity"];
 
 /** The dialogue asks for itself, whatever the panels ask meanwhile. */
 const MEASURING = "export measure";
@@ -98,29 +98,29 @@ export class PasuExport extends DesignerElement {
     const problem = made && "field" in made ? made : null;
     const making = made && !("field" in made) ? made : null;
     const ready = making !== null && this.report?.ok === true && !this.saving;
-    return html`<pasu-dialog ruled heading="Export" @dialog-closed=${this.close}>
+    return html`<pasu-dialog ruled heading=${words.heading} @dialog-closed=${this.close}>
       <div class="formats">
         ${choices(
-          "Format",
-          FORMATS.map(({ format, label }) => ({ value: format, label })),
+          words.format,
+          FORMATS.map(({ format }) => ({ value: format, label: words.formats[format].label })),
           this.format,
           (format) => this.choose({}, { format }),
         )}
-        <p class="hint">${formatNote(this.format).note} ${opensAgain(this.format)}</p>
+        <p class="hint">${words.notes(words.formats[this.format].note, opensAgain(this.format))}</p>
         ${hiddenNote(this.designer)}
       </div>
-      ${choices("What is made", this.products(), chosen.product, (product) => this.choose({ product }))}
+      ${choices(words.made, this.products(), chosen.product, (product) => this.choose({ product }))}
       <div class="row">
         <label>
-          <span>Size</span>
+          <span>${words.sizeOf}</span>
           <select
             class="field"
             @change=${(event: Event) => this.resize((event.target as HTMLSelectElement).value as SizeKind)}
           >
             ${SIZES.map(
-              ({ value, label }) =>
+              (value) =>
                 html`<option value=${value} ?selected=${chosen.size === value} ?disabled=${value === "capacity" && !measures?.capacity}>
-                  ${label}
+                  ${words.sizes[value]}
                 </option>`,
             )}
           </select>
@@ -128,21 +128,26 @@ export class PasuExport extends DesignerElement {
         ${
           chosen.size === "designed"
             ? nothing
-            : this.text("measure", sizeLabel(chosen.size), chosen.size === "capacity" ? "ml" : unit, problem)
+            : this.text(
+                "measure",
+                words.finished[chosen.size],
+                chosen.size === "capacity" ? quantities.millilitres : quantities.units[unit],
+                problem,
+              )
         }
-        ${this.text("shrinkage", "Shrinkage of the clay", "%", problem)}
-        ${formatNote(this.format).triangles ? this.text("tolerance", "Tolerance", "mm", problem, "fine") : nothing}
+        ${this.text("shrinkage", words.shrinkage, words.percent, problem)}
+        ${fileFormat(this.format).triangles ? this.text("tolerance", words.tolerance, quantities.units.mm, problem, words.fine) : nothing}
       </div>
       ${this.outcome(making)}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
-        ${this.saving ? html`<span>Writing the file…</span>${track("Writing the file", this.written)}` : this.brief(making)}
+        ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
       </div>
       <button slot="actions" class="button" type="button" @click=${this.saving ? this.stop : this.close}>
-        ${this.saving ? "Stop" : "Cancel"}
+        ${this.saving ? words.stop : words.cancel}
       </button>
       <button slot="actions" class="button primary" type="button" ?disabled=${!ready} @click=${() => making && void this.save(making)}>
-        Save ${formatNote(this.format).label}
+        ${words.save(words.formats[this.format].label)}
       </button>
     </pasu-dialog>`;
   }
@@ -150,11 +155,11 @@ export class PasuExport extends DesignerElement {
   private products() {
     const walled = this.designer.store.design.parts.some((part) => part.wall !== undefined);
     return [
-      ...(walled ? [{ value: "pot" as Product, label: "Hollow pot", note: "With its wall, floor and foot." }] : []),
+      ...(walled ? [{ value: "pot" as Product, ...words.pot }] : []),
       {
         value: "solid" as Product,
-        label: "Closed solid",
-        note: walled ? "For the vase mode of a slicer." : "For vase mode. A hollow pot needs a wall.",
+        label: words.solid.label,
+        note: walled ? words.solid.note : words.solid.unwalled,
       },
     ];
   }
@@ -166,7 +171,7 @@ export class PasuExport extends DesignerElement {
     problem: Problem | null,
     placeholder = "0",
   ) {
-    const wrong = problem?.field === name ? problem.text : "";
+    const wrong = problem?.field === name ? problemWords(problem) : "";
     return html`<label>
       <span>${label}</span>
       <span class="typed">
@@ -190,35 +195,36 @@ export class PasuExport extends DesignerElement {
   private outcome(making: Making | null) {
     const { measures, report, refusal } = this;
     if (refusal)
-      return html`<section class="outcome">${sentences([{ severity: "error", text: asSentence(refusal.message) }])}</section>`;
-    if (!measures) return html`<section class="outcome" aria-busy="true"><p class="wait">Measuring…</p></section>`;
+      return html`<section class="outcome">${sentences([{ severity: "error", text: refusalWords(refusal, this.designer.store.design) }])}</section>`;
+    if (!measures)
+      return html`<section class="outcome" aria-busy="true"><p class="wait">${words.measuring}</p></section>`;
     const unit = unitOf(this.designer.store.design);
     if (!making) return nothing;
     const { file, fired, applied } = sizesOf(making, measures, unit);
-    return html`<section class="outcome" aria-label="What is saved">
+    return html`<section class="outcome" aria-label=${words.saved}>
       <dl>
-        <div><dt>In the file</dt><dd>${file}</dd></div>
-        ${fired === null ? nothing : html`<div><dt>Once fired</dt><dd>${fired}</dd></div>`}
-        ${applied === "" ? nothing : html`<div><dt>Applied</dt><dd>${applied}</dd></div>`}
+        <div><dt>${words.inFile}</dt><dd>${file}</dd></div>
+        ${fired === null ? nothing : html`<div><dt>${words.fired}</dt><dd>${fired}</dd></div>`}
+        ${applied === "" ? nothing : html`<div><dt>${words.appliedTo}</dt><dd>${applied}</dd></div>`}
         ${report ? this.fineness(report, making, measures) : nothing}
       </dl>
       <div role="status">
         ${
           report
             ? sentences(this.verdict(report, making, measures))
-            : html`<div class="wait">Checking…${track("Checking", this.looked)}</div>`
+            : html`<div class="wait">${page.checking}${track(page.checking, this.looked)}</div>`
         }
       </div>
     </section>`;
   }
 
   private fineness(report: Report, making: Making, measures: Measures) {
-    if (!formatNote(this.format).triangles) return nothing;
+    if (!fileFormat(this.format).triangles) return nothing;
     const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
     const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
     return html`
-      <div><dt>Triangles</dt><dd>${report.triangles.toLocaleString("en").replaceAll(",", "\u202f")}</dd></div>
-      <div><dt>True to within</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
+      <div><dt>${words.triangles}</dt><dd>${grouped(report.triangles)}</dd></div>
+      <div><dt>${words.within}</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
     `;
   }
 
@@ -236,7 +242,7 @@ export class PasuExport extends DesignerElement {
     const all = this.found(report, making, measures);
     const rest = all.length - MOST_SENTENCES;
     if (rest <= 0) return all;
-    return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: `And ${rest} more of the kind.` }];
+    return [...all.slice(0, MOST_SENTENCES), { severity: "note", text: words.moreOf(rest) }];
   }
 
   /** How much there is to mind, where the verdict itself may be out of sight; it is read to nobody twice. */
@@ -245,8 +251,7 @@ export class PasuExport extends DesignerElement {
     if (!report || !measures || !making) return nothing;
     const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
     if (count === 0) return nothing;
-    const text = count === 1 ? "1 warning" : `${count} warnings`;
-    return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text }])}</div>`;
+    return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text: words.warnings(count) }])}</div>`;
   }
 
   private choose(change: Partial<Choices>, exported: { readonly format?: Format } = {}): void {
@@ -352,14 +357,14 @@ export class PasuExport extends DesignerElement {
     this.saving = false;
     if (this.ended || outcome.state === "superseded") return;
     if (outcome.state === "refused") {
-      this.failure = asSentence(outcome.refusal.message);
+      this.failure = refusalWords(outcome.refusal, design);
       return;
     }
     const { shrinkage = 0 } = making;
     designer.apply(setExport(designer.state, { shrinkage }));
     const name = fileName(design.title, format);
-    saveBlob(new Blob([outcome.value.bytes], { type: formatNote(format).type }), name);
-    designer.notices.say(`Saved as “${name}”.`);
+    saveBlob(new Blob([outcome.value.bytes], { type: fileFormat(format).type }), name);
+    designer.notices.say(page.savedAs(isolated(name)));
     this.close();
   }
 
@@ -377,10 +382,6 @@ export class PasuExport extends DesignerElement {
 /** How far something is; as long as nothing is known of it, that it goes on. */
 function track(label: string, done: number | null) {
   return html`<progress class="track" aria-label=${label} max="1" value=${done ?? nothing}></progress>`;
-}
-
-function sizeLabel(size: SizeKind): string {
-  return { designed: "", height: "Finished height", width: "Finished width", capacity: "Holds to the brim" }[size];
 }
 
 declare global {

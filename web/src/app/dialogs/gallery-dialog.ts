@@ -2,25 +2,25 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { SHELVES, type Shelf } from "../../document/gallery";
+import { type ExhibitId, SHELVES, type Shelf } from "../../document/gallery";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
 import { scaled } from "../../document/scaled";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { choiceStyles, choices } from "../../ui/choices";
 import { base } from "../../ui/styles";
+import { gallery } from "../../words/english/gallery";
+import { exhibitWords } from "../../words/gallery";
+import { lengthWords } from "../../words/quantities";
 import { gridFor } from "../../work/grid";
 import { Pictures, tileStyles, tiles } from "./pictures";
 
-type Size = "hand" | "printed";
+const SIZES = ["hand", "printed"] as const;
+
+type Size = (typeof SIZES)[number];
 
 /** So many centimetres high is a figure of a paper that a person can use. */
 const USABLE = 20;
-
-const SIZES: readonly { readonly value: Size; readonly label: string; readonly note: string }[] = [
-  { value: "hand", label: `${USABLE} cm high`, note: "A pot to use." },
-  { value: "printed", label: "As printed", note: "With the numbers of the paper." },
-];
 
 @customElement("pasu-gallery")
 export class PasuGallery extends DesignerElement {
@@ -40,19 +40,19 @@ export class PasuGallery extends DesignerElement {
 
   override render() {
     const first = SHELVES.find(({ printed }) => printed);
-    return html`<pasu-dialog wide heading="Gallery" @dialog-closed=${() => this.dispatchEvent(new Event("gallery-closed"))}>
+    return html`<pasu-dialog wide heading=${gallery.heading} @dialog-closed=${() => this.dispatchEvent(new Event("gallery-closed"))}>
       ${SHELVES.map(
-        (shelf) => html`<section aria-label=${shelf.title}>
+        (shelf) => html`<section aria-label=${gallery.shelves[shelf.id].title}>
           ${
             shelf === first
-              ? choices("Open the figures of the papers", SIZES, this.size, (size) => {
+              ? choices(gallery.openPapers, sizes(), this.size, (size) => {
                   this.size = size;
                 })
               : nothing
           }
-          <h3>${shelf.title}</h3>
-          <p class="source">${shelf.source}</p>
-          ${tiles(shelf.exhibits, (exhibit) => void this.choose(exhibit, shelf))}
+          <h3>${gallery.shelves[shelf.id].title}</h3>
+          <p class="source">${gallery.shelves[shelf.id].source}</p>
+          ${tiles(shelf.exhibits, exhibitWords, (exhibit) => void this.choose(exhibit, shelf))}
         </section>`,
       )}
     </pasu-dialog>`;
@@ -68,9 +68,9 @@ export class PasuGallery extends DesignerElement {
     this.pictures = new Pictures(this.designer, exhibits, this.renderRoot);
   }
 
-  private async choose(exhibit: Exhibit, { printed }: Shelf): Promise<void> {
+  private async choose(exhibit: Exhibit<ExhibitId>, { printed }: Shelf): Promise<void> {
     const { designer } = this;
-    const design = designOf(exhibit);
+    const design = designOf(exhibit, exhibitWords(exhibit.id).title);
     const height = printed && this.size === "hand" ? await this.heightOf(exhibit) : null;
     designer.opening.open(height === null ? design : scaled(design, USABLE / height, "scale"));
     this.dispatchEvent(new Event("gallery-closed"));
@@ -107,6 +107,16 @@ export class PasuGallery extends DesignerElement {
       }
     `,
   ];
+}
+
+/** How large the figures of the papers may be opened, in words. */
+function sizes() {
+  const height = lengthWords(USABLE, "cm");
+  return SIZES.map((value) => ({
+    value,
+    label: gallery.sizes[value].label(height),
+    note: gallery.sizes[value].note,
+  }));
 }
 
 declare global {

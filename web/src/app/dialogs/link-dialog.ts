@@ -4,17 +4,18 @@ import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import "../../ui/dialog";
 import { base, fields } from "../../ui/styles";
+import { link } from "../../words/english/link";
 
 @customElement("pasu-link")
 export class PasuLink extends LitElement {
   @property() address = "";
 
   override render() {
-    return html`<pasu-dialog heading="The link of this pot" @dialog-closed=${() => this.dispatchEvent(new Event("link-closed"))}>
-      <p>Your browser did not let the page copy it. Copy it from here:</p>
+    return html`<pasu-dialog heading=${link.heading} @dialog-closed=${() => this.dispatchEvent(new Event("link-closed"))}>
+      <p>${link.lead}</p>
       <input
         class="field"
-        aria-label="Link"
+        aria-label=${link.link}
         readonly
         .value=${this.address}
         @focus=${(event: Event) => (event.target as HTMLInputElement).select()}

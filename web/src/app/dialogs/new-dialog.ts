@@ -7,6 +7,7 @@ import type { Exhibit } from "../../document/gallery/exhibit";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { base } from "../../ui/styles";
+import { beginnings } from "../../words/english/beginnings";
 import { Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
@@ -20,9 +21,13 @@ export class PasuNew extends DesignerElement {
   }
 
   override render() {
-    return html`<pasu-dialog wide heading="New pot" @dialog-closed=${this.close}>
-      <p>Your present pot stays within reach: undo brings it back.</p>
-      ${tiles(BEGINNINGS, (beginning) => this.choose(beginning))}
+    return html`<pasu-dialog wide heading=${beginnings.heading} @dialog-closed=${this.close}>
+      <p>${beginnings.lead}</p>
+      ${tiles(
+        BEGINNINGS,
+        (id) => beginnings.forms[id],
+        (beginning) => this.choose(beginning),
+      )}
     </pasu-dialog>`;
   }
 

@@ -5,6 +5,7 @@ import { customElement, property, state } from "lit/decorators.js";
 import { parseNumber } from "../../number";
 import "../../ui/dialog";
 import { base, buttons, fields } from "../../ui/styles";
+import { picture } from "../../words/english/picture";
 
 export interface PictureSize {
   readonly width: number;
@@ -13,10 +14,10 @@ export interface PictureSize {
 }
 
 const SIZES = [
-  { name: "Square", width: 1600, height: 1600 },
-  { name: "Wide", width: 1920, height: 1080 },
-  { name: "Tall", width: 1200, height: 1600 },
-  { name: "Large, for print", width: 3000, height: 3000 },
+  { name: "square", width: 1600, height: 1600 },
+  { name: "wide", width: 1920, height: 1080 },
+  { name: "tall", width: 1200, height: 1600 },
+  { name: "large", width: 3000, height: 3000 },
 ] as const;
 const LEAST = 16;
 const MOST = 8192;
@@ -34,20 +35,20 @@ export class PasuPicture extends LitElement {
 
   override render() {
     const own = this.chosen === SIZES.length;
-    return html`<pasu-dialog heading="Save a picture" @dialog-closed=${this.close}>
-      <p class="lead">The pot as it stands on the stage, as a PNG file.</p>
+    return html`<pasu-dialog heading=${picture.heading} @dialog-closed=${this.close}>
+      <p class="lead">${picture.lead}</p>
       <fieldset>
-        <legend>Size</legend>
-        ${SIZES.map(({ name, width, height }, index) => this.choice(index, name, `${width} × ${height}`))}
-        ${this.choice(SIZES.length, "My own", "")}
+        <legend>${picture.size}</legend>
+        ${SIZES.map(({ name, width, height }, index) => this.choice(index, picture.sizes[name], picture.pixels(width, height)))}
+        ${this.choice(SIZES.length, picture.own, "")}
       </fieldset>
       ${
         own
           ? html`<div class="own">
-              ${this.side("Width in pixels", this.width, (text) => {
+              ${this.side(picture.width, this.width, (text) => {
                 this.width = text;
               })}
-              ${this.side("Height in pixels", this.height, (text) => {
+              ${this.side(picture.height, this.height, (text) => {
                 this.height = text;
               })}
             </div>`
@@ -61,11 +62,11 @@ export class PasuPicture extends LitElement {
             this.transparent = (event.target as HTMLInputElement).checked;
           }}
         />
-        <span>Transparent background</span>
+        <span>${picture.transparent}</span>
       </label>
       <p class="problem" role="alert">${this.problem}</p>
-      <button slot="actions" class="button" type="button" @click=${this.close}>Cancel</button>
-      <button slot="actions" class="button primary" type="button" ?disabled=${this.busy} @click=${this.go}>Save PNG</button>
+      <button slot="actions" class="button" type="button" @click=${this.close}>${picture.cancel}</button>
+      <button slot="actions" class="button primary" type="button" ?disabled=${this.busy} @click=${this.go}>${picture.save}</button>
     </pasu-dialog>`;
   }
 
@@ -99,7 +100,7 @@ export class PasuPicture extends LitElement {
     const width = preset?.width ?? sideOf(this.width);
     const height = preset?.height ?? sideOf(this.height);
     if (width === null || height === null) {
-      this.problem = `Width and height are whole numbers from ${LEAST} to ${MOST}.`;
+      this.problem = picture.wrongSize(LEAST, MOST);
       return;
     }
     this.problem = "";

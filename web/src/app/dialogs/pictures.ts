@@ -75,17 +75,22 @@ export class Pictures {
 }
 
 /** A list of exhibits to choose from. */
-export function tiles(exhibits: readonly Exhibit[], choose: (exhibit: Exhibit) => void) {
+export function tiles<Id extends string>(
+  exhibits: readonly Exhibit<Id>[],
+  words: (id: Id) => { readonly title: string; readonly note: string },
+  choose: (exhibit: Exhibit<Id>) => void,
+) {
   return html`<ul class="tiles">
-    ${exhibits.map(
-      (exhibit) => html`<li>
+    ${exhibits.map((exhibit) => {
+      const { title, note } = words(exhibit.id);
+      return html`<li>
         <button type="button" data-exhibit=${exhibit.id} @click=${() => choose(exhibit)}>
           <span class="picture" data-exhibit=${exhibit.id} aria-hidden="true">${canvasOf(exhibit)}</span>
-          <span class="title">${exhibit.title}</span>
-          <span class="note">${exhibit.note}</span>
+          <span class="title">${title}</span>
+          <span class="note">${note}</span>
         </button>
-      </li>`,
-    )}
+      </li>`;
+    })}
   </ul>`;
 }
 

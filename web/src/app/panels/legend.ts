@@ -2,10 +2,12 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, property } from "lit/decorators.js";
-import { type ColourMap, mapWords, scaleOf } from "../../document/maps";
+import { type ColourMap, scaleOf } from "../../document/maps";
 import type { Unit } from "../../document/types";
 import type { Painted } from "../../maker/messages";
 import { base } from "../../ui/styles";
+import { maps } from "../../words/english/maps";
+import { mapNote, mapWords } from "../../words/maps";
 
 @customElement("pasu-legend")
 export class PasuLegend extends LitElement {
@@ -15,17 +17,19 @@ export class PasuLegend extends LitElement {
 
   override render() {
     const { map, painted, unit } = this;
-    if (!painted) return html`<p class="note">${map.note}</p>`;
-    const { low, high, note } = scaleOf(map, painted.low, painted.high);
+    if (!painted) return html`<p class="note">${mapNote(map.name)}</p>`;
+    const scale = scaleOf(map, painted.low, painted.high);
+    const { low, high } = scale;
     const words = (value: number) => mapWords(map.name, value, unit);
+    const on = map.name === "overhang" ? maps.onOutside : maps.onPot;
     const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
     return html`
-      <div class="ramp" role="img" aria-label="${map.label}: colours from ${words(low)} to ${words(high)}"></div>
+      <div class="ramp" role="img" aria-label=${maps.colours(maps.names[map.name], words(low), words(high))}></div>
       <p class="ends" aria-hidden="true">
         <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
         ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
       </p>
-      <p class="note">${note} On ${map.name === "overhang" ? "the outside" : "this pot"}: ${words(painted.least)} to ${words(painted.greatest)}.</p>
+      <p class="note">${on(mapNote(map.name, scale), words(painted.least), words(painted.greatest))}</p>
     `;
   }
 

@@ -2,12 +2,14 @@
 
 import { css, html, unsafeCSS } from "lit";
 import { customElement } from "lit/decorators.js";
-import { CLAYS, GLAZES, lookOf, UNITS, unitOf } from "../../document/look";
+import { lookOf, unitOf } from "../../document/look";
 import * as tables from "../../document/tables.gen";
 import type { ClayName, GlazeName, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { setLook, setUnit } from "../../state/actions";
 import { base, fields } from "../../ui/styles";
+import { look } from "../../words/english/look";
+import { quantities } from "../../words/english/quantities";
 
 /** The colours of the tables: nothing of a document. */
 const SWATCHES = unsafeCSS(
@@ -21,17 +23,17 @@ export class PasuLook extends DesignerElement {
   override render() {
     const { designer } = this;
     const { design, part } = designer.state;
-    const look = lookOf(design.parts[part]);
+    const chosen = lookOf(design.parts[part]);
     return html`
       <fieldset>
-        <legend>Glaze</legend>
+        <legend>${look.glaze}</legend>
         <div class="swatches">
-          ${entries<GlazeName>(GLAZES).map(
+          ${entries<GlazeName>(look.glazes).map(
             ([name, label]) => html`<label class="swatch">
               <input
                 type="radio"
                 name="glaze"
-                .checked=${look.glaze === name}
+                .checked=${chosen.glaze === name}
                 @change=${() => designer.apply(setLook(designer.state, { glaze: name }))}
               />
               <span class="dot ${name}"></span><span>${label}</span>
@@ -40,14 +42,14 @@ export class PasuLook extends DesignerElement {
         </div>
       </fieldset>
       <fieldset>
-        <legend>Clay</legend>
+        <legend>${look.clay}</legend>
         <div class="swatches">
-          ${entries<ClayName>(CLAYS).map(
+          ${entries<ClayName>(look.clays).map(
             ([name, label]) => html`<label class="swatch">
               <input
                 type="radio"
                 name="clay"
-                .checked=${look.clay === name}
+                .checked=${chosen.clay === name}
                 @change=${() => designer.apply(setLook(designer.state, { clay: name }))}
               />
               <span class="dot ${name}"></span><span>${label}</span>
@@ -56,20 +58,20 @@ export class PasuLook extends DesignerElement {
         </div>
       </fieldset>
       <label class="unit">
-        <span>Unit</span>
+        <span>${look.unit}</span>
         <select
           class="field"
-          aria-label="Unit of length"
+          aria-label=${look.unitOfLength}
           @change=${(event: Event) =>
             designer.apply(setUnit(designer.state, (event.target as HTMLSelectElement).value as Unit))}
         >
-          ${entries<Unit>(UNITS).map(
+          ${entries<Unit>(look.units).map(
             ([unit, label]) =>
-              html`<option value=${unit} ?selected=${unitOf(design) === unit}>${label} (${unit})</option>`,
+              html`<option value=${unit} ?selected=${unitOf(design) === unit}>${look.unitChoice(label, quantities.units[unit])}</option>`,
           )}
         </select>
       </label>
-      <p class="hint">The pot stays as large as it is; its numbers are converted.</p>
+      <p class="hint">${look.staysAsLarge}</p>
     `;
   }
 

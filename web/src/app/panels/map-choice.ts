@@ -4,12 +4,13 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { MAPS, mapOf } from "../../document/maps";
-import { asSentence } from "../../document/report-words";
 import type { MapName } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { setMap } from "../../state/wall-actions";
 import { base, fields } from "../../ui/styles";
 import "./legend";
+import { maps } from "../../words/english/maps";
+import { refusalWords } from "../../words/refusals";
 
 @customElement("pasu-maps")
 export class PasuMaps extends DesignerElement {
@@ -20,17 +21,17 @@ export class PasuMaps extends DesignerElement {
     const { map } = session;
     const painted = designer.made?.painted;
     return html`<label>
-        <span>Colours show</span>
+        <span>${maps.show}</span>
         <select
           class="field"
           @change=${(event: Event) =>
             designer.apply(setMap(((event.target as HTMLSelectElement).value || null) as MapName | null))}
         >
-          <option value="" ?selected=${map === null}>the glaze</option>
+          <option value="" ?selected=${map === null}>${maps.glaze}</option>
           ${MAPS.map(
-            ({ name, label, needsWall }) =>
+            ({ name, needsWall }) =>
               html`<option value=${name} ?selected=${map === name} ?disabled=${needsWall && !walled}>
-                ${label.toLowerCase()}${needsWall && !walled ? " (needs a wall)" : ""}
+                ${needsWall && !walled ? maps.needsWall(maps.options[name]) : maps.options[name]}
               </option>`,
           )}
         </select>
@@ -39,7 +40,7 @@ export class PasuMaps extends DesignerElement {
         map === null
           ? nothing
           : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .unit=${unitOf(design)}></pasu-legend>
-              ${painted?.problem ? html`<p class="problem" role="status">${asSentence(painted.problem.message)}</p>` : nothing}`
+              ${painted?.problem ? html`<p class="problem" role="status">${refusalWords(painted.problem, design)}</p>` : nothing}`
       } `;
   }
 

@@ -3,8 +3,6 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { type Group, type Line, measureGroups } from "../../document/measure-words";
-import { asSentence, verdict } from "../../document/report-words";
 import type { Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
@@ -15,6 +13,11 @@ import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { remedies, remedyStyles } from "./remedies";
 import "./water-control";
+import { measures } from "../../words/english/measures";
+import { page } from "../../words/english/page";
+import { type Group, type Line, measureGroups } from "../../words/measures";
+import { refusalWords } from "../../words/refusals";
+import { verdict } from "../../words/report";
 
 @customElement("pasu-measures")
 export class PasuMeasures extends DesignerElement {
@@ -36,7 +39,7 @@ export class PasuMeasures extends DesignerElement {
     const { designer } = this;
     const { made, state: now, surface } = designer;
     if (!now.design.parts.some((part) => part.wall)) {
-      return html`<p class="lead">A surface without a wall: what it would hold is told, and a wall makes it a pot (under Wall).</p>`;
+      return html`<p class="lead">${measures.isSurface}</p>`;
     }
     // Nothing is said of the pot before this one.
     const pieces = made ? [made.solid, made.report, made.measures] : [];
@@ -45,13 +48,13 @@ export class PasuMeasures extends DesignerElement {
     const known = made?.isOfNow(made.measures) && made.isOfNow(made.report) ? made : null;
     const found = verdict(known?.measures.value ?? null, known?.report.value ?? null, outline, unitOf(now.design));
     return html`<section aria-labelledby="made">
-      <h3 id="made">Can it be made?</h3>
+      <h3 id="made">${measures.canBeMade}</h3>
       ${
         problem
-          ? sentences([{ severity: "error", text: asSentence(problem.message) }])
+          ? sentences([{ severity: "error", text: refusalWords(problem, now.design) }])
           : found.length > 0
             ? sentences(found)
-            : html`<p class="wait" role="status">Checking…</p>`
+            : html`<p class="wait" role="status">${page.checking}</p>`
       }
       ${remedies(designer)}
     </section>`;
@@ -62,16 +65,16 @@ export class PasuMeasures extends DesignerElement {
     const piece = made?.measures;
     const rewalled = piece?.of && wallsOf(piece.of) !== wallsOf(now.design);
     if (!piece?.value || !piece.of || rewalled) {
-      const why = piece?.problem && !rewalled && asSentence(piece.problem.message);
+      const why = piece?.problem && !rewalled && refusalWords(piece.problem, now.design);
       return why
         ? html`<p class="problem" role="status">${icon("warn")}<span>${why}</span></p>`
-        : html`<p class="wait">Checking…</p>`;
+        : html`<p class="wait">${page.checking}</p>`;
     }
     const old = !made?.isOfNow(piece);
     const groups = measureGroups(piece.value, now.part, unitOf(piece.of), this.exact);
     return html`
       <div class="bar">
-        <h3>Measures ${old ? html`<span class="wait">Checking…</span>` : nothing}</h3>
+        <h3>${measures.heading} ${old ? html`<span class="wait">${page.checking}</span>` : nothing}</h3>
         <button
           class="button outlined"
           type="button"
@@ -80,16 +83,10 @@ export class PasuMeasures extends DesignerElement {
             this.exact = !this.exact;
           }}
         >
-          How exact
+          ${measures.howExact}
         </button>
       </div>
-      ${
-        this.exact
-          ? html`<p class="hint">
-              Measured on the surface itself, not on triangles. The true value is within the error given, in the same unit.
-            </p>`
-          : nothing
-      }
+      ${this.exact ? html`<p class="hint">${measures.exactMeans}</p>` : nothing}
       <div class="groups" ?data-old=${old}>${groups.map((group) => this.group(group))}</div>
     `;
   }

@@ -5,7 +5,6 @@ import { customElement, state } from "lit/decorators.js";
 import {
   AXES,
   type Axis,
-  DATUM_NAMES,
   datumNames,
   datumPath,
   MAX_MODES,
@@ -23,9 +22,11 @@ import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, fields } from "../../ui/styles";
+import { modes } from "../../words/english/modes";
+import { whyWords } from "../../words/refusals";
+import { numberProblemWords } from "../../words/typed";
 
 const WAVES = ["cos", "sin"] as const;
-const AXIS_NAMES: Readonly<Record<Axis, string>> = { x: "x, to the right", y: "y, to the back", z: "z, upwards" };
 /** Long series (an imported outline) are shown page by page. */
 const PAGE = 24;
 
@@ -40,8 +41,7 @@ export class PasuModes extends DesignerElement {
     if (shape?.kind !== "boundary-value") return nothing;
     return html`
       <p class="intro">
-        <strong>Free boundary data.</strong> Each direction is a sum of waves round the pot: frequency n, with its values at both edges
-        ${shape.x.order === 4 || shape.y.order === 4 || shape.z.order === 4 ? "and, for order 4, its slopes" : ""}.
+        <strong>${modes.lead}</strong> ${AXES.some((axis) => shape[axis].order === 4) ? modes.wavesAndSlopes : modes.waves}
       </p>
       ${this.span(shape)} ${AXES.map((axis) => this.component(shape, axis))}
     `;
@@ -51,7 +51,7 @@ export class PasuModes extends DesignerElement {
     const round = shape.span === "2pi";
     return html`<div class="line">
       <label>
-        <span>Length of v</span>
+        <span>${modes.span}</span>
         <select
           class="field"
           @change=${(event: Event) => {
@@ -60,10 +60,10 @@ export class PasuModes extends DesignerElement {
           }}
         >
           <option value="2pi" ?selected=${round}>2π</option>
-          <option value="number" ?selected=${!round}>A number</option>
+          <option value="number" ?selected=${!round}>${modes.aNumber}</option>
         </select>
       </label>
-      ${round ? nothing : this.number("Length of v, number", ["span"], Number(shape.span))}
+      ${round ? nothing : this.number(modes.spanNumber, ["span"], Number(shape.span))}
     </div>`;
   }
 
@@ -72,13 +72,13 @@ export class PasuModes extends DesignerElement {
     const shown = this.shownModes[axis];
     const hidden = component.modes.length - shown;
     return html`<details open>
-      <summary><h3>${AXIS_NAMES[axis]}</h3><span>order ${component.order}, ${component.modes.length} ${component.modes.length === 1 ? "mode" : "modes"}</span></summary>
+      <summary><h3>${modes.axes[axis]}</h3><span>${modes.summary(component.order, component.modes.length)}</span></summary>
       <div class="equation">
         <label>
-          <span>Order</span>
+          <span>${modes.order}</span>
           <select
             class="field"
-            aria-label="Order of ${axis}"
+            aria-label=${modes.orderOf(axis)}
             @change=${(event: Event) => {
               const order = (event.target as HTMLSelectElement).value === "4" ? 4 : 2;
               this.edit((now) => withOrder(now, axis, order));
@@ -90,7 +90,7 @@ export class PasuModes extends DesignerElement {
         </label>
         ${(["s", "t", ...(component.order === 4 ? ["w"] : [])] as const).map(
           (name) =>
-            html`<span class="cell"><span aria-hidden="true">${name}</span>${this.number(`${name} of ${axis}`, [axis, name], numberAt(component, [name], 0))}</span>`,
+            html`<span class="cell"><span aria-hidden="true">${name}</span>${this.number(modes.weightOf(name, axis), [axis, name], numberAt(component, [name], 0))}</span>`,
         )}
       </div>
       <ol>
@@ -105,7 +105,7 @@ export class PasuModes extends DesignerElement {
                 this.shownModes = { ...this.shownModes, [axis]: shown + PAGE };
               }}
             >
-              Show ${Math.min(hidden, PAGE)} more of ${hidden}
+              ${modes.showMore(Math.min(hidden, PAGE), hidden)}
             </button>`
           : nothing
       }
@@ -118,7 +118,7 @@ export class PasuModes extends DesignerElement {
           this.shownModes = { ...this.shownModes, [axis]: Math.max(shown, component.modes.length + 1) };
         }}
       >
-        ${icon("add")}<span>Add a mode to ${axis}</span>
+        ${icon("add")}<span>${modes.add(axis)}</span>
       </button>
     </details>`;
   }
@@ -127,12 +127,12 @@ export class PasuModes extends DesignerElement {
     const order = shape[axis].order;
     return html`<li>
       <div class="head">
-        <span class="cell"><span aria-hidden="true">n</span>${this.number(`Frequency of mode ${index + 1} of ${axis}`, [axis, "modes", index, "n"], mode.n)}</span>
+        <span class="cell"><span aria-hidden="true">n</span>${this.number(modes.frequency(index + 1, axis), [axis, "modes", index, "n"], mode.n)}</span>
         <button
           class="button bare"
           type="button"
-          aria-label="Remove mode ${index + 1} of ${axis}"
-          title="Remove"
+          aria-label=${modes.removeMode(index + 1, axis)}
+          title=${modes.remove}
           @click=${() => this.edit((now) => withoutMode(now, axis, index))}
         >
           ${icon("close")}
@@ -140,11 +140,11 @@ export class PasuModes extends DesignerElement {
       </div>
       ${WAVES.filter((wave) => wave === "cos" || mode.n !== 0).map(
         (wave) => html`<fieldset>
-          <legend>${mode.n === 0 ? "Constant" : wave === "cos" ? "Cosine" : "Sine"}</legend>
+          <legend>${mode.n === 0 ? modes.constant : modes[wave]}</legend>
           ${datumNames(order).map((name) => {
-            const label = `${DATUM_NAMES[name]}, ${wave} ${formatNumber(mode.n)} of ${axis}`;
+            const label = modes.datumOf(modes.data[name], wave, formatNumber(mode.n), axis);
             return html`<span class="cell"
-              ><span aria-hidden="true">${DATUM_NAMES[name]}</span>${this.number(
+              ><span aria-hidden="true">${modes.data[name]}</span>${this.number(
                 label,
                 datumPath(axis, index, wave, name),
                 numberAt(mode, [wave, name], 0),
@@ -162,13 +162,13 @@ export class PasuModes extends DesignerElement {
     const problem = this.forceProblem?.key === key ? this.forceProblem.message : "";
     const text = (mode[wave]?.force ?? []).map((value) => formatNumber(value)).join("; ");
     return html`<label class="cell wide">
-      <span>Force, powers of u (separate with ;)</span>
+      <span>${modes.force}</span>
       <input
         class="field"
         type="text"
         autocomplete="off"
         spellcheck="false"
-        aria-label="Force, ${wave} ${formatNumber(mode.n)} of ${axis}, ascending powers of u"
+        aria-label=${modes.forceOf(wave, formatNumber(mode.n), axis)}
         aria-invalid=${problem === "" ? "false" : "true"}
         aria-describedby=${problem === "" ? nothing : `problem-${key}`}
         .value=${text}
@@ -183,7 +183,7 @@ export class PasuModes extends DesignerElement {
     for (const piece of text.split(";").filter((each) => each.trim() !== "")) {
       const typed = parseNumber(piece);
       if ("problem" in typed) {
-        this.forceProblem = { key, message: typed.problem };
+        this.forceProblem = { key, message: numberProblemWords(typed.problem) };
         return;
       }
       force.push(typed.value);
@@ -209,7 +209,7 @@ export class PasuModes extends DesignerElement {
   private problemOf(path: Path): string {
     const { state, surface } = this.designer;
     const { problem } = surface;
-    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? problem.message : "";
+    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
   }
 
   private edit(change: (shape: BoundaryValue) => BoundaryValue): void {

@@ -2,15 +2,16 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { convertible, LOSS_WORDS, ORDER_KINDS, ORDER_NOTES } from "../../document/orders";
-import { asSentence } from "../../document/report-words";
-import { familyOf } from "../../document/schema";
+import { convertible, ORDER_KINDS } from "../../document/orders";
 import type { Conversion, OrderKind, Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { compareWith } from "../../state/actions";
 import { switchOrder } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
+import { orders } from "../../words/english/orders";
+import { parameters } from "../../words/english/parameters";
+import { whyWords } from "../../words/refusals";
 
 interface Known {
   readonly of: Shape;
@@ -49,7 +50,7 @@ export class PasuOrders extends DesignerElement {
     const outcome = await designer.solver.convert("switch", shape, kind);
     if (outcome.state === "superseded") return;
     if (outcome.state === "refused") {
-      designer.notices.say(`Not switched. ${asSentence(outcome.refusal.message)}`);
+      designer.notices.say(orders.notSwitched(whyWords(outcome.refusal)));
       return;
     }
     const { state } = designer;
@@ -61,16 +62,10 @@ export class PasuOrders extends DesignerElement {
     const shape = design.parts[part]?.shape;
     if (!shape) return nothing;
     if (shape.kind === "boundary-value") {
-      return html`<p class="lead">
-        This pot is made of free boundary data: the order of each direction is set with its modes, under Shape. Only the named families can be
-        switched as a whole.
-      </p>`;
+      return html`<p class="lead">${orders.allFree}</p>`;
     }
     return html`
-      <p class="lead">
-        The order of the equation decides how much of a wall can be chosen. Switching keeps the rim, the foot and the height, and undo brings the
-        old wall back.
-      </p>
+      <p class="lead">${orders.lead}</p>
       ${this.problem()}
       ${ORDER_KINDS.map((kind) => this.card(shape, kind))}
     `;
@@ -79,7 +74,7 @@ export class PasuOrders extends DesignerElement {
   private problem() {
     const problem = this.designer.comparison.problem;
     return problem
-      ? html`<p class="problem" role="status">${icon("warn")}<span>${problem.message}</span></p>`
+      ? html`<p class="problem" role="status">${icon("warn")}<span>${whyWords(problem)}</span></p>`
       : nothing;
   }
 
@@ -87,19 +82,19 @@ export class PasuOrders extends DesignerElement {
     const { designer } = this;
     const here = shape.kind === kind;
     const compared = designer.store.session.compare === kind;
-    const note = ORDER_NOTES[kind];
+    const [title, note] = [parameters.kinds[kind], orders.notes[kind]];
     const lost = this.known?.of === shape ? (this.known.converted.get(kind)?.lost ?? []) : [];
     return html`<section aria-labelledby=${kind} class=${here ? "here" : ""}>
       <header>
-        <h3 id=${kind}>${note.title}</h3>
-        ${here ? html`<span class="tag">This pot</span>` : nothing}
+        <h3 id=${kind}>${title}</h3>
+        ${here ? html`<span class="tag">${orders.thisPot}</span>` : nothing}
       </header>
-      <p class="source">${familyOf(kind)?.source}</p>
+      <p class="source">${parameters.sources[kind]}</p>
       <ul>
         ${note.can.map((text) => html`<li>${icon("check")}<span>${text}</span></li>`)}
-        ${note.cannot.map((text) => html`<li class="cannot">${icon("close")}<span><span class="spoken">Not: </span>${text}</span></li>`)}
+        ${note.cannot.map((text) => html`<li class="cannot">${icon("close")}<span><span class="spoken">${orders.not}</span>${text}</span></li>`)}
       </ul>
-      ${lost.length === 0 ? nothing : html`<p class="lost">If you switch: ${lost.map((loss) => LOSS_WORDS[loss]).join(" ")}</p>`}
+      ${lost.length === 0 ? nothing : html`<p class="lost">${orders.ifYouSwitch(lost.map((loss) => orders.losses[loss]))}</p>`}
       ${
         here
           ? nothing
@@ -108,12 +103,18 @@ export class PasuOrders extends DesignerElement {
                 class="button outlined"
                 type="button"
                 aria-pressed=${compared ? "true" : "false"}
+                aria-label=${compared ? orders.stopWith(title) : orders.compareWith(title)}
                 @click=${() => designer.apply(compareWith(compared ? null : kind))}
               >
-                <span>${compared ? "Stop comparing" : "Show side by side"}<span class="spoken"> with ${note.title}</span></span>
+                <span>${compared ? orders.stop : orders.compare}</span>
               </button>
-              <button class="button outlined" type="button" @click=${() => this.switchTo(shape, kind)}>
-                <span>Switch<span class="spoken"> to ${note.title}</span></span>
+              <button
+                class="button outlined"
+                type="button"
+                aria-label=${orders.switchTo(title)}
+                @click=${() => this.switchTo(shape, kind)}
+              >
+                <span>${orders.switch}</span>
               </button>
             </div>`
       }

@@ -10,7 +10,6 @@ import {
   type Field,
   familyOf,
   fieldValue,
-  GROUP_WORDS,
   GROUPS,
   type Row,
   rowsOf,
@@ -24,6 +23,9 @@ import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
+import { parameters } from "../../words/english/parameters";
+import { fieldWords } from "../../words/parameters";
+import { whyWords } from "../../words/refusals";
 
 const NEVER = 1e-12;
 
@@ -40,14 +42,14 @@ export class PasuParameters extends DesignerElement {
     }
     return html`
       <div class="intro">
-        <p>${family.name} <span>${family.source}</span></p>
+        <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
         <button
           class="button outlined"
           type="button"
           aria-pressed=${state.session.explain ? "true" : "false"}
           @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
         >
-          Explain
+          ${parameters.explain}
         </button>
       </div>
       ${this.openNote(part.shape)}
@@ -55,7 +57,7 @@ export class PasuParameters extends DesignerElement {
         const rows = rowsOf(family, group);
         if (rows.length === 0) return nothing;
         return html`<details open>
-          <summary><h3>${GROUP_WORDS[group].name}</h3><span>${GROUP_WORDS[group].help}</span></summary>
+          <summary><h3>${parameters.groups[group].name}</h3><span>${parameters.groups[group].help}</span></summary>
           ${repeat(
             rows,
             (row) => `${family.kind} ${row.id}`,
@@ -68,8 +70,8 @@ export class PasuParameters extends DesignerElement {
 
   private openNote(shape: Shape) {
     if (this.designer.surface.shown?.solved.facts?.closed !== false) return nothing;
-    const which = shape.kind === "bloor-wilson" ? "the number of dints" : "the petals and the turns";
-    return html`<p class="notice" role="note">The wall does not close. It closes when ${which} are whole numbers.</p>`;
+    const why = shape.kind === "bloor-wilson" ? parameters.opensByDints : parameters.opensByPetals;
+    return html`<p class="notice" role="note">${why}</p>`;
   }
 
   private row(family: Family, row: Row, shape: Shape) {
@@ -82,17 +84,17 @@ export class PasuParameters extends DesignerElement {
     return html`<div class="pair">
       ${
         apart
-          ? html`${this.number(family, [first], shape, "in x")}${this.number(family, [second], shape, "in y")}`
+          ? html`${this.number(family, [first], shape, parameters.inX)}${this.number(family, [second], shape, parameters.inY)}`
           : this.number(family, pair, shape, "")
       }
       <button
         class="button lock"
         type="button"
         aria-pressed=${apart ? "false" : "true"}
-        aria-label="${first.name}: same in x and y"
+        aria-label=${parameters.sameOf(fieldWords(family.kind, first.key).name)}
         @click=${() => this.designer.apply(setLock(this.designer.state, pair, apart))}
       >
-        ${icon(apart ? "unlocked" : "locked")}<span>Same in x and y</span>
+        ${icon(apart ? "unlocked" : "locked")}<span>${parameters.same}</span>
       </button>
     </div>`;
   }
@@ -101,6 +103,7 @@ export class PasuParameters extends DesignerElement {
     const [field] = fields;
     if (!field) return nothing;
     const { designer } = this;
+    const { name, help } = fieldWords(family.kind, field.key);
     // The ranges go by the pot that was opened: no number moves the range of another.
     const origin = this.originOf(shape);
     const isLength = field.dimension === "length";
@@ -108,11 +111,11 @@ export class PasuParameters extends DesignerElement {
     const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
     return html`<pasu-number
       data-field=${field.key}
-      .label=${field.name}
+      .label=${name}
       .qualifier=${qualifier}
       .symbol=${symbol}
       .unit=${isLength ? unitOf(designer.store.design) : ""}
-      .help=${field.help}
+      .help=${help}
       .problem=${this.problemOf(fields)}
       .value=${fieldValue(shape, field)}
       .min=${factor * field.min}
@@ -143,7 +146,7 @@ export class PasuParameters extends DesignerElement {
     const { problem } = surface;
     if (!problem) return "";
     const named = fields.some((field) => pathText(["parts", state.part, "shape", ...field.path]) === problem.path);
-    return named ? problem.message : "";
+    return named ? whyWords(problem) : "";
   }
 
   static override readonly styles = [

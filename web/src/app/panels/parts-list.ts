@@ -5,19 +5,13 @@ import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { DesignerElement } from "../../element/designer-element";
 import type { PartId } from "../../state/parts";
-import {
-  deletePart,
-  duplicatePart,
-  isTaken,
-  MAX_NAME,
-  movePart,
-  partName,
-  renamePart,
-} from "../../state/scene-actions";
+import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "../../state/scene-actions";
 import { selectParts, togglePart } from "../../state/seen-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
+import { parts } from "../../words/english/parts";
+import { partName } from "../../words/parts";
 import { hiddenNote } from "../hidden-note";
 
 /** How far beside a pot its copy stands, as a share of its width. */
@@ -35,7 +29,7 @@ export class PasuParts extends DesignerElement {
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
     return html`<section aria-labelledby="parts">
-      <h3 id="parts">Parts</h3>
+      <h3 id="parts">${parts.heading}</h3>
       <ul
         role="listbox"
         tabindex="0"
@@ -54,23 +48,23 @@ export class PasuParts extends DesignerElement {
             ?data-hidden=${session.hidden.includes(id)}
             @click=${() => this.designer.apply(selectParts(id))}
           >
-            <span>${partName(design.parts, at)}${session.hidden.includes(id) ? html`<span class="spoken">, hidden</span>` : nothing}</span>
+            <span
+              >${partName(at, design.parts[at]?.name)}${session.hidden.includes(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}</span
+            >
             ${this.eye(id, session.hidden.includes(id))}
           </li>`,
         )}
       </ul>
-      <p id="keys" class="spoken">
-        Arrow keys select, with Alt they move the part up or down. D makes a copy, H hides the part or shows it, Delete takes it away, F2 names it.
-      </p>
+      <p id="keys" class="spoken">${parts.keys}</p>
       <div class="tools">
         <input
           class="field"
           type="text"
-          aria-label="Name of the part"
+          aria-label=${parts.name}
           aria-describedby="taken"
           autocomplete="off"
           maxlength=${MAX_NAME}
-          placeholder="Part ${place + 1}"
+          placeholder=${partName(place, null)}
           .value=${design.parts[place]?.name ?? ""}
           @input=${this.typed}
           @change=${this.named}
@@ -81,13 +75,13 @@ export class PasuParts extends DesignerElement {
         />
         ${
           session.hidden.includes(chosen)
-            ? this.button("Show", "hidden", false, () => togglePart(this.designer.state, chosen))
-            : this.button("Hide", "seen", false, () => togglePart(this.designer.state, chosen))
+            ? this.button(parts.show, "hidden", false, () => togglePart(this.designer.state, chosen))
+            : this.button(parts.hide, "seen", false, () => togglePart(this.designer.state, chosen))
         }
-        ${this.button("Move up", "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
-        ${this.button("Move down", "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
-        ${this.button("Duplicate", "copy", false, () => this.copy(chosen))}
-        ${this.button("Delete", "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
+        ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
+        ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
+        ${this.button(parts.duplicate, "copy", false, () => this.copy(chosen))}
+        ${this.button(parts.delete, "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
       </div>
       <p class="problem" id="taken" role="status"></p>
       ${hiddenNote(this.designer)}
@@ -113,7 +107,7 @@ export class PasuParts extends DesignerElement {
       event.stopPropagation();
       this.designer.apply(togglePart(this.designer.state, id));
     };
-    return html`<span class="eye" title=${hidden ? "Show" : "Hide"} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
+    return html`<span class="eye" title=${hidden ? parts.show : parts.hide} @click=${press}>${icon(hidden ? "hidden" : "seen")}</span>`;
   }
 
   private button(label: string, name: IconName, disabled: boolean, change: () => Change) {
@@ -140,7 +134,7 @@ export class PasuParts extends DesignerElement {
     const id = ids[part];
     if (id === undefined) return;
     const taken = isTaken(this.designer.state, id, this.name.value);
-    this.say(taken ? "Another part has this name." : "");
+    this.say(taken ? parts.taken : "");
     if (!taken) this.designer.apply(renamePart(this.designer.state, id, this.name.value));
   };
 

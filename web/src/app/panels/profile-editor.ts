@@ -3,13 +3,14 @@
 import { css, html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { HANDLE_NAMES, isFree, sharesHandles, whyHeld } from "../../document/profile";
-import type { End, Handle, HandleId } from "../../document/types";
+import { isFree, sharesHandles } from "../../document/profile";
+import type { End, Handle, HandleId, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { formatNumber } from "../../number";
 import type { Section } from "../../solver/messages";
 import { dragHandle } from "../../state/shape-actions";
 import { base } from "../../ui/styles";
+import { profile } from "../../words/english/profile";
+import { spokenLength } from "../../words/quantities";
 
 const WIDTH = 360;
 const HEIGHT = 400;
@@ -56,7 +57,7 @@ export class PasuProfile extends DesignerElement {
     const shape = design.parts[part]?.shape;
     const shown = designer.surface.shown?.design.parts[part]?.shape;
     const section = designer.surface.shown?.solved.section;
-    if (!shape || !shown || !section) return html`<p class="lead">The section appears with the pot.</p>`;
+    if (!shape || !shown || !section) return html`<p class="lead">${profile.coming}</p>`;
     const all = section.handles.list;
     const marks = marksOf(section);
     // Of a pot that is not the one on the screen, and cannot be shown, there is nothing to drag.
@@ -69,8 +70,8 @@ export class PasuProfile extends DesignerElement {
       );
     const unit = unitOf(design);
     return html`
-      <p class="lead">The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.</p>
-      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label="Section through the axis">
+      <p class="lead">${profile.lead}</p>
+      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label=${profile.section}>
         ${this.drawing(section, frame)}
         ${this.slope(frame, marks.rim, marks.rimTip)} ${this.slope(frame, marks.foot, marks.footTip)}
         ${moving.map((handle) => this.handle(handle, section, frame, marks))}
@@ -79,10 +80,10 @@ export class PasuProfile extends DesignerElement {
       <dl>
         ${all.map(
           (handle) => html`<div>
-            <dt>${HANDLE_NAMES[handle.id]}</dt>
+            <dt>${profile.handles[handle.id]}</dt>
             <dd>
               ${reading(handle.id, section, unit)}
-              ${handle.restraints.length === 0 ? nothing : html`<span class="why">${whyHeld(handle)}</span>`}
+              ${handle.restraints.length === 0 ? nothing : html`<span class="why">${whyHeld(handle.restraints)}</span>`}
             </dd>
           </div>`,
         )}
@@ -120,8 +121,8 @@ export class PasuProfile extends DesignerElement {
       class="handle ${ways}"
       tabindex="0"
       role="button"
-      aria-roledescription="handle"
-      aria-label=${`${HANDLE_NAMES[handle.id]}, ${ways === "move" ? "moves both ways" : ways === "across" ? "moves left and right" : "moves up and down"}`}
+      aria-roledescription=${profile.handle}
+      aria-label=${profile.named(profile.handles[handle.id], profile.ways[ways])}
       data-handle=${handle.id}
       transform="translate(${at.x} ${at.y})"
       @pointerdown=${(event: PointerEvent) => this.grab(event, handle, rim, frame)}
@@ -340,14 +341,19 @@ function pointOf(id: HandleId, marks: Marks): Point {
   }
 }
 
-function reading(id: HandleId, section: Section, unit: string): string {
+function reading(id: HandleId, section: Section, unit: Unit): string {
   const end = endAt(id, section.handles.rim);
   const slope = id.endsWith("slope");
   const { x, z } = slope ? slopeOf(section, end) : endOf(section, end);
   const size = Math.hypot(...section.slopes);
   // What is nothing beside the pot is dust of the arithmetic.
-  const number = (value: number) => `${formatNumber(Math.abs(value) < DUST * size ? 0 : value, 4)} ${unit}`;
-  return slope ? `Lean ${number(x)}, rise ${number(z)}` : `Radius ${number(x)}, height ${number(z)}`;
+  const number = (value: number) => spokenLength(Math.abs(value) < DUST * size ? 0 : value, unit);
+  return slope ? profile.slope(number(x), number(z)) : profile.point(number(x), number(z));
+}
+
+/** Why a handle does not move, or moves one way only. */
+function whyHeld(restraints: Handle["restraints"]): string {
+  return profile.sentences(restraints.map((restraint) => profile.restraints[restraint]));
 }
 
 /** Room for the section, the handles and some air, with the axis where the pot is. */

@@ -2,9 +2,12 @@
 
 import { css, html, nothing } from "lit";
 import { unitOf } from "../../document/look";
-import { remedyWords } from "../../document/remedy-words";
 import type { Finding } from "../../document/types";
+import { isolated } from "../../language";
 import { setWall } from "../../state/wall-actions";
+import { report } from "../../words/english/report";
+import { partName } from "../../words/parts";
+import { remedyWords } from "../../words/remedies";
 import type { Designer } from "../../work/designer";
 
 /** One button for each part that has a remedy. */
@@ -21,14 +24,14 @@ function button(designer: Designer, { part, remedy }: Finding) {
   const { design } = designer.state;
   const asked = design.parts[part]?.wall;
   if (!remedy || !asked) return [];
+  const words = remedyWords(asked, remedy.wall, unitOf(design));
   const several = design.parts.length > 1;
-  const name = several ? `${design.parts[part]?.name ?? `Part ${part + 1}`}: ` : "";
   return html`<button
     class="button outlined"
     type="button"
     @click=${() => designer.apply(setWall(designer.state, part, remedy.wall))}
   >
-    ${name}${remedyWords(asked, remedy.wall, unitOf(design))}
+    ${several ? report.ofPart(isolated(partName(part, design.parts[part]?.name)), words) : words}
   </button>`;
 }
 

@@ -2,17 +2,19 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { UNITS, unitOf } from "../../document/look";
-import { lengthWords, millilitres } from "../../document/quantities";
+import { unitOf } from "../../document/look";
 import type { Walls } from "../../document/scaled";
 import type { Measures, Unit } from "../../document/types";
+import { millilitres } from "../../document/volume";
 import { DesignerElement } from "../../element/designer-element";
-import { formatNumber, ouncesWords, parseLength, parseVolume } from "../../number";
+import { formatNumber, parseLength, parseVolume } from "../../number";
 import { resize, setUnit } from "../../state/actions";
 import { base, fields } from "../../ui/styles";
+import { quantities } from "../../words/english/quantities";
+import { size as words } from "../../words/english/size";
+import { lengthWords, ouncesWords } from "../../words/quantities";
+import { numberProblemWords } from "../../words/typed";
 import { factorFor, type Sized, sizeOf } from "../../work/sizing";
-
-const NAMES: Readonly<Record<Sized, string>> = { height: "Height", width: "Width", capacity: "Holds" };
 
 /** Digits as in the caption and among the measures; and of what was typed here. */
 const DIGITS: Readonly<Record<Sized, number>> = { height: 3, width: 3, capacity: 4 };
@@ -46,15 +48,15 @@ export class PasuSize extends DesignerElement {
     const unit = unitOf(design);
     return html`<section aria-labelledby="size">
       <div class="bar">
-        <h3 id="size">How large</h3>
+        <h3 id="size">${words.heading}</h3>
         <select
           class="field"
-          aria-label="Unit"
+          aria-label=${words.unit}
           @change=${(event: Event) =>
             designer.apply(setUnit(designer.state, (event.target as HTMLSelectElement).value as Unit))}
         >
-          ${Object.entries(UNITS).map(
-            ([name, label]) => html`<option value=${name} ?selected=${unit === name}>${label}s</option>`,
+          ${Object.entries(words.units).map(
+            ([name, label]) => html`<option value=${name} ?selected=${unit === name}>${label}</option>`,
           )}
         </select>
       </div>
@@ -71,8 +73,8 @@ export class PasuSize extends DesignerElement {
                 @change=${(event: Event) => {
                   this.walls = (event.target as HTMLInputElement).checked ? "scale" : "stay";
                 }}
-              /><span>The wall scales too</span>
-              <span class="hint">${this.walls === "stay" ? `It stays ${lengthWords(wall.thickness, unit, 3)} thick.` : ""}</span>
+              /><span>${words.wallScales}</span>
+              <span class="hint">${this.walls === "stay" ? words.wallStays(lengthWords(wall.thickness, unit, 3)) : ""}</span>
             </label>`
           : nothing
       }
@@ -88,7 +90,7 @@ export class PasuSize extends DesignerElement {
     const text = shown === null ? "" : formatNumber(shown, this.digits(sized, size));
     const wrong = this.problem?.of === sized;
     return html`<label>
-      <span>${NAMES[sized]}</span>
+      <span>${words.names[sized]}</span>
       <span class="typed"
         ><input
           class="field"
@@ -99,7 +101,7 @@ export class PasuSize extends DesignerElement {
           ?disabled=${shown === null || this.trying}
           aria-invalid=${wrong ? "true" : "false"}
           @change=${(event: Event) => void this.take(sized, event.target as HTMLInputElement, text, litres ? "l" : "ml")}
-        /><span class="unit" aria-hidden="true">${sized === "capacity" ? (litres ? "l" : "ml") : unit}</span></span
+        /><span class="unit" aria-hidden="true">${sized === "capacity" ? (litres ? quantities.litres : quantities.millilitres) : quantities.units[unit]}</span></span
       >
       ${volume !== null && unit === "in" ? html`<span class="hint">${ouncesWords(volume)}</span>` : nothing}
     </label>`;
@@ -121,7 +123,7 @@ export class PasuSize extends DesignerElement {
     const typed = sized === "capacity" ? parseVolume(input.value, volume) : parseLength(input.value, unit);
     const size = "problem" in typed ? 0 : sized === "capacity" ? typed.value / millilitres(1, unit) : typed.value;
     if (!(size > 0)) {
-      this.problem = { of: sized, text: "problem" in typed ? typed.problem : "A size is greater than 0." };
+      this.problem = { of: sized, text: "problem" in typed ? numberProblemWords(typed.problem) : words.positive };
       return;
     }
     this.problem = null;
@@ -134,7 +136,7 @@ export class PasuSize extends DesignerElement {
     input.value = before;
     if (design !== designer.state.design) return;
     if (factor === null) {
-      this.problem = { of: sized, text: "With a wall as thick as this the pot cannot be made in that size." };
+      this.problem = { of: sized, text: words.tooSmall };
       return;
     }
     this.typed.set(sized, size);

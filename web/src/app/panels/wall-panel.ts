@@ -4,8 +4,6 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { pathText } from "../../document/path";
-import { fittedWords } from "../../document/remedy-words";
-import { asSentence } from "../../document/report-words";
 import { DEFAULTS } from "../../document/tables.gen";
 import type { Wall } from "../../document/types";
 import { type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
@@ -18,17 +16,12 @@ import { CommandEvent } from "../command";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
+import { page } from "../../words/english/page";
+import { parameters } from "../../words/english/parameters";
+import { wall as words } from "../../words/english/wall";
+import { refusalWords, whyWords } from "../../words/refusals";
+import { fittedWords } from "../../words/remedies";
 import { remedies, remedyStyles } from "./remedies";
-
-const SIDES = [
-  { value: "inside", label: "Inwards", note: "What you shaped is the outside." },
-  { value: "outside", label: "Outwards", note: "What you shaped is the lining." },
-] as const;
-
-const RIMS = [
-  { value: "flat", label: "Flat", note: "Cut square across." },
-  { value: "rounded", label: "Rounded", note: "Half a circle." },
-] as const;
 
 @customElement("pasu-wall")
 export class PasuWall extends DesignerElement {
@@ -44,12 +37,9 @@ export class PasuWall extends DesignerElement {
     const { design, part, session } = designer.state;
     const wall = design.parts[part]?.wall;
     if (!wall) {
-      return html`<p class="lead">
-          This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or
-          thrown.
-        </p>
+      return html`<p class="lead">${words.isSurface}</p>
         <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
-          Make it a pot
+          ${words.makePot}
         </button>`;
     }
     return html`
@@ -60,10 +50,10 @@ export class PasuWall extends DesignerElement {
           aria-pressed=${session.explain ? "true" : "false"}
           @click=${() => designer.apply(toggleExplain(designer.state))}
         >
-          Explain
+          ${parameters.explain}
         </button>
         <button class="button outlined" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
-          Remove the wall
+          ${words.remove}
         </button>
       </div>
       ${this.verdict()} ${this.numbers(wall)}
@@ -74,12 +64,12 @@ export class PasuWall extends DesignerElement {
           @change=${(event: Event) =>
             designer.apply(setFootRing(designer.state, (event.target as HTMLInputElement).checked))}
         />
-        <span>Foot ring</span>
+        <span>${words.footRing}</span>
       </label>
-      ${choices("Rim", RIMS, wall.rim ?? DEFAULTS.rim, (rim) => designer.apply(setRim(designer.state, rim)))}
-      ${choices("Clay is laid", SIDES, wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
+      ${choices(words.rim, told(words.rims), wall.rim ?? DEFAULTS.rim, (rim) => designer.apply(setRim(designer.state, rim)))}
+      ${choices(words.laid, told(words.sides), wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
       <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
-        ${icon("make")}<span>Export it for making</span>
+        ${icon("make")}<span>${words.export}</span>
       </button>
     `;
   }
@@ -91,12 +81,12 @@ export class PasuWall extends DesignerElement {
     // Nothing is said of the wall before this one.
     const problem = made?.isOfNow(made.solid) ? made.solid.problem : null;
     if (problem)
-      return html`<p class="problem" role="status">${icon("warn")}<span>${asSentence(problem.message)}</span></p>
+      return html`<p class="problem" role="status">${icon("warn")}<span>${refusalWords(problem, designer.state.design)}</span></p>
         ${remedies(designer)}`;
     const measures = made?.measures;
     const unmeasured = measures && made.isOfNow(measures) && measures.problem;
-    const held = unmeasured ? asSentence(unmeasured.message) : made?.holds;
-    return html`<p class="holds" role="status">${held ?? html`<span class="wait">Checking…</span>`}</p>
+    const held = unmeasured ? refusalWords(unmeasured, designer.state.design) : made?.holds;
+    return html`<p class="holds" role="status">${held ?? html`<span class="wait">${page.checking}</span>`}</p>
       ${this.fitted()}`;
   }
 
@@ -117,11 +107,12 @@ export class PasuWall extends DesignerElement {
     return wallFields(wall).map((field) => {
       // The ranges go by the pot that was opened: no number moves the range of another.
       const { max, step } = wallRange(field, designer.origin.size ?? this.size);
+      const { name, help } = words.fields[field.key];
       return html`<pasu-number
         data-field=${field.key}
-        .label=${field.name}
+        .label=${name}
         .unit=${unitOf(designer.store.design)}
-        .help=${field.help}
+        .help=${help}
         .problem=${this.problemOf(field)}
         .value=${wallNumber(wall, field)}
         .min=${0}
@@ -141,7 +132,7 @@ export class PasuWall extends DesignerElement {
     const { made, state, surface } = this.designer;
     const path = pathText(["parts", state.part, "wall", ...field.path]);
     const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
-    return named ? asSentence(named.message) : "";
+    return named ? whyWords(named) : "";
   }
 
   static override readonly styles = [
@@ -201,6 +192,11 @@ export class PasuWall extends DesignerElement {
       }
     `,
   ];
+}
+
+/** Each value of a choice with its words. */
+function told<T extends string>(all: Readonly<Record<T, { readonly label: string; readonly note: string }>>) {
+  return (Object.keys(all) as T[]).map((value) => ({ value, ...all[value] }));
 }
 
 declare global {

@@ -3,12 +3,15 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { lengthWords, volumeWords } from "../../document/quantities";
 import { DesignerElement } from "../../element/designer-element";
 import { fillAfter } from "../../element/water-keys";
 import { toggleOverlay } from "../../state/actions";
 import { setFill, setWater } from "../../state/wall-actions";
 import { base, buttons } from "../../ui/styles";
+import { page } from "../../words/english/page";
+import { water as words } from "../../words/english/water";
+import { lengthWords, volumeWords } from "../../words/quantities";
+import { refusalWords } from "../../words/refusals";
 
 @customElement("pasu-water")
 export class PasuWater extends DesignerElement {
@@ -22,7 +25,7 @@ export class PasuWater extends DesignerElement {
     const unit = unitOf(design);
     return html`<section aria-labelledby="water">
       <div class="bar">
-        <h3 id="water">Water</h3>
+        <h3 id="water">${words.heading}</h3>
         ${
           range
             ? html`<button
@@ -31,7 +34,7 @@ export class PasuWater extends DesignerElement {
                 aria-pressed=${fill === null ? "false" : "true"}
                 @click=${() => designer.apply(setWater(designer.state, fill === null))}
               >
-                ${fill === null ? "Fill it" : "Pour it out"}
+                ${fill === null ? words.fill : words.pour}
               </button>`
             : nothing
         }
@@ -40,7 +43,7 @@ export class PasuWater extends DesignerElement {
         range && fill !== null
           ? html`<input
                 type="range"
-                aria-label="Water level"
+                aria-label=${words.level}
                 min="0"
                 max="1"
                 step="any"
@@ -51,8 +54,10 @@ export class PasuWater extends DesignerElement {
               />
               <p class="volume" data-volume>${this.words()}</p>
               <p class="hint">
-                ${lengthWords(fill * (range.high - range.low), unit, 3)} deep.
-                ${fill < 1 ? html`To the brim: ${volumeWords(measures.capacity?.brim.value ?? 0, unit, 3)}.` : "This is the brim."}
+                ${words.sentences([
+                  words.deep(lengthWords(fill * (range.high - range.low), unit, 3)),
+                  fill < 1 ? words.toBrim(volumeWords(measures.capacity?.brim.value ?? 0, unit, 3)) : words.isBrim,
+                ])}
               </p>
               <label>
                 <input
@@ -60,9 +65,9 @@ export class PasuWater extends DesignerElement {
                   .checked=${session.overlays.cut}
                   @change=${() => designer.apply(toggleOverlay(designer.state, "cut"))}
                 />
-                <span>Cut open</span>
+                <span>${words.cut}</span>
               </label>`
-          : html`<p class="hint">${designer.made?.holds ?? "Checking…"}</p>`
+          : html`<p class="hint">${designer.made?.holds ?? page.checking}</p>`
       }
     </section>`;
   }
@@ -70,9 +75,11 @@ export class PasuWater extends DesignerElement {
   private words(): string {
     const { made } = this.designer;
     const water = made?.water;
-    if (water?.problem) return water.problem.message;
+    if (water?.problem) return refusalWords(water.problem, this.designer.state.design);
     const volume = water?.value?.volume ?? null;
-    return volume !== null && water?.of && made?.isOfNow(water) ? volumeWords(volume, unitOf(water.of), 4) : "…";
+    return volume !== null && water?.of && made?.isOfNow(water)
+      ? volumeWords(volume, unitOf(water.of), 4)
+      : words.coming;
   }
 
   /** The browser's own steps of a slider without steps differ from one to the next. */

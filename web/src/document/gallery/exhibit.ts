@@ -2,21 +2,23 @@
 
 import type { Design, Look, Shape } from "../types";
 
-export interface Exhibit {
-  /** Stable and unique: what tests and thumbnails call it. */
-  readonly id: string;
-  readonly title: string;
-  /** What to look at, or where it was printed. */
-  readonly note: string;
+export interface Exhibit<Id extends string = string> {
+  /** Stable and unique: what tests, thumbnails and the words of its title and note call it. */
+  readonly id: Id;
   readonly shape: Shape;
   readonly look?: Look;
 }
 
+/** A list of them that says whose words there have to be. */
+export function exhibits<const Id extends string>(all: readonly Exhibit<Id>[]): readonly Exhibit<Id>[] {
+  return all;
+}
+
 /** The exhibit as a document of its own. */
-export function designOf(exhibit: Exhibit): Design {
+export function designOf(exhibit: Exhibit, title?: string): Design {
   return {
     pasu: 1,
-    title: exhibit.title,
+    ...(title !== undefined && { title }),
     parts: [{ shape: exhibit.shape, ...(exhibit.look && { look: exhibit.look }) }],
   };
 }

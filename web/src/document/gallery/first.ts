@@ -2,10 +2,8 @@
 
 import type { Exhibit } from "./exhibit";
 
-export const FIRST: Exhibit = {
+export const FIRST: Exhibit<"own-jar"> = {
   id: "own-jar",
-  title: "Shoulder jar",
-  note: "Fourth order: place and slope are both free at rim and foot, and that alone makes the shoulder.",
   shape: {
     kind: "fourth-order",
     r0: 5.5,

@@ -1,15 +1,13 @@
 /** Designs of our own. Each shows one thing that the method does well; lengths in centimetres. */
 
-import type { Exhibit } from "./exhibit";
+import { exhibits } from "./exhibit";
 import { FIRST } from "./first";
 import { turned } from "./outline";
 
-export const OWN: readonly Exhibit[] = [
+export const OWN = exhibits([
   FIRST,
   {
     id: "own-dint",
-    title: "Dint vase",
-    note: "Bloor–Wilson: five dints in the rim, and a wall that forgets them on the way down.",
     shape: {
       kind: "bloor-wilson",
       a: 0.3,
@@ -23,8 +21,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-moon-jar",
-    title: "Moon jar",
-    note: "Fourth order: steep slopes out of the foot and into the rim round the wall into a ball.",
     shape: {
       kind: "fourth-order",
       r0: 5.5,
@@ -41,8 +37,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-twist",
-    title: "Twisted vase",
-    note: "The six lobes of the foot come back at the rim three quarters of a wave later; the wall turns to follow.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 4.6, rim: 5, footSlope: 20, rimSlope: -8 },
@@ -59,8 +53,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-amphora",
-    title: "Amphora",
-    note: "Fourth order: the wall swells from a narrow foot to a high shoulder, then a neck opens into the lip.",
     shape: {
       kind: "fourth-order",
       r0: 3,
@@ -77,8 +69,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-tulip",
-    title: "Tulip vase",
-    note: "One wave of six in the radius and one in the height, both gone before they reach the foot.",
     shape: turned({
       equation: [1, 0.2, 0.01],
       radius: { foot: 3.8, rim: 6.8, footSlope: 20, rimSlope: 9 },
@@ -90,8 +80,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-fluted",
-    title: "Fluted vase",
-    note: "Twenty flutes with nothing to hold them back: without pull they run the whole wall.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 4.2, rim: 6.2, footSlope: 14, rimSlope: 14 },
@@ -102,8 +90,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-melon",
-    title: "Melon jar",
-    note: "Rim and foot are true circles: the eight lobes are made by force alone.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 4.4, rim: 3.6, footSlope: 28, rimSlope: -24 },
@@ -114,8 +100,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-saddle",
-    title: "Saddle vase",
-    note: "A rim that rises twice and dips twice over a round, level foot.",
     shape: turned({
       equation: [1, 2, 1],
       radius: { foot: 4.5, rim: 7.2, footSlope: 14, rimSlope: 9 },
@@ -127,8 +111,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-gourd",
-    title: "Double gourd",
-    note: "A force along the wall draws it in at the waist and lets it swell above and below.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 4.2, rim: 2, footSlope: 44, rimSlope: -28, force: [51144, -252000, 252000] },
@@ -138,8 +120,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-bowl",
-    title: "Lotus bowl",
-    note: "The wall closes in one point, where it lies flat; ten petals fade from the lip towards it.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { rim: 9.6, footSlope: 18, rimSlope: 3.5 },
@@ -151,8 +131,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-carafe",
-    title: "Carafe",
-    note: "Fourth order without pull: a low belly, a long neck and a lip from four slopes.",
     shape: {
       kind: "fourth-order",
       r0: 4.4,
@@ -169,8 +147,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-square",
-    title: "Square foot, round mouth",
-    note: "A wave of four at the foot that has died out at the mouth.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 5.4, rim: 3, footSlope: 14, rimSlope: 7 },
@@ -181,15 +157,11 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-trumpet",
-    title: "Trumpet vase",
-    note: "Second order: only the edges are given, and the pull of the equation makes the waist.",
     shape: { kind: "second-order", r: [7.4, 0.5, 5, 0.2], n: [1, 11], height: 22, s: [1, 1], t: [0.1, 0.1] },
     look: { glaze: "clear", clay: "porcelain" },
   },
   {
     id: "own-plum",
-    title: "Plum vase",
-    note: "Fourth order: a foot that hardly spreads under a broad shoulder and a small mouth.",
     shape: {
       kind: "fourth-order",
       r0: 5,
@@ -206,8 +178,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-leaning",
-    title: "Leaning bottle",
-    note: "The middle of the rim stands beside the middle of the foot, so the neck leans.",
     shape: turned({
       equation: [1, 0, 0],
       radius: { foot: 4.6, rim: 2.2, footSlope: 24, rimSlope: 6 },
@@ -219,8 +189,6 @@ export const OWN: readonly Exhibit[] = [
   },
   {
     id: "own-plate",
-    title: "Petal plate",
-    note: "The foot is a single point: the wall closes and the plate has no hole.",
     shape: turned({
       equation: [1, 2, 1],
       radius: { rim: 13, footSlope: 20, rimSlope: 8 },
@@ -230,4 +198,4 @@ export const OWN: readonly Exhibit[] = [
     }),
     look: { glaze: "tin-white", clay: "terracotta" },
   },
-];
+]);

@@ -3,13 +3,11 @@
  * A unit test holds the two lists against each other.
  */
 
-import type { Exhibit } from "./exhibit";
+import { exhibits } from "./exhibit";
 
-export const PAPERS: readonly Exhibit[] = [
+export const PAPERS = exhibits([
   {
     id: "zhang-you-1a",
-    title: "Zhang and You 2001, figure 1a",
-    note: "Second order, petalled at rim and foot, with a strong waist pull.",
     shape: {
       kind: "second-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -19,8 +17,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-1b",
-    title: "Zhang and You 2001, figure 1b",
-    note: "Second order, petalled at rim and foot, with a gentle waist pull.",
     shape: {
       kind: "second-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -30,8 +26,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-2a",
-    title: "Zhang and You 2001, figure 2a",
-    note: "Second order, round, with a gentle waist pull.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -41,8 +35,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-2b",
-    title: "Zhang and You 2001, figure 2b",
-    note: "Second order, round, with a strong waist pull.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -52,8 +44,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-3a",
-    title: "Zhang and You 2001, figure 3a",
-    note: "Second order, pushed evenly outwards.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -64,8 +54,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-3b",
-    title: "Zhang and You 2001, figure 3b",
-    note: "Second order, pushed outwards half as hard.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -76,8 +64,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-3c",
-    title: "Zhang and You 2001, figure 3c",
-    note: "Second order, pushed inwards at the rim and outwards below.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -88,8 +74,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-3d",
-    title: "Zhang and You 2001, figure 3d",
-    note: "Second order, pushed outwards at the rim and inwards at the foot.",
     shape: {
       kind: "second-order",
       r: [1, 0, 0.6, 0],
@@ -100,8 +84,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-4a",
-    title: "Zhang and You 2001, figure 4a",
-    note: "Mixed order, strong waist pull, the wall dropping steeply from the rim.",
     shape: {
       kind: "mixed-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -112,8 +94,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-4b",
-    title: "Zhang and You 2001, figure 4b",
-    note: "Mixed order, strong waist pull, the wall leaving the rim level.",
     shape: {
       kind: "mixed-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -124,8 +104,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-4c",
-    title: "Zhang and You 2001, figure 4c",
-    note: "Mixed order, gentle waist pull, the wall dropping steeply from the rim.",
     shape: {
       kind: "mixed-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -136,8 +114,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-4d",
-    title: "Zhang and You 2001, figure 4d",
-    note: "Mixed order, gentle waist pull, the wall leaving the rim level.",
     shape: {
       kind: "mixed-order",
       r: [1, 0.1, 0.6, 0.06],
@@ -148,8 +124,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-5a",
-    title: "Zhang and You 2001, figure 5a",
-    note: "Fourth order: the slopes at rim and foot are chosen (table 1, row a).",
     shape: {
       kind: "fourth-order",
       r0: 0.4,
@@ -165,8 +139,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-5b",
-    title: "Zhang and You 2001, figure 5b",
-    note: "Fourth order: the slopes at rim and foot are chosen (table 1, row b).",
     shape: {
       kind: "fourth-order",
       r0: 0.2,
@@ -182,8 +154,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-5c",
-    title: "Zhang and You 2001, figure 5c",
-    note: "Fourth order: the slopes at rim and foot are chosen (table 1, row c).",
     shape: {
       kind: "fourth-order",
       r0: 0.4,
@@ -199,8 +169,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-5d",
-    title: "Zhang and You 2001, figure 5d",
-    note: "Fourth order: the slopes at rim and foot are chosen (table 1, row d).",
     shape: {
       kind: "fourth-order",
       r0: 0.4,
@@ -216,8 +184,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "zhang-you-5e",
-    title: "Zhang and You 2001, figure 5e",
-    note: "Fourth order: the slopes at rim and foot are chosen (table 1, row e).",
     shape: {
       kind: "fourth-order",
       r0: 0.25,
@@ -233,8 +199,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n1",
-    title: "Ishak and Ali, figure 4, n₁ = 1",
-    note: "The dint vase with one dint in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -247,8 +211,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n2",
-    title: "Ishak and Ali, figure 4, n₁ = 2",
-    note: "The dint vase with 2 dints in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -261,8 +223,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n3",
-    title: "Ishak and Ali, figure 4, n₁ = 3",
-    note: "The dint vase with 3 dints in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -275,8 +235,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n5",
-    title: "Ishak and Ali, figure 4, n₁ = 5",
-    note: "The dint vase with 5 dints in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -289,8 +247,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n10",
-    title: "Ishak and Ali, figure 4, n₁ = 10",
-    note: "The dint vase with 10 dints in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -303,8 +259,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-4-n15",
-    title: "Ishak and Ali, figure 4, n₁ = 15",
-    note: "The dint vase with 15 dints in the rim.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -317,8 +271,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-5-a1",
-    title: "Ishak and Ali, figure 5, a = 1",
-    note: "The dint vase with five dints, smoothing 1.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -331,8 +283,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-5-a6",
-    title: "Ishak and Ali, figure 5, a = 6",
-    note: "The dint vase with five dints, smoothing 6.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -345,8 +295,6 @@ export const PAPERS: readonly Exhibit[] = [
   },
   {
     id: "ishak-ali-5-a9",
-    title: "Ishak and Ali, figure 5, a = 9",
-    note: "The dint vase with five dints, smoothing 9.",
     shape: {
       kind: "bloor-wilson",
       r: [1, 0.1, 0.1, 0.8],
@@ -357,4 +305,4 @@ export const PAPERS: readonly Exhibit[] = [
       n1: 5,
     },
   },
-];
+]);

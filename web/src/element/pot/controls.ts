@@ -3,7 +3,8 @@
 import { pathText } from "../../document/path";
 import { type Family, type Field, familyOf } from "../../document/schema";
 import type { Design, Refusal } from "../../document/types";
-import { REFUSALS } from "./words";
+import { listed } from "../../language";
+import { pot } from "../../words/english/pot";
 
 /** The first part is the one that is changed. */
 export function familyIn(design: Design): Family | null {
@@ -40,5 +41,5 @@ function bySymbol(family: Family | null, name: string): Field | undefined {
 }
 
 function refusalOf(name: string, family: Family | null): string {
-  return REFUSALS.control(name, family?.fields.map(({ path }) => pathText(path)) ?? []);
+  return family ? pot.noControl(name, listed(family.fields.map(({ path }) => pathText(path)))) : pot.noControls(name);
 }

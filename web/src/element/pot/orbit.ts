@@ -4,7 +4,7 @@
  */
 
 import type { Refusal } from "../../document/types";
-import { REFUSALS } from "./words";
+import { pot } from "../../words/english/pot";
 
 export interface Orbit {
   /** Radians, as the stage counts them. */
@@ -58,5 +58,5 @@ function shareOf(word: string, text: string): number {
 }
 
 function refusal(text: string): Refusal {
-  return { code: "unreadable-orbit", path: "camera-orbit", message: REFUSALS.orbit(text) };
+  return { code: "unreadable-orbit", path: "camera-orbit", message: pot.orbit(text) };
 }

@@ -7,6 +7,8 @@ import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
 import type { SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
+import { pot } from "../../words/english/pot";
+import { LENGTH_LABELS } from "../../words/length";
 import { COARSEST, gridFor } from "../../work/grid";
 import { StageHolder } from "../stage-holder";
 import { stageKey } from "../stage-keys";
@@ -19,7 +21,6 @@ import { type SolverShare, shareSolver } from "./shared-solver";
 import { type Sight, watchSight } from "./sights";
 import type { Hand } from "./sliders";
 import { sourceOf, textAt } from "./source";
-import { WORDS } from "./words";
 
 /** How finely pots are sampled: they are smaller than the designer's. The steps are those of {@link gridFor}. */
 const FINENESS = 2;
@@ -62,7 +63,7 @@ export class PasuPotElement extends LitElement implements Contract {
     host: () => this.host,
     options: () => ({
       theme: this.scheme(),
-      unit: this.shown ? unitOf(this.shown.design) : "cm",
+      lengths: LENGTH_LABELS[this.shown ? unitOf(this.shown.design) : "cm"],
       page: { takesWheel: () => this.shadowRoot?.activeElement === this.host },
       onDrawn: () => this.drawn(),
       onCamera: () => this.dispatchEvent(new Event("camera-change")),
@@ -118,7 +119,7 @@ export class PasuPotElement extends LitElement implements Contract {
 
   async toBlob({ width, height, transparent = false }: PotPicture = {}): Promise<Blob> {
     const { stage } = this.holder;
-    if (!stage || !this.isLoaded) throw new DOMException(WORDS.unshown, "InvalidStateError");
+    if (!stage || !this.isLoaded) throw new DOMException(pot.unshown, "InvalidStateError");
     const ratio = devicePixelRatio || 1;
     const side = (given: number | undefined, own: number) => given ?? Math.max(1, Math.round(own * ratio));
     return await stage.picture(side(width, this.host.clientWidth), side(height, this.host.clientHeight), {
@@ -250,7 +251,8 @@ export class PasuPotElement extends LitElement implements Contract {
   }
 
   private tell({ code, path, message }: Refusal): void {
-    const detail: PotProblem = { type: "loadfailure", code, path, message };
+    // What stopped says nothing of itself.
+    const detail: PotProblem = { type: "loadfailure", code, path, message: message || pot.stopped };
     this.dispatchEvent(new CustomEvent("error", { detail }));
   }
 
@@ -261,7 +263,7 @@ export class PasuPotElement extends LitElement implements Contract {
       this.paint();
       return;
     }
-    stage.unit(unitOf(this.shown.design));
+    stage.lengths(LENGTH_LABELS[unitOf(this.shown.design)]);
     stage.show(stageModel(this.shown.design, this.solved));
     this.aim(true);
     this.turn();
@@ -403,7 +405,7 @@ export class PasuPotElement extends LitElement implements Contract {
 
   override render() {
     const { mode } = this.holder;
-    const label = this.alt || this.shown?.design.title || WORDS.pot;
+    const label = this.alt || this.shown?.design.title || pot.aPot;
     return html`
       <span class="probe" aria-hidden="true"></span>
       <div class="frame">
@@ -413,7 +415,7 @@ export class PasuPotElement extends LitElement implements Contract {
           part="stage"
           tabindex=${mode === "still" ? nothing : 0}
           role=${mode === "still" ? nothing : "application"}
-          aria-roledescription=${mode === "still" ? nothing : WORDS.view}
+          aria-roledescription=${mode === "still" ? nothing : pot.view}
           aria-label=${mode === "still" ? nothing : label}
           aria-describedby=${mode === "still" ? nothing : "keys"}
           @keydown=${this.key}
@@ -426,9 +428,9 @@ export class PasuPotElement extends LitElement implements Contract {
         <div class="poster" part="poster" ?data-done=${this.isLoaded}>
           <slot name="poster">${this.poster === "" ? this.wheel() : html`<img src=${this.poster} alt="" />`}</slot>
         </div>
-        <p id="keys" class="spoken">${WORDS.keys}</p>
+        <p id="keys" class="spoken">${pot.keys}</p>
         <div class="over"><slot></slot></div>
-        <p class="hint" part="hint" aria-hidden="true" ?data-shown=${this.hint}>${WORDS.fingers}</p>
+        <p class="hint" part="hint" aria-hidden="true" ?data-shown=${this.hint}>${pot.fingers}</p>
         ${this.message()}
       </div>
       ${this.sliders()}
@@ -445,13 +447,7 @@ export class PasuPotElement extends LitElement implements Contract {
 
   private message() {
     const words =
-      this.holder.mode === "lost"
-        ? WORDS.lost
-        : this.problem === null
-          ? ""
-          : this.isLoaded
-            ? `${WORDS.unshown} ${WORDS.unchanged}`
-            : WORDS.unshown;
+      this.holder.mode === "lost" ? pot.lost : this.problem === null ? "" : this.isLoaded ? pot.unchanged : pot.unshown;
     return words === "" ? nothing : html`<p class="message" part="message" role="status">${words}</p>`;
   }
 
@@ -459,7 +455,7 @@ export class PasuPotElement extends LitElement implements Contract {
     const { fields } = this;
     if (fields.length === 0) return nothing;
     void import("./sliders");
-    return html`<div class="sliders" part="sliders" role="group" aria-label=${WORDS.parameters} @input=${keep} @change=${keep}
+    return html`<div class="sliders" part="sliders" role="group" aria-label=${pot.parameters} @input=${keep} @change=${keep}
       @number-change=${keep} @number-done=${keep} @number-cancel=${keep}>
       <pasu-pot-sliders
         .design=${this.shown?.design ?? null}

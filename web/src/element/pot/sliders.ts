@@ -1,6 +1,6 @@
 /** The parameters that an element shows, as sliders. */
 
-import { css, html, LitElement } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { property } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { unitOf } from "../../document/look";
@@ -10,6 +10,9 @@ import type { Design, Refusal, Shape } from "../../document/types";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base } from "../../ui/styles";
+import { parameters } from "../../words/english/parameters";
+import { fieldWords } from "../../words/parameters";
+import { whyWords } from "../../words/refusals";
 import { familyIn } from "./controls";
 
 /** What a hand does with them. */
@@ -45,16 +48,18 @@ export class PasuPotSliders extends LitElement {
 
   #number(design: Design, shape: Shape, origin: Shape, field: Field) {
     const family = familyIn(design);
+    if (!family) return nothing;
+    const { name, help } = fieldWords(family.kind, field.key);
     const isLength = field.dimension === "length";
-    const factor = isLength && family ? sizeFactor(family, origin) : 1;
-    const objection = this.problem?.path === pathText([...SHAPE, ...field.path]) ? this.problem.message : "";
+    const factor = isLength ? sizeFactor(family, origin) : 1;
+    const objection = this.problem?.path === pathText([...SHAPE, ...field.path]) ? whyWords(this.problem) : "";
     const set = (value: number) => this.hand?.set(setPath(design, SHAPE, withField(shape, field, value)));
     return html`<pasu-number
-      .label=${field.name}
+      .label=${name}
       .qualifier=${qualifierOf(field)}
       .symbol=${field.symbol}
       .unit=${isLength ? unitOf(design) : ""}
-      .help=${field.help}
+      .help=${help}
       .problem=${objection}
       .value=${fieldValue(shape, field)}
       .min=${factor * field.min}
@@ -90,7 +95,8 @@ export class PasuPotSliders extends LitElement {
 
 /** Of a parameter with an x and a y. */
 function qualifierOf({ pair, symbol }: Field): string {
-  return pair === undefined ? "" : `in ${symbol.at(-1)}`;
+  if (pair === undefined) return "";
+  return symbol.endsWith("x") ? parameters.inX : parameters.inY;
 }
 
 // A page may hold two versions of the element, of which the first is there.

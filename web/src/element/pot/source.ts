@@ -1,7 +1,7 @@
 /** Where a design comes from: a link, in itself or at the end of an address, or a document at an address. */
 
 import type { Refusal } from "../../document/types";
-import { REFUSALS } from "./words";
+import { pot } from "../../words/english/pot";
 
 export type Source =
   | { readonly kind: "link"; readonly link: string }
@@ -25,7 +25,7 @@ export function sourceOf(src: string, base: string): Source {
   try {
     address = new URL(text, base);
   } catch {
-    throw refused("not-an-address", REFUSALS.address(text));
+    throw refused("not-an-address", pot.noAddress(text));
   }
   if (LINK.test(address.hash)) return { kind: "link", link: address.hash };
   return { kind: "document", address: address.href };
@@ -42,9 +42,9 @@ export async function textAt(address: string, signal: AbortSignal): Promise<stri
     response = await fetch(address, { signal });
   } catch (error) {
     if (signal.aborted) throw error;
-    throw refused("unreachable", REFUSALS.unreachable(address));
+    throw refused("unreachable", pot.unreachable(address));
   }
-  if (!response.ok) throw refused("unreachable", REFUSALS.status(address, response.status));
+  if (!response.ok) throw refused("unreachable", pot.status(address, response.status));
   return new TextDecoder().decode(await bytesOf(response, address));
 }
 
@@ -57,7 +57,7 @@ async function bytesOf(response: Response, address: string): Promise<Uint8Array>
     length += next.value.length;
     if (length > MOST_BYTES) {
       void reader?.cancel();
-      throw refused("too-large", REFUSALS.size(address, MOST_BYTES));
+      throw refused("too-large", pot.tooLarge(address, MOST_BYTES));
     }
     chunks.push(next.value);
   }

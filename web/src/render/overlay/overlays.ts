@@ -1,7 +1,6 @@
 import type { Tenant } from "../gl/device";
 import type { Source } from "../gl/scene";
 import type { View } from "../gl/view";
-import { lengthText, type Unit } from "../length";
 import type { Bounds } from "../mesh";
 import type { Pot } from "../pot";
 import { type Studio, type Theme, toScene } from "../studio";
@@ -89,7 +88,8 @@ export class Overlays implements Tenant {
     private readonly studio: Studio,
     private readonly host: HTMLElement,
     private theme: Theme,
-    private unit: Unit,
+    /** How a length is written. */
+    public lengths: (length: number) => string,
   ) {
     const stroke = (name: StrokeName, order: number) => {
       const made = new Stroke(studio, this.pen, STYLES[name], order);
@@ -135,10 +135,6 @@ export class Overlays implements Tenant {
   set measures(size: Size | null) {
     this.size = size;
     this.stale = true;
-  }
-
-  set measure(unit: Unit) {
-    this.unit = unit;
   }
 
   /** Must be called when the mesh changed. */
@@ -225,7 +221,7 @@ export class Overlays implements Tenant {
   private placed(view: View, width: number, height: number): { text: string; spot: Spot }[] {
     if (!this.shown.axes) return [];
     const words: { text: string; spot: Spot }[] = [];
-    const dimensions = this.dimensions.map(({ label, length }) => ({ at: label, text: lengthText(length, this.unit) }));
+    const dimensions = this.dimensions.map(({ label, length }) => ({ at: label, text: this.lengths(length) }));
     for (const { at: point, text } of [...dimensions, ...this.extra]) {
       const { x, y, before } = view.see(toScene(this.studio, point));
       if (!before) continue;

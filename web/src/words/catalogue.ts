@@ -1,0 +1,58 @@
+/**
+ * Everything that the page says. English stands in `english/`, a file for whatever is fetched together, so that nobody waits for the sentences of a dialogue that is shut. Another
+ * language is one file with all of it, `Catalogue` by type, and a line in `languages.ts`.
+ */
+
+import type { beginnings } from "./english/beginnings";
+import type { controls } from "./english/controls";
+import type { description } from "./english/description";
+import type { embed } from "./english/embed";
+import type { exporting } from "./english/export";
+import type { gallery } from "./english/gallery";
+import type { help } from "./english/help";
+import type { link } from "./english/link";
+import type { look } from "./english/look";
+import type { maps } from "./english/maps";
+import type { measures } from "./english/measures";
+import type { modes } from "./english/modes";
+import type { orders } from "./english/orders";
+import type { page } from "./english/page";
+import type { parameters } from "./english/parameters";
+import type { parts } from "./english/parts";
+import type { picture } from "./english/picture";
+import type { pot } from "./english/pot";
+import type { profile } from "./english/profile";
+import type { quantities } from "./english/quantities";
+import type { refusals } from "./english/refusals";
+import type { report } from "./english/report";
+import type { size } from "./english/size";
+import type { wall } from "./english/wall";
+import type { water } from "./english/water";
+
+export interface Catalogue {
+  readonly beginnings: typeof beginnings;
+  readonly controls: typeof controls;
+  readonly description: typeof description;
+  readonly embed: typeof embed;
+  readonly exporting: typeof exporting;
+  readonly gallery: typeof gallery;
+  readonly help: typeof help;
+  readonly link: typeof link;
+  readonly look: typeof look;
+  readonly maps: typeof maps;
+  readonly measures: typeof measures;
+  readonly modes: typeof modes;
+  readonly orders: typeof orders;
+  readonly page: typeof page;
+  readonly parameters: typeof parameters;
+  readonly parts: typeof parts;
+  readonly picture: typeof picture;
+  readonly pot: typeof pot;
+  readonly profile: typeof profile;
+  readonly quantities: typeof quantities;
+  readonly refusals: typeof refusals;
+  readonly report: typeof report;
+  readonly size: typeof size;
+  readonly wall: typeof wall;
+  readonly water: typeof water;
+}

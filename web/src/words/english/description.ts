@@ -1,0 +1,45 @@
+/** What is said of the pot on the stage. */
+
+import { phrases } from "../../language";
+
+const COUNTS = [
+  "no",
+  "one",
+  "two",
+  "three",
+  "four",
+  "five",
+  "six",
+  "seven",
+  "eight",
+  "nine",
+  "ten",
+  "eleven",
+  "twelve",
+];
+
+export const description = phrases("description", {
+  forms: { plate: "A plate", bowl: "A bowl", bottle: "A bottle", jar: "A jar", vase: "A vase" },
+  widest: {
+    rim: "widest at the rim",
+    shoulder: "widest at the shoulder",
+    middle: "widest in the middle",
+    low: "widest low down",
+    foot: "widest at the foot",
+  },
+  oval: { rim: "an oval rim", foot: "an oval foot" },
+  petals: {
+    rim: (count: number) => `${count} petals`,
+    foot: (count: number) => `${count} petals at the foot`,
+  },
+  slanting: "a slanting rim",
+  saddle: "a saddle-shaped rim",
+  /** Of the rim, three or more. */
+  waves: (count: number) => `${count} waves in the rim`,
+  pot: (form: string, high: string, wide: string, widest: string, marks: string | null) =>
+    `${form} ${high} high and ${wide} wide, ${widest}${marks === null ? "" : `, with ${marks}`}.`,
+  open: "The wall does not close.",
+  parts: (count: number) => `It is made of ${COUNTS[count] ?? count} parts.`,
+  sentences: (all: readonly string[]) => all.join(" "),
+  accuracy: (within: string) => `Drawn to within ${within} of the true surface.`,
+});

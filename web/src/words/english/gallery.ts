@@ -1,0 +1,203 @@
+/** The gallery: its shelves, and the title and note of each design. A design that is opened has its title in the document. */
+
+import type { ExhibitId, Shelf } from "../../document/gallery";
+import type { FIRST } from "../../document/gallery/first";
+import { phrases } from "../../language";
+
+interface Told {
+  readonly title: string;
+  /** What to look at, or where it was printed. */
+  readonly note: string;
+}
+
+export const gallery = phrases("gallery", {
+  shelves: {
+    own: { title: "Our own", source: "Designs that show what the equations can do" },
+    "zhang-you": {
+      title: "Zhang and You",
+      source: "Surface representation using second, fourth and mixed order partial differential equations, 2001",
+    },
+    "ishak-ali": {
+      title: "Ishak and Ali",
+      source: "Parametric surface generation using partial differential equation based approach",
+    },
+  } satisfies Readonly<Record<Shelf["id"], { readonly title: string; readonly source: string }>>,
+  /** The first one's title is known before the gallery is. */
+  firstNote: "Fourth order: place and slope are both free at rim and foot, and that alone makes the shoulder.",
+  exhibits: {
+    "own-dint": {
+      title: "Dint vase",
+      note: "Bloor–Wilson: five dints in the rim, and a wall that forgets them on the way down.",
+    },
+    "own-moon-jar": {
+      title: "Moon jar",
+      note: "Fourth order: steep slopes out of the foot and into the rim round the wall into a ball.",
+    },
+    "own-twist": {
+      title: "Twisted vase",
+      note: "The six lobes of the foot come back at the rim three quarters of a wave later; the wall turns to follow.",
+    },
+    "own-amphora": {
+      title: "Amphora",
+      note: "Fourth order: the wall swells from a narrow foot to a high shoulder, then a neck opens into the lip.",
+    },
+    "own-tulip": {
+      title: "Tulip vase",
+      note: "One wave of six in the radius and one in the height, both gone before they reach the foot.",
+    },
+    "own-fluted": {
+      title: "Fluted vase",
+      note: "Twenty flutes with nothing to hold them back: without pull they run the whole wall.",
+    },
+    "own-melon": {
+      title: "Melon jar",
+      note: "Rim and foot are true circles: the eight lobes are made by force alone.",
+    },
+    "own-saddle": {
+      title: "Saddle vase",
+      note: "A rim that rises twice and dips twice over a round, level foot.",
+    },
+    "own-gourd": {
+      title: "Double gourd",
+      note: "A force along the wall draws it in at the waist and lets it swell above and below.",
+    },
+    "own-bowl": {
+      title: "Lotus bowl",
+      note: "The wall closes in one point, where it lies flat; ten petals fade from the lip towards it.",
+    },
+    "own-carafe": {
+      title: "Carafe",
+      note: "Fourth order without pull: a low belly, a long neck and a lip from four slopes.",
+    },
+    "own-square": {
+      title: "Square foot, round mouth",
+      note: "A wave of four at the foot that has died out at the mouth.",
+    },
+    "own-trumpet": {
+      title: "Trumpet vase",
+      note: "Second order: only the edges are given, and the pull of the equation makes the waist.",
+    },
+    "own-plum": {
+      title: "Plum vase",
+      note: "Fourth order: a foot that hardly spreads under a broad shoulder and a small mouth.",
+    },
+    "own-leaning": {
+      title: "Leaning bottle",
+      note: "The middle of the rim stands beside the middle of the foot, so the neck leans.",
+    },
+    "own-plate": {
+      title: "Petal plate",
+      note: "The foot is a single point: the wall closes and the plate has no hole.",
+    },
+    "zhang-you-1a": {
+      title: "Zhang and You 2001, figure 1a",
+      note: "Second order, petalled at rim and foot, with a strong waist pull.",
+    },
+    "zhang-you-1b": {
+      title: "Zhang and You 2001, figure 1b",
+      note: "Second order, petalled at rim and foot, with a gentle waist pull.",
+    },
+    "zhang-you-2a": {
+      title: "Zhang and You 2001, figure 2a",
+      note: "Second order, round, with a gentle waist pull.",
+    },
+    "zhang-you-2b": {
+      title: "Zhang and You 2001, figure 2b",
+      note: "Second order, round, with a strong waist pull.",
+    },
+    "zhang-you-3a": {
+      title: "Zhang and You 2001, figure 3a",
+      note: "Second order, pushed evenly outwards.",
+    },
+    "zhang-you-3b": {
+      title: "Zhang and You 2001, figure 3b",
+      note: "Second order, pushed outwards half as hard.",
+    },
+    "zhang-you-3c": {
+      title: "Zhang and You 2001, figure 3c",
+      note: "Second order, pushed inwards at the rim and outwards below.",
+    },
+    "zhang-you-3d": {
+      title: "Zhang and You 2001, figure 3d",
+      note: "Second order, pushed outwards at the rim and inwards at the foot.",
+    },
+    "zhang-you-4a": {
+      title: "Zhang and You 2001, figure 4a",
+      note: "Mixed order, strong waist pull, the wall dropping steeply from the rim.",
+    },
+    "zhang-you-4b": {
+      title: "Zhang and You 2001, figure 4b",
+      note: "Mixed order, strong waist pull, the wall leaving the rim level.",
+    },
+    "zhang-you-4c": {
+      title: "Zhang and You 2001, figure 4c",
+      note: "Mixed order, gentle waist pull, the wall dropping steeply from the rim.",
+    },
+    "zhang-you-4d": {
+      title: "Zhang and You 2001, figure 4d",
+      note: "Mixed order, gentle waist pull, the wall leaving the rim level.",
+    },
+    "zhang-you-5a": {
+      title: "Zhang and You 2001, figure 5a",
+      note: "Fourth order: the slopes at rim and foot are chosen (table 1, row a).",
+    },
+    "zhang-you-5b": {
+      title: "Zhang and You 2001, figure 5b",
+      note: "Fourth order: the slopes at rim and foot are chosen (table 1, row b).",
+    },
+    "zhang-you-5c": {
+      title: "Zhang and You 2001, figure 5c",
+      note: "Fourth order: the slopes at rim and foot are chosen (table 1, row c).",
+    },
+    "zhang-you-5d": {
+      title: "Zhang and You 2001, figure 5d",
+      note: "Fourth order: the slopes at rim and foot are chosen (table 1, row d).",
+    },
+    "zhang-you-5e": {
+      title: "Zhang and You 2001, figure 5e",
+      note: "Fourth order: the slopes at rim and foot are chosen (table 1, row e).",
+    },
+    "ishak-ali-4-n1": {
+      title: "Ishak and Ali, figure 4, n₁ = 1",
+      note: "The dint vase with one dint in the rim.",
+    },
+    "ishak-ali-4-n2": {
+      title: "Ishak and Ali, figure 4, n₁ = 2",
+      note: "The dint vase with 2 dints in the rim.",
+    },
+    "ishak-ali-4-n3": {
+      title: "Ishak and Ali, figure 4, n₁ = 3",
+      note: "The dint vase with 3 dints in the rim.",
+    },
+    "ishak-ali-4-n5": {
+      title: "Ishak and Ali, figure 4, n₁ = 5",
+      note: "The dint vase with 5 dints in the rim.",
+    },
+    "ishak-ali-4-n10": {
+      title: "Ishak and Ali, figure 4, n₁ = 10",
+      note: "The dint vase with 10 dints in the rim.",
+    },
+    "ishak-ali-4-n15": {
+      title: "Ishak and Ali, figure 4, n₁ = 15",
+      note: "The dint vase with 15 dints in the rim.",
+    },
+    "ishak-ali-5-a1": {
+      title: "Ishak and Ali, figure 5, a = 1",
+      note: "The dint vase with five dints, smoothing 1.",
+    },
+    "ishak-ali-5-a6": {
+      title: "Ishak and Ali, figure 5, a = 6",
+      note: "The dint vase with five dints, smoothing 6.",
+    },
+    "ishak-ali-5-a9": {
+      title: "Ishak and Ali, figure 5, a = 9",
+      note: "The dint vase with five dints, smoothing 9.",
+    },
+  } satisfies Readonly<Record<Exclude<ExhibitId, (typeof FIRST)["id"]>, Told>>,
+  heading: "Gallery",
+  openPapers: "Open the figures of the papers",
+  sizes: {
+    hand: { label: (height: string) => `${height} high`, note: "A pot to use." },
+    printed: { label: () => "As printed", note: "With the numbers of the paper." },
+  },
+});

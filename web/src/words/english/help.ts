@@ -1,0 +1,61 @@
+/** The keys, and what Pasu is. */
+
+import { phrases } from "../../language";
+
+type Keys = readonly (readonly [key: string, what: string])[];
+
+const anywhere: Keys = [
+  ["Ctrl Z", "Undo"],
+  ["Ctrl Shift Z, Ctrl Y", "Redo"],
+  ["Ctrl S", "Save as a file"],
+  ["Ctrl O", "Open a file"],
+  ["?", "This list"],
+];
+const pot: Keys = [
+  ["Arrows", "Turn"],
+  ["Shift arrows", "Move"],
+  ["+ −", "Zoom"],
+  ["F", "Fit to view"],
+  ["1 to 5", "Three-quarter, front, side, top, below"],
+];
+const water: Keys = [
+  ["Arrows", "Up and down by a hundredth"],
+  ["Shift arrows", "By a tenth"],
+  ["Home, End", "Empty, full to the brim"],
+];
+const list: Keys = [
+  ["Arrows", "Select"],
+  ["Alt arrows", "Move the part up or down the list"],
+  ["H", "Hide the part, or show it"],
+  ["D", "Make a copy beside it"],
+  ["F2", "Name it"],
+  ["Delete", "Take it away; undo brings it back"],
+];
+const number: Keys = [
+  ["Arrows", "One step"],
+  ["Shift arrows", "Ten steps"],
+  ["Delete on a slider", "Reset; so does a double click"],
+  ["Escape", "Forget what was typed"],
+];
+
+export const help = phrases("help", {
+  heading: "Help",
+  about: [
+    "Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.",
+    "A wall makes a surface a pot, which has a capacity, a weight and a foot to stand on: under Measures they are told, and Export saves a file for a printer, a CAD program or a potter's wheel. Every such file holds its link and opens again when it is dropped on this page, but for an STL, which has room for a very short link alone.",
+    "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. Files and links can be dropped on the page.",
+  ],
+  keys: [
+    { title: "Anywhere", keys: anywhere },
+    { title: "On the pot", keys: pot },
+    { title: "On the water", keys: water },
+    { title: "In the list of parts", keys: list },
+    { title: "On a number", keys: number },
+  ],
+  /** `{0}` and `{1}` are the titles of the two papers. */
+  sources: "After J. J. Zhang and L. You, {0} (2001), and S. N. Ishak and J. M. Ali, {1}.",
+  papers: [
+    "Surface representation using second, fourth and mixed order partial differential equations",
+    "Parametric surface generation using partial differential equation based approach",
+  ],
+});

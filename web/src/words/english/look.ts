@@ -1,0 +1,35 @@
+/** Clay, glaze, unit and theme. */
+
+import type { ClayName, GlazeName, Unit } from "../../document/types";
+import { phrases } from "../../language";
+
+export const look = phrases("look", {
+  glazes: {
+    celadon: "Celadon",
+    tenmoku: "Tenmoku",
+    cobalt: "Cobalt",
+    "tin-white": "Tin white",
+    shino: "Shino",
+    "copper-red": "Copper red",
+    clear: "Clear",
+    bare: "No glaze",
+  } satisfies Readonly<Record<GlazeName, string>>,
+  clays: {
+    stoneware: "Stoneware",
+    porcelain: "Porcelain",
+    terracotta: "Terracotta",
+    black: "Black clay",
+  } satisfies Readonly<Record<ClayName, string>>,
+  units: {
+    mm: "millimetre",
+    cm: "centimetre",
+    in: "inch",
+  } satisfies Readonly<Record<Unit, string>>,
+  glaze: "Glaze",
+  clay: "Clay",
+  unit: "Unit",
+  unitOfLength: "Unit of length",
+  /** A unit by its name and its sign. */
+  unitChoice: (name: string, sign: string) => `${name} (${sign})`,
+  staysAsLarge: "The pot stays as large as it is; its numbers are converted.",
+});

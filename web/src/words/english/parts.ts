@@ -1,0 +1,18 @@
+/** The list of parts. */
+
+import { phrases } from "../../language";
+
+export const parts = phrases("parts", {
+  heading: "Parts",
+  keys: "Arrow keys select, with Alt they move the part up or down. D makes a copy, H hides the part or shows it, Delete takes it away, F2 names it.",
+  /** Behind the name of a part, for whoever hears it. */
+  isHidden: ", hidden",
+  show: "Show",
+  hide: "Hide",
+  name: "Name of the part",
+  up: "Move up",
+  down: "Move down",
+  duplicate: "Duplicate",
+  delete: "Delete",
+  taken: "Another part has this name.",
+});

@@ -1,0 +1,54 @@
+/** Whether a pot can be made: the findings of the checks, and what would help. */
+
+import type { PlaceName } from "../../document/places";
+import { phrases } from "../../language";
+
+export const report = phrases("report", {
+  /** Inside a sentence. */
+  places: {
+    foot: "at the foot",
+    belly: "at the belly",
+    shoulder: "at the shoulder",
+    neck: "at the neck",
+    rim: "at the rim",
+    middle: "half way up",
+  } satisfies Readonly<Record<PlaceName, string>>,
+  inside: { rim: "inside the rim", neck: "inside the neck", shoulder: "inside the shoulder" },
+  inPlaces: "in places",
+  closed: "The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  /** A sentence that ends without its full stop, and where that is. */
+  placed: (sentence: string, place: string) => `${sentence} (${place}).`,
+  ofPart: (name: string, sentence: string) => `${name}: ${sentence}`,
+  thinnedTo: (thinnest: string, place: string, share: string) =>
+    `The wall is thinned to ${thinnest} ${place}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share} of it is thinner than asked for.`,
+  thinned: (thinnest: string, place: string, asked: string) =>
+    `The wall is thinned to ${thinnest} ${place}, where the pot bends too tightly for ${asked}.`,
+  tooThin: (thin: string, place: string) =>
+    `The wall is only ${thin} thick ${place}: too thin for most clay and most printers at this size.`,
+  overhang: (angle: string, place: string) => `Overhang of ${angle} ${place}: a printer needs support there.`,
+  steepest: (angle: string, place: string) => `The steepest overhang is ${angle}, ${place}: it prints without support.`,
+  noOverhang: "Nothing hangs over: it prints without support.",
+  falls: "It falls over: its weight is not above its foot.",
+  fallsFull: "It stands empty, but falls over when it is full.",
+  stands: (empty: string) => `It stands: empty it tips when tilted by ${empty}.`,
+  standsFull: (empty: string, full: string) =>
+    `It stands: empty it tips when tilted by ${empty}, and when full by ${full}.`,
+  tips: (empty: string) => `It tips easily: empty when tilted by ${empty}.`,
+  tipsFull: (empty: string, full: string) => `It tips easily: empty when tilted by ${empty}, and when full by ${full}.`,
+  fittedFoot: (width: string, height: string) =>
+    `There is no room for the foot ring that was asked for: it is made ${width} wide and ${height} high.`,
+  fittedDrain: (width: string) => `There is no room for the drain that was asked for: it is made ${width} wide.`,
+  leftOut: "This part has no wall and is left out of the pots: with thickness and base it is one.",
+  remedies: {
+    outwards: "the clay laid outwards",
+    inwards: "the clay laid inwards",
+    wall: (thickness: string) => `a wall of ${thickness}`,
+    base: (thickness: string) => `a base of ${thickness}`,
+    flatRim: "a flat rim",
+    ring: (width: string, height: string) => `a ring ${width} wide and ${height} high`,
+    noRing: "no ring",
+    drain: (width: string) => `a drain of ${width}`,
+    noDrain: "no drain",
+    make: (changes: readonly string[]) => `Make it with ${changes.join(" and ")}`,
+  },
+});

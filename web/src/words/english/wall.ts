@@ -1,0 +1,45 @@
+/** What makes a surface a pot. */
+
+import type { WallKey } from "../../document/wall";
+import { phrases } from "../../language";
+
+export const wall = phrases("wall", {
+  fields: {
+    thickness: {
+      name: "Thickness",
+      help: "Through the clay, square to the wall. Where the pot bends more tightly than this, the wall is thinned.",
+    },
+    base: {
+      name: "Base",
+      help: "How thick the floor is. 0 leaves the pot open below, as a tube.",
+    },
+    "foot-0": {
+      name: "Ring width",
+      help: "How wide the ring is that the pot stands on.",
+    },
+    "foot-1": {
+      name: "Ring height",
+      help: "How far the underside is set back inside the ring.",
+    },
+    drain: {
+      name: "Drain hole",
+      help: "Across the hole in the middle of the base. 0 is none.",
+    },
+  } satisfies Readonly<Record<WallKey, { readonly name: string; readonly help: string }>>,
+  isSurface:
+    "This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or thrown.",
+  makePot: "Make it a pot",
+  remove: "Remove the wall",
+  footRing: "Foot ring",
+  rim: "Rim",
+  rims: {
+    flat: { label: "Flat", note: "Cut square across." },
+    rounded: { label: "Rounded", note: "Half a circle." },
+  },
+  laid: "Clay is laid",
+  sides: {
+    inside: { label: "Inwards", note: "What you shaped is the outside." },
+    outside: { label: "Outwards", note: "What you shaped is the lining." },
+  },
+  export: "Export it for making",
+});

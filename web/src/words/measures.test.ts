@@ -1,0 +1,125 @@
+import { expect, test } from "vitest";
+import type { Measures } from "../document/types";
+import { waterRange } from "../document/water";
+import { holdsText, measureGroups } from "./measures";
+
+const q = (value: number, error = 1e-12) => ({ value, error });
+
+const MEASURES = {
+  height: q(12.3),
+  bottom: -1,
+  top: 11.3,
+  width: { least: q(7), greatest: q(8.25), leastDirection: 90, greatestDirection: 0 },
+  area: q(300),
+  clay: { area: q(610), volume: q(90), mass: q(207) },
+  capacity: {
+    brim: q(420.5, 3e-9),
+    spill: { level: q(11, 1e-9), at: [1, 0, 11] },
+    floor: -0.5,
+    fill: null,
+    stopped: true,
+  },
+  centre: { empty: { at: [0, 0, 4], error: 1e-12 }, full: { at: [0.3, 0.4, 5], error: 1e-12 } },
+  footprint: { level: -1, area: q(10), hullArea: q(12), hull: [] },
+  tipping: { empty: { degrees: 24.31, error: 1e-9, toward: 0 }, full: { degrees: 19, error: 1e-9, toward: 10 } },
+  parts: [
+    {
+      part: 0,
+      name: null,
+      isPot: true,
+      reason: null,
+      capacityReason: null,
+      thickness: {
+        asked: 0.5,
+        least: { value: 0.4, error: 0, at: null },
+        greatest: { value: 0.5, error: 0 },
+        thinned: { value: 0.1, error: 0 },
+      },
+      overhang: { degrees: 31.2, error: 0, at: [0, 0, 0], face: "outer" },
+      curvature: {
+        mean: { least: { value: -0.5, error: 0, at: [0, 0, 0] }, greatest: null },
+        gaussian: { least: { value: -1, error: 0, at: [0, 0, 0] }, greatest: { value: 2, error: 0, at: [0, 0, 0] } },
+      },
+    },
+  ],
+} as unknown as Measures;
+
+const lines = (measures: Measures) =>
+  Object.fromEntries(
+    measureGroups(measures, 0, "cm").flatMap(({ lines: all }) =>
+      all.map(({ name, value, note }) => [name, `${value}${note ? ` (${note})` : ""}`.replaceAll("\u00a0", " ")]),
+    ),
+  );
+
+test("every measure is told with its unit", () => {
+  expect(lines(MEASURES)).toEqual({
+    Height: "12.3 cm",
+    "Greatest width": "8.25 cm (across, at 0°)",
+    "Least width": "7 cm (across, at 90°)",
+    "Area of the surface": "300 cm²",
+    "To the brim": "420.5 ml (with the drain hole stopped)",
+    "Spills at a height of": "12 cm",
+    Volume: "90 ml",
+    "Mass, fired": "207 g",
+    "Area to glaze, all sides": "610 cm²",
+    "Centre of mass": "5 cm (above the foot)",
+    "Centre of mass, full": "6 cm (above the foot, 0.5 cm from the axis)",
+    Footprint: "12 cm² (of which 10 cm² touch the table)",
+    "Tips when tilted by": "24.3° (towards 0°)",
+    "Tips when full, by": "19° (towards 10°)",
+    Thickness: "0.4 to 0.5 cm (0.5 cm was asked for)",
+    "Largest overhang": "31.2° (from upright, where it faces down)",
+    "Mean curvature": "−0.5 to no greatest /cm",
+    "Gaussian curvature": "−1 to 2 /cm²",
+  });
+});
+
+test("a pot on a round foot tips in every direction alike, and all of a full foot touches the table", () => {
+  const radius = 5 * Math.tan((24.31 * Math.PI) / 180);
+  const disc = q(Math.PI * radius * radius);
+  const on = (hullArea: { value: number; error: number }) =>
+    lines({ ...MEASURES, footprint: { level: -1, area: hullArea, hullArea, hull: [] } } as unknown as Measures);
+  expect(on(disc)).toMatchObject({ "Tips when tilted by": "24.3° (in every direction)" });
+  expect(on(disc).Footprint).toMatch(/\(all of it touches the table\)$/);
+  // A foot that is a little longer one way tips first the other way.
+  expect(on(q(1.001 * disc.value))).toMatchObject({ "Tips when tilted by": "24.3° (towards 0°)" });
+  // The water stands beside the axis: full, it tips to that side.
+  expect(on(disc)).toMatchObject({ "Tips when full, by": "19° (towards 10°)" });
+});
+
+test("errors are there to be told", () => {
+  const [size, capacity] = measureGroups(MEASURES, 0, "cm");
+  expect(size?.lines[0]?.error.replaceAll("\u00a0", " ")).toBe("± 10⁻¹²");
+  expect(capacity?.lines[0]?.error.replaceAll("\u00a0", " ")).toBe("± 3 × 10⁻⁹");
+});
+
+test("errors are in the unit of their numbers", () => {
+  const [, capacity] = measureGroups(MEASURES, 0, "mm");
+  expect(capacity?.lines[0]).toMatchObject({ value: "0.4205\u00a0ml", error: "±\u00a03\u00a0×\u00a010⁻¹²" });
+});
+
+test("what holds nothing says why", () => {
+  const [part] = MEASURES.parts;
+  if (!part) throw new Error("part");
+  const tube: Measures = { ...MEASURES, capacity: null, parts: [{ ...part, capacityReason: "a tube has no floor" }] };
+  expect(measureGroups(tube, 0, "cm")[1]).toMatchObject({ lines: [], reason: "A tube has no floor." });
+  expect(holdsText(tube, "cm")).toBe("A tube has no floor.");
+  expect(waterRange(tube)).toBeNull();
+});
+
+test("how much it holds, and between which heights water stands", () => {
+  expect(holdsText(MEASURES, "cm").replaceAll("\u00a0", " ")).toBe(
+    "Holds 421 ml to the brim with its drain hole stopped.",
+  );
+  const range = waterRange(MEASURES);
+  expect(range?.low).toBe(-0.5);
+  expect(range?.high).toBeCloseTo(11, 8);
+  expect(range?.high).toBeLessThan(11);
+});
+
+test("a round pot has one width", () => {
+  const { width } = MEASURES;
+  const round = lines({ ...MEASURES, width: { ...width, least: width.greatest } });
+  expect(round.Width).toBe("8.25 cm (the same all round)");
+  expect(round["Least width"]).toBeUndefined();
+});

@@ -1,0 +1,215 @@
+/** Measures as the panel lists them, and what can be said of a pot that holds water. */
+
+import type { Curvature, Measures, PartMeasures, Quantity, Triple, Unit } from "../document/types";
+import { millilitres } from "../document/volume";
+import { formatNumber } from "../number";
+import { measures as said } from "./english/measures";
+import { quantities } from "./english/quantities";
+import {
+  angleWords,
+  areaShown,
+  areaWords,
+  errorWords,
+  lengthShown,
+  lengthWords,
+  massShown,
+  ouncesWords,
+  type Shown,
+  volumeShown,
+  volumeWords,
+  words,
+} from "./quantities";
+import { libraryWords } from "./refusals";
+
+/** Areas whose difference nobody can measure are the same. */
+const SAME = 1e-4;
+
+/** Digits of heights and widths, as in the caption and on the dimension lines; and where they are told exactly. */
+const SIZE_DIGITS = 3;
+const EXACT_DIGITS = 7;
+
+/** One line of the panel. */
+export interface Line {
+  readonly name: string;
+  readonly value: string;
+  /** How far it may be off, in words; empty where it is read off to the digits shown. */
+  readonly error: string;
+  /** What the number means, or where it is. */
+  readonly note?: string;
+}
+
+export interface Group {
+  readonly title: string;
+  readonly lines: readonly Line[];
+  /** Why there are no numbers, in words. */
+  readonly reason?: string;
+}
+
+/** Everything that was measured; `part` is the one whose wall and curvature are told. Sizes have the digits that the stage shows, unless they are told as exactly as they are known. */
+export function measureGroups(measures: Measures, part: number, unit: Unit, exact = false): readonly Group[] {
+  const own = measures.parts[part];
+  return [
+    sizes(measures, unit, exact),
+    ...held(measures, unit),
+    ...clay(measures, unit),
+    ...standing(measures, unit),
+  ].concat(own ? wall(own, unit) : []);
+}
+
+function sizes({ height, width, area }: Measures, unit: Unit, exact: boolean): Group {
+  const length = lengthShown(unit);
+  const size = (name: string, measure: Quantity, note?: string) =>
+    quantity(name, measure, length, note, exact ? EXACT_DIGITS : SIZE_DIGITS);
+  return {
+    title: said.size,
+    lines: [
+      size(said.height, height),
+      ...(isRound(width)
+        ? [size(said.width, width.greatest, said.sameAllRound)]
+        : [
+            size(said.greatestWidth, width.greatest, said.across(angleWords(width.greatestDirection))),
+            size(said.leastWidth, width.least, said.across(angleWords(width.leastDirection))),
+          ]),
+      quantity(said.surface, area, areaShown(unit)),
+    ],
+  };
+}
+
+/** Widths that differ by less than anyone can measure have no direction worth telling. */
+function isRound({ greatest, least }: Measures["width"]): boolean {
+  return greatest.value - least.value <= 1e-6 * greatest.value;
+}
+
+function held(measures: Measures, unit: Unit): readonly Group[] {
+  const { capacity } = measures;
+  if (!capacity) return [{ title: said.capacity, lines: [], reason: emptyReason(measures) }];
+  const { brim, spill, stopped } = capacity;
+  const notes = [
+    ...(stopped ? [said.stopped] : []),
+    ...(unit === "in" ? [ouncesWords(millilitres(brim.value, unit))] : []),
+  ];
+  return [
+    {
+      title: said.capacity,
+      lines: [
+        quantity(said.brim, brim, volumeShown(brim.value, unit), notes.length > 0 ? said.notes(notes) : undefined),
+        quantity(said.spills, aboveFoot(spill.level, measures.bottom), lengthShown(unit)),
+      ],
+    },
+  ];
+}
+
+/** Why a design holds nothing. */
+export function emptyReason({ parts }: Measures): string {
+  const reasons = parts.map((part) => part.capacityReason ?? part.reason);
+  const reason = reasons.find((each) => each !== null) ?? null;
+  return reason === null ? said.holdsNothing : libraryWords(reason);
+}
+
+function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
+  if (!body) return [];
+  return [
+    {
+      title: said.clay,
+      lines: [
+        quantity(said.volume, body.volume, volumeShown(body.volume.value, unit)),
+        quantity(said.mass, body.mass, massShown(body.mass.value)),
+        quantity(said.glazed, body.area, areaShown(unit)),
+      ],
+    },
+  ];
+}
+
+function standing({ centre, tipping, footprint, bottom }: Measures, unit: Unit): readonly Group[] {
+  const lines: Line[] = [];
+  const heavy = (name: string, at: { readonly at: Triple; readonly error: number } | null) => {
+    if (!at) return;
+    const [x, y, z] = at.at;
+    const off = Math.hypot(x, y);
+    lines.push({
+      name,
+      value: lengthWords(z - bottom, unit),
+      error: errorWords(at.error),
+      note: off > 1e-6 * Math.abs(z - bottom) ? said.aboveFootOff(lengthWords(off, unit, 3)) : said.aboveFoot,
+    });
+  };
+  heavy(said.centre, centre.empty);
+  heavy(said.centreFull, centre.full);
+  if (footprint) {
+    const { area, hullArea } = footprint;
+    const touching =
+      hullArea.value - area.value <= SAME * hullArea.value
+        ? said.allTouches
+        : said.touches(areaWords(area.value, unit));
+    lines.push(quantity(said.footprint, hullArea, areaShown(unit), touching));
+  }
+  const tips = (name: string, tip: Measures["tipping"]["empty"], heavyAt: { readonly at: Triple } | null) => {
+    if (!tip) return;
+    // What it stands on contains the disc that reaches to the nearest edge, and is that disc if it is no larger.
+    const nearest = heavyAt ? (heavyAt.at[2] - bottom) * Math.tan((tip.degrees * Math.PI) / 180) : 0;
+    const disc = Math.PI * nearest * nearest;
+    const round = footprint !== null && Math.abs(footprint.hullArea.value - disc) <= SAME * disc;
+    const note = round ? said.everyWay : said.towards(angleWords(tip.toward));
+    lines.push({ name, value: angleWords(tip.degrees), error: errorWords(tip.error), note });
+  };
+  tips(said.tips, tipping.empty, centre.empty);
+  tips(said.tipsFull, tipping.full, centre.full);
+  return lines.length > 0 ? [{ title: said.standing, lines }] : [];
+}
+
+function wall(part: PartMeasures, unit: Unit): readonly Group[] {
+  const { thickness, overhang, overhangInside, curvature } = part;
+  const length = (value: number) => lengthWords(value, unit);
+  const lines: Line[] = [];
+  if (thickness) {
+    const { least, greatest } = thickness;
+    const same = formatNumber(least.value, 4) === formatNumber(greatest.value, 4);
+    lines.push({
+      name: said.thickness,
+      value: same ? length(least.value) : said.range(formatNumber(least.value, 4), length(greatest.value)),
+      error: errorWords(Math.max(least.error, greatest.error)),
+      ...(same ? {} : { note: said.askedFor(length(thickness.asked)) }),
+    });
+  }
+  for (const [name, hangs] of [
+    [overhangInside ? said.overhangOutside : said.overhang, overhang],
+    [said.overhangInside, overhangInside],
+  ] as const) {
+    if (!hangs) continue;
+    const { degrees } = hangs;
+    const error = errorWords(hangs.error);
+    lines.push(
+      degrees > 0
+        ? { name, value: angleWords(degrees), error, note: said.fromUpright }
+        : { name, value: said.none, error, note: said.nothingFacesDown },
+    );
+  }
+  lines.push(...curved(said.mean, curvature.mean, quantities.bent[unit]));
+  lines.push(...curved(said.gaussian, curvature.gaussian, quantities.bentTwice[unit]));
+  return [{ title: said.wall, lines }];
+}
+
+function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
+  const end = (extreme: { readonly value: number } | null, otherwise: string) =>
+    extreme ? formatNumber(extreme.value, 4) : otherwise;
+  const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));
+  const range = said.range(end(least, said.noLeast), end(greatest, said.noGreatest));
+  return [{ name, value: quantities.measured(range, unit), error }];
+}
+
+function aboveFoot({ value, error }: Quantity, bottom: number): Quantity {
+  return { value: value - bottom, error };
+}
+
+function quantity(name: string, { value, error }: Quantity, shown: Shown, note?: string, digits?: number): Line {
+  const line = { name, value: words(value, shown, digits), error: errorWords(error * shown.factor) };
+  return note === undefined ? line : { ...line, note };
+}
+
+/** "Holds 820 ml to the brim."; or why it holds nothing. */
+export function holdsText(measures: Measures, unit: Unit): string {
+  const { capacity } = measures;
+  if (!capacity) return emptyReason(measures);
+  const volume = volumeWords(capacity.brim.value, unit, 3);
+  return capacity.stopped ? said.holdsStopped(volume) : said.holds(volume);
+}

@@ -1,0 +1,195 @@
+/** Whether a pot can be made, in sentences: what the checks found, where the wall is thin, what needs support, how it stands. */
+
+import { hangingInside, type Outline, placeOf } from "../document/places";
+import { UNITS as MILLIMETRES } from "../document/tables.gen";
+import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "../document/types";
+import { isolated } from "../language";
+import { formatNumber } from "../number";
+import { quantities } from "./english/quantities";
+import { report as said } from "./english/report";
+import { partName } from "./parts";
+import { degreesWords, lengthWords } from "./quantities";
+import { libraryWords, whyWords } from "./refusals";
+import { fittedWords } from "./remedies";
+
+export type Severity = "error" | "warning" | "note" | "good";
+
+export interface Sentence {
+  readonly severity: Severity;
+  readonly text: string;
+}
+
+/** Steeper than this, printed layers hang in the air. */
+const SUPPORT_DEGREES = 45;
+
+/** Two lines of the usual nozzle of 0.4 mm. */
+const LEAST_PRINTED_MM = 0.8;
+
+/** A pot that tips sooner than this is knocked over by a cat. */
+const STEADY_DEGREES = 10;
+
+/** The code of a finding of the checks. */
+const THINNED = "thinned";
+
+/** Codes of findings that the page says by itself, from the measures and in the unit of the design. */
+const MEASURED: readonly string[] = ["too-thin", "overhang"];
+
+const ORDER: readonly Severity[] = ["error", "warning", "note", "good"];
+
+/** The worst comes first. */
+export function verdict(
+  measures: Measures | null,
+  report: Report | null,
+  outline: Outline,
+  unit: Unit,
+): readonly Sentence[] {
+  const thinned = (report?.findings ?? []).filter(({ code }) => code === THINNED).map(({ part }) => part);
+  return [
+    ...(report ? checked(report, outline, unit) : []),
+    ...(measures ? measured(measures, outline, unit, thinned) : []),
+  ].sort(worstFirst);
+}
+
+/** What stands in the way of making a file of this size: what the checks say of it, and where its wall is thin; `millimetres` is how many a model unit has in it. */
+export function madeOf(
+  report: Report,
+  measures: Measures,
+  outline: Outline,
+  unit: Unit,
+  millimetres: number,
+): readonly Sentence[] {
+  return [
+    ...checked(report, outline, unit),
+    ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
+  ].sort(worstFirst);
+}
+
+function worstFirst(a: Sentence, b: Sentence): number {
+  return ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity);
+}
+
+/** What the checks say of the very triangles that a file holds. */
+export function checked(report: Report, outline: Outline, unit: Unit): readonly Sentence[] {
+  const sentences = report.findings
+    .filter(({ code }) => !MEASURED.includes(code))
+    .map((finding) => ({
+      severity: finding.severity,
+      text:
+        finding.code === THINNED
+          ? thinnedWords(finding, report, outline, unit)
+          : (fittedWords(finding, unit) ?? findingWords(finding, outline)),
+    }));
+  const closed: Sentence = {
+    severity: "good",
+    text: said.closed,
+  };
+  return report.ok ? [...sentences, closed] : sentences;
+}
+
+/** A finding as a sentence, with the name of its place. */
+export function findingWords({ code, severity, message, at }: Finding, outline: Outline): string {
+  // A part without a wall is an error by itself, and beside pots left out.
+  const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : whyWords({ code, path: "", message });
+  if (!at || outline.length < 2) return sentence;
+  const place = whereWords(at, outline);
+  return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
+}
+
+/** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
+function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
+  const { part, at } = finding;
+  const mesh = meshes.find((each) => each.part === part);
+  if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline);
+  const share = quantities.percent(formatNumber(Math.max(0.1, 100 * mesh.thinned), 2));
+  return said.thinnedTo(lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline), share);
+}
+
+function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
+  return [
+    ...inParts(measures, (part) => ofPart(part, outline, unit, thinned.includes(part.part))),
+    ...stands(measures),
+  ];
+}
+
+/** What is said of each part, with its name where there are several. */
+function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
+  const several = measures.parts.length > 1;
+  return measures.parts.flatMap((part) => {
+    const name = several ? isolated(partName(part.part, part.name)) : null;
+    return words(part).map(({ severity, text }) => ({
+      severity,
+      text: name === null ? text : said.ofPart(name, text),
+    }));
+  });
+}
+
+function whereWords(at: Triple | null, outline: Outline): string {
+  return at ? said.places[placeOf(at, outline)] : said.inPlaces;
+}
+
+/** A wall that is too thin to be made where a model unit is so many millimetres. */
+function thinWords({ thickness }: PartMeasures, outline: Outline, millimetres: number): readonly Sentence[] {
+  if (!thickness || thickness.least.value * millimetres >= LEAST_PRINTED_MM) return [];
+  const { value, at } = thickness.least;
+  const thin = lengthWords(value * millimetres, "mm", 2);
+  return [
+    {
+      severity: "warning",
+      text: said.tooThin(thin, whereWords(at, outline)),
+    },
+  ];
+}
+
+function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean): readonly Sentence[] {
+  const sentences: Sentence[] = [];
+  const say = (severity: Severity, text: string) => sentences.push({ severity, text });
+  const where = (at: Triple | null) => whereWords(at, outline);
+  if (!part.isPot && part.reason) say("error", libraryWords(part.reason));
+  const { thickness } = part;
+  if (thickness) {
+    const { least, asked } = thickness;
+    const thin = lengthWords(least.value, unit, 3);
+    if (part.thickness?.thinned.value && !told) {
+      say("warning", said.thinned(thin, where(least.at), lengthWords(asked, unit, 3)));
+    }
+  }
+  sentences.push(...thinWords(part, outline, MILLIMETRES[unit]));
+  sentences.push(...overhangs(part, outline));
+  return sentences;
+}
+
+/** A printer builds both sides of the wall: the pot prints without support where neither hangs over too far. */
+function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline): readonly Sentence[] {
+  const sides = [
+    ...(overhang ? [{ degrees: overhang.degrees, place: whereWords(overhang.at, outline) }] : []),
+    ...(overhangInside
+      ? [{ degrees: overhangInside.degrees, place: said.inside[hangingInside(overhangInside.at, outline)] }]
+      : []),
+  ].sort((a, b) => b.degrees - a.degrees);
+  const [steepest] = sides;
+  if (!steepest) return [];
+  const hanging = sides.filter(({ degrees }) => degrees > SUPPORT_DEGREES);
+  if (hanging.length > 0) {
+    return hanging.map(({ degrees, place }) => ({
+      severity: "warning",
+      text: said.overhang(degreesWords(degrees), place),
+    }));
+  }
+  const text = steepest.degrees > 1 ? said.steepest(degreesWords(steepest.degrees), steepest.place) : said.noOverhang;
+  return [{ severity: "good", text }];
+}
+
+function stands({ tipping: { empty, full } }: Measures): readonly Sentence[] {
+  if (!empty) return [];
+  if (empty.degrees === 0) {
+    return [{ severity: "error", text: said.falls }];
+  }
+  if (full && full.degrees === 0) {
+    return [{ severity: "error", text: said.fallsFull }];
+  }
+  const steady = Math.min(empty.degrees, full?.degrees ?? empty.degrees) >= STEADY_DEGREES;
+  const by = degreesWords(empty.degrees);
+  const [alone, both] = steady ? [said.stands, said.standsFull] : [said.tips, said.tipsFull];
+  const text = full ? both(by, degreesWords(full.degrees)) : alone(by);
+  return [{ severity: steady ? "good" : "warning", text }];
+}

@@ -1,0 +1,9 @@
+/** What is said of what was typed where a number is wanted. */
+
+import { isolated } from "../language";
+import type { NumberProblem } from "../number";
+import { controls } from "./english/controls";
+
+export function numberProblemWords(problem: NumberProblem): string {
+  return controls.typed[problem.code](problem.code === "no-number" ? isolated(problem.typed) : "");
+}
