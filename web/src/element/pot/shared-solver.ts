@@ -1,7 +1,7 @@
 /** One solver for all elements of a page: started with the first, ended with the last. A page that has one of its own lends it. */
 
 import { SolverClient } from "../../solver/client";
-import { startWorker } from "../../solver/start";
+import { startWorker } from "../../solver/start-anywhere";
 
 let lent: SolverClient | null = null;
 let own: SolverClient | null = null;
