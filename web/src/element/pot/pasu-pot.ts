@@ -454,7 +454,8 @@ export class PasuPotElement extends LitElement implements Contract {
   private sliders() {
     const { fields } = this;
     if (fields.length === 0) return nothing;
-    void import("./sliders");
+    // Without a network there is the pot alone.
+    import("./sliders").catch(() => {});
     return html`<div class="sliders" part="sliders" role="group" aria-label=${pot.parameters} @input=${keep} @change=${keep}
       @number-change=${keep} @number-done=${keep} @number-cancel=${keep}>
       <pasu-pot-sliders
