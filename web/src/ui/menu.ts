@@ -81,7 +81,9 @@ export class PasuMenu extends LitElement {
         right: 0;
         top: calc(100% + 6px);
         grid-template-columns: var(--menu-columns, 1fr);
+        width: max-content;
         min-width: 210px;
+        max-width: calc(100vw - 16px);
         padding: 6px;
         border: 1px solid var(--line);
         border-radius: 12px;

@@ -83,7 +83,7 @@ group("a pot in words", () => {
     const grid = pot(() => 1, up(3));
     const told = { body: bodyOf(grid), closed: isClosed(grid), lift: 0 };
     const both = factsOf([told, told], box(grid), extentsOf(grid.positions) as Extents);
-    expect(describe(both as Facts, "mm")).toContain("It is made of two parts.");
+    expect(describe(both as Facts, "mm")).toMatch(/^Two parts, .* high and .* wide together\.$/);
   });
   test("a part that is moved upwards is widest where it was", () => {
     const grid = pot((u) => 0.6 + 0.7 * Math.sin(Math.PI * u), up(2.4));

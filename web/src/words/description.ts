@@ -9,9 +9,10 @@ import { spokenLength } from "./quantities";
 
 const DIGITS = 3;
 
-/** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." */
+/** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." What is made of several parts has none of these as a whole: "Three parts, 4.2 cm high and 14.4 cm wide together." */
 export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents = shape.extents): string {
   const length = (value: number) => spokenLength(value, unit, DIGITS);
+  if (shape.parts > 1) return description.parts(shape.parts, length(height), length(greatest.width));
   const marks: string[] = [];
   if (shape.petals === 2) marks.push(description.oval[shape.petalsAt]);
   if (shape.petals > 2) marks.push(description.petals[shape.petalsAt](shape.petals));
@@ -28,7 +29,6 @@ export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents
     ),
   ];
   if (!shape.closed) said.push(description.open);
-  if (shape.parts > 1) said.push(description.parts(shape.parts));
   return description.sentences(said);
 }
 

@@ -2,21 +2,8 @@
 
 import { phrases } from "../../language";
 
-const COUNTS = [
-  "no",
-  "one",
-  "two",
-  "three",
-  "four",
-  "five",
-  "six",
-  "seven",
-  "eight",
-  "nine",
-  "ten",
-  "eleven",
-  "twelve",
-];
+/** From two. */
+const COUNTS = ["Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"];
 
 export const description = phrases("description", {
   forms: { plate: "A plate", bowl: "A bowl", bottle: "A bottle", jar: "A jar", vase: "A vase" },
@@ -39,7 +26,8 @@ export const description = phrases("description", {
   pot: (form: string, high: string, wide: string, widest: string, marks: string | null) =>
     `${form} ${high} high and ${wide} wide, ${widest}${marks === null ? "" : `, with ${marks}`}.`,
   open: "The wall does not close.",
-  parts: (count: number) => `It is made of ${COUNTS[count] ?? count} parts.`,
+  parts: (count: number, high: string, wide: string) =>
+    `${COUNTS[count - 2] ?? count} parts, ${high} high and ${wide} wide together.`,
   sentences: (all: readonly string[]) => all.join(" "),
   accuracy: (within: string) => `Drawn to within ${within} of the true surface.`,
 });
