@@ -137,9 +137,15 @@ test.each<[string, VisitOptions]>([
         await page.check(`the format ${format}`);
       }
     });
-    for (const name of ["New", "Gallery", "Picture", "Help"]) {
+    for (const name of ["New", "Gallery", "My designs", "Picture", "Help"]) {
       await page.dialogue(name, () => page.check(`the dialogue “${name}”`));
     }
+    await page.dialogue("My designs", async () => {
+      await page.button("Save to the shelf").click();
+      await page.button("Undo").last().waitFor();
+      await pot.page.locator("pasu-shelf .pieces li").waitFor();
+      await page.check("a design on the shelf");
+    });
   },
 );
 

@@ -4,12 +4,13 @@ import "./app/pasu-app";
 import { spokenTag } from "./language";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
-import { browserShelf } from "./state/storage";
+import { browserShelf, tabShelf } from "./state/storage";
 import { pictured } from "./sw/pictured";
 import { registerOffline } from "./sw/register";
 import { choose } from "./words/languages";
 import { Designer } from "./work/designer";
 import { saveBlob } from "./work/files";
+import { claimTab } from "./work/tab-lock";
 
 const choosing = choose(new URLSearchParams(location.search).get("lang"), navigator.languages);
 // English waits for nothing.
@@ -20,6 +21,8 @@ function start(): void {
   document.documentElement.lang = spokenTag();
   const designer = new Designer(new SolverClient(startWorker), {
     shelf: browserShelf(),
+    tabShelf: tabShelf(),
+    claim: claimTab,
     address,
     fragment: () => (location.hash.length > 1 ? location.hash : ""),
     writeFragment: (link) => {

@@ -27,6 +27,7 @@ const NOTICE_MS = 6000;
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
+  shelf: () => import("./dialogs/shelf-dialog"),
   help: () => import("./dialogs/help-dialog"),
   picture: () => import("./dialogs/picture-dialog"),
   export: () => import("./dialogs/export-dialog"),
@@ -150,6 +151,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-new .designer=${designer} @new-closed=${close}></pasu-new>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
+      case "shelf":
+        return html`<pasu-shelf .designer=${designer} @shelf-closed=${close}></pasu-shelf>`;
       case "help":
         return html`<pasu-help @help-closed=${close}></pasu-help>`;
       case "picture":
@@ -167,6 +170,7 @@ export class PasuApp extends DesignerElement {
     switch (command) {
       case "new":
       case "gallery":
+      case "shelf":
       case "help":
       case "picture":
       case "export":

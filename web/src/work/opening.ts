@@ -82,8 +82,10 @@ export class Opening {
   /** Opens what the address asks for, or the work that this browser kept, or leaves what is there. */
   async start(): Promise<void> {
     this.#solver.warm();
-    const { foreignFragment: fragment, work } = this.#keeper;
+    const { foreignFragment: fragment } = this.#keeper;
+    const arriving = this.#keeper.arrive();
     const linked = fragment === "" ? null : await this.#solver.parse(fragment);
+    const work = await arriving;
     if (linked?.state === "refused") this.#problem.value = linked.refusal;
     const theirs = linked?.state === "done" ? linked.value : null;
     if (theirs && (!work?.unsaved || work.link === theirs.link)) {

@@ -36,6 +36,7 @@ export const page = phrases("page", {
   commands: {
     new: "New",
     gallery: "Gallery",
+    shelf: "My designs",
     open: "Open",
     save: "Save",
     export: "Export",

@@ -1,0 +1,100 @@
+// Several designs: each tab keeps its own, and the shelf those that a person saved.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, Visit, type VisitOptions } from "../support/visit.ts";
+
+const here = stay();
+
+/** Where pictures for the eye go, when somebody wants them. */
+const SHOTS = process.env.PASU_SHOTS;
+
+/** Another tab of the same browser. */
+async function anotherTab(pot: Visit, link = ""): Promise<Visit> {
+  const there = new Visit(pot.context, await pot.context.newPage(), pot.url);
+  await there.page.goto(pot.url + link);
+  return there;
+}
+
+test("two tabs keep two designs, and a closed tab's work is gone on with", async () => {
+  const mine = await here.enter({ link: "#1/second-order" });
+  const first = await mine.fingerprint();
+  await mine.type("Height", "5");
+  const tall = await mine.fingerprintOtherThan(first);
+  await expect.poll(() => mine.address()).toContain("height=5");
+  const other = await anotherTab(mine, "#1/second-order");
+  await other.shows(first);
+  await other.type("Height", "2");
+  const low = await other.fingerprintOtherThan(first);
+  await expect.poll(() => other.address()).toContain("height=2");
+  await mine.page.goto(mine.url);
+  await mine.shows(tall);
+  await other.page.goto(mine.url);
+  await other.shows(low);
+  const third = await anotherTab(mine);
+  const fresh = await third.fingerprint();
+  expect([tall, low]).not.toContain(fresh);
+  await other.page.close();
+  const fourth = await anotherTab(mine);
+  await fourth.shows(low);
+});
+
+test.each<[string, VisitOptions]>([
+  ["light", { colorScheme: "light", viewport: { width: 1280, height: 800 } }],
+  ["dark, on a phone", { ...PHONE, colorScheme: "dark" }],
+])("designs are saved, renamed, duplicated, deleted, taken back and opened, %s", async (name, options) => {
+  const pot = await here.enter({ link: "#1/second-order?title=Cup", ...options });
+  const cup = await pot.fingerprint();
+  await pot.command("My designs");
+  const shelf = pot.dialog("My designs");
+  await shelf.getByText("Nothing is on the shelf yet.").waitFor();
+  await shelf.getByRole("button", { name: "Save to the shelf" }).click();
+  await shelf.getByText("The pot on the stage is on the shelf.").waitFor();
+  const titles = () =>
+    shelf.getByRole("textbox").evaluateAll((all) => all.map((each) => (each as HTMLInputElement).value));
+  expect(await titles()).toEqual(["Cup"]);
+  await shelf.getByRole("button", { name: "Duplicate “Cup”" }).click();
+  await expect.poll(titles).toEqual(["Cup (copy)", "Cup"]);
+  await shelf.getByRole("textbox").first().fill("Beaker");
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(titles).toEqual(["Beaker", "Cup"]);
+  await shelf.locator("canvas[data-drawn=true]").nth(1).waitFor();
+  expect(await findings(pot)).toEqual([]);
+  if (SHOTS) await pot.page.screenshot({ path: `${SHOTS}/shelf-${name}.png` });
+  await shelf.getByRole("button", { name: "Delete “Cup”" }).click();
+  await expect.poll(titles).toEqual(["Beaker"]);
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(titles).toEqual(["Beaker", "Cup"]);
+  await pot.page.keyboard.press("Escape");
+
+  await pot.type("Height", "5");
+  const tall = await pot.fingerprintOtherThan(cup);
+  await pot.command("My designs");
+  await shelf.getByText("is not on the shelf as it is now").waitFor();
+  await shelf.getByRole("button", { name: "Replace “Beaker” with the pot on the stage" }).click();
+  await shelf.getByText("“Beaker” is as on the stage now.").waitFor();
+  await shelf.getByRole("button", { name: "Undo" }).click();
+  await shelf.getByText("Taken back.").waitFor();
+  await shelf.getByRole("button", { name: "Open “Beaker”" }).click();
+  await shelf.waitFor({ state: "detached" });
+  await pot.shows(cup);
+  expect(await pot.page.title()).toBe("Beaker · Pasu");
+  await pot.undo();
+  await pot.shows(tall);
+});
+
+test("where nothing can be stored the shelf says so", async () => {
+  const before = async ({ context }: Visit) => {
+    await context.addInitScript(() => {
+      Storage.prototype.setItem = () => {
+        throw new DOMException("full", "QuotaExceededError");
+      };
+    });
+  };
+  const pot = await here.enter({ link: "#1/second-order", before });
+  await pot.fingerprint();
+  await pot.command("My designs");
+  await pot.button("Save to the shelf").click();
+  await pot.dialog("My designs").getByText("This browser has no room for it").waitFor();
+});
