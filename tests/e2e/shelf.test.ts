@@ -98,3 +98,24 @@ test("where nothing can be stored the shelf says so", async () => {
   await pot.button("Save to the shelf").click();
   await pot.dialog("My designs").getByText("This browser has no room for it").waitFor();
 });
+
+test("undo survives a reload", async () => {
+  const pot = await here.enter({ link: "#1/second-order" });
+  const first = await pot.fingerprint();
+  await pot.type("Height", "5");
+  const second = await pot.fingerprintOtherThan(first);
+  await pot.type("Height", "6");
+  const third = await pot.fingerprintOtherThan(second);
+  await pot.undo();
+  await pot.shows(second);
+  await expect.poll(() => pot.address()).toContain("height=5");
+  await pot.page.reload();
+  await pot.shows(second);
+  await pot.redo();
+  await pot.shows(third);
+  await pot.undo();
+  await pot.shows(second);
+  await pot.undo();
+  await pot.shows(first);
+  expect(await pot.history("Undo").isDisabled()).toBe(true);
+});

@@ -6,6 +6,7 @@
 import { FORMAT_NAMES } from "../document/format";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
+import { type Steps, stepsFrom } from "./steps";
 
 export type Place = "link and browser" | "browser" | "nowhere";
 
@@ -63,6 +64,7 @@ const OLD_TAB = "old";
 /** Followed by what identifies a piece of the shelf: whoever writes one touches no other. */
 const PIECE_KEY = "pasu.piece.";
 const TAB_KEY = "pasu.tab";
+const STEPS_KEY = "pasu.steps";
 /** So many works of closed tabs are kept that are in a file or in a link anyway. */
 const MOST_SAVED = 12;
 const SETTINGS_KEY = "pasu.settings";
@@ -248,5 +250,17 @@ function write(shelf: Shelf | null, key: string, text: string): boolean {
     return shelf !== null;
   } catch {
     return false;
+  }
+}
+
+export function keepSteps(tabShelf: Shelf | null, steps: Steps): boolean {
+  return write(tabShelf, STEPS_KEY, JSON.stringify(steps));
+}
+
+export function readSteps(tabShelf: Shelf | null): Steps | null {
+  try {
+    return stepsFrom(tabShelf?.getItem(STEPS_KEY) ?? null);
+  } catch {
+    return null;
   }
 }

@@ -10,6 +10,7 @@ import { keepSettings, keepWork } from "../state/storage";
 import type { Store } from "../state/store";
 import { page } from "../words/english/page";
 import { fileName } from "./files";
+import { Memory } from "./memory";
 import type { Notices } from "./notices";
 import type { Origin } from "./origin";
 import { type Claim, Seat } from "./seat";
@@ -37,6 +38,7 @@ export class Keeper {
   readonly #notices: Notices;
   readonly #around: Surroundings;
   readonly #seat: Seat;
+  readonly #memory: Memory;
   readonly #saved: Signal<Design>;
   readonly #unsaved = computed(() => this.#store.design !== this.#saved.value);
   /** Whether the address holds something that a person has still to decide about, or to read about. */
@@ -60,6 +62,7 @@ export class Keeper {
     this.#solver = solver;
     this.#notices = notices;
     this.#around = around;
+    this.#memory = new Memory(around.tabShelf, solver);
     this.#seat = new Seat(around.shelf, around.tabShelf, around.claim);
     this.#saved = signal(store.design);
     this.#keptSettings = store.session;
@@ -89,6 +92,11 @@ export class Keeper {
   /** Where this browser keeps things. */
   get shelf(): Shelf | null {
     return this.#around.shelf;
+  }
+
+  /** Brings back what could be undone and redone before a reload, where the design of this link was left. */
+  async recall(link: string): Promise<void> {
+    await this.#memory.recall(link, this.#store);
   }
 
   /** Leaves the address alone while this holds. */
@@ -174,6 +182,7 @@ export class Keeper {
     const text = JSON.stringify(shown.design);
     const unsaved = shown.design !== this.#saved.peek();
     const origin = JSON.stringify(this.#origin.of(shown.design));
+    if (shown.design === this.#store.design) this.#memory.keep(shown.solved.link, this.#store);
     const kept = keepWork(this.#around.shelf, this.#seat.name, { text, link: shown.solved.link, unsaved, origin });
     if (kept || !unsaved || this.#warned) return;
     this.#warned = true;

@@ -90,12 +90,14 @@ export class Opening {
     const theirs = linked?.state === "done" ? linked.value : null;
     if (theirs && (!work?.unsaved || work.link === theirs.link)) {
       await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
+      await this.#keeper.recall(theirs.link);
       return;
     }
     const mine = work ? await this.#solver.parse(work.text) : null;
     if (mine?.state === "done") {
       await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
       if (theirs) this.#conflict.value = { theirs };
+      await this.#keeper.recall(mine.value.link);
     } else {
       await this.#begin(theirs?.design ?? this.#store.design, true);
     }
