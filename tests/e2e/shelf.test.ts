@@ -119,3 +119,36 @@ test("undo survives a reload", async () => {
   await pot.shows(first);
   expect(await pot.history("Undo").isDisabled()).toBe(true);
 });
+
+test("a link carries the view, the cut and the overlay when that is chosen", async () => {
+  const mine = await here.enter({ link: "#1/second-order" });
+  const cup = await mine.fingerprint();
+  await mine.button("Overlays").click();
+  await mine.page.getByRole("checkbox", { name: "Cut open" }).check();
+  await mine.page.getByRole("checkbox", { name: "Wireframe" }).check();
+  await mine.button("Link with this view").click();
+  const dialog = mine.dialog("The link of this pot");
+  const shown = dialog.getByRole("textbox", { name: "Link" });
+  expect(await shown.inputValue()).toBe(`${mine.url}#1/second-order`);
+  await dialog.getByRole("checkbox", { name: "With this view" }).check();
+  expect(await findings(mine)).toEqual([]);
+  await dialog.getByRole("button", { name: "Copy" }).click();
+  await dialog.getByText("Copied.").waitFor();
+  const address = await mine.page.evaluate(() => navigator.clipboard.readText());
+  expect(address).toContain("&cut=1&show=wireframe&map=none#1/second-order");
+
+  const other = address.replace(/view=[^&]*/, "view=90,20,2").slice(mine.url.length);
+  const theirs = await here.enter({ link: other });
+  await theirs.shows(cup);
+  await expect.poll(() => theirs.page.evaluate(() => location.href)).toBe(`${theirs.url}#1/second-order`);
+  await theirs.button("Overlays").click();
+  expect(await theirs.page.getByRole("checkbox", { name: "Cut open" }).isChecked()).toBe(true);
+  expect(await theirs.page.getByRole("checkbox", { name: "Wireframe" }).isChecked()).toBe(true);
+  await theirs.button("Link with this view").click();
+  await theirs.page.getByRole("checkbox", { name: "With this view" }).check();
+  expect(await theirs.page.getByRole("textbox", { name: "Link" }).inputValue()).toContain("?view=90,20,2&cut=1");
+
+  const damaged = await here.enter({ link: "?view=up&cut=1#1/second-order" });
+  await damaged.page.getByText("Part of how this link shows the pot could not be read").waitFor();
+  await damaged.shows(cup);
+});

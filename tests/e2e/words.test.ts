@@ -117,6 +117,12 @@ test.each<[string, VisitOptions]>([
     await page.button("Overlays").click();
     await pot.page.getByRole("checkbox", { name: marked("Axes and dimensions") }).check();
     await page.check("the overlays");
+    await page.dialogue("Link with this view", async () => {
+      await page.button("Copy").click();
+      await pot.page.locator("pasu-link .copied").filter({ hasText: /\S/ }).waitFor();
+      await page.check("the link with the view");
+    });
+    await page.button("Overlays").click();
     await pot.page.keyboard.press("Escape");
     if (await page.button("View").isVisible()) {
       await page.button("View").click();
