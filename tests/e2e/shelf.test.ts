@@ -28,8 +28,10 @@ test("two tabs keep two designs, and a closed tab's work is gone on with", async
   await other.type("Height", "2");
   const low = await other.fingerprintOtherThan(first);
   await expect.poll(() => other.address()).toContain("height=2");
+  await mine.page.bringToFront();
   await mine.page.goto(mine.url);
   await mine.shows(tall);
+  await other.page.bringToFront();
   await other.page.goto(mine.url);
   await other.shows(low);
   const third = await anotherTab(mine);
@@ -47,7 +49,7 @@ test.each<[string, VisitOptions]>([
   const pot = await here.enter({ link: "#1/second-order?title=Cup", ...options });
   const cup = await pot.fingerprint();
   await pot.command("My designs");
-  const shelf = pot.dialog("My designs");
+  const shelf = pot.page.locator("pasu-shelf");
   await shelf.getByText("Nothing is on the shelf yet.").waitFor();
   await shelf.getByRole("button", { name: "Save to the shelf" }).click();
   await shelf.getByText("The pot on the stage is on the shelf.").waitFor();
@@ -96,7 +98,7 @@ test("where nothing can be stored the shelf says so", async () => {
   await pot.fingerprint();
   await pot.command("My designs");
   await pot.button("Save to the shelf").click();
-  await pot.dialog("My designs").getByText("This browser has no room for it").waitFor();
+  await pot.page.locator("pasu-shelf").getByText("This browser has no room for it").waitFor();
 });
 
 test("undo survives a reload", async () => {
@@ -127,7 +129,7 @@ test("a link carries the view, the cut and the overlay when that is chosen", asy
   await mine.page.getByRole("checkbox", { name: "Cut open" }).check();
   await mine.page.getByRole("checkbox", { name: "Wireframe" }).check();
   await mine.button("Link with this view").click();
-  const dialog = mine.dialog("The link of this pot");
+  const dialog = mine.page.locator("pasu-link");
   const shown = dialog.getByRole("textbox", { name: "Link" });
   expect(await shown.inputValue()).toBe(`${mine.url}#1/second-order`);
   await dialog.getByRole("checkbox", { name: "With this view" }).check();
