@@ -72,7 +72,11 @@ test("the thumb of a wall's thickness is where its number is, after a reload too
   await expect.poll(() => slider(pot, "Thickness")).toMatchObject({ value: 1.2 });
   const before = await slider(pot, "Thickness");
   expect(before.fill).toBeCloseTo(120 / before.max, 2);
-  await expect.poll(() => pot.page.evaluate(() => localStorage.getItem("pasu.work"))).toContain('thickness\\":1.2');
+  await expect
+    .poll(() =>
+      pot.page.evaluate(() => Object.entries(localStorage).find(([key]) => key.startsWith("pasu.work."))?.[1]),
+    )
+    .toContain('thickness\\":1.2');
   await pot.page.reload();
   await pot.fingerprint();
   await expect.poll(() => slider(pot, "Thickness")).toEqual(before);

@@ -117,6 +117,12 @@ test.each<[string, VisitOptions]>([
     await page.button("Overlays").click();
     await pot.page.getByRole("checkbox", { name: marked("Axes and dimensions") }).check();
     await page.check("the overlays");
+    await page.dialogue("Link with this view", async () => {
+      await page.button("Copy").click();
+      await pot.page.locator("pasu-link .copied").filter({ hasText: /\S/ }).waitFor();
+      await page.check("the link with the view");
+    });
+    await page.button("Overlays").click();
     await pot.page.keyboard.press("Escape");
     if (await page.button("View").isVisible()) {
       await page.button("View").click();
@@ -137,9 +143,15 @@ test.each<[string, VisitOptions]>([
         await page.check(`the format ${format}`);
       }
     });
-    for (const name of ["New", "Gallery", "Picture", "Embed", "Help"]) {
+    for (const name of ["New", "Gallery", "My designs", "Picture", "Embed", "Help"]) {
       await page.dialogue(name, () => page.check(`the dialogue “${name}”`));
     }
+    await page.dialogue("My designs", async () => {
+      await page.button("Save to the shelf").click();
+      await page.button("Undo").last().waitFor();
+      await pot.page.locator("pasu-shelf .pieces li").waitFor();
+      await page.check("a design on the shelf");
+    });
   },
 );
 

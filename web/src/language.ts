@@ -56,6 +56,15 @@ export function grouped(count: number): string {
   return once("grouped", () => new Intl.NumberFormat(current.tag)).format(count);
 }
 
+/** A day and a time of it: "Nov 23, 2026, 2:05 PM". */
+export function moment(at: number): string {
+  const format = once(
+    "moment",
+    () => new Intl.DateTimeFormat(current.tag, { dateStyle: "medium", timeStyle: "short" }),
+  );
+  return format.format(at);
+}
+
 /** The form of a word that goes with a count. A language names those of its forms that differ from `other`. */
 export function plural(
   count: number,

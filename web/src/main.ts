@@ -1,15 +1,18 @@
 /** Starts the page, in the language that it is to speak: the shell at once, the solver and the renderer beside each other. */
 
 import "./app/pasu-app";
+import type { PasuApp } from "./app/pasu-app";
 import { spokenTag } from "./language";
 import { SolverClient } from "./solver/client";
 import { startWorker } from "./solver/start";
-import { browserShelf } from "./state/storage";
+import { browserShelf, tabShelf } from "./state/storage";
+import { VIEW_KEYS } from "./state/view-keys";
 import { pictured } from "./sw/pictured";
 import { registerOffline } from "./sw/register";
 import { choose } from "./words/languages";
 import { Designer } from "./work/designer";
 import { saveBlob } from "./work/files";
+import { claimTab } from "./work/tab-lock";
 
 const choosing = choose(new URLSearchParams(location.search).get("lang"), navigator.languages);
 // English waits for nothing.
@@ -20,6 +23,8 @@ function start(): void {
   document.documentElement.lang = spokenTag();
   const designer = new Designer(new SolverClient(startWorker), {
     shelf: browserShelf(),
+    tabShelf: tabShelf(),
+    claim: claimTab,
     address,
     fragment: () => (location.hash.length > 1 ? location.hash : ""),
     writeFragment: (link) => {
@@ -36,14 +41,23 @@ function start(): void {
   app.designer = designer;
   document.querySelector(".skeleton")?.remove();
   document.body.append(app);
-  void designer.opening.start();
+  void begin(designer, app);
   window.addEventListener("hashchange", () => void designer.opening.addressChanged());
   registerOffline(() => designer.notices.announceNewVersion(), pictured(app));
 }
 
-/** Without the design, and without the language that this person asked for: whoever is given the address has their own. */
+async function begin({ opening }: Designer, app: PasuApp): Promise<void> {
+  const { search, hash } = location;
+  const seen = VIEW_KEYS.some((key) => new URLSearchParams(search).has(key));
+  // From here on the person looks at the pot as they like, also after a reload.
+  if (seen) history.replaceState(null, "", address() + hash);
+  await opening.start();
+  if (seen) await app.showViewed(search, hash);
+}
+
+/** Without the design, without the language that this person asked for, because whoever is given the address has their own, and without how it was looked at. */
 function address(): string {
   const here = new URL(location.href);
-  if (here.searchParams.has("lang")) here.searchParams.delete("lang");
+  for (const key of ["lang", ...VIEW_KEYS]) if (here.searchParams.has(key)) here.searchParams.delete(key);
   return here.href.replace(/#.*$/s, "");
 }

@@ -27,6 +27,7 @@ const NOTICE_MS = 6000;
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
+  shelf: () => import("./dialogs/shelf-dialog"),
   help: () => import("./dialogs/help-dialog"),
   picture: () => import("./dialogs/picture-dialog"),
   export: () => import("./dialogs/export-dialog"),
@@ -38,6 +39,7 @@ const DIALOGUES = {
 export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
   @state() private address = "";
+  @state() private viewed = "";
   @state() private dropping = false;
   @state() private spoken = "";
   @query("pasu-stage") private readonly stage!: PasuStage;
@@ -82,7 +84,7 @@ export class PasuApp extends DesignerElement {
         <pasu-top-bar .designer=${designer} @command-chosen=${this.commanded}></pasu-top-bar>
       </header>
       <main aria-label=${page.thePot}>
-        <pasu-stage .designer=${designer}></pasu-stage>
+        <pasu-stage .designer=${designer} @link-view=${this.linkView}></pasu-stage>
         <div class="banners">${this.banners()}</div>
         ${this.dropping ? html`<div class="drop"><p>${page.drop}</p></div>` : nothing}
       </main>
@@ -151,6 +153,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-new .designer=${designer} @new-closed=${close}></pasu-new>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
+      case "shelf":
+        return html`<pasu-shelf .designer=${designer} @shelf-closed=${close}></pasu-shelf>`;
       case "help":
         return html`<pasu-help @help-closed=${close}></pasu-help>`;
       case "picture":
@@ -158,7 +162,7 @@ export class PasuApp extends DesignerElement {
       case "export":
         return html`<pasu-export .designer=${designer} @export-closed=${close}></pasu-export>`;
       case "link":
-        return html`<pasu-link .address=${this.address} @link-closed=${close}></pasu-link>`;
+        return html`<pasu-link .address=${this.address} .viewed=${this.viewed} @link-copied=${() => designer.keeper.markShared()} @link-closed=${close}></pasu-link>`;
       case "embed":
         return html`<pasu-embed .designer=${designer} .address=${this.address} @embed-closed=${close}></pasu-embed>`;
     }
@@ -170,6 +174,7 @@ export class PasuApp extends DesignerElement {
     switch (command) {
       case "new":
       case "gallery":
+      case "shelf":
       case "help":
       case "picture":
       case "export":
@@ -216,10 +221,27 @@ export class PasuApp extends DesignerElement {
       this.designer.notices.say(page.linkCopied);
     } catch {
       this.address = address;
+      this.viewed = "";
       await this.show("link");
     }
     this.designer.keeper.markShared();
   }
+
+  /** Shows the pot of a link as the link's query says. */
+  async showViewed(search: string, fragment: string): Promise<void> {
+    const { showViewed } = await import("./show-viewed");
+    await showViewed(this.designer, search, fragment, (camera) => this.stage.look(camera));
+  }
+
+  private readonly linkView = async (): Promise<void> => {
+    const [address, { camera }] = [await this.linkOrSay(), this.stage];
+    if (address === null || camera === null) return;
+    const { withView } = await import("../state/viewed");
+    const { overlays, map } = this.designer.store.session;
+    this.address = address;
+    this.viewed = withView(address, { camera, overlays, map });
+    await this.show("link");
+  };
 
   private async share(): Promise<void> {
     const url = await this.linkOrSay();

@@ -14,6 +14,7 @@ import { page } from "../words/english/page";
 const ICONS: Readonly<Record<Command, IconName>> = {
   new: "add",
   gallery: "gallery",
+  shelf: "shelf",
   open: "open",
   save: "save",
   export: "make",
@@ -69,10 +70,10 @@ export class PasuTopBar extends DesignerElement {
         ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
-        ${this.theme(true)} ${this.bare("help")}
+        ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
       </div>
       <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
-        ${FILES.map((command) => this.item(command))}
+        ${this.item("shelf")} ${FILES.map((command) => this.item(command))}
         ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
         ${this.item("help")}
       </pasu-menu>

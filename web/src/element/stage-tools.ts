@@ -63,7 +63,7 @@ export class PasuStageTools extends DesignerElement {
   private overlays() {
     const { designer } = this;
     const { overlays } = designer.store.session;
-    return OVERLAYS.map(
+    const boxes = OVERLAYS.map(
       (name) => html`<label class="check">
         <input
           type="checkbox"
@@ -73,7 +73,14 @@ export class PasuStageTools extends DesignerElement {
         <span>${page.overlayNames[name]}</span>
       </label>`,
     );
+    return html`${boxes}<button class="button item" type="button" @click=${this.linkView}>
+        ${icon("link")}<span>${page.linkView}</span>
+      </button>`;
   }
+
+  private readonly linkView = (): void => {
+    this.dispatchEvent(new Event("link-view", { bubbles: true, composed: true }));
+  };
 
   static override readonly styles = [
     base,

@@ -7,6 +7,7 @@ import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
+import type { Camera } from "../state/viewed";
 import { base } from "../ui/styles";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
@@ -43,6 +44,7 @@ export class PasuStage extends DesignerElement {
   private making = false;
   private leave: (() => void) | null = null;
   private framed = -1;
+  private wanted: Camera | null = null;
   private framedSize = 0;
   private readonly resizes = new ResizeObserver(() => void this.drawStill());
 
@@ -228,6 +230,23 @@ export class PasuStage extends DesignerElement {
     this.framed = shown.framing;
     this.framedSize = size;
     stage.fit();
+    this.aim();
+  }
+
+  /** Where the camera is; null while there is none. */
+  get camera(): Camera | null {
+    return this.holder.stage?.looking ?? null;
+  }
+
+  /** Looks at the pot from there, as soon as it is on the stage. */
+  look(camera: Camera): void {
+    this.wanted = camera;
+    if (this.framed >= 0) this.aim();
+  }
+
+  private aim(): void {
+    if (this.wanted) this.holder.stage?.look(this.wanted, this.wanted.share, true);
+    this.wanted = null;
   }
 
   private theme(): "light" | "dark" {

@@ -36,6 +36,14 @@ export function cancelMerge(history: History): { history: History; now: Identifi
   return now ? { now, history: { past: history.past.slice(0, -1), future: [], merging: null } } : null;
 }
 
+/**
+ * Steps of before a reload, put behind those that were made since. What could be redone then can still be, unless something was done meanwhile.
+ */
+export function recall(history: History, { past, future }: Pick<History, "past" | "future">): History {
+  const still = history.past.length === 0 && history.future.length === 0 && history.merging === null;
+  return { ...history, past: [...past, ...history.past].slice(-MAX_STEPS), future: still ? future : history.future };
+}
+
 export function canUndo(history: History): boolean {
   return history.past.length > 0;
 }

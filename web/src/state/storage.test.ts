@@ -1,11 +1,19 @@
 import { expect, test } from "vitest";
+import { shelfOf } from "../../testing/surroundings";
 import { NEW_SESSION } from "./session";
-import { KEPT, keepSettings, keepWork, readSettings, readWork, type Shelf } from "./storage";
+import {
+  allWork,
+  forgetOldWork,
+  forgetWork,
+  KEPT,
+  keepSettings,
+  keepWork,
+  readSettings,
+  readWork,
+  type Shelf,
+} from "./storage";
 
-function shelf(): Shelf & { readonly map: Map<string, string> } {
-  const map = new Map<string, string>();
-  return { map, getItem: (key) => map.get(key) ?? null, setItem: (key, value) => void map.set(key, value) };
-}
+const shelf = () => shelfOf(new Map());
 
 const BROKEN: Shelf = {
   getItem: () => {
@@ -14,6 +22,13 @@ const BROKEN: Shelf = {
   setItem: () => {
     throw new Error("full");
   },
+  removeItem: () => {
+    throw new Error("denied");
+  },
+  key: () => {
+    throw new Error("denied");
+  },
+  length: 1,
 };
 
 test("every piece of state says where it is kept", () => {
@@ -60,16 +75,47 @@ test("nonsense on the shelf is the default, field by field", () => {
 test("work comes back whole or not at all", () => {
   const place = shelf();
   const work = { text: "{}", link: "1/second-order", unsaved: true };
-  keepWork(place, work);
-  expect(readWork(place)).toEqual(work);
-  place.setItem("pasu.work", JSON.stringify({ text: "{}" }));
-  expect(readWork(place)).toBeNull();
+  keepWork(place, "a", work);
+  expect(readWork(place, "a")).toEqual(work);
+  expect(readWork(place, "b")).toBeNull();
+  place.setItem("pasu.work.a", JSON.stringify({ text: "{}" }));
+  expect(readWork(place, "a")).toBeNull();
+});
+
+test("every tab's work is found, the newest first, that of the time before tabs had names among it", () => {
+  const place = shelf();
+  const work = { text: "{}", link: "", unsaved: true };
+  place.setItem("pasu.work", JSON.stringify(work));
+  place.setItem("pasu.work.broken", "{");
+  place.setItem("pasu.tab", "x");
+  keepWork(place, "a", work, 1000);
+  keepWork(place, "b", work, 3000);
+  keepWork(place, "c", work, 2000);
+  const tabs = () => allWork(place).map(({ tab }) => tab);
+  expect(tabs()).toEqual(["b", "c", "a", "old"]);
+  expect(allWork(place).at(-1)?.work).toEqual(work);
+  forgetWork(place, "c");
+  forgetWork(place, "old");
+  expect(tabs()).toEqual(["b", "a"]);
+});
+
+test("old works are forgotten where they are somewhere else too, and never where they are not", () => {
+  const place = shelf();
+  for (let at = 1; at <= 30; at += 1) keepWork(place, `${at}`, { text: "{}", link: "", unsaved: at % 2 === 0 }, at);
+  forgetOldWork(place);
+  const left = allWork(place);
+  expect(left.filter(({ work }) => work.unsaved)).toHaveLength(15);
+  expect(left.flatMap(({ at, work }) => (work.unsaved ? [] : [at]))).toEqual([
+    29, 27, 25, 23, 21, 19, 17, 15, 13, 11, 9, 7,
+  ]);
 });
 
 test("a browser without storage costs nothing but the convenience", () => {
   for (const place of [BROKEN, null]) {
-    expect(readWork(place)).toBeNull();
+    expect(readWork(place, "a")).toBeNull();
+    expect(allWork(place)).toEqual([]);
+    expect(() => forgetWork(place, "a")).not.toThrow();
     expect(readSettings(place)).toEqual(NEW_SESSION);
-    expect(keepWork(place, { text: "", link: "", unsaved: false })).toBe(false);
+    expect(keepWork(place, "a", { text: "", link: "", unsaved: false })).toBe(false);
   }
 });

@@ -4,7 +4,7 @@ import { batch, computed, type Signal, signal } from "@preact/signals-core";
 import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
-import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, record, redo, undo } from "./history";
+import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, recall, record, redo, undo } from "./history";
 import { freshIds, type Identified, type PartId, placeOf } from "./parts";
 import type { Session } from "./session";
 
@@ -46,7 +46,7 @@ export class Store {
 
   constructor(design: Design, session: Session) {
     this.#design = signal(frozen(design));
-    this.#ids = signal(this.#newIds(design));
+    this.#ids = signal(this.#newIds(design.parts.length));
     this.#session = signal(frozen(session));
   }
 
@@ -121,6 +121,29 @@ export class Store {
     this.#travel(cancelMerge(this.#history.peek()));
   }
 
+  /** What could be undone and redone. */
+  get history(): Pick<History, "past" | "future"> {
+    return this.#history.value;
+  }
+
+  /**
+   * Steps of before a reload, whose identities were given then. `now` are those that the parts of the design at `ids` had: they are the same parts still, and
+   * all others are parts that this page does not know.
+   */
+  recall(steps: Pick<History, "past" | "future">, now: readonly PartId[], ids: readonly PartId[]): void {
+    const known = new Map(now.map((id, place) => [id, ids[place] ?? id]));
+    const translated = ({ design, ids: before }: Identified): Identified => ({
+      design: frozen(design),
+      ids: before.map((id) => {
+        const same = known.get(id) ?? this.#newIds(1)[0] ?? 0;
+        known.set(id, same);
+        return same;
+      }),
+    });
+    const [past, future] = [steps.past.map(translated), steps.future.map(translated)];
+    this.#history.value = recall(this.#history.peek(), { past, future });
+  }
+
   undo(): void {
     this.#travel(undo(this.#history.peek(), this.#identified), true);
   }
@@ -136,14 +159,14 @@ export class Store {
   /** Those that the change tells, or the same as before; a design of other parts of which nothing is told has new ones. */
   #idsOf(design: Design, told: readonly PartId[] | undefined): readonly PartId[] {
     const ids = told ?? this.#ids.peek();
-    if (ids.length !== design.parts.length) return this.#newIds(design);
+    if (ids.length !== design.parts.length) return this.#newIds(design.parts.length);
     this.#fresh = Math.max(this.#fresh, ...ids.map((id) => id + 1));
     return ids;
   }
 
-  #newIds({ parts }: Design): readonly PartId[] {
-    const ids = freshIds(parts.length, this.#fresh);
-    this.#fresh += parts.length;
+  #newIds(count: number): readonly PartId[] {
+    const ids = freshIds(count, this.#fresh);
+    this.#fresh += count;
     return ids;
   }
 

@@ -25,6 +25,7 @@ import type { profile } from "./english/profile";
 import type { quantities } from "./english/quantities";
 import type { refusals } from "./english/refusals";
 import type { report } from "./english/report";
+import type { shelf } from "./english/shelf";
 import type { size } from "./english/size";
 import type { wall } from "./english/wall";
 import type { water } from "./english/water";
@@ -52,6 +53,7 @@ export interface Catalogue {
   readonly quantities: typeof quantities;
   readonly refusals: typeof refusals;
   readonly report: typeof report;
+  readonly shelf: typeof shelf;
   readonly size: typeof size;
   readonly wall: typeof wall;
   readonly water: typeof water;

@@ -40,5 +40,8 @@ export function gridFor(design: Design, step: number): GridSize {
   return { rows: whole(up, CELLS_UP), columns: whole(wanted + CELLS_ROUND - 1, CELLS_ROUND) };
 }
 
-/** Thumbnails are small. */
-export const THUMBNAIL_GRID: GridSize = { rows: 64, columns: 161 };
+/** Thumbnails are small, and of many parts each is smaller still. */
+export function thumbnailGrid(parts: number): GridSize {
+  const share = Math.max(0.15, 1 / Math.sqrt(parts));
+  return { rows: Math.ceil(share * 64), columns: Math.ceil(share * 160) + 1 };
+}

@@ -9,12 +9,15 @@ import { Keeper } from "./keeper";
 import { Notices } from "./notices";
 import { Origin } from "./origin";
 
+const TAB = "here";
+
 async function bench(page = new Page()) {
   const there = await workbench(JAR);
   const notices = new Notices();
   const origin = new Origin(there.store, there.surface);
   origin.connect();
   const keeper = new Keeper(there.store, there.surface, origin, there.solver, notices, page);
+  await keeper.arrive();
   const leave = keeper.connect();
   const change = async (height: number) => {
     there.store.apply({ design: tall(there.store.design, height), undo: "step" });
@@ -29,7 +32,7 @@ test("every settled change is kept in this browser and in the address", async ()
   await change(21);
   const link = surface.settled?.solved.link ?? "";
   expect(page.hash).toBe(`#${link}`);
-  expect(readWork(page.shelf)).toEqual({
+  expect(readWork(page.shelf, TAB)).toEqual({
     text: JSON.stringify(store.design),
     link,
     unsaved: true,
@@ -58,7 +61,7 @@ test("the address is left alone while a person has to read or to decide about it
   page.hash = "#1/second-order";
   await change(21);
   expect(page.hash).toBe("#1/second-order");
-  expect(readWork(page.shelf)?.unsaved).toBe(true);
+  expect(readWork(page.shelf, TAB)?.unsaved).toBe(true);
   held = false;
   await change(22);
   expect(page.hash).toContain("h1=22");
@@ -76,7 +79,7 @@ test("a saved file holds the canonical document, and nothing is unsaved any more
   });
   expect(notices.notice?.text).toBe("Saved as “Shoulder jar.json”.");
   expect(keeper.unsaved).toBe(false);
-  expect(readWork(page.shelf)?.unsaved).toBe(false);
+  expect(readWork(page.shelf, TAB)?.unsaved).toBe(false);
 });
 
 test("what the solver refuses is not saved and has no address", async () => {

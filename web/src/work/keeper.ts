@@ -5,18 +5,23 @@ import type { Design } from "../document/types";
 import { isolated } from "../language";
 import type { SolverClient } from "../solver/client";
 import type { Session } from "../state/session";
-import type { Shelf, Work } from "../state/storage";
-import { keepSettings, keepWork, readWork } from "../state/storage";
+import type { KeptWork, Shelf, Work } from "../state/storage";
+import { keepSettings, keepWork } from "../state/storage";
 import type { Store } from "../state/store";
 import { page } from "../words/english/page";
 import { fileName } from "./files";
+import { Memory } from "./memory";
 import type { Notices } from "./notices";
 import type { Origin } from "./origin";
+import { type Claim, Seat } from "./seat";
 import type { Shown, Surface } from "./surface";
 
 /** What the page itself provides, so that tests can do without one. */
 export interface Surroundings {
   readonly shelf: Shelf | null;
+  /** What only this tab sees. */
+  readonly tabShelf: Shelf | null;
+  readonly claim: Claim;
   /** The address of the page, without what follows `#`. */
   readonly address: () => string;
   readonly fragment: () => string;
@@ -32,6 +37,8 @@ export class Keeper {
   readonly #solver: SolverClient;
   readonly #notices: Notices;
   readonly #around: Surroundings;
+  readonly #seat: Seat;
+  readonly #memory: Memory;
   readonly #saved: Signal<Design>;
   readonly #unsaved = computed(() => this.#store.design !== this.#saved.value);
   /** Whether the address holds something that a person has still to decide about, or to read about. */
@@ -55,6 +62,8 @@ export class Keeper {
     this.#solver = solver;
     this.#notices = notices;
     this.#around = around;
+    this.#memory = new Memory(around.tabShelf, solver);
+    this.#seat = new Seat(around.shelf, around.tabShelf, around.claim);
     this.#saved = signal(store.design);
     this.#keptSettings = store.session;
   }
@@ -70,9 +79,24 @@ export class Keeper {
     return fragment === this.#lastWritten ? "" : fragment;
   }
 
-  /** The work that this browser kept. */
-  get work(): Work | null {
-    return readWork(this.#around.shelf);
+  /** Finds the work that this tab goes on with, and the place where it keeps its own. A new tab that was opened by a link leaves the works of others where they are. */
+  async arrive(): Promise<Work | null> {
+    return await this.#seat.take(this.foreignFragment !== "");
+  }
+
+  /** The works of closed tabs that are nowhere else; nobody else goes on with them from now on. */
+  left(): Promise<readonly KeptWork[]> {
+    return this.#seat.left();
+  }
+
+  /** Where this browser keeps things. */
+  get shelf(): Shelf | null {
+    return this.#around.shelf;
+  }
+
+  /** Brings back what could be undone and redone before a reload, where the design of this link was left. */
+  async recall(link: string): Promise<void> {
+    await this.#memory.recall(link, this.#store);
   }
 
   /** Leaves the address alone while this holds. */
@@ -98,7 +122,7 @@ export class Keeper {
     this.#saved.value = design;
   }
 
-  /** The link is in the person's hands: nothing would be lost any more. */
+  /** The link is in the person's hands, or the design on the shelf: nothing would be lost any more. */
   markShared(): void {
     this.markSaved(this.#store.design);
     this.#keep();
@@ -158,7 +182,8 @@ export class Keeper {
     const text = JSON.stringify(shown.design);
     const unsaved = shown.design !== this.#saved.peek();
     const origin = JSON.stringify(this.#origin.of(shown.design));
-    const kept = keepWork(this.#around.shelf, { text, link: shown.solved.link, unsaved, origin });
+    if (shown.design === this.#store.design) this.#memory.keep(shown.solved.link, this.#store);
+    const kept = keepWork(this.#around.shelf, this.#seat.name, { text, link: shown.solved.link, unsaved, origin });
     if (kept || !unsaved || this.#warned) return;
     this.#warned = true;
     this.#notices.say(page.notKept);

@@ -35,7 +35,7 @@ function bench(page = new Page()) {
 /** A page with work that was kept. */
 function kept(unsaved: boolean): Page {
   const page = new Page();
-  keepWork(page.shelf, { text: JSON.stringify(tall(JAR, 33)), link: "1/fourth-order?h1=33", unsaved });
+  keepWork(page.shelf, "here", { text: JSON.stringify(tall(JAR, 33)), link: "1/fourth-order?h1=33", unsaved });
   return page;
 }
 
@@ -156,7 +156,12 @@ test("what is no design is told of and changes nothing", async () => {
 test("work of an earlier visit goes on from where it was opened then", async () => {
   const page = new Page();
   const text = JSON.stringify(tall(JAR, 33));
-  keepWork(page.shelf, { text, link: "1/fourth-order?h1=33", unsaved: true, origin: JSON.stringify(tall(JAR, 25)) });
+  keepWork(page.shelf, "here", {
+    text,
+    link: "1/fourth-order?h1=33",
+    unsaved: true,
+    origin: JSON.stringify(tall(JAR, 25)),
+  });
   const { opening, origin, rests, store } = bench(page);
   await opening.start();
   await rests();

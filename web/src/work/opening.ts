@@ -82,18 +82,22 @@ export class Opening {
   /** Opens what the address asks for, or the work that this browser kept, or leaves what is there. */
   async start(): Promise<void> {
     this.#solver.warm();
-    const { foreignFragment: fragment, work } = this.#keeper;
+    const { foreignFragment: fragment } = this.#keeper;
+    const arriving = this.#keeper.arrive();
     const linked = fragment === "" ? null : await this.#solver.parse(fragment);
+    const work = await arriving;
     if (linked?.state === "refused") this.#problem.value = linked.refusal;
     const theirs = linked?.state === "done" ? linked.value : null;
     if (theirs && (!work?.unsaved || work.link === theirs.link)) {
       await this.#begin(theirs.design, !(work?.unsaved ?? false), work?.link === theirs.link ? work.origin : undefined);
+      await this.#keeper.recall(theirs.link);
       return;
     }
     const mine = work ? await this.#solver.parse(work.text) : null;
     if (mine?.state === "done") {
       await this.#begin(mine.value.design, !work?.unsaved, work?.origin);
       if (theirs) this.#conflict.value = { theirs };
+      await this.#keeper.recall(mine.value.link);
     } else {
       await this.#begin(theirs?.design ?? this.#store.design, true);
     }

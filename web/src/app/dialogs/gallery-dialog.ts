@@ -13,7 +13,7 @@ import { gallery } from "../../words/english/gallery";
 import { exhibitWords } from "../../words/gallery";
 import { lengthWords } from "../../words/quantities";
 import { gridFor } from "../../work/grid";
-import { Pictures, tileStyles, tiles } from "./pictures";
+import { exhibitIn, Pictures, tileStyles, tiles } from "./pictures";
 
 const SIZES = ["hand", "printed"] as const;
 
@@ -65,7 +65,8 @@ export class PasuGallery extends DesignerElement {
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
     const exhibits = SHELVES.flatMap((shelf) => shelf.exhibits);
-    this.pictures = new Pictures(this.designer, exhibits, this.renderRoot);
+    this.pictures = new Pictures(this.designer, exhibitIn(exhibits));
+    this.pictures.watch(this.renderRoot);
   }
 
   private async choose(exhibit: Exhibit<ExhibitId>, { printed }: Shelf): Promise<void> {

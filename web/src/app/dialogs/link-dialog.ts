@@ -1,32 +1,85 @@
-/** The link of the pot, to be copied by hand where the browser does not let the page do it. */
+/** The link of the pot, with how it is looked at if that is wanted, or to be copied by hand where the browser does not let the page do it. */
 
-import { css, html, LitElement } from "lit";
-import { customElement, property } from "lit/decorators.js";
+import { css, html, LitElement, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
 import "../../ui/dialog";
-import { base, fields } from "../../ui/styles";
+import { base, buttons, fields } from "../../ui/styles";
 import { link } from "../../words/english/link";
 
 @customElement("pasu-link")
 export class PasuLink extends LitElement {
   @property() address = "";
+  /** The same with the view in it; empty where only the other one is asked for. */
+  @property() viewed = "";
+  @state() private withView = false;
+  @state() private copied = false;
+  @query("input.field") private readonly field!: HTMLInputElement;
 
   override render() {
     return html`<pasu-dialog heading=${link.heading} @dialog-closed=${() => this.dispatchEvent(new Event("link-closed"))}>
-      <p>${link.lead}</p>
+      <p>${this.viewed === "" ? link.lead : link.leadView}</p>
       <input
         class="field"
         aria-label=${link.link}
         readonly
-        .value=${this.address}
+        .value=${this.withView ? this.viewed : this.address}
         @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
       />
+      ${this.viewed === "" ? nothing : this.choice()}
     </pasu-dialog>`;
   }
 
+  private choice() {
+    return html`<label class="check">
+        <input
+          type="checkbox"
+          .checked=${this.withView}
+          @change=${(event: Event) => {
+            this.withView = (event.target as HTMLInputElement).checked;
+            this.copied = false;
+          }}
+        />
+        <span>${link.withView}</span>
+      </label>
+      <p class="copied" role="status">${this.copied ? link.copied : nothing}</p>
+      <button slot="actions" class="button primary" type="button" @click=${this.copy}>${link.copy}</button>`;
+  }
+
+  private readonly copy = async (): Promise<void> => {
+    try {
+      await navigator.clipboard.writeText(this.field.value);
+      this.copied = true;
+      this.dispatchEvent(new Event("link-copied"));
+    } catch {
+      // By hand, then.
+      this.field.select();
+    }
+  };
+
   static override readonly styles = [
     base,
+    buttons,
     fields,
     css`
+      .check {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        margin-top: 6px;
+        cursor: pointer;
+      }
+      .check input {
+        flex: none;
+        width: 18px;
+        height: 18px;
+        margin: 0;
+        accent-color: var(--accent);
+      }
+      .copied {
+        min-height: 1.5em;
+        color: var(--soft);
+      }
       .field {
         width: 100%;
         margin-top: 10px;

@@ -8,7 +8,7 @@ import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { base } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
-import { Pictures, tileStyles, tiles } from "./pictures";
+import { exhibitIn, Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
 export class PasuNew extends DesignerElement {
@@ -42,7 +42,8 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, BEGINNINGS, this.renderRoot);
+    this.pictures = new Pictures(this.designer, exhibitIn(BEGINNINGS));
+    this.pictures.watch(this.renderRoot);
   }
 
   private choose(beginning: Exhibit): void {

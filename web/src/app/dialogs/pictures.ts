@@ -1,12 +1,13 @@
-/** Pictures of exhibits, drawn one after the other when they come into sight, and the tiles that they are shown on. */
+/** Pictures of designs, drawn one after the other when they come into sight, and the tiles that they are shown on. */
 
 import { css, html } from "lit";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
+import type { Design } from "../../document/types";
 import { stageModel } from "../../element/stage-model";
 import { drawStill } from "../../element/still-picture";
 import type { Thumbnails } from "../../render/thumbnail";
 import type { Designer } from "../../work/designer";
-import { THUMBNAIL_GRID } from "../../work/grid";
+import { thumbnailGrid } from "../../work/grid";
 
 const WIDTH = 320;
 const HEIGHT = 320;
@@ -16,17 +17,21 @@ const drawn = new Map<string, HTMLCanvasElement>();
 
 export class Pictures {
   readonly #designer: Designer;
-  readonly #exhibits: readonly Exhibit[];
+  readonly #find: (id: string) => Design | null;
   readonly #sights: IntersectionObserver;
   #painter: Promise<Thumbnails | null> | null = null;
   #queue: Promise<void> = Promise.resolve();
   #ended = false;
 
-  /** Draws those of `exhibits` whose place is within `root` when it comes into sight. */
-  constructor(designer: Designer, exhibits: readonly Exhibit[], root: ParentNode) {
+  /** Draws what `find` has under the name of a picture's place. */
+  constructor(designer: Designer, find: (id: string) => Design | null) {
     this.#designer = designer;
-    this.#exhibits = exhibits;
+    this.#find = find;
     this.#sights = new IntersectionObserver((entries) => this.#seen(entries), { rootMargin: "160px" });
+  }
+
+  /** Draws what has its place within `root` when it comes into sight; once more when there are other places. */
+  watch(root: ParentNode): void {
     for (const picture of root.querySelectorAll(".picture")) this.#sights.observe(picture);
   }
 
@@ -43,18 +48,17 @@ export class Pictures {
       if (!isIntersecting) continue;
       this.#sights.unobserve(target);
       const id = target.getAttribute("data-exhibit");
-      const exhibit = this.#exhibits.find((candidate) => candidate.id === id);
       // One after the other, so that the pot on the stage never waits for more than one of them.
-      if (exhibit) this.#queue = this.#queue.then(() => this.#draw(exhibit));
+      if (id !== null) this.#queue = this.#queue.then(() => this.#draw(id));
     }
   }
 
-  async #draw(exhibit: Exhibit): Promise<void> {
-    const canvas = canvasOf(exhibit);
-    if (canvas.dataset.drawn === "true" || this.#ended) return;
-    const design = designOf(exhibit);
-    const { rows, columns } = THUMBNAIL_GRID;
-    const outcome = await this.#designer.solver.mesh(`thumbnail ${exhibit.id}`, design, rows, columns);
+  async #draw(id: string): Promise<void> {
+    const canvas = canvasOf(id);
+    const design = this.#find(id);
+    if (canvas.dataset.drawn === "true" || this.#ended || !design) return;
+    const { rows, columns } = thumbnailGrid(design.parts.length);
+    const outcome = await this.#designer.solver.mesh(`thumbnail ${id}`, design, rows, columns);
     if (outcome.state !== "done" || this.#ended) return;
     this.#painter ??= import("../../render/thumbnail").then(
       ({ thumbnails }) => thumbnails(),
@@ -85,7 +89,7 @@ export function tiles<Id extends string>(
       const { title, note } = words(exhibit.id);
       return html`<li>
         <button type="button" data-exhibit=${exhibit.id} @click=${() => choose(exhibit)}>
-          <span class="picture" data-exhibit=${exhibit.id} aria-hidden="true">${canvasOf(exhibit)}</span>
+          <span class="picture" data-exhibit=${exhibit.id} aria-hidden="true">${canvasOf(exhibit.id)}</span>
           <span class="title">${title}</span>
           <span class="note">${note}</span>
         </button>
@@ -94,13 +98,22 @@ export function tiles<Id extends string>(
   </ul>`;
 }
 
-function canvasOf(exhibit: Exhibit): HTMLCanvasElement {
-  const known = drawn.get(exhibit.id);
+/** How {@link Pictures} finds one of these. */
+export function exhibitIn(exhibits: readonly Exhibit[]): (id: string) => Design | null {
+  return (id) => {
+    const found = exhibits.find((exhibit) => exhibit.id === id);
+    return found ? designOf(found) : null;
+  };
+}
+
+/** Where the picture of this name is drawn. */
+export function canvasOf(id: string): HTMLCanvasElement {
+  const known = drawn.get(id);
   if (known) return known;
   const canvas = document.createElement("canvas");
   canvas.width = WIDTH;
   canvas.height = HEIGHT;
-  drawn.set(exhibit.id, canvas);
+  drawn.set(id, canvas);
   return canvas;
 }
 

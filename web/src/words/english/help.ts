@@ -43,6 +43,7 @@ export const help = phrases("help", {
   about: [
     "Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.",
     "A wall makes a surface a pot, which has a capacity, a weight and a foot to stand on: under Measures they are told, and Export saves a file for a printer, a CAD program or a potter's wheel. Every such file holds its link and opens again when it is dropped on this page, but for an STL, which has room for a very short link alone.",
+    "Every tab of the browser keeps a pot of its own, and its undo, through a reload. My designs is a shelf in this browser, on this device: what you save there stays as it is until you change it there. What was left unsaved in a closed tab comes back with the next one, or is found on the shelf. Under Overlays there is a link that shows a pot from where you see it now, cut open and coloured as it is.",
     "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. Files and links can be dropped on the page.",
   ],
   keys: [

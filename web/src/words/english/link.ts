@@ -6,6 +6,10 @@ export const link = phrases("link", {
   heading: "The link of this pot",
   lead: "Your browser did not let the page copy it. Copy it from here:",
   link: "Link",
+  leadView: "Whoever opens it sees this very pot, and as you see it now if you want.",
+  withView: "With this view: where it is seen from, lines, cut and colours",
+  copy: "Copy",
+  copied: "Copied.",
   open: "Open this link?",
   differs: "This link differs from your unsaved work. Opening it can be undone as long as this page stays open.",
   differsFrom: (title: string) =>

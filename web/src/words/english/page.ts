@@ -36,6 +36,7 @@ export const page = phrases("page", {
   commands: {
     new: "New",
     gallery: "Gallery",
+    shelf: "My designs",
     open: "Open",
     save: "Save",
     export: "Export",
@@ -91,6 +92,8 @@ export const page = phrases("page", {
   waterOnStage: "Water on the stage",
 
   linkCopied: "Link copied. Whoever opens it sees this very pot.",
+  linkView: "Link with this view",
+  viewDamaged: "Part of how this link shows the pot could not be read and is left out.",
   noSharing: "Sharing did not work here.",
   noLink: "There is no link yet: the design has a value that the solver cannot use.",
   savedAs: (name: string) => `Saved as “${name}”.`,
