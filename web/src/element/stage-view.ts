@@ -7,7 +7,7 @@ import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
-import { base } from "../ui/styles";
+import { base, buttons } from "../ui/styles";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
@@ -23,19 +23,21 @@ const PAN = 40;
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
 
+/** A graphics context that has not come back by then, in milliseconds, is taken for lost. */
+const PATIENCE = 5000;
+
 const REDUCED = "(prefers-reduced-motion: reduce)";
 const DARK = "(prefers-color-scheme: dark)";
 
 @customElement("pasu-stage")
 export class PasuStage extends DesignerElement {
-  @state() private mode: "loading" | "live" | "lost" | "still" = "loading";
+  @state() private mode: "loading" | "live" | "lost" | "gone" | "still" = "loading";
   @query(".host") private readonly host!: HTMLDivElement;
   @query(".still") private readonly still!: HTMLCanvasElement | null;
   private stage: Stage | null = null;
   private drawn: Shown | null = null;
   private hiding: readonly PartId[] = [];
   private compared: Compared | null = null;
-  private said = "";
   private made: StageMade | null = null;
   private making = false;
   private leave: (() => void) | null = null;
@@ -46,6 +48,10 @@ export class PasuStage extends DesignerElement {
   private readonly dark = matchMedia(DARK);
   private readonly reduced = matchMedia(REDUCED);
   private readonly resizes = new ResizeObserver(() => void this.drawStill());
+  private readonly furniture = new ResizeObserver(() => this.furnish());
+  private patience: ReturnType<typeof setTimeout> | undefined;
+  /** What the still picture is of. */
+  private pictured: { readonly shown: Shown | null; readonly hidden: readonly PartId[] } = { shown: null, hidden: [] };
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -72,6 +78,8 @@ export class PasuStage extends DesignerElement {
   private close(): void {
     this.loading = null;
     this.resizes.disconnect();
+    this.furniture.disconnect();
+    clearTimeout(this.patience);
     this.made?.dispose();
     this.made = null;
     this.making = false;
@@ -113,8 +121,12 @@ export class PasuStage extends DesignerElement {
         lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
         onContextLost: () => {
           this.mode = "lost";
+          this.patience = setTimeout(() => {
+            this.mode = "gone";
+          }, PATIENCE);
         },
         onContextRestored: () => {
+          clearTimeout(this.patience);
           this.mode = "live";
         },
         onTap: (part) => {
@@ -129,12 +141,41 @@ export class PasuStage extends DesignerElement {
           if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
         },
       });
+      // A context that others have too may be lost already, which the stage says next.
       this.mode = "live";
+      for (const each of this.renderRoot.querySelectorAll(".host, #description, pasu-stage-tools")) {
+        this.furniture.observe(each);
+      }
       // The pot is drawn without waiting for its tools.
       void import("./stage-tools");
     } catch {
-      this.mode = "still";
+      this.mode = this.again ? "gone" : "still";
     }
+  }
+
+  /** Whether the graphics card was here before. */
+  private again = false;
+
+  /** Gives up the context that does not come back, and asks for another one. */
+  private retry(): void {
+    this.again = true;
+    this.close();
+    void this.load();
+  }
+
+  /** Tells the stage what lies over it. */
+  private furnish(): void {
+    const { stage } = this;
+    if (!stage) return;
+    const frame = this.getBoundingClientRect();
+    const boxOf = (name: string) => {
+      const each = this.renderRoot.querySelector(name)?.getBoundingClientRect();
+      if (!each || each.width === 0 || each.height === 0) return [];
+      const [left, top] = [each.left - frame.left, each.top - frame.top];
+      return [{ left, top, right: left + each.width, bottom: top + each.height }];
+    };
+    const [caption = null] = boxOf("#description:not(:empty)");
+    stage.furnish(caption, boxOf("pasu-stage-tools"));
   }
 
   override render() {
@@ -142,6 +183,7 @@ export class PasuStage extends DesignerElement {
     return html`
       <div
         class="host"
+        ?data-gone=${this.mode === "gone"}
         tabindex="0"
         role="application"
         aria-roledescription=${page.stage}
@@ -149,7 +191,7 @@ export class PasuStage extends DesignerElement {
         aria-describedby="description keys"
         @keydown=${this.key}
       ></div>
-      ${this.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
+      ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
       ${
         designer.comparison.shown
@@ -158,21 +200,17 @@ export class PasuStage extends DesignerElement {
       }
       <p id="keys" class="spoken">${page.stageKeys}</p>
       <div class="foot">
-        <p id="description">${designer.description}${this.accuracy()}</p>
+        <p id="description">${designer.description}</p>
         ${
-          this.mode === "still"
-            ? nothing
-            : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
+          this.stands ? nothing : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
         }
       </div>
     `;
   }
 
-  /** Keeps its place while a gesture is under way, when nobody knows it. */
-  private accuracy() {
-    const { accuracy } = this.designer.surface;
-    if (accuracy !== "") this.said = accuracy;
-    return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
+  /** Whether a still picture stands in the place of the stage. */
+  private get stands(): boolean {
+    return this.mode === "still" || this.mode === "gone";
   }
 
   private note() {
@@ -181,6 +219,11 @@ export class PasuStage extends DesignerElement {
         return html`<div class="wheel" aria-hidden="true"></div>`;
       case "lost":
         return html`<p class="note" role="status">${page.lost}</p>`;
+      case "gone":
+        return html`<p class="note" role="status">
+          ${page.lostForGood}
+          <button class="button outlined" type="button" @click=${() => this.retry()}>${page.tryAgain}</button>
+        </p>`;
       case "still":
         return html`<p class="note" role="status">${page.still}</p>`;
       case "live":
@@ -196,9 +239,10 @@ export class PasuStage extends DesignerElement {
     const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (designer.surface.shown !== this.drawn || session.hidden !== this.hiding) void this.drawStill();
-      this.drawn = designer.surface.shown;
-      this.hiding = session.hidden;
+      const { shown } = designer.surface;
+      const { hidden } = session;
+      if (shown !== this.pictured.shown || hidden !== this.pictured.hidden) void this.drawStill();
+      this.pictured = { shown, hidden };
     }
     if (!stage) return;
     stage.theme(this.theme());
@@ -305,6 +349,7 @@ export class PasuStage extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     css`
       :host {
         position: relative;
@@ -322,6 +367,9 @@ export class PasuStage extends DesignerElement {
       }
       .host {
         touch-action: none;
+      }
+      .host[data-gone] {
+        visibility: hidden;
       }
       .still {
         top: 76px;
@@ -349,9 +397,6 @@ export class PasuStage extends DesignerElement {
         background: var(--sheet);
         color: var(--soft);
         font-size: 0.9rem;
-      }
-      .accuracy[data-old] {
-        visibility: hidden;
       }
       #description:empty {
         visibility: hidden;
@@ -399,16 +444,6 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
-        /* Under the pot: above it a third line would lie over the rim. */
-        .accuracy {
-          position: absolute;
-          inset: auto auto 24px 8px;
-          padding: 0 7px;
-          border-radius: 7px;
-          background: var(--sheet);
-          font-size: 0.68rem;
-          white-space: nowrap;
-        }
         /* The captions stand in its place. */
         pasu-captions ~ .foot #description {
           visibility: hidden;
@@ -424,9 +459,6 @@ export class PasuStage extends DesignerElement {
           overflow: hidden;
           text-overflow: ellipsis;
           white-space: nowrap;
-        }
-        .accuracy {
-          display: none;
         }
       }
     `,
