@@ -5,10 +5,11 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { offline } from "./build/offline.ts";
+import { aliases, workers } from "./build/pasu-package.ts";
+import { potFolder, potOnSite } from "./build/pot.ts";
 import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-const folderOf = (module: string | null) => module?.split("/").at(-2);
 const DRAWING =
   /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
 /** What is said before anything is opened: the rest of the words comes with what says it. */
@@ -20,20 +21,11 @@ export default defineConfig({
   // A path that does not exist is an honest 404, in development and preview as on a static host.
   appType: "mpa",
   clearScreen: false,
-  resolve: {
-    alias: {
-      "pasu/drawing": here("../crates/pasu-wasm/pkg/drawing.js"),
-      pasu: here("../crates/pasu-wasm/pkg/pasu.js"),
-    },
-  },
+  resolve: { alias: aliases },
   server: { fs: { allow: [here("..")] } },
-  worker: {
-    format: "es",
-    // A worker is called like its folder, by which web/weight.json knows it.
-    rolldownOptions: {
-      output: { entryFileNames: (chunk) => `assets/${folderOf(chunk.facadeModuleId) ?? "[name]"}-[hash].js` },
-    },
-  },
+  worker: workers,
+  // Where pages of other people find the element.
+  define: { __PASU_POT__: JSON.stringify(potFolder()) },
   build: {
     target: "es2022",
     outDir: "dist",
@@ -60,6 +52,7 @@ export default defineConfig({
   },
   plugins: [
     contentSecurityPolicy(),
+    potOnSite(),
     preload({ renderer: here("src/render/stage.ts") }),
     offline({ worker: here("src/sw/worker.ts") }),
   ],

@@ -12,13 +12,16 @@ import { COARSE, type Visit, visit } from "../support/visit.ts";
 const here = stay();
 const LINK = "#1/second-order";
 
-/** The files of the site, as addresses below it. */
+/** What is there for other people's pages, which the designer never asks for. */
+const FOR_OTHERS = /^pot\/|^embed\.html$/;
+
+/** The files of the designer, as addresses below the site. */
 async function files(): Promise<string[]> {
   const entries = await readdir(DIST, { recursive: true, withFileTypes: true });
   return entries
     .filter((entry) => entry.isFile())
     .map((entry) => join(entry.parentPath, entry.name).slice(DIST.length + 1))
-    .filter((file) => file !== "sw.js" && !file.startsWith(".vite"))
+    .filter((file) => file !== "sw.js" && !file.startsWith(".vite") && !FOR_OTHERS.test(file))
     .map((file) => (file === "index.html" ? "" : file));
 }
 

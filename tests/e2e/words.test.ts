@@ -137,7 +137,7 @@ test.each<[string, VisitOptions]>([
         await page.check(`the format ${format}`);
       }
     });
-    for (const name of ["New", "Gallery", "Picture", "Help"]) {
+    for (const name of ["New", "Gallery", "Picture", "Embed", "Help"]) {
       await page.dialogue(name, () => page.check(`the dialogue “${name}”`));
     }
   },

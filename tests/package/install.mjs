@@ -9,13 +9,13 @@ import { fileURLToPath } from "node:url";
 export const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const PACKAGE = join(ROOT, "crates/pasu-wasm/pkg");
 
-/** Makes a project that depends on the package, and calls `use` with its folder. */
-export async function inFreshProject(use) {
+/** Makes a project that depends on a package, the library where nothing else is said, and calls `use` with its folder. */
+export async function inFreshProject(use, folder = PACKAGE) {
   const project = mkdtempSync(join(tmpdir(), "pasu-package-"));
   try {
-    const packed = npm(["pack", "--json", "--pack-destination", project], PACKAGE);
-    const [{ filename }] = JSON.parse(packed);
-    const home = join(project, "node_modules/pasu");
+    const packed = npm(["pack", "--json", "--pack-destination", project], folder);
+    const [{ filename, name }] = JSON.parse(packed);
+    const home = join(project, "node_modules", name);
     mkdirSync(home, { recursive: true });
     execFileSync("tar", ["-xzf", join(project, filename), "-C", home, "--strip-components", "1"]);
     writeFileSync(join(project, "package.json"), JSON.stringify({ private: true, type: "module" }));

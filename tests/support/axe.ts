@@ -11,7 +11,7 @@ const source = readFileSync(
 );
 
 /** Every finding as one line: the rule, where, and what is wrong. Nothing is excused. */
-export async function findings(pot: Visit): Promise<string[]> {
+export async function findings(pot: Pick<Visit, "page">): Promise<string[]> {
   // The debugger's own evaluation is not bound by the page's policy, and nothing of the page is changed.
   await pot.page.evaluate(`globalThis.axe ?? (() => { ${source} })()`);
   const results = await pot.page.evaluate(async () => {

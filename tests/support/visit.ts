@@ -206,7 +206,7 @@ export class Visit {
   }
 
   /** A command of the bar, which narrow windows keep in a menu. */
-  async command(name: "Gallery" | "New" | "Open" | "Save" | "Export" | "Picture" | "Help"): Promise<void> {
+  async command(name: "Gallery" | "New" | "Open" | "Save" | "Export" | "Picture" | "Embed" | "Help"): Promise<void> {
     if (!(await this.button(name).isVisible())) await this.button("More").click();
     await this.button(name).click();
   }

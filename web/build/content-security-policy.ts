@@ -16,14 +16,21 @@ const POLICY = {
   "form-action": "'none'",
 };
 
+/** What the policy is for a page in a frame: where the frame is sandboxed it has no origin, and starts its worker from a blob. */
+const FRAMED = { ...POLICY, "worker-src": "'self' blob:" };
+
+export function metaPolicy({ framed }: { framed: boolean }): string {
+  return Object.entries(framed ? FRAMED : POLICY)
+    .map(([directive, sources]) => `${directive} ${sources}`)
+    .join("; ");
+}
+
 /**
  * Puts the policy at the head of every built page. The development server is left alone: hot reloading needs inline
  * styles and a socket.
  */
 export function contentSecurityPolicy(): Plugin {
-  const content = Object.entries(POLICY)
-    .map(([directive, sources]) => `${directive} ${sources}`)
-    .join("; ");
+  const content = metaPolicy({ framed: false });
   return {
     name: "pasu:content-security-policy",
     apply: "build",

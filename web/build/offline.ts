@@ -5,8 +5,8 @@ import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join, relative, sep } from "node:path";
 import { type Plugin, type ResolvedConfig, transformWithOxc } from "vite";
 
-/** Built files that no page ever asks for. */
-const NOT_CACHED = [/^sw\.js$/, /^\.vite\//, /\.map$/];
+/** Built files that the designer never asks for: what other people's pages take is not kept for later either. */
+const NOT_CACHED = [/^sw\.js$/, /^\.vite\//, /\.map$/, /^pot\//, /^embed\.html$/];
 
 /** Files that only browsers with SIMD can use, and only those without. */
 const SIMD = /\/pasu(_drawing)?_bg-[^/]*\.wasm$/;

@@ -11,7 +11,8 @@ cargo xtask build
 
 Builds for release:
   crates/pasu-wasm/pkg/   the library for JavaScript, a publishable npm package
-  web/dist/               the designer, a static site for any folder of any host
+  web/pot/pkg/            <pasu-pot>, the element for other people's pages, a publishable npm package
+  web/dist/               the designer, a static site for any folder of any host, with the element in pot/
 
 Fails when the designer weighs more than its budget (web/weight.json).";
 
@@ -29,6 +30,6 @@ pub(crate) fn main(arguments: &[String]) -> Result<()> {
     wasm_package::build(&workspace, Care::Release)?;
     site::build(&workspace, Care::Release)?;
     weight::check(&workspace)?;
-    println!("\nlibrary  crates/pasu-wasm/pkg\nsite     web/dist");
+    println!("\nlibrary  crates/pasu-wasm/pkg\nelement  web/pot/pkg\nsite     web/dist");
     Ok(())
 }

@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 use crate::workspace::Workspace;
 
 /// Folders that are products or caches, never inputs.
-const NOT_INPUTS: [&str; 4] = ["node_modules", "dist", "target", ".git"];
+const NOT_INPUTS: [&str; 5] = ["node_modules", "dist", "pkg", "target", ".git"];
 
 /// The remembered inputs of one step. They are judged by their contents, not by dates, which a checkout changes.
 pub(crate) struct Stamp {

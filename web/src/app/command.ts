@@ -1,6 +1,6 @@
 /** What a person asks of the page as a whole, from wherever on it. */
 
-export type Command = "new" | "gallery" | "open" | "save" | "export" | "link" | "share" | "picture" | "help";
+export type Command = "new" | "gallery" | "open" | "save" | "export" | "link" | "share" | "embed" | "picture" | "help";
 
 export class CommandEvent extends Event {
   readonly command: Command;

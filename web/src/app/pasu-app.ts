@@ -31,6 +31,7 @@ const DIALOGUES = {
   picture: () => import("./dialogs/picture-dialog"),
   export: () => import("./dialogs/export-dialog"),
   link: () => import("./dialogs/link-dialog"),
+  embed: () => import("./dialogs/embed-dialog"),
 } as const;
 
 @customElement("pasu-app")
@@ -158,6 +159,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-export .designer=${designer} @export-closed=${close}></pasu-export>`;
       case "link":
         return html`<pasu-link .address=${this.address} @link-closed=${close}></pasu-link>`;
+      case "embed":
+        return html`<pasu-embed .designer=${designer} .address=${this.address} @embed-closed=${close}></pasu-embed>`;
     }
   }
 
@@ -186,6 +189,13 @@ export class PasuApp extends DesignerElement {
       case "share":
         await this.share();
         return;
+      case "embed": {
+        const address = await this.linkOrSay();
+        if (address === null) return;
+        this.address = address;
+        await this.show("embed");
+        return;
+      }
     }
   }
 

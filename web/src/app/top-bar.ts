@@ -20,6 +20,7 @@ const ICONS: Readonly<Record<Command, IconName>> = {
   picture: "picture",
   link: "link",
   share: "share",
+  embed: "embed",
   help: "help",
 };
 
@@ -64,6 +65,7 @@ export class PasuTopBar extends DesignerElement {
         <button class="button primary" type="button" aria-label=${page.commands.link} @click=${() => this.ask("link")}>
           ${icon("link")}<span class="text">${page.commands.link}</span>
         </button>
+        <span class="wide">${this.bare("embed")}</span>
         ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
@@ -71,7 +73,7 @@ export class PasuTopBar extends DesignerElement {
       </div>
       <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
         ${FILES.map((command) => this.item(command))}
-        ${sharing ? this.item("share") : nothing} ${this.theme(false)}
+        ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
         ${this.item("help")}
       </pasu-menu>
     `;

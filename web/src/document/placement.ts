@@ -37,8 +37,7 @@ export function matrixOf(place: Placement | undefined): Matrix | null {
     ...shift,
     1,
   ];
-  const volume = x * y * z;
-  return matrix.every(Number.isFinite) && Number.isFinite(volume) && volume !== 0 ? matrix : null;
+  return matrix.every(Number.isFinite) && x !== 0 && y !== 0 && z !== 0 ? matrix : null;
 }
 
 /** The placement without its movement: how large a part is and which way it looks. Undefined where both are as its own equations have it. */

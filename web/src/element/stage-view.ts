@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
-import { customElement, query, state } from "lit/decorators.js";
+import { customElement, query } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
@@ -14,86 +14,79 @@ import type { Compared } from "../work/comparison";
 import type { Shown } from "../work/surface";
 import { trace } from "../work/trace";
 import { DesignerElement } from "./designer-element";
+import { StageHolder } from "./stage-holder";
+import { stageKey } from "./stage-keys";
 import type { StageMade } from "./stage-made";
 import { stageModel } from "./stage-model";
-import { VIEWS, ZOOM } from "./views";
 
-const TURN = Math.PI / 18;
-const PAN = 40;
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
 
 /** A graphics context that has not come back by then, in milliseconds, is taken for lost. */
 const PATIENCE = 5000;
 
-const REDUCED = "(prefers-reduced-motion: reduce)";
-const DARK = "(prefers-color-scheme: dark)";
-
 @customElement("pasu-stage")
 export class PasuStage extends DesignerElement {
-  @state() private mode: "loading" | "live" | "lost" | "gone" | "still" = "loading";
   @query(".host") private readonly host!: HTMLDivElement;
   @query(".still") private readonly still!: HTMLCanvasElement | null;
-  private stage: Stage | null = null;
+  private readonly holder = new StageHolder(this, {
+    host: () => this.host,
+    options: () => this.options(),
+    patience: PATIENCE,
+    opened: () => {
+      for (const each of this.renderRoot.querySelectorAll(".host, #description, pasu-stage-tools")) {
+        this.furniture.observe(each);
+      }
+      // The pot is drawn without waiting for its tools.
+      void import("./stage-tools");
+    },
+    closing: () => this.forget(),
+  });
   private drawn: Shown | null = null;
   private hiding: readonly PartId[] = [];
   private compared: Compared | null = null;
   private made: StageMade | null = null;
   private making = false;
   private leave: (() => void) | null = null;
-  /** The stage that is being fetched: one that nobody waits for any more is not put up. */
-  private loading: object | null = null;
   private framed = -1;
   private framedSize = 0;
-  private readonly dark = matchMedia(DARK);
-  private readonly reduced = matchMedia(REDUCED);
   private readonly resizes = new ResizeObserver(() => void this.drawStill());
   private readonly furniture = new ResizeObserver(() => this.furnish());
-  private patience: ReturnType<typeof setTimeout> | undefined;
   /** What the still picture is of. */
   private pictured: { readonly shown: Shown | null; readonly hidden: readonly PartId[] } = { shown: null, hidden: [] };
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.dark.addEventListener("change", this.mediaChanged);
-    this.reduced.addEventListener("change", this.mediaChanged);
     // A new surface goes to the stage before the page writes about it.
     this.leave = effect(() => this.display());
-    if (this.hasUpdated && !this.stage) void this.load();
+    if (this.hasUpdated) void this.holder.open();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.mediaChanged);
-    this.reduced.removeEventListener("change", this.mediaChanged);
     this.leave?.();
     this.leave = null;
-    // Whoever is only moved to another place is connected again by then, and the stage lives on.
-    queueMicrotask(() => {
-      if (!this.isConnected) this.close();
-    });
   }
 
-  /** Gives back what the stage holds of the graphics card. */
-  private close(): void {
-    this.loading = null;
+  /** Nothing is drawn any more. */
+  private forget(): void {
     this.resizes.disconnect();
     this.furniture.disconnect();
-    clearTimeout(this.patience);
     this.made?.dispose();
     this.made = null;
     this.making = false;
-    this.stage?.dispose();
-    this.stage = null;
     this.drawn = null;
     this.compared = null;
     this.framed = -1;
     this.framedSize = 0;
-    this.mode = "loading";
   }
 
   override firstUpdated(): void {
-    void this.load();
+    void this.holder.open();
+  }
+
+  private get stage(): Stage | null {
+    return this.holder.stage;
   }
 
   /** The picture as it is seen; null while there is no stage to take it from. */
@@ -105,62 +98,22 @@ export class PasuStage extends DesignerElement {
     this.host.focus(options);
   }
 
-  private async load(): Promise<void> {
-    const mine = {};
-    this.loading = mine;
-    try {
-      const { Stage } = await import("../render/stage");
-      if (!this.isConnected || this.loading !== mine || this.stage) return;
-      if (!Stage.supported()) {
-        this.mode = "still";
-        return;
-      }
-      this.stage = new Stage(this.host, {
-        theme: this.theme(),
-        reducedMotion: this.reduced.matches,
-        lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
-        onContextLost: () => {
-          this.mode = "lost";
-          this.patience = setTimeout(() => {
-            this.mode = "gone";
-          }, PATIENCE);
-        },
-        onContextRestored: () => {
-          clearTimeout(this.patience);
-          this.mode = "live";
-        },
-        onTap: (part) => {
-          const { designer } = this;
-          if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
-        },
-        onDrawn: () => {
-          if (this.drawn) trace("drawn", this.drawn.change);
-        },
-        onCost: (milliseconds, coarsest) => {
-          const times = this.drawn?.solved.times;
-          if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
-        },
-      });
-      // A context that others have too may be lost already, which the stage says next.
-      this.mode = "live";
-      for (const each of this.renderRoot.querySelectorAll(".host, #description, pasu-stage-tools")) {
-        this.furniture.observe(each);
-      }
-      // The pot is drawn without waiting for its tools.
-      void import("./stage-tools");
-    } catch {
-      this.mode = this.again ? "gone" : "still";
-    }
-  }
-
-  /** Whether the graphics card was here before. */
-  private again = false;
-
-  /** Gives up the context that does not come back, and asks for another one. */
-  private retry(): void {
-    this.again = true;
-    this.close();
-    void this.load();
+  private options() {
+    return {
+      theme: this.theme(),
+      lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
+      onTap: (part: PartId | string) => {
+        const { designer } = this;
+        if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
+      },
+      onDrawn: () => {
+        if (this.drawn) trace("drawn", this.drawn.change);
+      },
+      onCost: (milliseconds: number, coarsest: boolean) => {
+        const times = this.drawn?.solved.times;
+        if (times) this.designer.surface.pace.learn(times.done - times.begun + milliseconds, coarsest);
+      },
+    };
   }
 
   /** Tells the stage what lies over it. */
@@ -183,7 +136,7 @@ export class PasuStage extends DesignerElement {
     return html`
       <div
         class="host"
-        ?data-gone=${this.mode === "gone"}
+        ?data-gone=${this.holder.mode === "gone"}
         tabindex="0"
         role="application"
         aria-roledescription=${page.stage}
@@ -210,11 +163,12 @@ export class PasuStage extends DesignerElement {
 
   /** Whether a still picture stands in the place of the stage. */
   private get stands(): boolean {
-    return this.mode === "still" || this.mode === "gone";
+    const { mode } = this.holder;
+    return mode === "still" || mode === "gone";
   }
 
   private note() {
-    switch (this.mode) {
+    switch (this.holder.mode) {
       case "loading":
         return html`<div class="wheel" aria-hidden="true"></div>`;
       case "lost":
@@ -222,7 +176,7 @@ export class PasuStage extends DesignerElement {
       case "gone":
         return html`<p class="note" role="status">
           ${page.lostForGood}
-          <button class="button outlined" type="button" @click=${() => this.retry()}>${page.tryAgain}</button>
+          <button class="button outlined" type="button" @click=${() => void this.holder.retry()}>${page.tryAgain}</button>
         </p>`;
       case "still":
         return html`<p class="note" role="status">${page.still}</p>`;
@@ -308,43 +262,22 @@ export class PasuStage extends DesignerElement {
   private theme(): "light" | "dark" {
     const choice = this.designer.store.session.theme;
     if (choice !== "auto") return choice;
-    return this.dark.matches ? "dark" : "light";
+    return this.holder.dark ? "dark" : "light";
   }
-
-  private readonly mediaChanged = (): void => {
-    this.stage?.reducedMotion(this.reduced.matches);
-    this.requestUpdate();
-  };
 
   private async drawStill(): Promise<void> {
     if (!this.still) return;
-    const { drawStill } = await import("./still-picture");
+    const { paintStill } = await import("./still-picture");
     const canvas = this.still;
     const shown = this.designer.surface.shown;
     if (!canvas || !shown) return;
-    const ratio = Math.min(2, devicePixelRatio || 1);
-    canvas.width = Math.round(canvas.clientWidth * ratio);
-    canvas.height = Math.round(canvas.clientHeight * ratio);
     const { hidden } = this.designer.store.session;
     const seen = shown.solved.parts.filter(({ id }) => !hidden.includes(id));
-    drawStill(seen, canvas, this.theme() === "dark" ? [0.62, 0.78, 0.71] : [0.66, 0.8, 0.73]);
+    paintStill(seen, canvas, this.theme());
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    const { stage } = this;
-    if (!stage || event.ctrlKey || event.metaKey || event.altKey) return;
-    const view = VIEWS[Number(event.key) - 1];
-    const arrow = ARROWS[event.key];
-    if (arrow) {
-      const [x, y] = arrow;
-      if (event.shiftKey) stage.pan(-PAN * x, -PAN * y);
-      else stage.orbit(TURN * x, TURN * y);
-    } else if (view) stage.view(view);
-    else if (event.key === "+" || event.key === "=") stage.zoom(ZOOM);
-    else if (event.key === "-" || event.key === "_" || event.key === "−") stage.zoom(1 / ZOOM);
-    else if (event.key === "f" || event.key === "F") stage.fit();
-    else return;
-    event.preventDefault();
+    if (this.stage) stageKey(event, this.stage);
   };
 
   static override readonly styles = [
@@ -464,13 +397,6 @@ export class PasuStage extends DesignerElement {
     `,
   ];
 }
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -24,6 +24,18 @@ export interface StillPart {
   readonly matrix: Matrix;
 }
 
+/** What the clay looks like without light from everywhere. */
+const COLOURS: Readonly<Record<"light" | "dark", Rgb>> = { light: [0.66, 0.8, 0.73], dark: [0.62, 0.78, 0.71] };
+const MOST_PIXELS_PER_PIXEL = 2;
+
+/** Draws parts to fill the canvas as large as it is on the page. */
+export function paintStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, theme: "light" | "dark"): void {
+  const ratio = Math.min(MOST_PIXELS_PER_PIXEL, devicePixelRatio || 1);
+  canvas.width = Math.round(canvas.clientWidth * ratio);
+  canvas.height = Math.round(canvas.clientHeight * ratio);
+  drawStill(parts, canvas, COLOURS[theme]);
+}
+
 /** Draws parts to fill the canvas; the canvas keeps its size in pixels. */
 export function drawStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, colour: Rgb): void {
   const context = canvas.getContext("2d");

@@ -9,6 +9,12 @@ export interface GestureTarget {
   gesture(active: boolean): void;
 }
 
+/** A stage inside a page that scrolls: one finger and the wheel are the page's, two fingers turn and pinch. */
+export interface PageManners {
+  /** Whether the wheel zooms without the control key too. */
+  takesWheel(): boolean;
+}
+
 /** One notch of a wheel (100 pixels in most browsers) comes closer by a sixth. */
 const WHEEL_RATE = 0.0015;
 /** A pinch on a trackpad arrives as a wheel with the control key and in much smaller numbers. */
@@ -20,11 +26,15 @@ const PIXELS_PER_PAGE = 400;
 
 /**
  * Mouse, pen and touch on the stage: one finger or the first button turns, two fingers pinch and move, another button or a modifier
- * key moves, the wheel zooms, and only over the stage. The keyboard belongs to the page, which calls the stage's methods.
+ * key moves, the wheel zooms, and only over the stage. The keyboard belongs to the page, which calls the stage's methods. Inside a page that
+ * scrolls it has {@link PageManners}.
  */
 export class Gesture {
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private moves = false;
+  private active = false;
+  /** How many pointers make a gesture. */
+  private needed = 1;
   /** Where a touch came down that may turn out to be a tap. */
   private tapped: { readonly x: number; readonly y: number } | null = null;
   private readonly listeners = new AbortController();
@@ -32,8 +42,9 @@ export class Gesture {
   constructor(
     private readonly surface: HTMLElement,
     private readonly target: GestureTarget,
+    private readonly page: PageManners | null = null,
   ) {
-    surface.style.touchAction = "none";
+    surface.style.touchAction = page ? "pan-x pan-y" : "none";
     const { signal } = this.listeners;
     surface.addEventListener("pointerdown", this.down, { signal });
     surface.addEventListener("pointermove", this.move, { signal });
@@ -41,7 +52,10 @@ export class Gesture {
     surface.addEventListener("pointercancel", this.up, { signal });
     surface.addEventListener("lostpointercapture", this.up, { signal });
     surface.addEventListener("wheel", this.wheel, { signal, passive: false });
-    surface.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
+    if (page) {
+      surface.addEventListener("touchstart", this.claim, { signal, passive: false });
+      surface.addEventListener("touchmove", this.claim, { signal, passive: false });
+    } else surface.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
   }
 
   dispose(): void {
@@ -52,12 +66,16 @@ export class Gesture {
   private readonly down = (event: PointerEvent): void => {
     // A third finger has no meaning; a second mouse button during a drag does not restart it.
     if (this.pointers.size >= 2 || this.pointers.has(event.pointerId)) return;
+    // The other buttons have their meaning in a page: its menu, scrolling by itself.
+    if (this.page && event.button !== 0) return;
     if (this.pointers.size === 0) {
       this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
+      this.needed = this.page && event.pointerType !== "mouse" ? 2 : 1;
       this.tapped = this.moves ? null : { x: event.clientX, y: event.clientY };
-      this.target.gesture(true);
     } else this.tapped = null;
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.tell();
+    if (!this.active) return;
     try {
       this.surface.setPointerCapture(event.pointerId);
     } catch {
@@ -79,8 +97,11 @@ export class Gesture {
     const after = this.spread();
     if (before !== null && after !== null) {
       // The middle of two fingers moves by half of what one of them does.
-      this.target.pan(dx / 2, dy / 2);
+      if (this.page) this.target.orbit(dx / 2, dy / 2);
+      else this.target.pan(dx / 2, dy / 2);
       if (before > 1 && after > 1) this.target.zoom(after / before);
+    } else if (!this.active) {
+      // The page scrolls.
     } else if (this.moves) {
       this.target.pan(dx, dy);
     } else {
@@ -92,14 +113,28 @@ export class Gesture {
     if (!this.pointers.delete(event.pointerId)) return;
     // The finger that stays goes on turning, not moving.
     this.moves = false;
+    this.tell();
     if (this.pointers.size > 0) return;
-    this.target.gesture(false);
     const { tapped } = this;
     this.tapped = null;
     if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY);
   };
 
+  /** Says when a gesture begins and ends. */
+  private tell(): void {
+    const active = this.pointers.size >= this.needed;
+    if (active === this.active) return;
+    this.active = active;
+    this.target.gesture(active);
+  }
+
+  /** Two fingers are for the pot: the page neither scrolls nor grows. */
+  private readonly claim = (event: TouchEvent): void => {
+    if (event.touches.length >= 2 && event.cancelable) event.preventDefault();
+  };
+
   private readonly wheel = (event: WheelEvent): void => {
+    if (this.page && !event.ctrlKey && !this.page.takesWheel()) return;
     event.preventDefault();
     const unit =
       event.deltaMode === WheelEvent.DOM_DELTA_LINE

@@ -20,7 +20,9 @@ export function newPlacing(shift: Uniform<Triple> = { value: [0, 0, 0] }): Placi
 /** Puts a part where a matrix says. Whether it is turned inside out by that, as in a mirror. */
 export function place(placing: Placing, matrix: Matrix): boolean {
   placing.model.value = matrix;
-  placing.turned.value = mat3.normalFromMat4([...placing.turned.value], matrix as number[]) as number[];
+  // A part that is too small to have an inverse in numbers keeps the normals that it had.
+  const turned = mat3.normalFromMat4([...placing.turned.value], matrix as number[]) as number[] | null;
+  if (turned) placing.turned.value = turned;
   return mat4.determinant(matrix as number[]) < 0;
 }
 

@@ -13,6 +13,9 @@ export interface CameraPose {
   target: Triple;
 }
 
+/** Where the camera looks from. */
+export type Direction = Pick<CameraPose, "azimuth" | "polar">;
+
 /** The standard views. */
 export type ViewName = "three-quarter" | "front" | "side" | "top" | "below";
 
@@ -28,7 +31,7 @@ export const FIT_MARGIN_UPRIGHT = 1.3;
 const FRONT = -Math.PI / 2;
 
 /** The direction of every standard view. */
-export const VIEWS: Readonly<Record<ViewName, { azimuth: number; polar: number }>> = {
+export const VIEWS: Readonly<Record<ViewName, Direction>> = {
   "three-quarter": { azimuth: FRONT + 0.55, polar: 1.13 },
   front: { azimuth: FRONT, polar: Math.PI / 2 },
   side: { azimuth: 0, polar: Math.PI / 2 },

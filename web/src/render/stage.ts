@@ -1,5 +1,5 @@
 import { Camera } from "./camera";
-import { Gesture } from "./gesture";
+import { Gesture, type GestureTarget, type PageManners } from "./gesture";
 import { Device, type Tenant, webgl2Supported } from "./gl/device";
 import { draw } from "./gl/drawable";
 import { Pane } from "./gl/pane";
@@ -11,7 +11,7 @@ import type { Box } from "./overlay/label";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { type Face, Picker } from "./picker";
 import { drawPicture, toPng } from "./picture";
-import { axesOf, type CameraPose, FIT_MARGIN_UPRIGHT, fitDistance, VIEWS, type ViewName } from "./pose";
+import { axesOf, type CameraPose, type Direction, FIT_MARGIN_UPRIGHT, fitDistance, VIEWS, type ViewName } from "./pose";
 import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
 import { Stopwatch } from "./stopwatch";
@@ -24,6 +24,8 @@ export interface StageOptions {
   reducedMotion: boolean;
   /** How a length is written beside its dimension line. */
   lengths: (length: number) => string;
+  /** The stage stands in a page that scrolls. */
+  page?: PageManners;
   /** The browser took the graphics context away; the picture stands still until it is back. */
   onContextLost?(): void;
   onContextRestored?(): void;
@@ -63,6 +65,9 @@ export interface Guest extends Tenant, Source {
 /** Turning by the height of the stage turns the pot by half a turn. */
 const TURN_PER_HEIGHT = Math.PI;
 
+/** A frame later than this turns no further, in seconds. */
+const LONGEST_STEP = 0.25;
+
 /** After the last movement the full resolution is drawn, this many milliseconds later. */
 const REST_DELAY = 120;
 
@@ -100,6 +105,10 @@ export class Stage {
   private caption: Box | null = null;
   /** What the view that was fitted last left free above and below. */
   private left = FIT_MARGIN_UPRIGHT;
+  /** How far away a fitted view is, as a share of the distance from which the pot just fits. */
+  private share = 1;
+  /** How fast the camera goes round by itself, in radians a second. */
+  private rate = 0;
   private gesturing = false;
   private movedAt = -Infinity;
   /** The pose last told to the page. */
@@ -145,7 +154,7 @@ export class Stage {
     this.tableau.scene.add(...this.overlay.sources);
     for (const tenant of this.tenants()) this.device.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
-    this.gesture = new Gesture(this.pane.element, {
+    const target: GestureTarget = {
       orbit: (dx, dy) => this.turnByPixels(dx, dy),
       pan: (dx, dy) => this.pan(dx, dy),
       zoom: (factor) => this.zoom(factor),
@@ -154,7 +163,8 @@ export class Stage {
         this.gesturing = active;
         this.loop.invalidate();
       },
-    });
+    };
+    this.gesture = new Gesture(this.pane.element, target, options.page);
     if (this.device.lost) {
       this.loop.pause();
       // Not before whoever made the stage has it.
@@ -190,7 +200,7 @@ export class Stage {
     this.guest?.forget();
     if (!this.placed && this.tableau.bounds) {
       this.placed = true;
-      this.place("three-quarter", true);
+      this.place(VIEWS["three-quarter"], true);
     } else if (whole && !this.sees()) {
       const { fitted } = this;
       this.place(null, false);
@@ -281,12 +291,33 @@ export class Stage {
 
   /** Goes to a standard view, fitted. */
   view(name: ViewName): void {
-    this.place(name, false);
+    this.look(VIEWS[name], 1, false);
   }
 
   /** Moves the camera, in its present direction, so that everything is seen. */
   fit(): void {
+    this.share = 1;
     this.place(null, false);
+  }
+
+  /** Looks from a direction, from a share of the distance from which the pot just fits. */
+  look(direction: Direction, share: number, atOnce: boolean): void {
+    this.share = share;
+    this.place(direction, atOnce);
+  }
+
+  /** Where {@link look} would have to be told to look from, to see what is seen now. */
+  get looking(): Direction & { readonly share: number } {
+    const pose = this.camera.goal;
+    const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
+    return { azimuth: pose.azimuth, polar: pose.polar, share: pose.distance / this.reach(pose, aspect) };
+  }
+
+  /** Goes round the pot by itself, so many radians a second, until it is told 0; never where motion is reduced. */
+  spin(rate: number): void {
+    if (this.rate === rate) return;
+    this.rate = rate;
+    this.changed();
   }
 
   /** Comes closer by a factor: 2 shows things twice as large. */
@@ -326,6 +357,7 @@ export class Stage {
   }
 
   reducedMotion(reduced: boolean): void {
+    if (this.camera.reducedMotion === reduced) return;
     this.camera.reducedMotion = reduced;
     if (reduced) this.camera.settle();
     this.loop.invalidate();
@@ -341,6 +373,11 @@ export class Stage {
   async picture(width: number, height: number, options: { transparent?: boolean } = {}): Promise<Blob> {
     if (this.device.lost) throw new Error("the graphics context is lost; try again when it is back");
     return toPng(this.photograph(width, height, options.transparent ?? false));
+  }
+
+  /** The same at once, for what cannot wait (a page about to be printed); null while the graphics context is lost. */
+  still(width: number, height: number): HTMLCanvasElement | null {
+    return this.device.lost ? null : this.photograph(width, height, false);
   }
 
   /** Resolves when nothing more is to be drawn: at once at rest, and while the stage has no size. */
@@ -387,7 +424,7 @@ export class Stage {
     const camera = new Camera();
     const pose = this.camera.pose;
     camera.radius = tableau.frame.radius;
-    if (this.fitted && !this.camera.moving) pose.distance = this.reach(pose, aspect);
+    if (this.fitted && (this.spinning || !this.camera.moving)) pose.distance = this.share * this.reach(pose, aspect);
     camera.travel(pose, true);
     this.prepare(camera, aspect);
     tableau.shade(this.device, this.guest?.cutPlane.value);
@@ -440,18 +477,22 @@ export class Stage {
     this.loop.invalidate();
   }
 
-  /** Looks at everything from a standard direction, or from the present one. */
-  private place(name: ViewName | null, atOnce: boolean): void {
+  private get spinning(): boolean {
+    return this.rate !== 0 && !this.camera.reducedMotion;
+  }
+
+  /** Looks at everything from a direction, or from the present one. */
+  private place(towards: Direction | null, atOnce: boolean): void {
     const bounds = this.tableau.bounds;
     if (!bounds) return;
     const radius = bounds.radius > 0 ? bounds.radius : 1;
     this.tableau.reframe({ centre: bounds.centre, radius });
     this.camera.radius = radius;
-    const { azimuth, polar } = name ? VIEWS[name] : this.camera.goal;
+    const { azimuth, polar } = towards ?? this.camera.goal;
     const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
     const direction = { azimuth, polar, target: bounds.centre };
     this.left = this.room();
-    this.camera.travel({ ...direction, distance: this.reach(direction, aspect, this.left) }, atOnce);
+    this.camera.travel({ ...direction, distance: this.share * this.reach(direction, aspect, this.left) }, atOnce);
     this.fitted = true;
     this.loop.invalidate();
   }
@@ -480,7 +521,7 @@ export class Stage {
       return;
     }
     if (!this.device.lost) this.loop.resume();
-    if (this.fitted && !this.camera.moving) this.place(null, true);
+    if (this.fitted && (this.spinning || !this.camera.moving)) this.place(null, true);
     this.loop.invalidate();
   }
 
@@ -505,7 +546,9 @@ export class Stage {
     const { width, height } = this.size;
     // The browser takes the context before it says so.
     if (width === 0 || height === 0 || this.device.gl.isContextLost()) return false;
-    const moving = this.camera.step(seconds);
+    // After a rest no time has passed, and of a page that was hidden too much.
+    if (this.spinning && !this.gesturing) this.camera.orbit(this.rate * Math.min(seconds, LONGEST_STEP), 0);
+    const moving = this.camera.step(seconds) || this.spinning;
     const now = performance.now();
     if (moving || this.gesturing) this.movedAt = now;
     const busy = now - this.movedAt < REST_DELAY;

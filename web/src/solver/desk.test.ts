@@ -164,10 +164,12 @@ test("what is refused is named by its place in the whole design, and what concer
     refusal: { path: "parts[5].name" },
   });
   const flat = withPart(ROW, 2, moved({ scale: [1, 1, 0] }));
-  expect(await desk.solve({ design: flat, ids: IDS }, REST)).toMatchObject({
-    state: "refused",
-    refusal: { path: "parts[2].place.scale[2]" },
-  });
+  for (const options of [HAND, REST]) {
+    expect(await desk.solve({ design: flat, ids: IDS }, options)).toMatchObject({
+      state: "refused",
+      refusal: { path: "parts[2].place.scale[2]" },
+    });
+  }
 });
 
 test("the section of another part is all that is sent for it, and once", async () => {

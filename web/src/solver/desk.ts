@@ -83,16 +83,18 @@ export class Desk {
       if (there && !section) return [];
       return [askOf(part, id, place, there ? null : wanted, section)];
     });
-    const whole = options.settle ? wholeOf(design, options) : null;
+    // What cannot stand as it is told to is for the solver to refuse, under the hand too.
+    const stands = design.parts.every(({ place }) => matrixOf(place) !== null);
+    const whole = options.settle || !stands ? wholeOf(design, options) : null;
     const known = whole !== null && this.#knows(whole);
     if (parts.length === 0 && (whole === null || known)) return null;
     return { kind: "parts", parts, whole: known ? null : whole };
   }
 
-  /** Whether a mesh of the very shape will do. Under the hand any will, as long as it can be put where its part stands. */
+  /** Whether a mesh of the very shape will do. Under the hand any will. */
   #serves(kept: Kept, { place }: Part, { settle }: SolveOptions, wanted: NonNullable<PartAsk["mesh"]>): boolean {
     if (wanted.lines && !kept.lines) return false;
-    if (!settle) return matrixOf(place) !== null;
+    if (!settle) return true;
     const { positions, ware } = kept.mesh;
     const size = wanted.rows * wanted.columns;
     return (

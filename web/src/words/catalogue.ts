@@ -6,6 +6,7 @@
 import type { beginnings } from "./english/beginnings";
 import type { controls } from "./english/controls";
 import type { description } from "./english/description";
+import type { embed } from "./english/embed";
 import type { exporting } from "./english/export";
 import type { gallery } from "./english/gallery";
 import type { help } from "./english/help";
@@ -19,6 +20,7 @@ import type { page } from "./english/page";
 import type { parameters } from "./english/parameters";
 import type { parts } from "./english/parts";
 import type { picture } from "./english/picture";
+import type { pot } from "./english/pot";
 import type { profile } from "./english/profile";
 import type { quantities } from "./english/quantities";
 import type { refusals } from "./english/refusals";
@@ -31,6 +33,7 @@ export interface Catalogue {
   readonly beginnings: typeof beginnings;
   readonly controls: typeof controls;
   readonly description: typeof description;
+  readonly embed: typeof embed;
   readonly exporting: typeof exporting;
   readonly gallery: typeof gallery;
   readonly help: typeof help;
@@ -44,6 +47,7 @@ export interface Catalogue {
   readonly parameters: typeof parameters;
   readonly parts: typeof parts;
   readonly picture: typeof picture;
+  readonly pot: typeof pot;
   readonly profile: typeof profile;
   readonly quantities: typeof quantities;
   readonly refusals: typeof refusals;

@@ -96,6 +96,14 @@ test("waves in free boundary data are told by their equation and how many they a
   );
 });
 
+test("waves of which there are too many to be made are told in the library's words, which say what they are good for", () => {
+  const message = "expected at most 4096 waves round a pot that is measured or made, found 10000; it can only be drawn";
+  const args = { greatest: 4096, found: 10000 };
+  const refusal: Refusal = { code: "too-large", path: "parts[0].shape.n[1]", message, args };
+  expect(refusalWords(refusal, design({}))).toBe(`Petals: Expected${message.slice("expected".length)}.`);
+  expect(whyWords({ ...refusal, path: "title" })).toBe("There are 10000; at most 4096 are possible.");
+});
+
 test("a code without words of its own speaks in the library's, as a sentence", () => {
   const refusal: Refusal = { code: "of-tomorrow", path: "", message: "the clay is still wet" };
   expect(whyWords(refusal)).toBe("The clay is still wet.");

@@ -48,12 +48,14 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "too-large": (refusal) => {
     const [found, greatest] = [numberOf(refusal, "found"), numberOf(refusal, "greatest")];
     if (refusal.args?.rows !== undefined) return refusals.tooManyPoints;
-    return found !== null && greatest !== null ? refusals.tooMany(found, greatest) : null;
+    // Of what a shape has too much, and what it is good for all the same, the library says.
+    const counts = found !== null && greatest !== null && !refusal.path.includes(".shape");
+    return counts ? refusals.tooMany(found, greatest) : null;
   },
   "no-wall": () => refusals.noWall,
   overflow: () => refusals.overflow,
   "resonant-problem": () => refusals.resonant,
-  "file-too-large": (refusal) => refusals.fileTooLarge(named(refusal)),
+  "file-too-large": (refusal) => refusals.fileTooLarge(isolated(named(refusal))),
   "no-design": (refusal) =>
     (/\.stl$/i.test(named(refusal)) ? refusals.noDesignInStl : refusals.noDesign)(isolated(named(refusal))),
   "solver-stopped": () => refusals.solverStopped,
@@ -90,9 +92,8 @@ function expected(refusal: Refusal, what: string | null): string | null {
 }
 
 function rangeOf(refusal: Refusal): string | null {
-  const [least, greatest, above, below, not] = (["least", "greatest", "above", "below", "not"] as const).map((name) =>
-    numberOf(refusal, name),
-  ) as readonly (string | null)[] as [string | null, string | null, string | null, string | null, string | null];
+  const end = (name: string) => numberOf(refusal, name);
+  const [least, greatest, above, below, not] = [end("least"), end("greatest"), end("above"), end("below"), end("not")];
   if (least !== null || greatest !== null) return refusals.range(least, greatest);
   if (above !== null || below !== null) return refusals.open(above, below);
   return not === null ? null : refusals.not(not);

@@ -41,6 +41,40 @@ test("an overhang is told by its angle and place", () => {
   expect(texts(overhang(-3))).toEqual(["good: Nothing hangs over: it prints without support."]);
 });
 
+test("of a pot with a ceiling beneath it only the wall is said to print without support", () => {
+  const message =
+    "the base within the foot ring is a ceiling, 50 mm wide and 2.5 mm above the ground: printers bridge it";
+  const finding = { code: "ceiling", severity: "note", part: 0, path: null, message, at: [0, 0, 0], remedy: null };
+  const report = { ok: false, findings: [finding], meshes: [] } as unknown as Report;
+  const told = (degrees: number) =>
+    texts(measures({}, { overhang: { degrees, error: 0, at: SHOULDER, face: "outer" } }), report);
+  const ceiling =
+    "note: The base within the foot ring is a ceiling, 50 mm wide and 2.5 mm above the ground: printers bridge it.";
+  expect(told(30)).toEqual([
+    ceiling,
+    "good: The steepest overhang of the wall is 30 degrees, at the shoulder: it prints without support.",
+  ]);
+  expect(told(-3)).toEqual([ceiling, "good: The wall hangs over nowhere: it prints without support."]);
+});
+
+test("what is found of one of several parts has its name", () => {
+  const finding = {
+    code: "overlap",
+    severity: "warning",
+    part: 1,
+    path: null,
+    message: "they touch",
+    at: null,
+    remedy: null,
+  };
+  const report = { ok: false, findings: [finding], meshes: [] } as unknown as Report;
+  const two = measures({}, { part: 0, name: "Lid" }, { part: 1, name: "Jar" });
+  expect(texts(two, report).map((text) => text.replaceAll(/[\u2068\u2069]/g, ""))).toEqual([
+    "warning: Jar: They touch.",
+  ]);
+  expect(texts(measures({}, { part: 1, name: "Jar" }), report)).toEqual(["warning: They touch."]);
+});
+
 test("the inside hangs over too, and is told by its own place however thick the wall is", () => {
   const hangs = (outside: number, inside: number, z: number) =>
     measures(

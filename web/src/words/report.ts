@@ -28,8 +28,9 @@ const LEAST_PRINTED_MM = 0.8;
 /** A pot that tips sooner than this is knocked over by a cat. */
 const STEADY_DEGREES = 10;
 
-/** The code of a finding of the checks. */
+/** Codes of findings of the checks. */
 const THINNED = "thinned";
+const CEILING = "ceiling";
 
 /** Codes of findings that the page says by itself, from the measures and in the unit of the design. */
 const MEASURED: readonly string[] = ["too-thin", "overhang"];
@@ -43,10 +44,10 @@ export function verdict(
   outline: Outline,
   unit: Unit,
 ): readonly Sentence[] {
-  const thinned = (report?.findings ?? []).filter(({ code }) => code === THINNED).map(({ part }) => part);
+  const found = report?.findings ?? [];
   return [
-    ...(report ? checked(report, outline, unit) : []),
-    ...(measures ? measured(measures, outline, unit, thinned) : []),
+    ...(report ? checked(report, measures, outline, unit) : []),
+    ...(measures ? measured(measures, outline, unit, found) : []),
   ].sort(worstFirst);
 }
 
@@ -59,7 +60,7 @@ export function madeOf(
   millimetres: number,
 ): readonly Sentence[] {
   return [
-    ...checked(report, outline, unit),
+    ...checked(report, measures, outline, unit),
     ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
   ].sort(worstFirst);
 }
@@ -68,16 +69,19 @@ function worstFirst(a: Sentence, b: Sentence): number {
   return ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity);
 }
 
-/** What the checks say of the very triangles that a file holds. */
-export function checked(report: Report, outline: Outline, unit: Unit): readonly Sentence[] {
+/** What the checks say of the very triangles that a file holds, with the names of the parts that `measures` has, where there are several. */
+export function checked(report: Report, measures: Measures | null, outline: Outline, unit: Unit): readonly Sentence[] {
   const sentences = report.findings
     .filter(({ code }) => !MEASURED.includes(code))
     .map((finding) => ({
       severity: finding.severity,
-      text:
+      text: named(
+        measures,
+        finding.part,
         finding.code === THINNED
           ? thinnedWords(finding, report, outline, unit)
           : (fittedWords(finding, unit) ?? findingWords(finding, outline)),
+      ),
     }));
   const closed: Sentence = {
     severity: "good",
@@ -90,7 +94,7 @@ export function checked(report: Report, outline: Outline, unit: Unit): readonly 
 export function findingWords({ code, severity, message, at }: Finding, outline: Outline): string {
   // A part without a wall is an error by itself, and beside pots left out.
   const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : whyWords({ code, path: "", message });
-  if (!at || outline.length < 2) return sentence;
+  if (!at || outline.length < 2 || code === CEILING) return sentence;
   const place = whereWords(at, outline);
   return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
 }
@@ -104,23 +108,23 @@ function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, un
   return said.thinnedTo(lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline), share);
 }
 
-function measured(measures: Measures, outline: Outline, unit: Unit, thinned: readonly number[]): readonly Sentence[] {
-  return [
-    ...inParts(measures, (part) => ofPart(part, outline, unit, thinned.includes(part.part))),
-    ...stands(measures),
-  ];
+function measured(measures: Measures, outline: Outline, unit: Unit, findings: readonly Finding[]): readonly Sentence[] {
+  const codes = (part: number) => findings.filter((finding) => finding.part === part).map(({ code }) => code);
+  return [...inParts(measures, (part) => ofPart(part, outline, unit, codes(part.part))), ...stands(measures)];
 }
 
 /** What is said of each part, with its name where there are several. */
 function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
-  const several = measures.parts.length > 1;
-  return measures.parts.flatMap((part) => {
-    const name = several ? isolated(partName(part.part, part.name)) : null;
-    return words(part).map(({ severity, text }) => ({
-      severity,
-      text: name === null ? text : said.ofPart(name, text),
-    }));
-  });
+  return measures.parts.flatMap((part) =>
+    words(part).map(({ severity, text }) => ({ severity, text: named(measures, part.part, text) })),
+  );
+}
+
+/** A sentence with the name of its part, where there are several. */
+function named(measures: Measures | null, number: number | null, text: string): string {
+  const part = measures?.parts.find((each) => each.part === number);
+  if (!part || measures?.parts.length === 1) return text;
+  return said.ofPart(isolated(partName(part.part, part.name)), text);
 }
 
 function whereWords(at: Triple | null, outline: Outline): string {
@@ -140,7 +144,8 @@ function thinWords({ thickness }: PartMeasures, outline: Outline, millimetres: n
   ];
 }
 
-function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean): readonly Sentence[] {
+/** `codes` are those of what the checks found of it. */
+function ofPart(part: PartMeasures, outline: Outline, unit: Unit, codes: readonly string[]): readonly Sentence[] {
   const sentences: Sentence[] = [];
   const say = (severity: Severity, text: string) => sentences.push({ severity, text });
   const where = (at: Triple | null) => whereWords(at, outline);
@@ -149,17 +154,21 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, told: boolean)
   if (thickness) {
     const { least, asked } = thickness;
     const thin = lengthWords(least.value, unit, 3);
-    if (part.thickness?.thinned.value && !told) {
+    if (part.thickness?.thinned.value && !codes.includes(THINNED)) {
       say("warning", said.thinned(thin, where(least.at), lengthWords(asked, unit, 3)));
     }
   }
   sentences.push(...thinWords(part, outline, MILLIMETRES[unit]));
-  sentences.push(...overhangs(part, outline));
+  sentences.push(...overhangs(part, outline, codes.includes(CEILING)));
   return sentences;
 }
 
-/** A printer builds both sides of the wall: the pot prints without support where neither hangs over too far. */
-function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline): readonly Sentence[] {
+/** A printer builds both sides of the wall: the pot prints without support where neither hangs over too far, and there is no ceiling beneath it. */
+function overhangs(
+  { overhang, overhangInside }: PartMeasures,
+  outline: Outline,
+  hasCeiling: boolean,
+): readonly Sentence[] {
   const sides = [
     ...(overhang ? [{ degrees: overhang.degrees, place: whereWords(overhang.at, outline) }] : []),
     ...(overhangInside
@@ -175,7 +184,10 @@ function overhangs({ overhang, overhangInside }: PartMeasures, outline: Outline)
       text: said.overhang(degreesWords(degrees), place),
     }));
   }
-  const text = steepest.degrees > 1 ? said.steepest(degreesWords(steepest.degrees), steepest.place) : said.noOverhang;
+  const [nowhere, somewhere] = hasCeiling
+    ? [said.noOverhangOfWall, said.steepestOfWall]
+    : [said.noOverhang, said.steepest];
+  const text = steepest.degrees > 1 ? somewhere(degreesWords(steepest.degrees), steepest.place) : nowhere;
   return [{ severity: "good", text }];
 }
 

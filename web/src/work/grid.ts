@@ -28,8 +28,8 @@ const STEPS: readonly Fineness[] = [
 export const COARSEST = STEPS.length - 1;
 
 const MOST_ROUND = 1032;
-/** All parts together; a phone turns this many over without stutter. */
-const MAX_VERTICES = 1_500_000;
+/** All parts together: while one of them is dragged the others stay as fine as at rest, and are drawn again with every frame. */
+const MAX_VERTICES = 600_000;
 
 /** The grid of every part; `step` is from 0, as at rest, to {@link COARSEST}. */
 export function gridFor(design: Design, step: number): GridSize {

@@ -356,7 +356,7 @@ const GOLDENS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/goldens/tessel
 
 /// Grid, places of the rows and bound are the same bits on every machine; the tests in Node read the file too.
 ///
-/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library tolerance::golden` writes the file anew; the CHANGELOG says why.
+/// After a change of results that is meant, `PASU_BLESS=1 cargo test -p pasu --test library tolerance::of_the_gallery` writes the file anew; the CHANGELOG says why.
 #[test]
 fn of_the_gallery_are_golden() {
     let tessellation = |exhibit: &Exhibit| {

@@ -235,7 +235,7 @@ export class PasuExport extends DesignerElement {
     // A closed solid has no wall: how thick it is printed is the slicer's.
     return this.chosen.product === "pot"
       ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
-      : checked(report, outline, unit);
+      : checked(report, measures, outline, unit);
   }
 
   private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {

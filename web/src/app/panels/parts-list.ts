@@ -260,7 +260,7 @@ export class PasuParts extends DesignerElement {
         padding-top: 6px;
       }
       .tools .field {
-        flex: 1 1 140px;
+        flex: 1 1 100px;
       }
       .problem {
         color: var(--warn);

@@ -122,7 +122,7 @@ export const OWN = exhibits([
     id: "own-bowl",
     shape: turned({
       equation: [1, 0, 0],
-      radius: { rim: 9.6, footSlope: 18, rimSlope: 3.5 },
+      radius: { foot: 3.6, rim: 9.6, footSlope: 11, rimSlope: 3.5 },
       petals: [{ n: 10, cos: { rim: 0.36, rimSlope: 0.6 } }],
       height: { rim: 8, rimSlope: 22 },
       waves: [{ n: 10, cos: { rim: 0.16 } }],
@@ -191,7 +191,7 @@ export const OWN = exhibits([
     id: "own-plate",
     shape: turned({
       equation: [1, 2, 1],
-      radius: { rim: 13, footSlope: 20, rimSlope: 8 },
+      radius: { foot: 5.5, rim: 13, footSlope: 11, rimSlope: 8 },
       petals: [{ n: 12, cos: { rim: 0.35 } }],
       height: { rim: 2.6, rimSlope: 7 },
       waves: [{ n: 12, cos: { rim: 0.12 } }],

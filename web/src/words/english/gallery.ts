@@ -63,7 +63,7 @@ export const gallery = phrases("gallery", {
     },
     "own-bowl": {
       title: "Lotus bowl",
-      note: "The wall closes in one point, where it lies flat; ten petals fade from the lip towards it.",
+      note: "Ten petals fade from the lip on their way down to a foot of a third of its width.",
     },
     "own-carafe": {
       title: "Carafe",
@@ -87,7 +87,7 @@ export const gallery = phrases("gallery", {
     },
     "own-plate": {
       title: "Petal plate",
-      note: "The foot is a single point: the wall closes and the plate has no hole.",
+      note: "Twelve shallow petals round a plate that leaves its foot almost level.",
     },
     "zhang-you-1a": {
       title: "Zhang and You 2001, figure 1a",

@@ -41,6 +41,7 @@ export const page = phrases("page", {
     export: "Export",
     picture: "Picture",
     share: "Share",
+    embed: "Embed",
     help: "Help",
     link: "Copy link",
   },

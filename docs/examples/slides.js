@@ -1,0 +1,3 @@
+import Reveal from "https://modules.example/reveal.js/dist/reveal.mjs";
+
+await new Reveal({ embedded: false, hash: false, transition: "none" }).initialize();

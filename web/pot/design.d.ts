@@ -1,0 +1,1 @@
+../../crates/pasu-wasm/js/design.d.ts

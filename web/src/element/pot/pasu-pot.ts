@@ -1,0 +1,509 @@
+/** `<pasu-pot>`: a pot in any page. */
+
+import { html, LitElement, nothing, type PropertyValues } from "lit";
+import { property, query, state } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import type { Field } from "../../document/schema";
+import type { Design, Refusal, Sent } from "../../document/types";
+import type { SolvedParts } from "../../solver/solved";
+import { base } from "../../ui/styles";
+import { pot } from "../../words/english/pot";
+import { LENGTH_LABELS } from "../../words/length";
+import { COARSEST, gridFor } from "../../work/grid";
+import { StageHolder } from "../stage-holder";
+import { stageKey } from "../stage-keys";
+import { stageModel } from "../stage-model";
+import type { Contract, PotChange, PotOrbit, PotPicture, PotProblem } from "./contract";
+import { familyIn, namesIn, shownFields } from "./controls";
+import { type Orbit, orbitOf, orbitText, USUAL } from "./orbit";
+import { potStyles } from "./pot-styles";
+import { type SolverShare, shareSolver } from "./shared-solver";
+import { type Sight, watchSight } from "./sights";
+import type { Hand } from "./sliders";
+import { sourceOf, textAt } from "./source";
+
+/** How finely pots are sampled: they are smaller than the designer's. The steps are those of {@link gridFor}. */
+const FINENESS = 2;
+const FINENESS_IN_HAND = 3;
+
+/** A turn in this many seconds, as with `<model-viewer>`. */
+const TURN = 12;
+
+const HINT_MS = 1800;
+
+/** A design on its way to the screen, or there. */
+interface Shown {
+  readonly design: Design;
+  readonly link: string;
+}
+
+let count = 0;
+
+export class PasuPotElement extends LitElement implements Contract {
+  @property() src = "";
+  @property() alt = "";
+  @property() poster = "";
+  @property() loading: "auto" | "lazy" | "eager" = "auto";
+  @property({ attribute: "camera-orbit" }) cameraOrbit = "";
+  @property({ attribute: "auto-rotate", type: Boolean }) autoRotate = false;
+  @property() controls = "";
+  @property() ui: "" | "view" | "sliders" = "";
+  @property({ reflect: true, useDefault: true }) theme: "auto" | "light" | "dark" = "auto";
+
+  @state() private shown: Shown | null = null;
+  @state() private problem: Refusal | null = null;
+  @state() private isLoaded = false;
+  @state() private hint = false;
+  @query(".stage") private readonly host!: HTMLDivElement;
+  @query(".still") private readonly still!: HTMLCanvasElement | null;
+  @query(".probe") private readonly probe!: HTMLElement;
+  @query(".printed") private readonly printed!: HTMLCanvasElement;
+
+  private readonly holder = new StageHolder(this, {
+    host: () => this.host,
+    options: () => ({
+      theme: this.scheme(),
+      lengths: LENGTH_LABELS[this.shown ? unitOf(this.shown.design) : "cm"],
+      page: { takesWheel: () => this.shadowRoot?.activeElement === this.host },
+      onDrawn: () => this.drawn(),
+      onCamera: () => this.dispatchEvent(new Event("camera-change")),
+    }),
+    opened: () => this.display(),
+    closing: () => {
+      this.aimed = "";
+      this.resizes.disconnect();
+    },
+  });
+  private readonly lane = `pot ${++count}`;
+  private readonly resizes = new ResizeObserver(() => this.paint());
+  private share: SolverShare | null = null;
+  private sight: Sight = { near: false, seen: false };
+  private leave: readonly (() => void)[] = [];
+  /** What is being fetched or read: what comes of anything older is not wanted any more. */
+  private wanted = new AbortController();
+  /** What is to be shown once the element is near the screen: the design that was set, or what `src` says. */
+  private given: Design | null = null;
+  private pending = false;
+  private origin: Design | null = null;
+  private solved: SolvedParts | null = null;
+  /** Events that wait for their picture. */
+  private untold = false;
+  private aimed = "";
+  private held: Shown | null = null;
+  private changing: Promise<void> = Promise.resolve();
+  private hiding: ReturnType<typeof setTimeout> | undefined;
+
+  /** Whether the design is on the screen. */
+  get loaded(): boolean {
+    return this.isLoaded;
+  }
+
+  get design(): Sent | null {
+    return this.shown ? copy(this.shown.design) : null;
+  }
+
+  set design(design: Sent | null) {
+    this.given = design;
+    this.renew();
+  }
+
+  /** The link of the design that is shown, with its `#`. */
+  get link(): string | null {
+    return this.shown ? `#${this.shown.link}` : null;
+  }
+
+  getCameraOrbit(): PotOrbit {
+    const orbit = this.holder.stage?.looking ?? this.wantedOrbit();
+    return { ...orbit, toString: () => orbitText(orbit) };
+  }
+
+  async toBlob({ width, height, transparent = false }: PotPicture = {}): Promise<Blob> {
+    const { stage } = this.holder;
+    if (!stage || !this.isLoaded) throw new DOMException(pot.unshown, "InvalidStateError");
+    const ratio = devicePixelRatio || 1;
+    const side = (given: number | undefined, own: number) => given ?? Math.max(1, Math.round(own * ratio));
+    return await stage.picture(side(width, this.host.clientWidth), side(height, this.host.clientHeight), {
+      transparent,
+    });
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.leave = [
+      watchSight(this, (sight) => {
+        this.sight = sight;
+        this.begin();
+        this.turn();
+      }),
+      on(window, "beforeprint", () => this.print()),
+      on(window, "afterprint", () => this.unprint()),
+    ];
+    this.begin();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const leave of this.leave) leave();
+    this.leave = [];
+    this.sight = { near: false, seen: false };
+    queueMicrotask(() => {
+      if (!this.isConnected) this.end();
+    });
+  }
+
+  /** Gives everything up; what was shown is shown again when the element comes back. */
+  private end(): void {
+    this.wanted.abort();
+    this.share?.leave();
+    this.share = null;
+    this.solved = null;
+    this.isLoaded = false;
+    this.held = null;
+    if (this.shown && !this.pending) this.given = this.shown.design;
+    this.pending = true;
+  }
+
+  /** Nothing is fetched before the element is near the screen. */
+  private begin(): void {
+    const now = this.loading === "eager" || this.sight.near;
+    if (!now || !this.isConnected || !this.hasUpdated) return;
+    void this.holder.open();
+    if (this.pending) void this.read();
+  }
+
+  /** Another design is to be shown. */
+  private renew(): void {
+    this.pending = true;
+    this.begin();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (!changed.has("src") || (!this.hasUpdated && this.given)) return;
+    this.given = null;
+    this.pending = this.src !== "";
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    this.begin();
+    const { stage } = this.holder;
+    if (this.holder.mode === "still") {
+      if (this.still) this.resizes.observe(this.still);
+      this.paint();
+    }
+    if (!stage) return;
+    stage.theme(this.scheme());
+    if (changed.has("cameraOrbit")) this.aim(false);
+    this.turn();
+  }
+
+  /** The solver, from when it is first wanted. */
+  private get solver() {
+    this.share ??= shareSolver();
+    return this.share.solver;
+  }
+
+  private async read(): Promise<void> {
+    this.pending = false;
+    this.wanted.abort();
+    this.wanted = new AbortController();
+    const { signal } = this.wanted;
+    try {
+      const parsed = await this.solver.parse(await this.text(signal));
+      if (signal.aborted || parsed.state === "superseded") return;
+      if (parsed.state === "refused") throw parsed.refusal;
+      const { design, link } = parsed.value;
+      if (await this.solve({ design, link }, FINENESS, signal)) {
+        this.origin = design;
+        this.aimed = "";
+        this.display();
+      }
+    } catch (error) {
+      if (!signal.aborted) this.refuse(error);
+    }
+  }
+
+  /** What the solver has to read. */
+  private async text(signal: AbortSignal): Promise<string> {
+    if (this.given) return JSON.stringify(this.given);
+    const source = sourceOf(this.src, document.baseURI);
+    return source.kind === "link" ? source.link : await textAt(source.address, signal);
+  }
+
+  /** Brings a design to the screen; false when something newer came. */
+  private async solve(next: Shown, fineness: number, signal: AbortSignal): Promise<boolean> {
+    await this.holder.open();
+    const { rows, columns } = gridFor(next.design, this.holder.mode === "still" ? COARSEST : fineness);
+    const outcome = await this.solver.mesh(this.lane, next.design, rows, columns);
+    if (signal.aborted || outcome.state === "superseded") return false;
+    if (outcome.state === "refused") throw outcome.refusal;
+    this.solved = outcome.value;
+    this.shown = next;
+    this.problem = null;
+    this.untold = true;
+    return true;
+  }
+
+  /** The design that was there stays. */
+  private refuse(error: unknown): void {
+    const refusal = isRefusal(error) ? error : { code: "internal", path: "", message: String(error) };
+    this.problem = refusal;
+    this.tell(refusal);
+  }
+
+  private tell({ code, path, message }: Refusal): void {
+    // What stopped says nothing of itself.
+    const detail: PotProblem = { type: "loadfailure", code, path, message: message || pot.stopped };
+    this.dispatchEvent(new CustomEvent("error", { detail }));
+  }
+
+  private display(): void {
+    const { stage } = this.holder;
+    if (!this.solved || !this.shown) return;
+    if (!stage) {
+      this.paint();
+      return;
+    }
+    stage.lengths(LENGTH_LABELS[unitOf(this.shown.design)]);
+    stage.show(stageModel(this.shown.design, this.solved));
+    this.aim(true);
+    this.turn();
+  }
+
+  /** Looks from where the page says, once for every design. */
+  private aim(atOnce: boolean): void {
+    const key = this.cameraOrbit === "" ? "auto" : this.cameraOrbit;
+    if (!this.solved || key === this.aimed) return;
+    this.aimed = key;
+    const orbit = this.wantedOrbit((refusal) => this.tell(refusal));
+    this.holder.stage?.look(orbit, orbit.share, atOnce);
+  }
+
+  private wantedOrbit(refused: (refusal: Refusal) => void = () => {}): Orbit {
+    if (this.cameraOrbit === "") return USUAL;
+    try {
+      return orbitOf(this.cameraOrbit);
+    } catch (error) {
+      if (isRefusal(error)) refused(error);
+      return USUAL;
+    }
+  }
+
+  /** Goes round where somebody can see it, and not under the hand. */
+  private turn(): void {
+    const focused = this.shadowRoot?.activeElement === this.host;
+    const turning = this.autoRotate && this.sight.seen && !focused;
+    this.holder.stage?.spin(turning ? (2 * Math.PI) / TURN : 0);
+  }
+
+  /** A frame was drawn. */
+  private drawn(): void {
+    if (!this.untold || !this.shown) return;
+    this.untold = false;
+    if (this.held) return;
+    this.isLoaded = true;
+    this.dispatchEvent(new CustomEvent("load", { detail: changeOf(this.shown) }));
+  }
+
+  /** The picture of a browser without WebGL2. */
+  private paint(): void {
+    const { solved, still } = this;
+    if (!solved || !still) return;
+    void import("../still-picture").then(({ paintStill }) => {
+      if (solved !== this.solved || still.clientWidth === 0) return;
+      paintStill(solved.parts, still, this.scheme());
+      this.drawn();
+    });
+  }
+
+  /** Browsers do not print what is on the graphics card. */
+  private print(): void {
+    const { stage } = this.holder;
+    const { clientWidth, clientHeight } = this.host;
+    if (!stage || !this.isLoaded || clientWidth === 0 || clientHeight === 0) return;
+    const picture = stage.still(2 * clientWidth, 2 * clientHeight);
+    if (!picture) return;
+    this.printed.width = picture.width;
+    this.printed.height = picture.height;
+    this.printed.getContext("2d")?.drawImage(picture, 0, 0);
+  }
+
+  private unprint(): void {
+    this.printed.width = 0;
+    this.printed.height = 0;
+  }
+
+  private readonly hand: Hand = {
+    set: (design) => {
+      const { shown } = this;
+      if (!shown) return;
+      this.held ??= shown;
+      this.wanted.abort();
+      this.wanted = new AbortController();
+      const { signal } = this.wanted;
+      // The link is made when the hand lets go.
+      this.shown = { design, link: shown.link };
+      this.dispatchEvent(new CustomEvent("input", { bubbles: true, detail: { design: copy(design) } }));
+      this.changing = this.solve(this.shown, FINENESS_IN_HAND, signal).then(
+        (done) => {
+          if (done) this.display();
+        },
+        (error) => {
+          if (!signal.aborted) this.refuse(error);
+        },
+      );
+    },
+    done: () => void this.settle(),
+    cancel: () => {
+      const { held } = this;
+      if (!held) return;
+      this.hand.set(held.design);
+      void this.changing.then(() => {
+        this.held = null;
+      });
+    },
+  };
+
+  /** The hand let go: the fine mesh, and the link. */
+  private async settle(): Promise<void> {
+    const { held, shown, wanted } = this;
+    if (!held || !shown) return;
+    await this.changing;
+    if (this.wanted !== wanted || !this.isConnected) return;
+    const { signal } = wanted;
+    try {
+      const parsed = await this.solver.parse(JSON.stringify(shown.design));
+      if (signal.aborted || parsed.state === "superseded") return;
+      if (parsed.state === "refused") throw parsed.refusal;
+      if (!(await this.solve(parsed.value, FINENESS, signal))) return;
+      this.held = null;
+      this.untold = false;
+      this.display();
+      this.dispatchEvent(new CustomEvent("change", { bubbles: true, detail: changeOf(parsed.value) }));
+    } catch (error) {
+      if (!signal.aborted) this.refuse(error);
+    }
+  }
+
+  /** Light or dark, whichever the style of the page makes of this element. */
+  private scheme(): "light" | "dark" {
+    return getComputedStyle(this.probe).color === "rgb(255, 255, 255)" ? "light" : "dark";
+  }
+
+  private get fields(): readonly Field[] {
+    const { shown } = this;
+    if (!shown || this.ui === "view") return [];
+    const named = namesIn(this.controls).length > 0;
+    if (!named) return this.ui === "sliders" ? (familyIn(shown.design)?.fields ?? []) : [];
+    return shownFields(shown.design, this.controls, (refusal) => {
+      if (this.complained === `${refusal.message}`) return;
+      this.complained = refusal.message;
+      this.tell(refusal);
+    });
+  }
+
+  private complained = "";
+
+  override render() {
+    const { mode } = this.holder;
+    const label = this.alt || this.shown?.design.title || pot.aPot;
+    return html`
+      <span class="probe" aria-hidden="true"></span>
+      <div class="frame">
+      <div class="view" part="view">
+        <div
+          class="stage"
+          part="stage"
+          tabindex=${mode === "still" ? nothing : 0}
+          role=${mode === "still" ? nothing : "application"}
+          aria-roledescription=${mode === "still" ? nothing : pot.view}
+          aria-label=${mode === "still" ? nothing : label}
+          aria-describedby=${mode === "still" ? nothing : "keys"}
+          @keydown=${this.key}
+          @focus=${this.turn}
+          @blur=${this.turn}
+          @touchmove=${{ handleEvent: this.touched, passive: true }}
+        ></div>
+        ${mode === "still" ? html`<canvas class="still" part="stage" role="img" aria-label=${label}></canvas>` : nothing}
+        <canvas class="printed" width="0" height="0" aria-hidden="true"></canvas>
+        <div class="poster" part="poster" ?data-done=${this.isLoaded}>
+          <slot name="poster">${this.poster === "" ? this.wheel() : html`<img src=${this.poster} alt="" />`}</slot>
+        </div>
+        <p id="keys" class="spoken">${pot.keys}</p>
+        <div class="over"><slot></slot></div>
+        <p class="hint" part="hint" aria-hidden="true" ?data-shown=${this.hint}>${pot.fingers}</p>
+        ${this.message()}
+      </div>
+      ${this.sliders()}
+      </div>
+    `;
+  }
+
+  /** Something is on its way, and nothing else is said of it. */
+  private wheel() {
+    return this.problem === null && this.holder.mode !== "lost" && this.src !== ""
+      ? html`<span class="wheel"></span>`
+      : nothing;
+  }
+
+  private message() {
+    const words =
+      this.holder.mode === "lost" ? pot.lost : this.problem === null ? "" : this.isLoaded ? pot.unchanged : pot.unshown;
+    return words === "" ? nothing : html`<p class="message" part="message" role="status">${words}</p>`;
+  }
+
+  private sliders() {
+    const { fields } = this;
+    if (fields.length === 0) return nothing;
+    // Without a network there is the pot alone.
+    import("./sliders").catch(() => {});
+    return html`<div class="sliders" part="sliders" role="group" aria-label=${pot.parameters} @input=${keep} @change=${keep}
+      @number-change=${keep} @number-done=${keep} @number-cancel=${keep}>
+      <pasu-pot-sliders
+        .design=${this.shown?.design ?? null}
+        .origin=${this.origin}
+        .fields=${fields}
+        .problem=${this.problem}
+        .hand=${this.hand}
+      ></pasu-pot-sliders>
+    </div>`;
+  }
+
+  private readonly key = (event: KeyboardEvent): void => {
+    // What the pot takes is not the page's as well: slides turn by the same keys.
+    if (this.holder.stage && stageKey(event, this.holder.stage)) event.stopPropagation();
+  };
+
+  /** One finger scrolls the page: whoever meant to turn the pot is told how. */
+  private readonly touched = (event: TouchEvent): void => {
+    clearTimeout(this.hiding);
+    this.hint = event.touches.length === 1;
+    this.hiding = setTimeout(() => {
+      this.hint = false;
+    }, HINT_MS);
+  };
+
+  static override readonly styles = [base, potStyles];
+}
+
+/** What is handed out is nobody else's. */
+function copy(design: Design): Sent {
+  return structuredClone(design) as Sent;
+}
+
+function changeOf({ design, link }: Shown): PotChange {
+  return { design: copy(design), link: `#${link}` };
+}
+
+/** What happens inside is told by the element's own events. */
+function keep(event: Event): void {
+  event.stopPropagation();
+}
+
+function on(target: EventTarget, type: string, listener: () => void): () => void {
+  target.addEventListener(type, listener);
+  return () => target.removeEventListener(type, listener);
+}
+
+function isRefusal(error: unknown): error is Refusal {
+  return typeof error === "object" && error !== null && "code" in error && "path" in error && "message" in error;
+}
