@@ -181,6 +181,8 @@ test("caption, dimension lines and measures say one height and one width, with a
 test("petals are asked for and counted as the eye counts them", async () => {
   const pot = await here.enter({ link: "#1/second-order" });
   const before = await pot.fingerprint();
+  const indices = pot.page.locator("pasu-number[data-field=n-1] .symbol sub");
+  expect(await indices.allInnerTexts()).toEqual(["2", "1"]);
   const caption = () => pot.page.locator("pasu-stage #description").innerText();
   expect(await pot.field("Petals").inputValue()).toBe("7");
   expect(await caption()).toContain("7 petals");
