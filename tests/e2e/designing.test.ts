@@ -23,14 +23,11 @@ test("dragging a slider changes the mesh, and the whole drag is one step of undo
 test("the surface follows during the drag; the address waits for its end", async () => {
   const pot = await here.enter({ link: VASE });
   const before = await pot.fingerprint();
-  const whole = () => pot.page.locator("pasu-stage #description").innerText();
-  await expect.poll(whole).toMatch(/ Drawn to within 0\.\d+ cm of the true surface\.$/);
-  const description = async () => (await whole()).replace(/ Drawn to within.*/, "");
+  const description = () => pot.page.locator("pasu-stage #description").innerText();
   const said = await description();
   await pot.drag("Height", 0.9, {
     held: async () => {
       await expect.poll(description).not.toBe(said);
-      expect(await whole()).not.toContain("true surface");
       expect(await pot.address()).toBe(VASE);
     },
   });

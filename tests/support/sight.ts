@@ -84,6 +84,12 @@ export function sight(png: Buffer): Sight {
   return { width, height, tones: tones.size };
 }
 
+/** How bright a picture is in the mean, 0 to 255. */
+export function brightness(png: Buffer): number {
+  const { rgb } = pixels(png);
+  return rgb.reduce((sum, each) => sum + each, 0) / rgb.length;
+}
+
 /** Reads a PNG of 8-bit RGB or RGBA, as browsers write them. */
 function pixels(png: Buffer): { readonly width: number; readonly height: number; readonly rgb: Buffer } {
   const width = png.readUInt32BE(16);

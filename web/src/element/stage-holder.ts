@@ -6,13 +6,15 @@
 import type { ReactiveController, ReactiveControllerHost } from "lit";
 import type { Stage, StageOptions } from "../render/stage";
 
-/** Nothing to draw with yet, a stage, one whose context was taken away, and a browser that has none. */
-export type StageMode = "loading" | "live" | "lost" | "still";
+/** Nothing to draw with yet, a stage, one whose context was taken away, one whose context did not come back in time, and a browser that has none. */
+export type StageMode = "loading" | "live" | "lost" | "gone" | "still";
 
 export interface StageNeeds {
   /** The element that the stage fills. */
   host(): HTMLElement;
   options(): Omit<StageOptions, "reducedMotion" | "onContextLost" | "onContextRestored">;
+  /** How long a context that was taken away is waited for, in milliseconds; for ever when it is left out. */
+  readonly patience?: number;
   /** The stage is there. */
   opened(): void;
   /** The stage is about to be given up. */
@@ -31,6 +33,9 @@ export class StageHolder implements ReactiveController {
   readonly #dark = matchMedia(DARK);
   /** The stage that is being fetched: one that nobody waits for any more is not put up. */
   #opening: Promise<void> | null = null;
+  #patience: ReturnType<typeof setTimeout> | undefined;
+  /** Whether there was a stage before: then the browser is able to. */
+  #again = false;
 
   constructor(element: ReactiveControllerHost & HTMLElement, needs: StageNeeds) {
     this.#element = element;
@@ -77,11 +82,14 @@ export class StageHolder implements ReactiveController {
       this.stage = new fetched.Stage(this.#needs.host(), {
         ...this.#needs.options(),
         reducedMotion: this.#reduced.matches,
-        onContextLost: () => this.#become("lost"),
-        onContextRestored: () => this.#become("live"),
+        onContextLost: () => this.#lose(),
+        onContextRestored: () => {
+          clearTimeout(this.#patience);
+          this.#become("live");
+        },
       });
     } catch {
-      this.#become("still");
+      this.#become(this.#again ? "gone" : "still");
       return;
     }
     this.#become("live");
@@ -91,10 +99,24 @@ export class StageHolder implements ReactiveController {
   /** Gives back what the stage holds of the graphics card. */
   close(): void {
     this.#opening = null;
+    clearTimeout(this.#patience);
     this.#needs.closing();
     this.stage?.dispose();
     this.stage = null;
     this.#become("loading");
+  }
+
+  /** Gives up a context that does not come back, and asks for another one. */
+  async retry(): Promise<void> {
+    this.#again = true;
+    this.close();
+    await this.open();
+  }
+
+  #lose(): void {
+    this.#become("lost");
+    const { patience } = this.#needs;
+    if (patience !== undefined) this.#patience = setTimeout(() => this.#become("gone"), patience);
   }
 
   #become(mode: StageMode): void {

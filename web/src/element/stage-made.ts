@@ -1,7 +1,7 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
 
 import { looksOf, unitOf } from "../document/look";
-import { mapOf, scaleOf } from "../document/maps";
+import { mapOf, needsWhole, scaleOf } from "../document/maps";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
@@ -57,7 +57,7 @@ export class StageMade {
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
     this.#show(made, fits(solid) ? solid : null, shown);
-    this.#drawing.cut(overlays.cut);
+    this.#drawing.cut(overlays.cut && !needsWhole(map, shown.design));
     this.#drawing.pour(fits(water) ? water.value : null, fill === null ? null : made.level);
     this.#paint(made, shown, map);
     this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);

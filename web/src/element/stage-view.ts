@@ -8,7 +8,7 @@ import type { Stage } from "../render/stage";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
-import { base } from "../ui/styles";
+import { base, buttons } from "../ui/styles";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
@@ -23,6 +23,9 @@ import { stageModel } from "./stage-model";
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
 
+/** A graphics context that has not come back by then, in milliseconds, is taken for lost. */
+const PATIENCE = 5000;
+
 @customElement("pasu-stage")
 export class PasuStage extends DesignerElement {
   @query(".host") private readonly host!: HTMLDivElement;
@@ -30,7 +33,11 @@ export class PasuStage extends DesignerElement {
   private readonly holder = new StageHolder(this, {
     host: () => this.host,
     options: () => this.options(),
+    patience: PATIENCE,
     opened: () => {
+      for (const each of this.renderRoot.querySelectorAll(".host, #description, pasu-stage-tools")) {
+        this.furniture.observe(each);
+      }
       // The pot is drawn without waiting for its tools.
       void import("./stage-tools");
     },
@@ -39,7 +46,6 @@ export class PasuStage extends DesignerElement {
   private drawn: Shown | null = null;
   private hiding: readonly PartId[] = [];
   private compared: Compared | null = null;
-  private said = "";
   private made: StageMade | null = null;
   private making = false;
   private leave: (() => void) | null = null;
@@ -47,6 +53,9 @@ export class PasuStage extends DesignerElement {
   private wanted: Camera | null = null;
   private framedSize = 0;
   private readonly resizes = new ResizeObserver(() => void this.drawStill());
+  private readonly furniture = new ResizeObserver(() => this.furnish());
+  /** What the still picture is of. */
+  private pictured: { readonly shown: Shown | null; readonly hidden: readonly PartId[] } = { shown: null, hidden: [] };
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -64,6 +73,7 @@ export class PasuStage extends DesignerElement {
   /** Nothing is drawn any more. */
   private forget(): void {
     this.resizes.disconnect();
+    this.furniture.disconnect();
     this.made?.dispose();
     this.made = null;
     this.making = false;
@@ -108,11 +118,27 @@ export class PasuStage extends DesignerElement {
     };
   }
 
+  /** Tells the stage what lies over it. */
+  private furnish(): void {
+    const { stage } = this;
+    if (!stage) return;
+    const frame = this.getBoundingClientRect();
+    const boxOf = (name: string) => {
+      const each = this.renderRoot.querySelector(name)?.getBoundingClientRect();
+      if (!each || each.width === 0 || each.height === 0) return [];
+      const [left, top] = [each.left - frame.left, each.top - frame.top];
+      return [{ left, top, right: left + each.width, bottom: top + each.height }];
+    };
+    const [caption = null] = boxOf("#description:not(:empty)");
+    stage.furnish(caption, boxOf("pasu-stage-tools"));
+  }
+
   override render() {
     const { designer } = this;
     return html`
       <div
         class="host"
+        ?data-gone=${this.holder.mode === "gone"}
         tabindex="0"
         role="application"
         aria-roledescription=${page.stage}
@@ -120,7 +146,7 @@ export class PasuStage extends DesignerElement {
         aria-describedby="description keys"
         @keydown=${this.key}
       ></div>
-      ${this.holder.mode === "still" ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
+      ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
       ${
         designer.comparison.shown
@@ -129,21 +155,18 @@ export class PasuStage extends DesignerElement {
       }
       <p id="keys" class="spoken">${page.stageKeys}</p>
       <div class="foot">
-        <p id="description">${designer.description}${this.accuracy()}</p>
+        <p id="description">${designer.description}</p>
         ${
-          this.holder.mode === "still"
-            ? nothing
-            : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
+          this.stands ? nothing : html`<pasu-stage-tools .designer=${designer} .stage=${this.stage}></pasu-stage-tools>`
         }
       </div>
     `;
   }
 
-  /** Keeps its place while a gesture is under way, when nobody knows it. */
-  private accuracy() {
-    const { accuracy } = this.designer.surface;
-    if (accuracy !== "") this.said = accuracy;
-    return this.said === "" ? nothing : html` <span class="accuracy" ?data-old=${accuracy === ""}>${this.said}</span>`;
+  /** Whether a still picture stands in the place of the stage. */
+  private get stands(): boolean {
+    const { mode } = this.holder;
+    return mode === "still" || mode === "gone";
   }
 
   private note() {
@@ -152,6 +175,11 @@ export class PasuStage extends DesignerElement {
         return html`<div class="wheel" aria-hidden="true"></div>`;
       case "lost":
         return html`<p class="note" role="status">${page.lost}</p>`;
+      case "gone":
+        return html`<p class="note" role="status">
+          ${page.lostForGood}
+          <button class="button outlined" type="button" @click=${() => void this.holder.retry()}>${page.tryAgain}</button>
+        </p>`;
       case "still":
         return html`<p class="note" role="status">${page.still}</p>`;
       case "live":
@@ -167,9 +195,10 @@ export class PasuStage extends DesignerElement {
     const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
-      if (designer.surface.shown !== this.drawn || session.hidden !== this.hiding) void this.drawStill();
-      this.drawn = designer.surface.shown;
-      this.hiding = session.hidden;
+      const { shown } = designer.surface;
+      const { hidden } = session;
+      if (shown !== this.pictured.shown || hidden !== this.pictured.hidden) void this.drawStill();
+      this.pictured = { shown, hidden };
     }
     if (!stage) return;
     stage.theme(this.theme());
@@ -272,6 +301,7 @@ export class PasuStage extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     css`
       :host {
         position: relative;
@@ -289,6 +319,9 @@ export class PasuStage extends DesignerElement {
       }
       .host {
         touch-action: none;
+      }
+      .host[data-gone] {
+        visibility: hidden;
       }
       .still {
         top: 76px;
@@ -316,9 +349,6 @@ export class PasuStage extends DesignerElement {
         background: var(--sheet);
         color: var(--soft);
         font-size: 0.9rem;
-      }
-      .accuracy[data-old] {
-        visibility: hidden;
       }
       #description:empty {
         visibility: hidden;
@@ -366,16 +396,6 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
-        /* Under the pot: above it a third line would lie over the rim. */
-        .accuracy {
-          position: absolute;
-          inset: auto auto 24px 8px;
-          padding: 0 7px;
-          border-radius: 7px;
-          background: var(--sheet);
-          font-size: 0.68rem;
-          white-space: nowrap;
-        }
         /* The captions stand in its place. */
         pasu-captions ~ .foot #description {
           visibility: hidden;
@@ -391,9 +411,6 @@ export class PasuStage extends DesignerElement {
           overflow: hidden;
           text-overflow: ellipsis;
           white-space: nowrap;
-        }
-        .accuracy {
-          display: none;
         }
       }
     `,

@@ -89,6 +89,9 @@ vec4 cells(vec3 p) {
   return texture(noise, (i + f * f * (3.0 - 2.0 * f) + 0.5) / 32.0);
 }
 
+// Turned, so that no plane of a pot lies along the block's own: on the level underside its cells would show as a maze.
+const mat3 TURNED = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+
 void main() {
 #ifdef CUT
   if (dot(vScene, cut.xyz) > cut.w) discard;
@@ -111,7 +114,7 @@ void main() {
 
   vec4 broad = cells(vObject * 4.3) - 0.5;
   vec4 fine = cells(vObject * vec3(17.0, 17.0, mix(17.0, 2.2, layer.w))) - 0.5;
-  vec4 grit = cells(vObject * 71.0) - 0.5;
+  vec4 grit = cells(TURNED * vObject * 71.0) - 0.5;
 
   // Thickness of the glaze: 1 on a plain wall, less over edges, more in hollows, bare at the foot.
   float bulge = inside ? -vWare.x : vWare.x;

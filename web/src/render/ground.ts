@@ -27,8 +27,10 @@ ${PLACING_GLSL}
 uniform vec4 area;
 uniform float table;
 out float vHeight;
+out vec3 vScene;
 void main() {
   vec3 p = inFrame(position) + shift;
+  vScene = p;
   vHeight = (p.z - table) / area.z;
   gl_Position = vec4((p.xy - area.xy) / area.w, 0.0, 1.0);
 }
@@ -37,8 +39,11 @@ void main() {
 const COVER_FRAGMENT = /* glsl */ `
 precision highp float;
 in float vHeight;
+in vec3 vScene;
+uniform vec4 cut;
 out vec4 colour;
 void main() {
+  if (dot(vScene, cut.xyz) > cut.w) discard;
   float h = max(0.0, vHeight);
   colour = vec4(exp(-h / 0.05), exp(-h / 0.7), 0.0, 1.0);
 }
@@ -111,8 +116,17 @@ void main() {
 }
 `;
 
+/** The plane before which nothing is taken away. */
+export const WHOLE = [0, 0, 0, 1] as const;
+
+/** A pot that throws a shadow, and the plane before which it is cut away, in scene space. */
+export interface Cast {
+  readonly pot: Pot;
+  readonly cut: readonly number[];
+}
+
 /**
- * The table that the pot stands on, seen only by the shadow on it. The shadow is computed when the mesh changes, not per frame: the
+ * The table that the pot stands on, seen only by the shadow on it. The shadow is computed when the mesh or the cut changes, not per frame: the
  * pot is drawn once from below into a small texture, where each place keeps how close the clay comes to it, and blurred.
  */
 export class Ground implements Tenant {
@@ -172,14 +186,20 @@ export class Ground implements Tenant {
     this.extent.value = narrow ? NARROW : WIDE;
   }
 
-  /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. */
-  bake(device: Device, pots: readonly Pot[], centre: readonly [number, number], size: number): void {
-    this.drawable.visible = pots.length > 0;
-    if (pots.length === 0) return;
+  /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. What is cut away throws none. */
+  bake(device: Device, casts: readonly Cast[], centre: readonly [number, number], size: number): void {
+    this.drawable.visible = casts.length > 0;
+    if (casts.length === 0) return;
     this.area.value = [centre[0], centre[1], size, size * REACH];
     const [first, second] = this.targets;
     first.begin(device);
-    const footprints = pots.flatMap(({ drawables }) => drawables.map((each) => ({ ...each, material: this.cover })));
+    const footprints = casts.flatMap(({ pot, cut }) =>
+      pot.drawables.map((each) => ({
+        ...each,
+        material: this.cover,
+        uniforms: { ...each.uniforms, cut: { value: cut } },
+      })),
+    );
     draw(device, footprints);
     const sheet: Drawable = { geometry: this.square, material: this.blur, order: 0, visible: true };
     const pass = (from: Target, to: Target, direction: number[]) => {

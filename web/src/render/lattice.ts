@@ -6,6 +6,8 @@ export interface Lattice {
   readonly indices: Uint32Array;
   readonly uv: Buffer;
   readonly index: Buffer;
+  /** Vertices of a row; they are numbered row by row. */
+  readonly columns: number;
 }
 
 /** The lattices of a pot: parts on the same grid share one. */
@@ -15,7 +17,12 @@ export class Lattices {
   of({ indices, uvs }: PartMesh): Lattice {
     let lattice = this.known.get(indices);
     if (!lattice) {
-      lattice = { indices, uv: new Buffer(uvs, { size: 2 }), index: new Buffer(indices, { size: 1 }) };
+      lattice = {
+        indices,
+        uv: new Buffer(uvs, { size: 2 }),
+        index: new Buffer(indices, { size: 1 }),
+        columns: columnsOf(uvs),
+      };
       this.known.set(indices, lattice);
     }
     return lattice;
@@ -33,6 +40,13 @@ export class Lattices {
   release(): void {
     for (const lattice of this.known.values()) free(lattice);
   }
+}
+
+/** How many vertices the first row has: those that have its u. */
+function columnsOf(uvs: Float32Array): number {
+  let columns = 1;
+  while (2 * columns < uvs.length && uvs[2 * columns] === uvs[0]) columns += 1;
+  return columns;
 }
 
 function free({ uv, index }: Lattice): void {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { axesOf, clipPlanes, eyeOf, FIELD_OF_VIEW, fitDistance, nearestTurn, VIEWS } from "./pose";
+import { axesOf, clipPlanes, eyeOf, FIELD_OF_VIEW, FIT_MARGIN_UPRIGHT, fitDistance, nearestTurn, VIEWS } from "./pose";
 import { dot, type Triple } from "./triple";
 
 const cross = (a: Triple, b: Triple): Triple => [
@@ -89,6 +89,16 @@ describe("the fitted distance", () => {
     expect(bare).toBeLessThan(small);
     expect(bare).toBeGreaterThan(0.7 * small);
   });
+});
+
+it("leaves as much free above and below as it is told", () => {
+  const axes = axesOf(VIEWS.front.azimuth, VIEWS.front.polar);
+  const upright = [0, 0, -1, 0, 0, 1];
+  const near = fitDistance(upright, [0, 0, 0], axes, 1);
+  expect(fitDistance(upright, [0, 0, 0], axes, 1, true, 2 * FIT_MARGIN_UPRIGHT)).toBeCloseTo(2 * near, 9);
+  const across = [-1, 0, 0, 1, 0, 0];
+  const wide = fitDistance(across, [0, 0, 0], axes, 1);
+  expect(fitDistance(across, [0, 0, 0], axes, 1, true, 2 * FIT_MARGIN_UPRIGHT)).toBeCloseTo(wide, 9);
 });
 
 describe("the clip planes", () => {

@@ -26,7 +26,7 @@ export const FIELD_OF_VIEW = (27 * Math.PI) / 180;
 const FIT_MARGIN = 1.16;
 
 /** The same above and below, where the page lays its description and its buttons over the stage. */
-const FIT_MARGIN_UPRIGHT = 1.3;
+export const FIT_MARGIN_UPRIGHT = 1.3;
 
 const FRONT = -Math.PI / 2;
 
@@ -65,6 +65,7 @@ export function nearestTurn(angle: number, to: number): number {
 
 /**
  * The least distance from which all points (xyz triples) are inside the picture, with a margin unless that is not asked for, looking at `target`.
+ * `upright` is the margin above and below.
  * A point at `(x, y, z)` in camera axes is inside when `|y| <= (d - z) tan(fov / 2)` and `|x| <= (d - z) tan(fov / 2) aspect`.
  */
 export function fitDistance(
@@ -73,9 +74,10 @@ export function fitDistance(
   axes: CameraAxes,
   aspect: number,
   margin = true,
+  upright = FIT_MARGIN_UPRIGHT,
 ): number {
   const tan = Math.tan(FIELD_OF_VIEW / 2);
-  const tanY = tan / (margin ? FIT_MARGIN_UPRIGHT : 1);
+  const tanY = tan / (margin ? upright : 1);
   const tanX = (tan / (margin ? FIT_MARGIN : 1)) * (aspect > 0 ? aspect : 1);
   let far = 0;
   for (let i = 0; i + 2 < points.length; i += 3) {

@@ -7,10 +7,11 @@ import type { Source } from "./gl/scene";
 import { Loop } from "./loop";
 import type { PartId, PartMesh, StageModel } from "./mesh";
 import type { Size } from "./overlay/dimensions";
+import type { Box } from "./overlay/label";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { type Face, Picker } from "./picker";
 import { drawPicture, toPng } from "./picture";
-import { axesOf, type CameraPose, type Direction, fitDistance, VIEWS, type ViewName } from "./pose";
+import { axesOf, type CameraPose, type Direction, FIT_MARGIN_UPRIGHT, fitDistance, VIEWS, type ViewName } from "./pose";
 import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
 import { Stopwatch } from "./stopwatch";
@@ -73,6 +74,12 @@ const REST_DELAY = 120;
 /** So many points tell whether a pot is on the stage. */
 const FEW = 2000;
 
+/** So many CSS pixels are left between a fitted pot and the caption. */
+const CAPTION_GAP = 8;
+
+/** However large the caption is, this factor is the most that a fitted pot leaves free for it. */
+const MOST_ROOM = 2;
+
 /** The 3D view: shows a mesh, turns it, and draws only when something changed. */
 export class Stage {
   private readonly root: HTMLDivElement;
@@ -94,6 +101,10 @@ export class Stage {
   private placed = false;
   /** Whether the view was fitted and not touched since: then it stays fitted when the stage changes its shape. */
   private fitted = false;
+  /** Where the caption is, which a fitted pot stays clear of. */
+  private caption: Box | null = null;
+  /** What the view that was fitted last left free above and below. */
+  private left = FIT_MARGIN_UPRIGHT;
   /** How far away a fitted view is, as a share of the distance from which the pot just fits. */
   private share = 1;
   /** How fast the camera goes round by itself, in radians a second. */
@@ -270,6 +281,14 @@ export class Stage {
     return guest;
   }
 
+  /** What lies over the stage: a fitted pot stays clear of the caption, and labels of everything. */
+  furnish(caption: Box | null, others: readonly Box[]): void {
+    this.caption = caption;
+    this.overlay.furniture = caption ? [caption, ...others] : others;
+    if (this.fitted && this.room() > this.left) this.place(null, false);
+    else this.loop.invalidate();
+  }
+
   /** Goes to a standard view, fitted. */
   view(name: ViewName): void {
     this.look(VIEWS[name], 1, false);
@@ -408,6 +427,7 @@ export class Stage {
     if (this.fitted && (this.spinning || !this.camera.moving)) pose.distance = this.share * this.reach(pose, aspect);
     camera.travel(pose, true);
     this.prepare(camera, aspect);
+    tableau.shade(this.device, this.guest?.cutPlane.value);
     const scale = height / Math.max(this.size.height, 1);
     tableau.cutOut = transparent;
     try {
@@ -426,12 +446,21 @@ export class Stage {
   }
 
   /** The distance from which everything is seen, looking at a point in a direction. */
-  private reach(pose: Omit<CameraPose, "distance">, aspect: number): number {
+  private reach(pose: Omit<CameraPose, "distance">, aspect: number, upright = FIT_MARGIN_UPRIGHT): number {
     const { frame, main } = this.tableau;
     const points = this.tableau.outline();
     if (main.bounds) points.push(...this.overlay.outline(main.bounds, pose.azimuth));
-    const distance = fitDistance(points, pose.target, axesOf(pose.azimuth, pose.polar), aspect);
+    const distance = fitDistance(points, pose.target, axesOf(pose.azimuth, pose.polar), aspect, true, upright);
     return distance > 0 ? distance : frame.radius;
+  }
+
+  /** What a fitted view leaves free above and below, as a factor: as much on both sides as the caption takes on one. */
+  private room(): number {
+    const { caption } = this;
+    const { height } = this.size;
+    if (!caption || height === 0) return FIT_MARGIN_UPRIGHT;
+    const taken = CAPTION_GAP + (caption.top + caption.bottom > height ? height - caption.top : caption.bottom);
+    return Math.max(FIT_MARGIN_UPRIGHT, height / Math.max(height - 2 * taken, height / MOST_ROOM));
   }
 
   /** Whether a setting is another one than before, which takes a new frame: pages set them again and again. */
@@ -462,7 +491,8 @@ export class Stage {
     const { azimuth, polar } = towards ?? this.camera.goal;
     const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
     const direction = { azimuth, polar, target: bounds.centre };
-    this.camera.travel({ ...direction, distance: this.share * this.reach(direction, aspect) }, atOnce);
+    this.left = this.room();
+    this.camera.travel({ ...direction, distance: this.share * this.reach(direction, aspect, this.left) }, atOnce);
     this.fitted = true;
     this.loop.invalidate();
   }
@@ -529,6 +559,7 @@ export class Stage {
     this.overlay.scale(columns, rows, fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
     this.guest?.prepare(this.camera, width, height);
+    this.tableau.shade(this.device, this.guest?.cutPlane.value);
     this.pane.draw(columns, rows, fineness.samples, () =>
       draw(this.device, this.tableau.scene.drawables, this.camera.view),
     );

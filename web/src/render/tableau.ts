@@ -2,7 +2,7 @@ import { Backdrop } from "./backdrop";
 import type { Camera } from "./camera";
 import type { Device, Tenant } from "./gl/device";
 import { Scene } from "./gl/scene";
-import { Ground } from "./ground";
+import { Ground, WHOLE } from "./ground";
 import type { Bounds, StageModel } from "./mesh";
 import { NOISE } from "./noise";
 import { Pot } from "./pot";
@@ -31,6 +31,8 @@ export class Tableau implements Tenant {
   frame: Frame = { centre: [0, 0, 0], radius: 1 };
   private beside: Pot | null = null;
   private stale = true;
+  /** Where the pot was cut when its shadow was taken; null when it has to be taken again. */
+  private shaded: readonly number[] | null = null;
 
   constructor(theme: Theme) {
     this.studio = newStudio(theme);
@@ -136,6 +138,7 @@ export class Tableau implements Tenant {
   /** Gives up everything on the GPU, and computes again what is only there when it is next drawn. */
   release(): void {
     this.stale = true;
+    this.shaded = null;
     for (const part of [this.main, this.beside, this.backdrop, this.ground]) part?.release();
   }
 
@@ -151,8 +154,17 @@ export class Tableau implements Tenant {
     if (this.beside) this.beside.shift.value = along([0, 0, 0], offset, 1 / radius);
     const contents = this.contents();
     this.studio.table.value = contents.min[2];
-    const pots = [this.main, ...(this.beside ? [this.beside] : [])].filter((pot) => pot.bounds);
-    this.ground.bake(device, pots, [contents.centre[0], contents.centre[1]], contents.radius);
+    this.shaded = null;
+  }
+
+  /** Takes the shadow again if it is another one. Only the first pot is ever cut. */
+  shade(device: Device, cut: readonly number[] = WHOLE): void {
+    if (this.shaded?.every((each, i) => each === cut[i])) return;
+    this.shaded = cut;
+    const { centre, radius } = this.contents();
+    const casts = [{ pot: this.main, cut }, ...(this.beside ? [{ pot: this.beside, cut: WHOLE }] : [])];
+    const standing = casts.filter(({ pot }) => pot.bounds);
+    this.ground.bake(device, standing, [centre[0], centre[1]], radius);
   }
 
   /** Aims a camera and turns the studio to it. */

@@ -49,6 +49,7 @@ export function thumbnails(): Thumbnails {
     camera.radius = radius;
     camera.travel({ ...direction, distance: distance > 0 ? distance : radius, target: bounds.centre }, true);
     tableau.prepare(device);
+    tableau.shade(device);
     tableau.light(camera, aspect);
     const picture = drawPicture(device, tableau.scene.drawables, camera.view, canvas.width, canvas.height, () => {});
     paper.drawImage(picture, 0, 0);

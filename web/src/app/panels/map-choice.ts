@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { MAPS, mapOf } from "../../document/maps";
+import { MAPS, mapOf, needsWhole } from "../../document/maps";
 import type { MapName } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { setMap } from "../../state/wall-actions";
@@ -40,6 +40,7 @@ export class PasuMaps extends DesignerElement {
         map === null
           ? nothing
           : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .unit=${unitOf(design)}></pasu-legend>
+              ${session.overlays.cut && needsWhole(map, design) ? html`<p role="status">${maps.closed}</p>` : nothing}
               ${painted?.problem ? html`<p class="problem" role="status">${refusalWords(painted.problem, design)}</p>` : nothing}`
       } `;
   }

@@ -25,6 +25,7 @@ export class PasuMeasures extends DesignerElement {
 
   override render() {
     const { designer } = this;
+    const { accuracy } = designer.surface;
     return html`
       <pasu-size .designer=${designer}></pasu-size>
       ${hiddenNote(designer)}
@@ -32,6 +33,7 @@ export class PasuMeasures extends DesignerElement {
       <pasu-water .designer=${designer}></pasu-water>
       <pasu-maps .designer=${designer}></pasu-maps>
       ${this.numbers()}
+      ${accuracy === "" ? nothing : html`<p class="hint">${accuracy}</p>`}
     `;
   }
 

@@ -16,7 +16,6 @@ export interface Drawable {
   visible: boolean;
   /** The indices or vertices that are drawn; all of them when it is left out. */
   range?: readonly [first: number, count: number];
-  readonly lines?: boolean;
   /** How often it is drawn, where it is drawn by instances. */
   instances?: number;
   /** Whether its triangles are turned inside out, as in a mirror. */
@@ -68,10 +67,9 @@ function behave(gl: WebGL2RenderingContext, material: Material): void {
   } else gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
 }
 
-function call(gl: WebGL2RenderingContext, { geometry, range, lines, instances }: Drawable): void {
-  const mode = lines ? gl.LINES : gl.TRIANGLES;
+function call(gl: WebGL2RenderingContext, { geometry, range, instances }: Drawable): void {
   const [first, count] = range ?? [0, geometry.count];
-  if (geometry.index) gl.drawElements(mode, count, gl.UNSIGNED_INT, 4 * first);
-  else if (instances !== undefined) gl.drawArraysInstanced(mode, first, count, instances);
-  else gl.drawArrays(mode, first, count);
+  if (geometry.index) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
+  else if (instances !== undefined) gl.drawArraysInstanced(gl.TRIANGLES, first, count, instances);
+  else gl.drawArrays(gl.TRIANGLES, first, count);
 }

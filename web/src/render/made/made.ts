@@ -5,6 +5,7 @@ import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import type { Material, Uniform } from "../gl/material";
 import type { StageLook } from "../glaze";
+import { WHOLE } from "../ground";
 import type { Bounds } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
@@ -36,8 +37,6 @@ export interface Hold extends Spot {
   readonly perUnit: number;
 }
 
-/** Nothing is cut away: no point is that far before the plane. */
-const WHOLE = [0, 0, 0, 1] as const;
 /** No water: everything is above. */
 const DRY = -1e9;
 /** How far the handle stands off the pot, as a share of its half width. */

@@ -4,6 +4,30 @@ export interface Spot {
   y: number;
 }
 
+/** A rectangle on the stage, in the same pixels. */
+export interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** A spot for a word of a size, moved off boxes at the edges of a stage that is so high: those in its lower half upwards, the others downwards. */
+export function clearOf(
+  spot: Spot,
+  [width, height]: readonly [number, number],
+  boxes: readonly Box[],
+  high: number,
+): Spot {
+  let { x, y } = spot;
+  for (const box of boxes) {
+    const beside = x + width / 2 <= box.left || x - width / 2 >= box.right;
+    if (beside || y + height / 2 <= box.top || y - height / 2 >= box.bottom) continue;
+    y = box.top + box.bottom > high ? box.top - height / 2 : box.bottom + height / 2;
+  }
+  return { x, y };
+}
+
 const FONT = "600 13px/1.2 system-ui, sans-serif";
 const CANVAS_FONT = (scale: number) => `600 ${13 * scale}px system-ui, sans-serif`;
 

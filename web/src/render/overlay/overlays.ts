@@ -6,7 +6,7 @@ import type { Pot } from "../pot";
 import { type Studio, type Theme, toScene } from "../studio";
 import type { Triple } from "../triple";
 import { type Dimension, dimensionsOf, type Size } from "./dimensions";
-import { Label, paint, type Spot } from "./label";
+import { type Box, clearOf, Label, paint, type Spot } from "./label";
 import { ofArrows, ofPolylines } from "./segments";
 import { type Pen, Stroke, type StrokeStyle } from "./stroke";
 import { Wireframe } from "./wireframe";
@@ -75,6 +75,8 @@ export class Overlays implements Tenant {
   private readonly wireframe: Wireframe;
   private readonly strokes: Record<StrokeName, Stroke>;
   private readonly labels: Label[] = [];
+  /** What lies over the stage: words keep clear of it. */
+  furniture: readonly Box[] = [];
   private extra: readonly Word[] = [];
   private given: StageLines = NO_LINES;
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
@@ -183,7 +185,10 @@ export class Overlays implements Tenant {
 
   /** Moves the labels to where their lines are on a screen of so many CSS pixels. */
   label(view: View, width: number, height: number): void {
-    const words = this.placed(view, width, height);
+    const words = this.placed(view, width, height).map(({ text, spot }) => ({
+      text,
+      spot: clearOf(spot, [LABEL_WIDTH, LABEL_HEIGHT], this.furniture, height),
+    }));
     while (this.labels.length < words.length) {
       const label = new Label(this.host);
       label.theme = this.theme;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { edgesOf, ofArrows, ofPolylines } from "./segments";
+import { ofArrows, ofPolylines } from "./segments";
 
 describe("segments", () => {
   it("are the pieces of polylines", () => {
@@ -7,14 +7,6 @@ describe("segments", () => {
     expect([...ofPolylines([line, new Float32Array(3), new Float32Array()])]).toEqual([
       0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0,
     ]);
-  });
-
-  it("have every edge of the triangles once", () => {
-    const edges = edgesOf(new Uint32Array([0, 1, 2, 2, 1, 3]));
-    const names = new Set<string>();
-    for (let i = 0; i < edges.length; i += 2) names.add([edges[i], edges[i + 1]].sort().join("-"));
-    expect([...names].sort()).toEqual(["0-1", "0-2", "1-2", "1-3", "2-3"]);
-    expect(edges).toHaveLength(10);
   });
 
   it("make no arrow without a direction, and finite ones in every direction", () => {

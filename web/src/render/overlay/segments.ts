@@ -15,36 +15,6 @@ export function ofPolylines(lines: readonly Float32Array[]): Float32Array {
   return out;
 }
 
-/** Beyond this many indices the search for the boundary costs more memory than a few edges at the rim are worth. */
-const LARGE = 6_000_000;
-
-/** The edges of all triangles, each once, as pairs of vertices. Of very large meshes some edges on the boundary are left out. */
-export function edgesOf(indices: Uint32Array): Uint32Array {
-  const pairs: number[] = [];
-  const large = indices.length > LARGE;
-  const upward = new Set<number>();
-  // An edge inside a surface is met in both directions and taken in the one that goes up. One that goes down is taken when
-  // its twin never comes: it is on the boundary.
-  for (const up of [true, false]) {
-    for (let t = 0; t < indices.length; t += 3) {
-      for (let side = 0; side < 3; side++) {
-        const a = at(indices, t + side);
-        const b = at(indices, t + ((side + 1) % 3));
-        if (a === b || up !== a < b) continue;
-        if (!large) {
-          if (up) upward.add(a * KEY + b);
-          else if (upward.has(b * KEY + a)) continue;
-        } else if (!up) continue;
-        pairs.push(a, b);
-      }
-    }
-  }
-  return new Uint32Array(pairs);
-}
-
-/** Larger than any number of vertices (the format allows 16 million), and its square is still a whole number in a double. */
-const KEY = 2 ** 26;
-
 /**
  * Arrows: a shaft of a length along each direction, and two barbs at its tip, in the plane of the shaft and the vertical. A direction
  * without length gives none.

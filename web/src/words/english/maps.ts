@@ -29,6 +29,7 @@ export const maps = phrases("maps", {
     thickness: "wall thickness",
     overhang: "overhang",
   } satisfies Readonly<Record<MapName, string>>,
+  closed: "The pot is shown whole, because this map is of its outside. It is cut open again without the map.",
   needsWall: (map: string) => `${map} (needs a wall)`,
   colours: (map: string, low: string, high: string) => `${map}: colours from ${low} to ${high}`,
   onPot: (note: string, least: string, greatest: string) => `${note} On this pot: ${least} to ${greatest}.`,

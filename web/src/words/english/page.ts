@@ -69,6 +69,9 @@ export const page = phrases("page", {
   stage: "3D view",
   stageKeys: "Arrow keys turn the pot, plus and minus zoom, F fits it to the view.",
   lost: "The graphics card was taken away for a moment. The picture comes back by itself.",
+  lostForGood:
+    "The graphics card was taken away and has not come back, so the pot stands still. Everything else works: change it, save it, share it.",
+  tryAgain: "Try again",
   still: "This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.",
   view: "View",
   views: { "three-quarter": "Three-quarter", front: "Front", side: "Side", top: "Top", below: "Below" },
