@@ -1,6 +1,6 @@
 /**
  * How a pot is looked at, as a link may carry it: in the query of the address, because what follows the `#` is the design and nothing else, and an older page leaves a query alone. The
- * words are the catalogue's of no language: `view=30,75,1&cut=0&show=isoU,axes&map=overhang`, degrees round the pot and from straight above, and how many times closer than where it just fits.
+ * words in it are the same in every language: `view=30,75,1&cut=0&show=isoU,axes&map=overhang`, degrees round the pot and from straight above, and how many times closer than where it just fits.
  */
 
 import type { MapName } from "../document/types";

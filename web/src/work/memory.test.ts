@@ -34,6 +34,11 @@ test("after a reload what could be undone and redone still can be", async () => 
   step(before, 21, 22, 23);
   before.undo();
   memory.keep(LINK, before);
+  const between = new Store(tall(JAR, 22), NEW_SESSION);
+  const recalled = memory.recall(LINK, between);
+  memory.keep(LINK, between);
+  await recalled;
+  // And after another one at once.
   const after = new Store(tall(JAR, 22), NEW_SESSION);
   await memory.recall(LINK, after);
   expect([after.canUndo, after.canRedo]).toEqual([true, true]);

@@ -28,11 +28,13 @@ export class Memory {
   /** Brings them back to where the design of this link was just opened. What the solver refuses is left out. */
   async recall(link: string, store: Store): Promise<void> {
     const steps = readSteps(this.#shelf);
-    const { ids } = store;
+    const { design, ids } = store;
     if (steps?.link !== link || steps.ids.length !== ids.length) return;
     const past = await this.#read(steps.past);
     const future = await this.#read(steps.future);
     store.recall({ past, future }, steps.ids, ids);
+    // Meanwhile the page may have kept that there are none.
+    if (store.design === design) this.keep(link, store);
   }
 
   async #read(steps: readonly Step[]): Promise<readonly Identified[]> {
