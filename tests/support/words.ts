@@ -39,6 +39,8 @@ export async function unmarked(pot: Visit): Promise<string[]> {
     };
     const isSymbol = (element: Element) =>
       element.closest("code") !== null ||
+      // As `Intl` writes it, which does not speak the pseudo-language.
+      element.closest("time") !== null ||
       element.closest(".symbol") !== null ||
       /^[nstw]$/.test(element.textContent ?? "");
     const walk = (node: Node) => {

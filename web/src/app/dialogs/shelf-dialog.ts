@@ -97,7 +97,7 @@ export class PasuShelf extends DesignerElement {
         .value=${design.title ?? ""}
         @change=${(event: Event) => void this.rename(entry, (event.target as HTMLInputElement).value)}
       />
-      <p class="when">${moment(entry.piece.at)}${staged ? html` <strong>${shelf.onStage}</strong>` : nothing}</p>
+      <p class="when">${time(entry.piece.at)}${staged ? html` <strong>${shelf.onStage}</strong>` : nothing}</p>
       <div class="acts">
         ${this.act("copy", shelf.duplicate(name), () => this.duplicate(design))}
         ${this.act("save", shelf.replace(name), () => this.replace(entry, design), staged)}
@@ -109,7 +109,7 @@ export class PasuShelf extends DesignerElement {
   private unreadable(entry: Entry) {
     return html`<li class="unreadable">
       <p class="reason"><strong>${shelf.unreadable}</strong> ${entry.refusal ? refusalWords(entry.refusal, null) : nothing}</p>
-      <p class="when">${moment(entry.piece.at)}</p>
+      <p class="when">${time(entry.piece.at)}</p>
       <div class="acts">${this.act("remove", shelf.remove(shelf.unreadable), () => this.takeAway(entry, shelf.unreadable))}</div>
     </li>`;
   }
@@ -293,6 +293,10 @@ function nameOf({ title }: Design): string {
 
 function named(title: string): string {
   return page.quoted(isolated(title === "" ? page.untitled : title));
+}
+
+function time(at: number) {
+  return html`<time datetime=${new Date(at).toISOString()}>${moment(at)}</time>`;
 }
 
 /** A picture is of one piece as it is now: no two share one, and one that is changed has another. */
