@@ -133,6 +133,7 @@ export class PasuPanel extends DesignerElement {
         grid-template: auto 1fr / minmax(0, 1fr);
         min-height: 0;
         min-width: 0;
+        container-type: inline-size;
         background: var(--sheet);
       }
       .tabs {
@@ -169,7 +170,7 @@ export class PasuPanel extends DesignerElement {
         scrollbar-gutter: stable;
         outline-offset: -3px;
       }
-      @media (max-width: 379px) {
+      @container (max-width: 379px) {
         .tabs {
           padding: 0 6px;
         }
