@@ -310,7 +310,7 @@ export class Stage {
   get looking(): Direction & { readonly share: number } {
     const pose = this.camera.goal;
     const aspect = this.size.height > 0 ? this.size.width / this.size.height : 1;
-    return { azimuth: pose.azimuth, polar: pose.polar, share: pose.distance / this.reach(pose, aspect) };
+    return { azimuth: pose.azimuth, polar: pose.polar, share: pose.distance / this.reach(pose, aspect, this.left) };
   }
 
   /** Goes round the pot by itself, so many radians a second, until it is told 0; never where motion is reduced. */
