@@ -5,11 +5,15 @@ use glam::DVec3;
 use super::craft::Craft;
 use super::report::{Finding, Severity};
 use crate::face::FaceKind;
+use crate::measure::{hull, lean, least_width};
 use crate::solid::{place, short};
 use crate::weave::Made;
 
 /// The degrees that a wall may lean out over what is below it and be printed without support.
 const SUPPORTED: f64 = 45.0;
+
+/// The millimetres of a layer: what is no higher above the ground lies on it.
+const LAYER: f64 = 0.2;
 
 /// What leans out further is told where it is at least this part of its face.
 const SHARE: f64 = 1e-3;
@@ -24,7 +28,9 @@ pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> V
     if by == Craft::Print {
         let faces = [(FaceKind::Outer, "outside"), (FaceKind::Lining, "inside")];
         found.extend(faces.into_iter().filter_map(|(kind, side)| overhang(made, kind, side, millimetres)));
-        found.extend(ceiling(made, millimetres));
+        found.extend(
+            [FaceKind::Recess, FaceKind::Underside].into_iter().filter_map(|kind| ceiling(made, kind, millimetres)),
+        );
     }
     found
 }
@@ -93,17 +99,17 @@ fn triangles(made: &Made, kind: FaceKind) -> impl Iterator<Item = [DVec3; 3]> + 
     core::iter::from_fn(move || Some([corners.next()?, corners.next()?, corners.next()?]))
 }
 
-/// The normal of a triangle, twice its area long, and by how many degrees it leans out.
-fn lean([a, b, c]: [DVec3; 3]) -> (f64, f64) {
+/// Twice the area of a triangle, and by how many degrees it leans out.
+fn sized_lean([a, b, c]: [DVec3; 3]) -> (f64, f64) {
     let normal = (b - a).cross(c - a);
-    (normal.length(), libm::atan2(-normal.z, libm::hypot(normal.x, normal.y)).to_degrees())
+    (normal.length(), lean(normal).to_degrees())
 }
 
 /// The steepest of the triangles of one kind of face that lean out further than can be printed.
 fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option<Finding> {
     let (mut area, mut hanging, mut steepest) = (0.0, 0.0, (SUPPORTED, DVec3::ZERO));
     for corners in triangles(made, kind) {
-        let (size, degrees) = lean(corners);
+        let (size, degrees) = sized_lean(corners);
         area += size;
         if degrees > SUPPORTED {
             hanging += size;
@@ -125,26 +131,30 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
     Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, at, remedy: None })
 }
 
-/// The underside of the base within a foot ring: a printer builds it over air, from one side of the ring to the other.
-fn ceiling(made: &Made, millimetres: f64) -> Option<Finding> {
-    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let hanging = triangles(made, FaceKind::Recess).filter(|corners| lean(*corners).1 > SUPPORTED);
-    for corner in hanging.flatten() {
-        (low, high) = (low.min(corner), high.max(corner));
-    }
+/// What is built over air beneath a pot: the base within a foot ring, from one side of the ring to the other, and the underside of a pot that is tilted.
+fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
     let ground = made.mesh.positions.iter().skip(2).step_by(3).fold(f32::INFINITY, |least, z| least.min(*z));
-    let (span, above) = (high - low, 0.5 * (low.z + high.z) - f64::from(ground));
-    if !(span.x.min(span.y) > 0.0 && above > 0.0) {
-        return None;
-    }
-    let at = 0.5 * (low + high) / millimetres;
-    let message = format!(
-        "the base within the foot ring is a ceiling, {} mm wide and {} mm above the ground: printers bridge it or need support",
-        short(span.x.min(span.y)),
-        short(above)
-    );
-    let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
-    Some(Finding { code: "ceiling", severity, part, path: path(made, "wall.foot"), message, at, remedy: None })
+    let ground = f64::from(ground);
+    let is_over_air = |corners: &[DVec3; 3]| {
+        sized_lean(*corners).1 > SUPPORTED && corners.iter().any(|corner| corner.z > ground + LAYER)
+    };
+    let corners: Vec<DVec3> = triangles(made, kind).filter(is_over_air).flatten().collect();
+    let highest = corners.iter().copied().reduce(|one, other| if other.z > one.z { other } else { one })?;
+    let above = short(highest.z - ground);
+    let (message, at, field) = if kind == FaceKind::Recess {
+        let outline = hull(&corners.iter().map(|corner| corner.truncate()).collect::<Vec<_>>());
+        let wide = short(least_width(&outline));
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let message = format!(
+            "the base within the foot ring is a ceiling, {wide} mm wide and {above} mm above the ground: printers bridge it or need support"
+        );
+        (message, middle, "wall.foot")
+    } else {
+        let message = format!("the underside is up to {above} mm above the ground: printers need support beneath it");
+        (message, highest, "place")
+    };
+    let (part, severity, at) = (made.pot.part(), Severity::Note, Some((at / millimetres).to_array()));
+    Some(Finding { code: "ceiling", severity, part, path: path(made, field), message, at, remedy: None })
 }
 
 #[cfg(test)]
@@ -209,28 +219,85 @@ mod tests {
         assert_eq!(said(5.0, 0.0, 0.0, Some(Craft::Print)), []);
     }
 
-    /// A cup of radius 30 mm on a ring 5 mm wide and 2.5 mm high; of a clay that shrinks by 37.5 percent it is made 1.6 times as large.
+    /// What is said of what a pot of height 40 mm is built over, whose foot is an ellipse of radii `x` and `y` in centimetres.
+    fn ceilings(
+        [x, y]: [f64; 2],
+        wall: &serde_json::Value,
+        place: &serde_json::Value,
+        making: &Making,
+    ) -> Vec<Finding> {
+        let document = serde_json::json!({ "pasu": 1, "parts": [{
+            "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 },
+            "wall": wall, "place": { "scale": [x / 3.0, y / 3.0, 1], "axis": place["axis"], "angle": place["angle"] },
+        }] });
+        let design = Design::parse(&document.to_string()).unwrap();
+        let report = check(&design, making).unwrap();
+        report.findings.into_iter().filter(|found| found.code == "ceiling").collect()
+    }
+
+    fn upright() -> serde_json::Value {
+        serde_json::json!({ "axis": [0, 0, 1], "angle": 0 })
+    }
+
+    /// How wide a ceiling is said to be and how high, in millimetres; the corners of its mesh lie on the ring, so that they are a little nearer to each other than the ring is wide.
+    fn ceiling_sizes(found: &Finding) -> [f64; 2] {
+        let numbers = |word: &str| word.parse::<f64>().ok();
+        let said: Vec<f64> = found.message.split(' ').filter_map(numbers).collect();
+        let [wide, above] = said[..] else { panic!("{}", found.message) };
+        [wide, above]
+    }
+
+    fn assert_said(found: &Finding, sizes: [f64; 2]) {
+        for (said, size) in ceiling_sizes(found).into_iter().zip(sizes) {
+            assert!((said - size).abs() < 2e-3 * size, "{said}, not {size}: {}", found.message);
+        }
+    }
+
+    /// Within a ring 5 mm wide and 2.5 mm high; of a clay that shrinks by 37.5 percent a pot is made 1.6 times as large.
     #[test]
     fn the_ceiling_within_a_foot_ring_is_told_to_who_prints() {
-        let told = |wall: serde_json::Value, craft, shrinkage| {
-            let document = serde_json::json!({ "pasu": 1, "parts": [{
-                "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 }, "wall": wall
-            }] });
-            let design = Design::parse(&document.to_string()).unwrap();
-            let report = check(&design, &Making { craft, shrinkage, ..Making::default() }).unwrap();
-            report.findings.into_iter().find(|found| found.code == "ceiling")
-        };
-        let ring = || serde_json::json!({ "thickness": 0.3, "base": 0.5, "foot": [0.5, 0.25] });
-        let found = told(ring(), None, 0.0).unwrap();
+        let ring = serde_json::json!({ "thickness": 0.3, "base": 0.5, "foot": [0.5, 0.25] });
+        let made = |craft, shrinkage| Making { craft, shrinkage, ..Making::default() };
+        let told = |making: &Making| ceilings([3.0, 3.0], &ring, &upright(), making);
+        let [found] = &told(&made(None, 0.0))[..] else { panic!("one ceiling") };
         assert_eq!((found.severity, found.path.as_deref()), (Severity::Note, Some("parts[0].wall.foot")));
-        assert!(found.message.contains("50 mm wide and 2.5 mm above"), "{}", found.message);
+        assert_said(found, [50.0, 2.5]);
         let at = DVec3::from_array(found.at.unwrap());
         assert!(at.truncate().length() < 1e-3, "{at}");
-        let larger = told(ring(), Some(Craft::Print), 37.5).unwrap();
-        assert!(larger.message.contains("80 mm wide and 4 mm above"), "{}", larger.message);
+        let [larger] = &told(&made(Some(Craft::Print), 37.5))[..] else { panic!("one ceiling") };
+        assert_said(larger, [80.0, 4.0]);
         assert!((DVec3::from_array(larger.at.unwrap()) - at).length() < 1e-3);
-        assert!(told(ring(), Some(Craft::Clay), 0.0).is_none());
-        assert!(told(serde_json::json!({ "thickness": 0.3, "base": 0.5 }), None, 0.0).is_none());
+        assert!(told(&made(Some(Craft::Clay), 0.0)).is_empty());
+        let plain = serde_json::json!({ "thickness": 0.3, "base": 0.5 });
+        assert!(ceilings([3.0, 3.0], &plain, &upright(), &made(None, 0.0)).is_empty());
+    }
+
+    /// How far printers have to bridge does not depend on how a pot is turned.
+    #[test]
+    fn a_ceiling_is_as_wide_as_the_ring_is_narrow_whichever_way_it_lies() {
+        let ring = serde_json::json!({ "thickness": 0.3, "base": 0.5, "foot": [0.5, 0.25] });
+        let wide = |angle: f64| {
+            let turned = serde_json::json!({ "axis": [0, 0, 1], "angle": angle });
+            let [found] = &ceilings([5.0, 3.0], &ring, &turned, &Making::default())[..] else { panic!("one ceiling") };
+            ceiling_sizes(found)[0]
+        };
+        let upright = wide(0.0);
+        assert!((45.0..=52.0).contains(&upright), "{upright}");
+        for angle in [0.4, 0.785, 1.2] {
+            assert!((wide(angle) - upright).abs() < 0.1, "{angle}: {} {upright}", wide(angle));
+        }
+    }
+
+    /// A disc of radius 30 mm that is tilted by 0.3 rises over its lowest point by its diameter times the sine.
+    #[test]
+    fn the_underside_of_a_pot_that_is_tilted_is_told_to_who_prints() {
+        let plain = serde_json::json!({ "thickness": 0.3, "base": 0.5 });
+        let tilted = serde_json::json!({ "axis": [1, 0, 0], "angle": 0.3 });
+        let [found] = &ceilings([3.0, 3.0], &plain, &tilted, &Making::default())[..] else { panic!("one underside") };
+        assert_eq!(found.path.as_deref(), Some("parts[0].place"));
+        let words = found.message.split("up to ").nth(1).and_then(|rest| rest.split(' ').next());
+        let above: f64 = words.and_then(|word| word.parse().ok()).unwrap();
+        assert!((above - 60.0 * libm::sin(0.3)).abs() < 0.05, "{}", found.message);
     }
 
     /// The flank of a straight cup leans out by the angle whose tangent is its flare over its height: 38 mm of flare over 40 are 43.5 degrees, 42 are 46.4.

@@ -77,14 +77,14 @@ impl<'a> Vessel<'a> {
     /// The inside of a pot; the reason in words where it holds nothing.
     pub(crate) fn of_pot(pot: &'a Pot, highest: f64) -> Result<Vessel<'a>, String> {
         let pieces = || pot.faces().iter().rev().map(|piece| piece as &dyn Face);
-        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Floor | FaceKind::Lining | FaceKind::Rim);
-        let faces: Vec<&dyn Face> = pieces().filter(|face| is_inside(face.kind())).collect();
         let is_stopped = pieces().any(|face| face.kind() == FaceKind::Drain);
         let is_tube = pot.is_ring() && !is_stopped;
         if is_tube {
             let (faces, outside, caps) = (pieces().collect(), Vec::new(), [None, None]);
             return Ok(Vessel { faces, outside, caps, is_stopped, is_tube, axis: pot.axis(), highest });
         }
+        let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Floor | FaceKind::Lining | FaceKind::Rim);
+        let faces: Vec<&dyn Face> = pieces().filter(|face| is_inside(face.kind())).collect();
         if !faces.iter().any(|face| face.kind() == FaceKind::Lining) {
             return Err("a solid has no inside".to_owned());
         }

@@ -37,6 +37,7 @@ pub use loads::Loads;
 pub use measures::{
     Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
+pub(crate) use outside::{hull, lean, least_width};
 pub use paint::{Map, paint};
 pub use quantity::Quantity;
 pub use standing::{Footprint, Tipping};

@@ -315,6 +315,15 @@ fn hull_of(points: &[DVec2]) -> Vec<usize> {
     hull
 }
 
+/// The least width of a convex polygon: between one of its edges and the corner farthest from that (G. T. Toussaint, *Solving geometric problems with the rotating calipers*, 1983).
+pub(crate) fn least_width(hull: &[DVec2]) -> f64 {
+    let across = |(&p, &q): (&DVec2, &DVec2)| {
+        let along = (q - p).normalize_or_zero();
+        hull.iter().map(|corner| along.perp_dot(*corner - p)).fold(0.0, f64::max)
+    };
+    hull.iter().zip(hull.iter().cycle().skip(1)).map(across).reduce(f64::min).unwrap_or_default()
+}
+
 /// The area of a polygon, positive if anticlockwise.
 pub(crate) fn polygon_area(polygon: &[DVec2]) -> f64 {
     let Some(&first) = polygon.first() else { return 0.0 };
