@@ -25,6 +25,8 @@ mod placement;
 mod quantity;
 mod reader;
 mod refusal;
+mod ring;
+mod rings;
 mod shape;
 #[cfg(feature = "typescript")]
 mod slider;
@@ -51,6 +53,8 @@ pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tab
 pub use part::Part;
 pub use placement::Placement;
 pub use reader::read_from as read;
+pub use ring::{Free, Ring};
+pub use rings::{Hoop, Rings, Series, Slopes, Wave};
 pub use shape::Shape;
 pub(crate) use text::write as to_json;
 #[cfg(feature = "typescript")]

@@ -5,9 +5,12 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::boundary_value::BoundaryValue;
-use super::described::{Described, Family};
+#[cfg(feature = "typescript")]
+use super::described::Family;
+use super::described::{Described, Spelling};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
+use super::rings::Rings;
 use super::{reader, text};
 use crate::error::Result;
 
@@ -26,7 +29,9 @@ macro_rules! shapes {
         /// All kinds, in the order of the format.
         pub(crate) const KINDS: &[Kind] = &[$( Kind {
             name: $name,
+            #[cfg(feature = "typescript")]
             family: <$kind as Described>::FAMILY,
+            spelling: <$kind as Described>::SPELLING,
             #[cfg(feature = "typescript")]
             type_name: stringify!($kind),
             #[cfg(feature = "typescript")]
@@ -130,13 +135,18 @@ shapes! {
     BloorWilson = "bloor-wilson",
     /// `boundary-value`: any Fourier boundary data.
     BoundaryValue = "boundary-value",
+    /// `rings`: a pot by the radius and the height of its rings.
+    Rings = "rings",
 }
 
 /// A kind of shape.
 pub(crate) struct Kind {
     /// The word in a document's `kind`.
     pub(crate) name: &'static str,
+    #[cfg(feature = "typescript")]
     pub(crate) family: Option<Family>,
+    /// How a readable link says it.
+    pub(crate) spelling: Option<Spelling>,
     /// Its type in TypeScript.
     #[cfg(feature = "typescript")]
     pub(crate) type_name: &'static str,

@@ -20,6 +20,7 @@ mod one_body;
 mod placement;
 mod random_pots;
 mod refusals;
+mod rings;
 mod single_precision;
 mod sketch;
 mod solid;

@@ -1,0 +1,347 @@
+//! `rings`: a pot as a potter says it, by the radius and the height of every ring.
+//!
+//! Each ring is a mean and a few waves round the axis, both of its radius and of its height. Foot, rim and what lies between are curves of one surface with the equation of Bloor and Wilson, which
+//! `expansion.rs` writes out; `spelling.rs` is how a readable link says it.
+
+mod expansion;
+mod spelling;
+
+use std::borrow::Cow;
+
+use serde::de::{Deserialize, Deserializer, Error as _, Unexpected};
+use serde::ser::{SerializeStruct, Serializer};
+use serde::{Serialize, de};
+
+use super::boundary_value::BoundaryValue;
+#[cfg(feature = "typescript")]
+use super::declarations::interface;
+#[cfg(feature = "typescript")]
+use super::described::Family;
+use super::described::{Described, Spelling};
+use super::handles::{Handle, HandleId, Handles, Restraint, steps};
+use super::limits::RINGS;
+use super::list;
+use super::number::{plain, rounded};
+use super::quantity::{any, is_zero, or_default, or_zero};
+use super::ring::ascending;
+#[cfg(feature = "typescript")]
+use super::tables::{HOOP, RINGS_KIND, SERIES, SLOPES, WAVE};
+use crate::error::{Code, Error, Result};
+
+/// A pot through any number of rings, `(d2/du2 + a^2 d2/dv2)^2 X = 0` between each two of them. `u = 0` is the foot, `u = 1` the rim.
+#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
+#[serde(expecting = "a shape")]
+pub struct Rings {
+    /// The smoothing parameter: how strongly the wall is drawn towards a round tube. 1 when left out.
+    #[serde(deserialize_with = "or_one")]
+    pub a: f64,
+    /// From the foot to the rim: 2 to 66.
+    #[serde(deserialize_with = "hoops")]
+    pub rings: Vec<Hoop>,
+    /// The slopes at the foot; without them it is free.
+    #[serde(deserialize_with = "or_default")]
+    pub foot: Option<Slopes>,
+    /// The slopes at the rim; without them it is free.
+    #[serde(deserialize_with = "or_default")]
+    pub rim: Option<Slopes>,
+}
+
+/// One ring of a pot.
+#[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[serde(expecting = "a ring with u, r and z")]
+pub struct Hoop {
+    /// Where it is along the profile: 0 at the foot, 1 at the rim.
+    #[serde(deserialize_with = "any")]
+    pub u: f64,
+    /// Its radius.
+    pub r: Series,
+    /// Its height.
+    pub z: Series,
+    /// Whether the profile has a corner there; at the foot and the rim without meaning.
+    #[serde(deserialize_with = "or_default", skip_serializing_if = "is_not")]
+    pub sharp: bool,
+}
+
+/// Derivatives in `u` of radius and height at an end.
+#[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[serde(expecting = "slopes r and z")]
+pub struct Slopes {
+    /// Of the radius.
+    pub r: Series,
+    /// Of the height.
+    pub z: Series,
+}
+
+/// `mean + sum_n [ cos cos(n v) + sin sin(n v) ]`.
+#[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[serde(expecting = "a mean with waves")]
+pub struct Series {
+    /// The mean round the axis.
+    #[serde(deserialize_with = "any")]
+    pub mean: f64,
+    /// What goes up and down about it.
+    #[serde(deserialize_with = "waves", skip_serializing_if = "Vec::is_empty")]
+    pub waves: Vec<Wave>,
+}
+
+/// One harmonic of a series.
+#[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[serde(expecting = "a wave with n, cos and sin")]
+pub struct Wave {
+    /// How often it goes up and down round the axis: whole, and 1 or more.
+    #[serde(deserialize_with = "count")]
+    pub n: f64,
+    /// How far as `cos(n v)`.
+    #[serde(deserialize_with = "or_zero", skip_serializing_if = "is_zero")]
+    pub cos: f64,
+    /// How far as `sin(n v)`.
+    #[serde(deserialize_with = "or_zero", skip_serializing_if = "is_zero")]
+    pub sin: f64,
+}
+
+/// The most rings with foot and rim.
+const MOST: usize = RINGS + 2;
+
+impl Described for Rings {
+    #[cfg(feature = "typescript")]
+    const FAMILY: Option<Family> = None;
+    const SPELLING: Option<Spelling> = Some(Spelling { names: spelling::NAMES, read: spelling::read });
+
+    fn problem(&self) -> Cow<'_, BoundaryValue> {
+        Cow::Owned(self.boundary_value())
+    }
+
+    /// Numbers rounded, waves in ascending `n`, each `n` once, nothing that is 0.
+    fn canonical(mut self) -> Result<Self> {
+        self.a = rounded(self.a);
+        let last = self.rings.len().saturating_sub(1);
+        for (index, hoop) in self.rings.iter_mut().enumerate() {
+            hoop.u = rounded(hoop.u);
+            hoop.sharp &= index != 0 && index != last;
+            hoop.r.canonical();
+            hoop.z.canonical();
+        }
+        for slopes in [&mut self.foot, &mut self.rim].into_iter().flatten() {
+            slopes.r.canonical();
+            slopes.z.canonical();
+        }
+        // Rounding may put a ring on its neighbour, and waves of the same n may add up to more than a number holds.
+        self.finite()
+    }
+
+    fn cost(&self) -> usize {
+        let [r, z] = self.harmonics();
+        // A wave of the radius is two of x and two of y, of which neighbours share some.
+        2 * (2 * r.len() + 1) + z.len() + 1
+    }
+
+    fn waves(&self) -> Vec<(String, f64)> {
+        let hoops = self.rings.iter().enumerate().map(|(index, hoop)| (format!("rings[{index}]"), &hoop.r, &hoop.z));
+        let ends = [("foot", &self.foot), ("rim", &self.rim)].into_iter();
+        let ends =
+            ends.filter_map(|(name, slopes)| slopes.as_ref().map(|slopes| (name.to_owned(), &slopes.r, &slopes.z)));
+        let series = hoops.chain(ends).flat_map(|(name, r, z)| [(format!("{name}.r"), r), (format!("{name}.z"), z)]);
+        let waves =
+            series.flat_map(|(name, series)| series.waves.iter().enumerate().map(move |wave| (name.clone(), wave)));
+        waves.map(|(name, (index, wave))| (format!("{name}.waves[{index}].n"), wave.n)).collect()
+    }
+
+    fn link(&self) -> Option<Vec<String>> {
+        Some(spelling::write(self))
+    }
+
+    #[inline]
+    fn handles(&self) -> Handles {
+        let last = self.rings.len().saturating_sub(1);
+        let point = |id, index: usize| {
+            let [r, z] = ["r", "z"].map(|name| format!("rings[{index}].{name}.mean"));
+            Handle::new(id, steps([(&r, 1.0)]), steps([(&z, 1.0)]))
+        };
+        let slope = |id, name: &str, slopes: &Option<Slopes>| match slopes {
+            Some(_) => {
+                let [r, z] = ["r", "z"].map(|axis| format!("{name}.{axis}.mean"));
+                Handle::new(id, steps([(&r, 1.0)]), steps([(&z, 1.0)]))
+            }
+            None => Handle::new(id, Vec::new(), Vec::new()).held([Restraint::FreeEnd]),
+        };
+        Handles::new(
+            false,
+            [
+                point(HandleId::Rim, last),
+                slope(HandleId::RimSlope, "rim", &self.rim),
+                slope(HandleId::FootSlope, "foot", &self.foot),
+                point(HandleId::Foot, 0),
+            ],
+        )
+    }
+
+    /// Refuses rings that do not lead from the foot to the rim, and numbers whose products and sums leave the range of numbers.
+    fn finite(self) -> Result<Self> {
+        self.lead_from_foot_to_rim().map_err(|error| error.inside_field("rings"))?;
+        let square = self.a * self.a;
+        let mut sizes = self.series().map(Series::size).chain([2.0 * square, square * square]);
+        let is_finite = sizes.all(f64::is_finite);
+        drop(sizes);
+        match is_finite {
+            true => Ok(self),
+            false => {
+                let message = "these numbers are so large that their products cannot be computed";
+                Err(Error::new(Code::Overflow, "", message))
+            }
+        }
+    }
+
+    #[cfg(feature = "typescript")]
+    fn typescript(_: &str, text: &mut String) {
+        interface(text, "Rings", "A pot through any number of rings, each a radius and a height.", RINGS_KIND);
+        interface(text, "Hoop", "One ring of a pot.", HOOP);
+        interface(text, "Slopes", "Derivatives in u of radius and height at an end.", SLOPES);
+        interface(text, "Series", "A mean with waves round the axis.", SERIES);
+        interface(text, "Wave", "One harmonic of a series.", WAVE);
+    }
+}
+
+impl Rings {
+    /// What a readable link starts from: a bottle. Frozen with version 1 of the format.
+    pub(super) fn start() -> Rings {
+        let plain = |mean: f64| Series { mean, waves: Vec::new() };
+        let hoop = |(u, r, z)| Hoop { u, r: plain(r), z: plain(z), sharp: false };
+        let rings = [(0.0, 3.0, 0.0), (0.35, 6.0, 6.0), (0.7, 1.6, 15.0), (1.0, 2.2, 20.0)].map(hoop);
+        Rings { a: 1.0, rings: rings.into(), foot: None, rim: None }
+    }
+
+    fn slopes(&self) -> impl Iterator<Item = &Slopes> {
+        [&self.foot, &self.rim].into_iter().flatten()
+    }
+
+    fn series(&self) -> impl Iterator<Item = &Series> {
+        let hoops = self.rings.iter().flat_map(|hoop| [&hoop.r, &hoop.z]);
+        hoops.chain(self.slopes().flat_map(|slopes| [&slopes.r, &slopes.z]))
+    }
+
+    /// The different `n` of all radii, and of all heights.
+    fn harmonics(&self) -> [Vec<f64>; 2] {
+        let radii = self.rings.iter().map(|hoop| &hoop.r).chain(self.slopes().map(|slopes| &slopes.r));
+        let heights = self.rings.iter().map(|hoop| &hoop.z).chain(self.slopes().map(|slopes| &slopes.z));
+        [radii.collect::<Vec<_>>(), heights.collect()].map(|all: Vec<&Series>| {
+            let mut n: Vec<f64> = all.into_iter().flat_map(|series| series.waves.iter().map(|wave| wave.n)).collect();
+            n.sort_by(f64::total_cmp);
+            n.dedup();
+            n
+        })
+    }
+
+    /// The path begins at the list.
+    fn lead_from_foot_to_rim(&self) -> Result<()> {
+        let [first, inner @ .., last] = &self.rings[..] else { return Ok(()) };
+        for (index, hoop, expected) in [(0, first, 0.0), (inner.len() + 1, last, 1.0)] {
+            if hoop.u != expected {
+                let end = if index == 0 { "foot" } else { "rim" };
+                let message = format!("expected {}, the {end}, found {}", plain(expected), plain(hoop.u));
+                let error = Error::new(Code::OutOfRange, "u", message).inside_item(index);
+                return Err(error.with("expected", expected).with("found", hoop.u));
+            }
+        }
+        ascending(inner.iter().map(|hoop| hoop.u), 1)
+    }
+}
+
+impl Series {
+    fn canonical(&mut self) {
+        self.mean = rounded(self.mean);
+        let mut waves: Vec<Wave> = Vec::with_capacity(self.waves.len());
+        for wave in self.waves.drain(..) {
+            let wave = Wave { n: rounded(wave.n), ..wave };
+            match waves.binary_search_by(|earlier| earlier.n.total_cmp(&wave.n)) {
+                Ok(same) => {
+                    waves[same].cos += wave.cos;
+                    waves[same].sin += wave.sin;
+                }
+                Err(place) => waves.insert(place, wave),
+            }
+        }
+        for wave in &mut waves {
+            (wave.cos, wave.sin) = (rounded(wave.cos), rounded(wave.sin));
+        }
+        waves.retain(|wave| wave.cos != 0.0 || wave.sin != 0.0);
+        self.waves = waves;
+    }
+
+    /// No sum of parts of it is larger.
+    fn size(&self) -> f64 {
+        self.waves.iter().fold(self.mean.abs(), |size, wave| size + wave.cos.abs() + wave.sin.abs())
+    }
+}
+
+impl Serialize for Rings {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut fields = serializer.serialize_struct("Rings", 4)?;
+        match self.a == 1.0 {
+            true => fields.skip_field("a")?,
+            false => fields.serialize_field("a", &self.a)?,
+        }
+        fields.serialize_field("rings", &self.rings)?;
+        for (name, slopes) in [("foot", &self.foot), ("rim", &self.rim)] {
+            match slopes {
+                None => fields.skip_field(name)?,
+                Some(slopes) => fields.serialize_field(name, slopes)?,
+            }
+        }
+        fields.end()
+    }
+}
+
+fn is_not(sharp: &bool) -> bool {
+    !sharp
+}
+
+fn or_one<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
+    struct Given(f64);
+
+    impl Default for Given {
+        fn default() -> Self {
+            Given(1.0)
+        }
+    }
+
+    impl<'de> Deserialize<'de> for Given {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+            any(deserializer).map(Given)
+        }
+    }
+
+    or_default(deserializer).map(|Given(a)| a)
+}
+
+fn hoops<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Vec<Hoop>, D::Error> {
+    let (expected, most) = (format!("a list of 2 to {MOST} rings"), format!("at most {MOST} rings"));
+    let hoops: Vec<Hoop> = list::read(deserializer, &expected, Some((MOST, &most)))?;
+    let found = match hoops.len() {
+        0 => "an empty list",
+        1 => "a list of 1",
+        _ => return Ok(hoops),
+    };
+    Err(D::Error::invalid_value(Unexpected::Other(found), &expected.as_str()))
+}
+
+fn waves<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Vec<Wave>, D::Error> {
+    #[derive(Default)]
+    struct Waves(Vec<Wave>);
+
+    impl<'de> Deserialize<'de> for Waves {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+            list::read(deserializer, "a list of waves", None).map(Waves)
+        }
+    }
+
+    or_default(deserializer).map(|Waves(waves)| waves)
+}
+
+/// A whole number that is 1 or more.
+fn count<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<f64, D::Error> {
+    let n: f64 = any(deserializer)?;
+    match n >= 1.0 && n == n.trunc() {
+        true => Ok(n),
+        false => Err(de::Error::invalid_value(Unexpected::Float(n), &"a whole number, 1 or greater")),
+    }
+}
