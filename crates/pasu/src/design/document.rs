@@ -134,6 +134,7 @@ impl Design {
     /// assert!(matches!(vase.parts()[0].shape, pasu::Shape::BloorWilson(_)));
     /// # Ok::<(), pasu::Error>(())
     /// ```
+    #[inline]
     pub fn parts(&self) -> &[Part] {
         &self.0.parts
     }
@@ -170,6 +171,7 @@ fn check_version(value: &Value) -> Result<()> {
     Err(refusal::refused(code, &expected, &given.described()).at("pasu"))
 }
 
+#[inline]
 fn parts<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Vec<Part>, D::Error> {
     let (expected, most) = (format!("a list of 1 to {PARTS} parts"), format!("at most {PARTS} parts"));
     let parts = list::read(deserializer, &expected, Some((PARTS, &most)))?;
@@ -180,6 +182,7 @@ fn parts<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Vec<
 }
 
 /// The parts in canonical form, within the limits that all of them have together.
+#[inline]
 fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
     let mut parts = Vec::with_capacity(given.len());
     let mut names = BTreeMap::new();

@@ -87,6 +87,7 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
 ///
 /// # Errors
 /// None here: what is no number stays a text, which the reader of the document refuses and says where.
+#[inline]
 pub(crate) fn spelled<T: Fields>(given: &[(&str, &str)]) -> crate::error::Result<Vec<(String, Value)>> {
     let number = |text: &str| match parse(text.trim()) {
         Some(number) => Value::Number(number),

@@ -44,6 +44,7 @@ impl Described for BoundaryValue {
     }
 
     /// Refuses numbers that do not fit together as well: rings that do not follow each other, data that are not of as many rings, slopes at free ends.
+    #[inline]
     fn finite(self) -> Result<Self> {
         ascending(self.rings.iter().map(|ring| ring.u), 0).map_err(|error| error.inside_field("rings"))?;
         for (name, component) in ["x", "y", "z"].into_iter().zip(self.components()) {
@@ -217,6 +218,7 @@ impl Datum {
     }
 
     /// Refuses data of another number of rings, and slopes at ends that are free.
+    #[inline]
     fn fits(&self, n_rings: usize, free: Free) -> Result<()> {
         if !(self.rings.is_empty() || self.rings.len() == n_rings) {
             let message = match n_rings {

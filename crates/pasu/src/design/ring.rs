@@ -55,6 +55,7 @@ pub(super) fn rings<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::
 ///
 /// # Errors
 /// `out-of-range`.
+#[inline]
 pub(super) fn ascending(places: impl Iterator<Item = f64>, first: usize) -> Result<()> {
     let mut before = 0.0;
     for (index, u) in places.enumerate() {

@@ -67,6 +67,7 @@ macro_rules! shapes {
             }
 
             /// How many modes have to be solved.
+            #[inline]
             pub(crate) fn cost(&self) -> usize {
                 match self {
                     $( Shape::$kind(shape) => shape.cost(), )+
@@ -74,6 +75,7 @@ macro_rules! shapes {
             }
 
             /// Every number of waves that the document gives, with where it stands within the shape.
+            #[inline]
             pub(crate) fn waves(&self) -> Vec<(String, f64)> {
                 match self {
                     $( Shape::$kind(shape) => shape.waves(), )+
@@ -81,6 +83,7 @@ macro_rules! shapes {
             }
 
             /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
+            #[inline]
             pub(crate) fn link(&self) -> Option<Vec<String>> {
                 match self {
                     $( Shape::$kind(shape) => shape.link(), )+
@@ -108,6 +111,7 @@ macro_rules! shapes {
             }
 
             /// Refuses parameters within the range of numbers whose products leave it.
+            #[inline]
             pub(crate) fn finite(self) -> Result<Shape> {
                 match self {
                     $( Shape::$kind(shape) => shape.finite().map(Shape::$kind), )+
@@ -115,6 +119,7 @@ macro_rules! shapes {
             }
 
             /// The one way of writing this surface to twelve significant digits.
+            #[inline]
             pub(crate) fn canonical(self) -> Result<Shape> {
                 match self {
                     $( Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+

@@ -246,6 +246,7 @@ impl<'a> Part<'a> {
 }
 
 /// The rows of so many cells with one on each of the stops, evenly spaced between these; `None` where there are no stops, or more than there are rows for. Two stops next to each other have nothing between them.
+#[inline(never)]
 fn spread(along: f64, stops: &[f64]) -> Option<Vec<f64>> {
     // Numbers of rows beyond the limit are refused later on.
     if stops.is_empty() || along < stops.len() as f64 + 1.0 || along > VERTEX_LIMIT as f64 {

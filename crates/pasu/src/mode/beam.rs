@@ -75,8 +75,10 @@ pub(crate) struct Broken {
     pub(crate) between: [usize; 2],
 }
 
+// Called for every mode from several places, and each call is long: inlined they would weigh more than they save.
 impl Beam {
     /// The equation of the mode with angular frequency `k` through these rings.
+    #[inline(never)]
     pub(crate) fn new(order: Order, [s, t, w]: [f64; 3], k: f64, rings: &[Ring], free: Free) -> Result<Self, Broken> {
         let all = |why| Broken { why, between: [0, rings.len() + 1] };
         let [b, c] = Equation::coefficients(order, s, t, w, k).map_err(all)?;
@@ -109,6 +111,7 @@ impl Beam {
         Ok(beam)
     }
 
+    #[inline(never)]
     fn add_chain(&mut self, between: [usize; 2], is_free: [bool; 2]) -> Result<(), Broken> {
         let bays = &self.bays[between[0]..between[1]];
         let stiffnesses: Vec<Stiffness> = bays.iter().map(|bay| Stiffness::of(&bay.equation)).collect();
@@ -146,6 +149,7 @@ impl Beam {
     ///
     /// # Errors
     /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.
+    #[inline(never)]
     pub(crate) fn solve(&self, held: &Held) -> Result<Deflection, Broken> {
         let Held { ends, rings } = *held;
         if let [Bay { equation, .. }] = &self.bays[..]
@@ -292,6 +296,7 @@ impl Bay {
     }
 
     /// A force on the whole beam as what acts on this bay's equation.
+    #[inline(never)]
     fn force(&self, force: &[f64]) -> Vec<f64> {
         let power = match self.equation.order {
             Order::Second => self.length * self.length,
@@ -311,6 +316,7 @@ impl Bay {
 
 impl Chain {
     /// Slopes for which `q''` is continuous between the bays and 0 at free ends. Those given stand at the outer ends already.
+    #[inline(never)]
     fn find_slopes(&self, bays: &[Bay], values: &[f64], forces: &[Vec<f64>], slopes: &mut [[f64; 2]]) {
         let n = bays.len();
         let given = [slopes[0][0], slopes[n - 1][1]];
@@ -353,5 +359,77 @@ impl Deflection {
             [piece] => Some(piece),
             _ => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RINGS: [Ring; 4] = [
+        Ring { u: 0.2, sharp: false },
+        Ring { u: 0.201, sharp: true },
+        Ring { u: 0.6, sharp: true },
+        Ring { u: 0.9, sharp: false },
+    ];
+
+    fn held<'a>(force: &'a [f64], rings: &'a [f64]) -> Held<'a> {
+        Held { ends: ModeData { start: 1.0, start_u: -3.0, end: -0.5, end_u: 2.0, force }, rings }
+    }
+
+    /// Inside of an interval, and up to the rings at its ends.
+    #[test]
+    fn nothing_between_is_larger() {
+        let mut checked = 0;
+        for order in [Order::Second, Order::Fourth] {
+            for [t, w] in [[0.0, 0.0], [2.0, 1.0], [3.0, 0.0], [-2.0, 0.3], [1.0, 5.0], [60.0, 40.0]] {
+                for k in [0.0, 1.0, 7.0, 60.0] {
+                    let free = Free { start: false, end: order == Order::Fourth };
+                    let Ok(beam) = Beam::new(order, [1.0, t, w], k, &RINGS, free) else { continue };
+                    let Ok(solution) = beam.solve(&held(&[3.0, -20.0, 4.0], &[0.3, 0.31, -2.0, 1.0])) else { continue };
+                    for (from, to) in [(0.0, 0.2), (0.1, 0.5), (0.2, 0.201), (0.6, 0.6), (0.25, 1.0), (0.0, 1.0)] {
+                        let [suprema] = beam.suprema::<4, 1>([&solution], from, to);
+                        for i in 0..=40 {
+                            // Of the last place the side on which the interval lies.
+                            let u = (from + (to - from) * f64::from(i) / 40.0).min(f64::max(to.next_down(), from));
+                            let [jet] = beam.jets::<4, 1>([&solution], u);
+                            for (value, supremum) in jet.iter().zip(suprema) {
+                                let rounding = 1e-9 * (1.0 + supremum);
+                                assert!(
+                                    value.abs() <= supremum + rounding,
+                                    "{order:?} t {t} w {w} k {k} at {u}: {jet:?}, {suprema:?}"
+                                );
+                            }
+                            checked += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(checked > 8000);
+    }
+
+    #[test]
+    fn without_rings_it_is_the_mode_problem_to_the_bit() {
+        let held = held(&[1.0, 2.0], &[]);
+        let beam = Beam::new(Order::Fourth, [1.5, 3.0, 2.0], 5.0, &[], Free::default()).unwrap();
+        let equation = Equation::new(Order::Fourth, 1.5, 3.0, 2.0, 5.0).unwrap();
+        let (deflection, solution) = (beam.solve(&held).unwrap(), equation.solve(&held.ends).unwrap());
+        for i in 0..=64 {
+            let u = f64::from(i) / 64.0;
+            assert_eq!(beam.jets::<3, 1>([&deflection], u), equation.jets::<3, 1>([&solution], u));
+        }
+        assert_eq!(beam.largest_rate(), equation.largest_rate());
+    }
+
+    #[test]
+    fn a_side_of_a_corner_is_next_to_it() {
+        let beam =
+            Beam::new(Order::Fourth, [1.0, 0.0, 0.0], 0.0, &RINGS[2..3], Free { start: true, end: true }).unwrap();
+        let deflection = beam.solve(&held(&[], &[4.0])).unwrap();
+        let slope = |u: f64| beam.jets::<2, 1>([&deflection], u)[0];
+        assert_eq!(slope(0.6)[0], 4.0);
+        let [before, after] = [slope(0.6_f64.next_down()), slope(0.6)].map(|jet| jet[1]);
+        assert!((before - 5.0).abs() < 1e-13 && (after + 11.25).abs() < 1e-13, "{before} {after}");
     }
 }

@@ -16,6 +16,7 @@ pub(super) struct Stiffness {
 
 impl Stiffness {
     /// Of an equation of order 4.
+    #[inline(never)]
     pub(super) fn of(equation: &Equation) -> Self {
         let c = equation.c;
         let [even, odd] = &equation.halves;

@@ -19,6 +19,7 @@ struct Row {
 
 impl Tridiagonal {
     /// The matrix whose rows have these entries before, on and behind the diagonal; the first of the first row and the last of the last are not there. `None` where it is singular, or not of numbers.
+    #[inline(never)]
     pub(crate) fn factors(rows: &[[f64; 3]]) -> Option<Self> {
         let mut factors = Vec::with_capacity(rows.len());
         let Some((&[_, diagonal, behind], rest)) = rows.split_first() else { return Some(Tridiagonal::default()) };
@@ -39,6 +40,7 @@ impl Tridiagonal {
     }
 
     /// Solves for one right-hand side, in its place. What is there beyond the matrix is left as it is.
+    #[inline(never)]
     pub(crate) fn solve(&self, values: &mut [f64]) {
         for (index, row) in self.rows.iter().enumerate() {
             let [here, next, ..] = &mut values[index..] else { break };
@@ -56,6 +58,7 @@ impl Tridiagonal {
     }
 
     /// The largest sum of the sizes in a row of the inverse: how much an error of 1 in every equation can do.
+    #[inline(never)]
     pub(crate) fn inverse_norm(&self) -> f64 {
         let n = self.rows.len();
         let mut sums = vec![0.0; n];

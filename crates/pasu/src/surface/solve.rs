@@ -217,6 +217,7 @@ impl Surface {
     }
 }
 
+#[inline(never)]
 fn unsolvable(broken: Broken, shape: &BoundaryValue, axis: Axis, index: usize, path: &str) -> Error {
     let (name, component) = match axis {
         Axis::X => ("x", &shape.x),

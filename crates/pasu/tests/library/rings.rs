@@ -1,6 +1,6 @@
 //! Surfaces through rings, against the reference corpus and against the properties that make them what they are.
 
-use crate::support::{Point, ring_cases, shape, surface, surface_of};
+use crate::support::{Point, ring_cases, ring_regimes, shape, surface, surface_of};
 use glam::DVec3;
 use pasu::{
     BoundaryValue, Code, Component, Datum, Design, Format, Free, Making, MeasureOptions, MeshOptions, Mode, Order,
@@ -11,10 +11,10 @@ use proptest::prelude::*;
 /// Positions within 1e-12 of the scale of the case, over the smallest gap between rings where these crowd; derivatives the same of the largest of the same kind.
 #[test]
 fn every_case_of_the_corpora() {
-    let cases = ring_cases();
-    assert!(cases.len() >= 14);
+    let (cases, regimes) = (ring_cases(), ring_regimes());
+    assert!(cases.len() >= 14 && regimes.len() >= 60);
     let mut failures = Vec::new();
-    for case in &cases {
+    for case in cases.iter().chain(&regimes) {
         let largest = |of: fn(&Point) -> [f64; 3]| case.points.iter().flat_map(of).map(f64::abs).fold(0.0, f64::max);
         let sizes = [case.scale, largest(|point| point.du).max(case.scale), largest(|point| point.dv).max(case.scale)];
         for given in case.family.iter().chain([&case.shape]) {

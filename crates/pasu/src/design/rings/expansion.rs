@@ -27,6 +27,7 @@ const SIN: usize = 1;
 
 impl Rings {
     /// The problem that these numbers stand for: `x = r cos v`, `y = r sin v` with products of waves written as sums.
+    #[inline]
     pub(super) fn boundary_value(&self) -> BoundaryValue {
         let n_rings = self.rings.len().saturating_sub(2);
         let [mut x, mut y, mut z] = [(); 3].map(|()| Modes { n_rings, data: BTreeMap::new() });
@@ -58,6 +59,7 @@ impl Rings {
 }
 
 /// Adds `r cos v` to `x` and `r sin v` to `y`.
+#[inline]
 fn add_turning(x: &mut Modes, y: &mut Modes, curve: Curve, r: &Series) {
     x.add(1.0, COS, curve, r.mean);
     y.add(1.0, SIN, curve, r.mean);
@@ -78,6 +80,7 @@ fn add_turning(x: &mut Modes, y: &mut Modes, curve: Curve, r: &Series) {
 }
 
 impl Modes {
+    #[inline]
     fn add(&mut self, n: f64, wave: usize, curve: Curve, value: f64) {
         // sin(0 v) is 0.
         if value == 0.0 || n == 0.0 && wave == SIN {
@@ -98,6 +101,7 @@ impl Modes {
         *place += value;
     }
 
+    #[inline]
     fn written(self) -> Vec<Mode> {
         let modes = self.data.into_iter();
         modes.map(|(bits, [cos, sin])| Mode { n: f64::from_bits(bits), cos, sin }).collect()

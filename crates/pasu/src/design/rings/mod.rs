@@ -102,16 +102,19 @@ pub struct Wave {
 /// The most rings with foot and rim.
 const MOST: usize = RINGS + 2;
 
+// All that leads here is compiled where it is called, for size: see `Design::from_value`.
 impl Described for Rings {
     #[cfg(feature = "typescript")]
     const FAMILY: Option<Family> = None;
     const SPELLING: Option<Spelling> = Some(Spelling { names: spelling::NAMES, read: spelling::read });
 
+    #[inline]
     fn problem(&self) -> Cow<'_, BoundaryValue> {
         Cow::Owned(self.boundary_value())
     }
 
     /// Numbers rounded, waves in ascending `n`, each `n` once, nothing that is 0.
+    #[inline]
     fn canonical(mut self) -> Result<Self> {
         self.a = rounded(self.a);
         let last = self.rings.len().saturating_sub(1);
@@ -129,12 +132,14 @@ impl Described for Rings {
         self.finite()
     }
 
+    #[inline]
     fn cost(&self) -> usize {
         let [r, z] = self.harmonics();
         // A wave of the radius is two of x and two of y, of which neighbours share some.
         2 * (2 * r.len() + 1) + z.len() + 1
     }
 
+    #[inline]
     fn waves(&self) -> Vec<(String, f64)> {
         let hoops = self.rings.iter().enumerate().map(|(index, hoop)| (format!("rings[{index}]"), &hoop.r, &hoop.z));
         let ends = [("foot", &self.foot), ("rim", &self.rim)].into_iter();
@@ -146,6 +151,7 @@ impl Described for Rings {
         waves.map(|(name, (index, wave))| (format!("{name}.waves[{index}].n"), wave.n)).collect()
     }
 
+    #[inline]
     fn link(&self) -> Option<Vec<String>> {
         Some(spelling::write(self))
     }
@@ -176,6 +182,7 @@ impl Described for Rings {
     }
 
     /// Refuses rings that do not lead from the foot to the rim, and numbers whose products and sums leave the range of numbers.
+    #[inline]
     fn finite(self) -> Result<Self> {
         self.lead_from_foot_to_rim().map_err(|error| error.inside_field("rings"))?;
         let square = self.a * self.a;
@@ -203,6 +210,7 @@ impl Described for Rings {
 
 impl Rings {
     /// What a readable link starts from: a bottle. Frozen with version 1 of the format.
+    #[inline]
     pub(super) fn start() -> Rings {
         let plain = |mean: f64| Series { mean, waves: Vec::new() };
         let hoop = |(u, r, z)| Hoop { u, r: plain(r), z: plain(z), sharp: false };
@@ -214,12 +222,14 @@ impl Rings {
         [&self.foot, &self.rim].into_iter().flatten()
     }
 
+    #[inline]
     fn series(&self) -> impl Iterator<Item = &Series> {
         let hoops = self.rings.iter().flat_map(|hoop| [&hoop.r, &hoop.z]);
         hoops.chain(self.slopes().flat_map(|slopes| [&slopes.r, &slopes.z]))
     }
 
     /// The different `n` of all radii, and of all heights.
+    #[inline]
     fn harmonics(&self) -> [Vec<f64>; 2] {
         let radii = self.rings.iter().map(|hoop| &hoop.r).chain(self.slopes().map(|slopes| &slopes.r));
         let heights = self.rings.iter().map(|hoop| &hoop.z).chain(self.slopes().map(|slopes| &slopes.z));
@@ -232,6 +242,7 @@ impl Rings {
     }
 
     /// The path begins at the list.
+    #[inline]
     fn lead_from_foot_to_rim(&self) -> Result<()> {
         let [first, inner @ .., last] = &self.rings[..] else { return Ok(()) };
         for (index, hoop, expected) in [(0, first, 0.0), (inner.len() + 1, last, 1.0)] {
@@ -247,6 +258,7 @@ impl Rings {
 }
 
 impl Series {
+    #[inline]
     fn canonical(&mut self) {
         self.mean = rounded(self.mean);
         let mut waves: Vec<Wave> = Vec::with_capacity(self.waves.len());
@@ -268,6 +280,7 @@ impl Series {
     }
 
     /// No sum of parts of it is larger.
+    #[inline]
     fn size(&self) -> f64 {
         self.waves.iter().fold(self.mean.abs(), |size, wave| size + wave.cos.abs() + wave.sin.abs())
     }

@@ -13,6 +13,7 @@ use crate::error::{Code, Error, Result};
 pub(super) const NAMES: &[&str] = &["r", "z", "u", "sharp", "foot", "rim", "a"];
 
 /// What differs from [`Rings::start`].
+#[inline]
 pub(super) fn write(pot: &Rings) -> Vec<String> {
     let start = Rings::start();
     let mut query = Vec::new();
@@ -45,6 +46,7 @@ pub(super) fn write(pot: &Rings) -> Vec<String> {
     query
 }
 
+#[inline]
 fn written(series: &Series) -> String {
     let waves = series.waves.iter().map(|wave| {
         let sine = if wave.sin == 0.0 { String::new() } else { format!(":{}", shortest(wave.sin)) };
@@ -54,6 +56,7 @@ fn written(series: &Series) -> String {
 }
 
 /// Those between foot and rim.
+#[inline]
 fn inner(rings: &[Hoop]) -> &[Hoop] {
     match rings {
         [_, inner @ .., _] => inner,
@@ -62,11 +65,13 @@ fn inner(rings: &[Hoop]) -> &[Hoop] {
 }
 
 /// Where so many rings are that are evenly spaced, without foot and rim.
+#[inline]
 fn even(n: usize) -> Vec<f64> {
     (1..n.saturating_sub(1)).map(|i| rounded(i as f64 / (n - 1) as f64)).collect()
 }
 
 /// The fields of the document from names and texts of a link.
+#[inline]
 pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
     let start = Rings::start();
     let text = |name: &str| given.iter().find(|(known, _)| *known == name).map(|(_, text)| *text);
@@ -126,6 +131,7 @@ pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
 }
 
 /// `6~3:.5:-.2`. What is not a number stays a text, which the reader of the document refuses and says where.
+#[inline]
 fn series_of(text: &str) -> Value {
     let mut parts = text.split('~');
     let mean = parts.next().map_or(Value::Null, number);
@@ -141,6 +147,7 @@ fn series_of(text: &str) -> Value {
     Value::Record(fields)
 }
 
+#[inline]
 fn number(text: &str) -> Value {
     parse(text.trim()).map_or_else(|| Value::Text(text.trim().to_owned()), Value::Number)
 }
