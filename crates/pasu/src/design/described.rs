@@ -83,13 +83,16 @@ pub(crate) struct Family {
     pub(crate) span: fn() -> Span,
 }
 
+/// Makes fields of a document from the names and texts of a link.
+pub(crate) type Reading = fn(&[(&str, &str)]) -> Result<Vec<(String, Value)>>;
+
 /// How a readable link says the fields of a document.
 #[derive(Clone, Copy)]
 pub(crate) struct Spelling {
     /// What may stand before `=`.
     pub(crate) names: &'static [&'static str],
     /// The fields from the names and texts of a link, all of these names. What a link may leave out is there; what is wrong is left to the reader of the document, or refused with the path of the field.
-    pub(crate) read: fn(&[(&str, &str)]) -> Result<Vec<(String, Value)>>,
+    pub(crate) read: Reading,
 }
 
 /// A named family: a few numbers that expand into a boundary-value problem.
