@@ -48,9 +48,9 @@ mod weave;
 
 pub use design::read;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Clay, Component, Conversion, Datum, Design, End, FourthOrder, Glaze, Handle,
-    HandleId, Handles, Look, Loss, MixedOrder, Mode, Order, Part, Placement, Restraint, RimForm, SecondOrder, Shape,
-    Side, Span, Step, Unit, VaseOrder, Wall,
+    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
+    Glaze, Handle, HandleId, Handles, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm,
+    SecondOrder, Shape, Side, Span, Step, Unit, VaseOrder, Wall,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};

@@ -40,8 +40,12 @@ export type Wall = Frozen<pasu.Wall>;
 
 export type Placement = Frozen<pasu.Placement>;
 export type Look = Frozen<pasu.Look>;
-export type GlazeName = NonNullable<pasu.Look["glaze"]>;
-export type ClayName = NonNullable<pasu.Look["clay"]>;
+export type Colour = `#${string}`;
+/** A name or a colour of one's own. */
+export type GlazeChoice = NonNullable<pasu.Look["glaze"]>;
+export type ClayChoice = NonNullable<pasu.Look["clay"]>;
+export type GlazeName = Exclude<GlazeChoice, Colour>;
+export type ClayName = Exclude<ClayChoice, Colour>;
 export type Unit = NonNullable<pasu.Design["unit"]>;
 
 export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {

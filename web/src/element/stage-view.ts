@@ -291,8 +291,11 @@ export class PasuStage extends DesignerElement {
     const shown = this.designer.surface.shown;
     if (!canvas || !shown) return;
     const { hidden } = this.designer.store.session;
-    const seen = shown.solved.parts.filter(({ id }) => !hidden.includes(id));
-    paintStill(seen, canvas, this.theme());
+    const { parts } = stageModel(shown.design, shown.solved, hidden);
+    paintStill(
+      parts.filter((part) => !part.hidden),
+      canvas,
+    );
   }
 
   private readonly key = (event: KeyboardEvent): void => {

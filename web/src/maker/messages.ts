@@ -23,6 +23,8 @@ export interface Solid {
   readonly extents: Extents | null;
   /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
   readonly sides: readonly ("inside" | "outside" | null)[];
+  /** From which height to which the outside of each part stands, where it is not its own surface. */
+  readonly outsides: readonly (readonly [low: number, high: number] | null)[];
 }
 
 /** Arrays of an earlier solid, to be written over. */

@@ -173,6 +173,8 @@ export class PasuNumber extends LitElement {
 
   /** A field of a length takes any unit of length. */
   private read(text: string) {
+    // A sign that may be typed and says nothing more.
+    if (this.unit === "%") return parseNumber(text.trim().replace(/%$/, ""));
     return this.unit === "" ? parseNumber(text) : parseLength(text, this.unit);
   }
 

@@ -44,7 +44,7 @@ pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
 pub(crate) use limits::{RATE, SWING, WAVES};
-pub use look::{Clay, Glaze, Look};
+pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 pub(crate) use number::{plain, rounded};
 #[cfg(feature = "typescript")]
 pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tables};

@@ -13,7 +13,7 @@ use super::outside::{Outside, Spot, columns};
 use super::quantity::Quantity;
 use super::standing::Standing;
 use super::taken::{ACCURACY, Naked, Taken};
-use crate::design::{Clay, Design, plain, rounded};
+use crate::design::{Choice, Clay, Design, plain, rounded};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::solid::Product;
@@ -34,6 +34,23 @@ impl Clay {
             Clay::Stoneware | Clay::Black => 2.3,
             Clay::Porcelain => 2.4,
             Clay::Terracotta => 1.9,
+        }
+    }
+}
+
+impl Choice<Clay> {
+    /// The usual density of the fired body in g/cm3; of a clay of one's own colour, that of stoneware.
+    ///
+    /// ```
+    /// use pasu::{Clay, Colour, Choice};
+    ///
+    /// let own: Choice<Clay> = Colour([120, 90, 60]).into();
+    /// assert_eq!(own.density(), Clay::Stoneware.density());
+    /// ```
+    pub fn density(self) -> f64 {
+        match self {
+            Choice::Named(clay) => clay.density(),
+            Choice::Own(_) => Clay::default().density(),
         }
     }
 }

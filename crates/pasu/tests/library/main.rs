@@ -13,6 +13,7 @@ mod handles;
 mod hostile;
 mod interface;
 mod links;
+mod looks;
 mod measure;
 mod mesh;
 mod mode;

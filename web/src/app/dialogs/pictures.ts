@@ -71,7 +71,7 @@ export class Pictures {
     } catch {
       // Once is enough to know: the rest are drawn without trying again.
       this.#painter = Promise.resolve(null);
-      drawStill(outcome.value.parts, canvas, [0.66, 0.8, 0.73]);
+      drawStill(stageModel(design, outcome.value).parts, canvas);
     }
     // What draws gives up without a word once it is at its end: the picture is drawn the next time.
     if (!this.#ended) canvas.dataset.drawn = "true";

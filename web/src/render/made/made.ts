@@ -4,9 +4,9 @@ import { Buffer } from "../gl/buffer";
 import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import type { Material, Uniform } from "../gl/material";
-import type { StageLook } from "../glaze";
+import { lookKey, type StageLook } from "../glaze";
 import { WHOLE } from "../ground";
-import type { Bounds } from "../mesh";
+import type { Bounds, Span } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
 import type { Face } from "../picker";
@@ -30,6 +30,8 @@ export interface StageSolid {
   readonly bounds: Bounds | null;
   /** Where the clay is on the surface of each part. */
   readonly sides: readonly ("inside" | "outside" | null)[];
+  /** From which height to which the outside of each part stands, where its own mesh does not show that. */
+  readonly outsides: readonly (Span | null)[];
 }
 
 /** Where the hand takes hold of the water, in CSS pixels, and how many of them upwards one model unit is. */
@@ -49,8 +51,9 @@ const CORES = { inside: -1, outside: 1, none: 0 } as const;
 
 /** What is made comes placed. */
 const SOLID_PLACING = { ...newPlacing() };
+const SOLID = { ...SOLID_PLACING, span: { value: [0, 1] } };
 
-const DEFAULT_LOOK: StageLook = { glaze: "celadon", clay: "stoneware" };
+const DEFAULT_LOOK: StageLook = { glaze: "celadon", inside: "celadon", line: 0, clay: "stoneware" };
 
 /** What is made of the design: its wall, the water in it, the colours of a map, and the cut that lets one look inside. */
 export class Made implements Guest {
@@ -203,24 +206,32 @@ export class Made implements Guest {
     this.solids = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
       if (this.place.pot.hides(at(made.groups, g + 2))) continue;
-      const look = this.looks[at(made.groups, g + 2)] ?? DEFAULT_LOOK;
+      const part = at(made.groups, g + 2);
+      const look = this.looks[part] ?? DEFAULT_LOOK;
       const material = this.mapped
         ? this.mapMaterial(this.map?.lean ? this.map : null, -1)
         : this.glazed(look, -1, true);
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
       const last = this.solids.at(-1);
-      if (last?.material === material && last.range && last.range[0] + last.range[1] === start) {
+      // Parts that are glazed to the foot need not be told apart.
+      const own = look.line > 0 && !this.mapped;
+      const uniforms = own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID;
+      if (last?.material === material && !own && last.range && last.range[0] + last.range[1] === start) {
         last.range = [last.range[0], last.range[1] + count];
       } else {
         const range: [number, number] = [start, count];
-        this.solids.push({ geometry, material, uniforms: SOLID_PLACING, order: 0, visible: true, range });
+        this.solids.push({ geometry, material, uniforms, order: 0, visible: true, range });
       }
     }
   }
 
+  private spanOf(part: number): Span {
+    return this.made?.outsides[part] ?? this.place.pot.parts[part]?.span.value ?? [0, 1];
+  }
+
   private glazed(look: StageLook, core: number, solid: boolean): Material {
     const { open } = this;
-    return this.kept(`glaze ${look.glaze} ${look.clay} ${core} ${solid} ${open}`, () =>
+    return this.kept(`glaze ${lookKey(look)} ${core} ${solid} ${open}`, () =>
       ceramic(look, this.place.studio, {
         defines: [...(solid ? (["SOLID"] as const) : []), ...(open ? (["CUT"] as const) : [])],
         uniforms: { cut: this.cutPlane, core: { value: core }, level: this.level },

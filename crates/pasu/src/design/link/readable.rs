@@ -6,8 +6,8 @@ use crate::design::described::Family;
 use crate::design::document::Design;
 use crate::design::fields::{Field, Need};
 use crate::design::limits::VERSION;
-use crate::design::look::Look;
-use crate::design::number::parse;
+use crate::design::look::{Choice, Named, is_hexadecimal};
+use crate::design::number::{parse, shortest};
 use crate::design::part::Part;
 use crate::design::placement::Placement;
 use crate::design::quantity::Size;
@@ -20,7 +20,11 @@ use crate::error::Result;
 /// What a readable link may say beside the parameters of its shape.
 const TITLE: &str = "title";
 const UNIT: &str = "unit";
-const LOOK: [&str; 2] = ["glaze", "clay"];
+const GLAZE: &str = "glaze";
+const INSIDE: &str = "inside";
+const LINE: &str = "line";
+const CLAY: &str = "clay";
+const LOOK: [&str; 4] = [GLAZE, INSIDE, LINE, CLAY];
 
 /// What follows `1/`; `None` when the design is more than one part of a named family.
 pub(super) fn write(design: &Design) -> Option<String> {
@@ -39,14 +43,12 @@ pub(super) fn write(design: &Design) -> Option<String> {
     if design.unit() != Unit::default() {
         query.push(format!("{UNIT}={}", design.unit().name()));
     }
-    let plain = Look::default();
-    for (field, name, default) in
-        [(LOOK[0], look.glaze.name(), plain.glaze.name()), (LOOK[1], look.clay.name(), plain.clay.name())]
-    {
-        if name != default {
-            query.push(format!("{field}={name}"));
-        }
+    query.extend(chosen(GLAZE, (look.glaze != Choice::default()).then_some(look.glaze)));
+    query.extend(chosen(INSIDE, look.inside));
+    if look.line != 0.0 {
+        query.push(format!("{LINE}={}", shortest(look.line)));
     }
+    query.extend(chosen(CLAY, (look.clay != Choice::default()).then_some(look.clay)));
     let kind = shape.kind();
     Some(if query.is_empty() { kind.to_owned() } else { format!("{kind}?{}", query.join("&")) })
 }
@@ -72,8 +74,12 @@ pub(super) fn read(text: &str) -> Result<Design> {
             document.push((name.to_owned(), Value::Text(text.to_owned())));
         } else if name == UNIT {
             document.push((name.to_owned(), word()));
+        } else if name == LINE {
+            look.push((name.to_owned(), number(text)));
         } else if LOOK.contains(&name) {
-            look.push((name.to_owned(), word()));
+            let text = text.trim();
+            let colour = if is_hexadecimal(text) { "#" } else { "" };
+            look.push((name.to_owned(), Value::Text(format!("{colour}{text}"))));
         } else {
             let known = family.fields.iter().map(|field| field.name).chain([TITLE, UNIT]).chain(LOOK);
             let error = refusal::unknown_field(name, None, &known.collect::<Vec<_>>());
@@ -105,12 +111,20 @@ fn family(name: &str) -> Result<Family> {
     })
 }
 
+/// What was chosen of glazes or clays; a colour without its `#`, which would begin another fragment.
+fn chosen<N: Named>(field: &str, choice: Option<Choice<N>>) -> Option<String> {
+    choice.map(|choice| format!("{field}={}", choice.to_string().trim_start_matches('#')))
+}
+
 /// What is not a number stays a text: the reader refuses it and says where.
-fn value(field: &Field, text: &str) -> Value {
-    let number = |text: &str| match parse(text.trim()) {
+fn number(text: &str) -> Value {
+    match parse(text.trim()) {
         Some(number) => Value::Number(number),
         None => Value::Text(text.trim().to_owned()),
-    };
+    }
+}
+
+fn value(field: &Field, text: &str) -> Value {
     match field.size {
         Size::One => number(text),
         Size::List(_) => Value::List(text.split(',').map(number).collect()),
