@@ -29,6 +29,7 @@ import type { shelf } from "./english/shelf";
 import type { size } from "./english/size";
 import type { wall } from "./english/wall";
 import type { water } from "./english/water";
+import type { wedging } from "./english/wedging";
 
 export interface Catalogue {
   readonly beginnings: typeof beginnings;
@@ -57,4 +58,5 @@ export interface Catalogue {
   readonly size: typeof size;
   readonly wall: typeof wall;
   readonly water: typeof water;
+  readonly wedging: typeof wedging;
 }
