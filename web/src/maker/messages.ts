@@ -49,6 +49,13 @@ export interface Painted {
   readonly high: number;
 }
 
+/** The same inside: one value for each vertex of a solid, NaN where there is none. */
+export interface Lined {
+  readonly values: Float32Array;
+  /** Of those that there are; null where there are none. */
+  readonly range: { readonly least: number; readonly greatest: number } | null;
+}
+
 /** The water in a pot: how much there is, and its surface. */
 export interface Filled {
   /** Null while a hand changes the pot. */
@@ -85,6 +92,13 @@ export type Ask =
   | { readonly kind: "measure"; readonly design: Design; readonly product: Product; readonly fill: number | null }
   | { readonly kind: "check"; readonly design: Design; readonly making: Making }
   | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)
+  | ({
+      readonly kind: "lining";
+      readonly design: Design;
+      readonly map: MapName;
+      /** Where the vertices of the lining are (xyz); NaN for those that are none of it. */
+      readonly points: Float32Array;
+    } & GridSize)
   | { readonly kind: "water"; readonly design: Design; readonly level: number }
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array };
@@ -95,6 +109,7 @@ export interface Answers {
   readonly measure: Measures;
   readonly check: Report;
   readonly paint: Painted;
+  readonly lining: Lined;
   readonly water: Filled;
   readonly write: Written;
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */

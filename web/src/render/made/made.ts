@@ -64,7 +64,8 @@ export class Made implements Guest {
   private readonly normals = newBuffer(3);
   private readonly wares = newBuffer(4);
   private readonly indices = new Buffer(new Uint32Array(), { size: 1, dynamic: true });
-  private readonly geometry: Geometry;
+  private geometry: Geometry;
+  private lining: Buffer | null = null;
   private readonly water: Water;
   private readonly level: Uniform<number> = { value: DRY };
   private readonly materials = new Map<string, Material>();
@@ -79,8 +80,7 @@ export class Made implements Guest {
   private open = false;
 
   constructor(private readonly place: Place) {
-    const { positions, normals, wares, indices } = this;
-    this.geometry = new Geometry({ position: positions, normal: normals, wares }, indices);
+    this.geometry = this.newGeometry();
     this.water = new Water(place.studio, this.cutPlane);
   }
 
@@ -106,6 +106,7 @@ export class Made implements Guest {
     this.looks = looks;
     if (made !== before) {
       this.made = made;
+      this.line(null);
       if (made) {
         this.positions.array = made.positions;
         this.normals.array = made.normals;
@@ -137,7 +138,23 @@ export class Made implements Guest {
       this.place.pot.values = map.values;
     }
     this.map = map ?? null;
+    const lining = this.map?.lining ?? null;
+    this.line(lining && lining.length === this.positions.count ? lining : null);
     this.dress();
+  }
+
+  /** What a map shows inside. */
+  private line(values: Float32Array | null): void {
+    if ((this.lining?.array ?? null) === values) return;
+    this.geometry.release();
+    this.lining?.release();
+    this.lining = values && new Buffer(values, { size: 1 });
+    this.geometry = this.newGeometry();
+  }
+
+  private newGeometry(): Geometry {
+    const { positions, normals, wares, indices, lining } = this;
+    return new Geometry({ position: positions, normal: normals, wares, ...(lining && { value: lining }) }, indices);
   }
 
   /** Takes the half before the eye away, or puts it back. */
@@ -183,7 +200,7 @@ export class Made implements Guest {
 
   private drop(): void {
     this.geometry.release();
-    for (const buffer of [this.positions, this.normals, this.wares, this.indices]) buffer.release();
+    for (const buffer of [this.positions, this.normals, this.wares, this.indices, this.lining]) buffer?.release();
   }
 
   private dress(): void {
@@ -209,7 +226,7 @@ export class Made implements Guest {
       const part = at(made.groups, g + 2);
       const look = this.looks[part] ?? DEFAULT_LOOK;
       const material = this.mapped
-        ? this.mapMaterial(this.map?.lean ? this.map : null, -1)
+        ? this.mapMaterial(this.map?.lean || this.lining ? this.map : null, -1)
         : this.glazed(look, -1, true);
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
       const last = this.solids.at(-1);
