@@ -45,6 +45,46 @@ test("a wireframe that is seen from afar does not blacken the pot", async () => 
   expect(mean / share).toBeLessThan(75);
 });
 
+test("a wireframe keeps to the cut, and off it", async () => {
+  const pot = await here.enter(SHARP);
+  const first = await pot.fingerprint();
+  // A thick cup: its base is seen as a broad piece of the cut.
+  const cup = {
+    pasu: 1,
+    parts: [
+      {
+        shape: { kind: "second-order", r: [1, 0, 1, 0], t: [0, 0], n: [1, 2], height: 2 },
+        wall: { thickness: 0.3, base: 0.6 },
+      },
+    ],
+  };
+  await pot.dropFile("cup.json", JSON.stringify(cup));
+  await pot.fingerprintOtherThan(first);
+  const stage = pot.page.getByRole("application", { name: "The pot" });
+  await stage.focus();
+  await pot.page.keyboard.press("2");
+  await overlay(pot, "Cut open");
+  const box = await pot.page.locator("pasu-stage .host").boundingBox();
+  if (!box) throw new Error("the stage cannot be seen");
+  const piece = async (top: number) => {
+    await stagePicture(pot);
+    const clip = {
+      x: box.x + 0.44 * box.width,
+      width: 0.12 * box.width,
+      y: box.y + top * box.height,
+      height: 0.04 * box.height,
+    };
+    return await pot.page.screenshot({ clip });
+  };
+  await pot.page.locator("pasu-stage[data-wall=fine]").waitFor();
+  const [base, lining] = [await piece(0.74), await piece(0.45)];
+  await overlay(pot, "Wireframe");
+  expect(difference(base, await piece(0.74)).mean).toBeLessThan(1);
+  expect(difference(lining, await piece(0.45)).mean).toBeLessThan(1);
+  await overlay(pot, "Cut open", false);
+  expect(difference(base, await piece(0.74)).mean).toBeGreaterThan(5);
+});
+
 test("a cut takes the shadow with it, and a map is seen inside", async () => {
   const pot = await here.enter(SHARP);
   await pot.fingerprint();

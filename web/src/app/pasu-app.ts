@@ -5,6 +5,7 @@ import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Design, Refusal } from "../document/types";
 import { DesignerElement } from "../element/designer-element";
+import { VIEW_KEYS } from "../state/view-keys";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
 import type { Command, CommandEvent } from "./command";
@@ -34,6 +35,11 @@ const DIALOGUES = {
   link: () => import("./dialogs/link-dialog"),
   embed: () => import("./dialogs/embed-dialog"),
 } as const;
+
+/** A link as this or an older version writes it, wherever in a text. */
+const LINK = /#1[/~]/;
+/** The query of a link, and the design behind it. */
+const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
@@ -65,6 +71,7 @@ export class PasuApp extends DesignerElement {
     window.addEventListener("dragover", this.dragOver);
     window.addEventListener("dragleave", this.dragLeave);
     window.addEventListener("drop", this.drop);
+    window.addEventListener("paste", this.paste);
   }
 
   override disconnectedCallback(): void {
@@ -74,6 +81,7 @@ export class PasuApp extends DesignerElement {
     window.removeEventListener("dragover", this.dragOver);
     window.removeEventListener("dragleave", this.dragLeave);
     window.removeEventListener("drop", this.drop);
+    window.removeEventListener("paste", this.paste);
   }
 
   override render() {
@@ -312,8 +320,26 @@ export class PasuApp extends DesignerElement {
     const text = data?.getData("text/uri-list") || data?.getData("text/plain") || "";
     if (files.length === 0 && (text === "" || isText(event.composedPath()[0]))) return;
     event.preventDefault();
-    void (files.length > 0 ? this.openFiles(files) : this.designer.opening.openText(text));
+    void (files.length > 0 ? this.openFiles(files) : this.openText(text));
   };
+
+  private readonly paste = (event: ClipboardEvent): void => {
+    if (isText(event.composedPath()[0]) || this.dialog !== "none" || this.designer.opening.conflict) return;
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    // Whatever else is pasted is meant for no one here.
+    if (!LINK.test(text)) return;
+    event.preventDefault();
+    void this.openText(text);
+  };
+
+  /** Opens a link or a document; a link that says how its pot is looked at is shown so, as it is when the page is opened by it. */
+  private async openText(text: string): Promise<void> {
+    const { opening } = this.designer;
+    await opening.openText(text);
+    const [, search = "", fragment = ""] = VIEWED_LINK.exec(text) ?? [];
+    if (opening.problem === null && VIEW_KEYS.some((key) => new URLSearchParams(search).has(key)))
+      await this.showViewed(search, fragment);
+  }
 
   /** Opens the first that is a design, and says of each of several what became of it. */
   private async openFiles(files: readonly File[]): Promise<void> {

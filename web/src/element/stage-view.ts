@@ -206,6 +206,8 @@ export class PasuStage extends DesignerElement {
     this.display();
     stage.measure(designer.extents);
     stage.overlays(session.overlays);
+    // Of a pot of one part there is nothing to tell apart.
+    stage.select(design.parts.length > 1 ? (session.selection.at(-1) ?? null) : null);
     if (designer.made && !this.making) void this.make(stage);
     this.made?.update();
     if (comparison !== this.compared) {

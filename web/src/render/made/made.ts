@@ -100,6 +100,10 @@ export class Made implements Guest {
     return faces;
   }
 
+  coreOf(place: number): number {
+    return this.open ? CORES[this.made?.sides[place] ?? "none"] : 0;
+  }
+
   /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. */
   show(made: StageSolid | null, looks: readonly StageLook[]): StageSolid | null {
     const before = this.made;
