@@ -23,6 +23,8 @@ import { refusalWords } from "../words/refusals";
 import { fetchMadeWhenWanted } from "./wanted-making";
 
 const NOTICE_MS = 6000;
+/** What can be taken back stays long enough to be thought about, and to be reached by keys. */
+const OFFER_MS = 30_000;
 
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
@@ -63,7 +65,8 @@ export class PasuApp extends DesignerElement {
       }),
       effect(() => {
         const { notice } = designer.notices;
-        const timer = notice && setTimeout(() => designer.notices.dismiss(notice.id), NOTICE_MS);
+        const stays = notice?.undo ? OFFER_MS : NOTICE_MS;
+        const timer = notice && setTimeout(() => designer.notices.dismiss(notice.id), stays);
         return () => clearTimeout(timer ?? undefined);
       }),
     ];
@@ -101,10 +104,26 @@ export class PasuApp extends DesignerElement {
       </aside>
       <p class="spoken" role="status">${this.spoken}</p>
       <div class="toasts" role="status">
-        ${designer.notices.notice ? html`<p class="toast">${icon("check")}<span>${designer.notices.notice.text}</span></p>` : nothing}
+        ${this.toast()}
       </div>
       ${this.dialogues()}
     `;
+  }
+
+  private toast() {
+    const { notices } = this.designer;
+    const { notice } = notices;
+    if (!notice) return nothing;
+    return html`<p class="toast">
+      ${icon("check")}<span>${notice.text}</span>
+      ${
+        notice.undo
+          ? html`<button class="button" type="button" @click=${() => void notices.undo()}>
+              ${icon("undo")}<span>${notice.undo.label}</span>
+            </button>`
+          : nothing
+      }
+    </p>`;
   }
 
   private banners() {
@@ -459,6 +478,15 @@ export class PasuApp extends DesignerElement {
         justify-items: center;
         pointer-events: none;
       }
+      .toast .button {
+        margin: -8px -10px -8px 4px;
+        color: inherit;
+        text-decoration: underline;
+        pointer-events: auto;
+      }
+      .toast .button:hover {
+        color: var(--ink);
+      }
       .toast {
         display: flex;
         align-items: center;
@@ -470,7 +498,7 @@ export class PasuApp extends DesignerElement {
         color: var(--paper);
         box-shadow: 0 10px 34px var(--shadow);
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         :host {
           grid: 56px minmax(0, 46fr) minmax(0, 54fr) / minmax(0, 1fr);
         }
@@ -484,7 +512,7 @@ export class PasuApp extends DesignerElement {
           margin-top: -14px;
         }
       }
-      @media (max-height: 520px) and (max-width: 979px) and (orientation: landscape) {
+      @media (max-height: 32.5em) and (max-width: 61.1875em) and (orientation: landscape) {
         :host {
           grid: 52px minmax(0, 1fr) / minmax(0, 1fr) 46vw;
         }

@@ -338,7 +338,7 @@ export class PasuStage extends DesignerElement {
       }
       .foot {
         position: absolute;
-        z-index: 2;
+        z-index: 4;
         inset: auto 0 0 0;
         display: flex;
         align-items: end;
@@ -386,7 +386,7 @@ export class PasuStage extends DesignerElement {
           rotate: 1turn;
         }
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         .foot {
           inset: 0;
           flex-direction: column;
@@ -410,7 +410,7 @@ export class PasuStage extends DesignerElement {
           margin-top: auto;
         }
       }
-      @media (max-width: 379px) {
+      @media (max-width: 23.6875em) {
         #description {
           max-width: 100%;
           overflow: hidden;

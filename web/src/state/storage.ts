@@ -5,6 +5,7 @@
 
 import { FORMAT_NAMES } from "../document/format";
 import { MOST_ALLOWANCE, MOST_SHRINKAGE } from "../document/wedging";
+import { isRecord } from "./record";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
 import { type Steps, stepsFrom } from "./steps";
@@ -220,10 +221,6 @@ function percentage(value: unknown, below: number): number | null {
 
 function oneOf<T>(all: readonly T[], value: unknown, fallback: T): T {
   return all.find((candidate) => candidate === value) ?? fallback;
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 function read(shelf: Shelf | null, key: string): unknown {

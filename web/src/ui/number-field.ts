@@ -321,7 +321,7 @@ export class PasuNumber extends LitElement {
         grid-column: 3;
       }
       .field {
-        width: 112px;
+        width: 7rem;
         text-align: right;
         font-variant-numeric: tabular-nums;
         border-color: var(--line);
@@ -331,7 +331,7 @@ export class PasuNumber extends LitElement {
       }
       .unit {
         position: absolute;
-        right: 9px;
+        right: 0.5625rem;
         top: 50%;
         translate: 0 -50%;
         color: var(--soft);
@@ -339,7 +339,7 @@ export class PasuNumber extends LitElement {
         pointer-events: none;
       }
       .typed:has(.unit) .field {
-        padding-right: 34px;
+        padding-right: 2.125rem;
       }
       .ways {
         grid-column: 2;

@@ -162,7 +162,7 @@ export class PasuLook extends DesignerElement {
       }
       .swatches {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(9.375rem, 100%), 1fr));
         gap: 8px;
       }
       .swatch {

@@ -118,6 +118,7 @@ export class PasuMeasures extends DesignerElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 18px;
       }
       h3 {
