@@ -131,8 +131,8 @@ export class PasuStageTools extends DesignerElement {
         background: var(--well);
       }
       .check input {
-        width: 18px;
-        height: 18px;
+        width: 1.125rem;
+        height: 1.125rem;
         margin: 0;
         accent-color: var(--accent);
       }

@@ -9,6 +9,7 @@ import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
 import { base, buttons } from "../ui/styles";
+import { wheel } from "../ui/wheel";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
@@ -307,6 +308,7 @@ export class PasuStage extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    wheel,
     css`
       :host {
         position: relative;
@@ -369,22 +371,6 @@ export class PasuStage extends DesignerElement {
         border: 1px solid var(--line);
         border-radius: 10px;
         background: var(--sheet);
-      }
-      .wheel {
-        position: absolute;
-        inset: 0;
-        margin: auto;
-        width: 44px;
-        height: 44px;
-        border: 3px solid var(--line);
-        border-top-color: var(--accent);
-        border-radius: 50%;
-        animation: turn 1s linear infinite;
-      }
-      @keyframes turn {
-        to {
-          rotate: 1turn;
-        }
       }
       @media (max-width: 53.6875em) {
         .foot {

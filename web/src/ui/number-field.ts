@@ -446,8 +446,8 @@ export class PasuNumber extends LitElement {
         font-size: 0.92em;
       }
       .problem .icon {
-        width: 17px;
-        height: 17px;
+        width: 1.0625rem;
+        height: 1.0625rem;
         margin-top: 2px;
       }
       .help {

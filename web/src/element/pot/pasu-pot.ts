@@ -7,6 +7,7 @@ import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
 import type { SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
+import { wheel } from "../../ui/wheel";
 import { pot } from "../../words/english/pot";
 import { LENGTH_LABELS } from "../../words/length";
 import { COARSEST, gridFor } from "../../work/grid";
@@ -519,7 +520,7 @@ export class PasuPotElement extends LitElement implements Contract {
     }, HINT_MS);
   };
 
-  static override readonly styles = [base, potStyles];
+  static override readonly styles = [base, wheel, potStyles];
 }
 
 /** What is handed out is nobody else's. */
