@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { isOwn, lookOf, swatchOf } from "./look";
+import { lookOf } from "./look";
+import { isOwn, swatchOf } from "./swatches";
 import type { Look, Part } from "./types";
 
 const part = (look: Look): Part => ({ shape: { kind: "second-order" }, look }) as unknown as Part;

@@ -1,7 +1,7 @@
 /** The glazes, clays and unit of a design, defaults included. */
 
-import { CLAYS, DEFAULTS, GLAZES } from "./tables.gen";
-import type { ClayChoice, Colour, Design, GlazeChoice, Part, Unit } from "./types";
+import { DEFAULTS } from "./tables.gen";
+import type { ClayChoice, Design, GlazeChoice, Part, Unit } from "./types";
 
 /** What a part is covered with and made of. */
 export interface Looked {
@@ -19,17 +19,6 @@ export function lookOf(part: Part | undefined): Looked {
 
 export function looksOf(design: Design): readonly Looked[] {
   return design.parts.map(lookOf);
-}
-
-/** Whether it is a colour of one's own, and no name. */
-export function isOwn(choice: GlazeChoice | ClayChoice): choice is Colour {
-  return choice.startsWith("#");
-}
-
-/** The colour by which a glaze or clay is chosen. */
-export function swatchOf(choice: GlazeChoice | ClayChoice): Colour {
-  const swatches: Readonly<Record<string, Colour>> = { ...GLAZES, ...CLAYS };
-  return isOwn(choice) ? choice : (swatches[choice] ?? GLAZES[DEFAULTS.glaze]);
 }
 
 export function unitOf(design: Design): Unit {

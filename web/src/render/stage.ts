@@ -9,7 +9,7 @@ import { Loop } from "./loop";
 import type { PartId, PartMesh, StageModel } from "./mesh";
 import type { Size } from "./overlay/dimensions";
 import type { Box } from "./overlay/label";
-import type { Mark } from "./overlay/mark";
+import { Mark } from "./overlay/mark";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { type Face, Picker } from "./picker";
 import { drawPicture, toPng } from "./picture";
@@ -98,6 +98,7 @@ export class Stage {
   private readonly resolution = new Resolution();
   private readonly resizes: ResizeObserver;
   private readonly overlay: Overlays;
+  private readonly mark: Mark;
   private readonly stopwatch: Stopwatch;
   private size = { width: 0, height: 0 };
   private model: StageModel = { parts: [], bounds: null };
@@ -121,9 +122,7 @@ export class Stage {
   private readonly listeners = new AbortController();
   private readonly settings = new Map<string, unknown>();
   private guest: Guest | null = null;
-  private mark: Mark | null = null;
   private selected: PartId | null = null;
-  private fetching = false;
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -158,7 +157,8 @@ export class Stage {
     this.tableau = new Tableau(options.theme);
     this.picker = new Picker(this.tableau.studio);
     this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.lengths);
-    this.tableau.scene.add(...this.overlay.sources);
+    this.mark = new Mark(this.tableau.studio, this.overlay.cut, this.overlay.pen.ratio);
+    this.tableau.scene.add(...this.overlay.sources, this.mark);
     for (const tenant of this.tenants()) this.device.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
     const target: GestureTarget = {
@@ -233,23 +233,10 @@ export class Stage {
     return part === null ? null : (this.model.parts[part]?.id ?? null);
   }
 
-  /** Outlines a part among several, or none; not in pictures. What draws that is fetched with the first. */
+  /** Outlines a part among several, or none; not in pictures. */
   select(part: PartId | null): void {
     if (!this.differs("selected", part)) return;
     this.selected = part;
-    if (part === null || this.mark || this.fetching) return;
-    this.fetching = true;
-    void import("./overlay/mark").then(
-      ({ Mark }) => {
-        if (this.disposed) return;
-        this.mark = new Mark(this.tableau.studio, this.overlay.cut, this.overlay.pen.ratio);
-        this.tableau.scene.add(this.mark);
-        this.changed();
-      },
-      () => {
-        this.fetching = false;
-      },
-    );
   }
 
   private tap(x: number, y: number): void {
@@ -457,7 +444,7 @@ export class Stage {
     tableau.shade(this.device, this.guest?.cutPlane.value);
     const scale = height / Math.max(this.size.height, 1);
     tableau.cutOut = transparent;
-    if (this.mark) this.mark.visible = false;
+    this.mark.visible = false;
     try {
       const { drawables } = tableau.scene;
       const canvas = drawPicture(this.device, drawables, camera.view, width, height, (window) => {
@@ -469,7 +456,7 @@ export class Stage {
       return canvas;
     } finally {
       tableau.cutOut = false;
-      if (this.mark) this.mark.visible = true;
+      this.mark.visible = true;
       tableau.backdrop.window.value = [0, 0, 1, 1];
     }
   }
@@ -558,7 +545,7 @@ export class Stage {
     this.tableau.prepare(this.device);
     const { azimuth } = camera.pose;
     this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
-    this.mark?.update(
+    this.mark.update(
       this.tableau.main,
       this.model.parts.findIndex(({ id }) => id === this.selected),
     );

@@ -2,7 +2,8 @@
 
 import { css, html, nothing, unsafeCSS } from "lit";
 import { customElement } from "lit/decorators.js";
-import { isOwn, type Looked, lookOf, swatchOf, unitOf } from "../../document/look";
+import { type Looked, lookOf, unitOf } from "../../document/look";
+import { isOwn, swatchOf } from "../../document/swatches";
 import * as tables from "../../document/tables.gen";
 import type { ClayChoice, ClayName, Colour, GlazeChoice, GlazeName, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
