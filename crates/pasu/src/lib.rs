@@ -40,6 +40,7 @@ mod mesh;
 mod mode;
 mod numeric;
 mod patch;
+mod pull;
 mod solid;
 mod solution;
 mod surface;
@@ -74,6 +75,7 @@ pub use measure::{
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use patch::SurfaceJet;
+pub use pull::{Hand, Pulled, pull};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

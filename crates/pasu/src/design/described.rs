@@ -14,6 +14,7 @@ use super::declarations;
 use super::fields::Field;
 use super::fields::{self, Dimension, Fields};
 use super::handles::Handles;
+use super::parameter::Parameter;
 use super::quantity::Size;
 #[cfg(feature = "typescript")]
 use super::slider::Slider;
@@ -51,6 +52,16 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
 
     /// What of it a hand can drag.
     fn handles(&self) -> Handles;
+
+    /// Its numbers one by one, if it is a named family; none otherwise.
+    fn parameters(&self) -> Vec<Parameter> {
+        Vec::new()
+    }
+
+    /// The same with other numbers, in the order of [`Described::parameters`].
+    fn with_parameters(self, _values: &[f64]) -> Self {
+        self
+    }
 
     /// Refuses parameters within the range of numbers whose products leave it.
     ///
@@ -152,6 +163,17 @@ impl<T: Expanded> Described for T {
     #[inline]
     fn handles(&self) -> Handles {
         Expanded::handles(self)
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        Parameter::all(T::FIELDS, &self.numbers())
+    }
+
+    fn with_parameters(mut self, values: &[f64]) -> Self {
+        for (number, value) in self.numbers_mut().into_iter().flatten().zip(values) {
+            *number = *value;
+        }
+        self
     }
 
     #[cfg(feature = "typescript")]

@@ -18,6 +18,7 @@ mod mesh;
 mod mode;
 mod one_body;
 mod placement;
+mod pull;
 mod random_pots;
 mod refusals;
 mod rings;
