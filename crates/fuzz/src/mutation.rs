@@ -68,12 +68,16 @@ const NUMBERS: [f64; 56] = [
 ];
 
 /// Words of the format, and some that are none.
-const WORDS: [&str; 30] = [
+const WORDS: [&str; 34] = [
     "second-order",
     "mixed-order",
     "fourth-order",
     "bloor-wilson",
     "boundary-value",
+    "rings",
+    "start",
+    "end",
+    "both",
     "octant",
     "2pi",
     "mm",

@@ -8,6 +8,7 @@ use crate::calls::CALLS;
 
 const GALLERY: &str = include_str!("../../../tests/reference/gallery.json");
 const HOSTILE: &str = include_str!("../../../tests/reference/hostile.json");
+const RINGS: &str = include_str!("../../../tests/reference/rings.json");
 const SURFACES: &str = include_str!("../../../tests/reference/surfaces.json");
 
 /// The beginning of a file, which has the link, but in 3MF.
@@ -17,7 +18,7 @@ fn read(text: &str) -> Vec<Value> {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Designs as JSON: the gallery, every other one a pot, the shapes of the corpus, several parts, and the hostile ones.
+/// Designs as JSON: the gallery, every other one a pot, the shapes of the corpora, several parts, and the hostile ones.
 fn designs() -> Vec<String> {
     let walls = [
         json!({ "thickness": 0.3, "base": 0.4 }),
@@ -37,7 +38,7 @@ fn designs() -> Vec<String> {
         }
         designs.push(json!({ "pasu": 1, "parts": [part] }));
     }
-    for case in read(SURFACES) {
+    for case in read(SURFACES).into_iter().chain(read(RINGS)) {
         let shape = if case["family"].is_null() { &case["shape"] } else { &case["family"] };
         designs.push(json!({ "pasu": 1, "unit": "mm", "parts": [{ "shape": shape }] }));
     }

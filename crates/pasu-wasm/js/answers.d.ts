@@ -1,6 +1,6 @@
 // Generated from the structures of the Rust crate `pasu`. Do not edit.
 
-import type { FaceKind, Point, Product, Unit, Wall } from "./pasu.js";
+import type { Design, FaceKind, Point, Product, Unit, Wall } from "./pasu.js";
 
 /** A value with a bound on its error, both in the same unit. The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay. */
 export interface Quantity {
@@ -274,4 +274,14 @@ export interface MeshReport {
   readonly thinned: number;
   /** The thinnest the wall is, in model units; null for a solid. */
   readonly thinnest: number | null;
+}
+
+/** A design whose part was pulled. */
+export interface Pulled {
+  /** The design. */
+  readonly design: Design;
+  /** The point that was to arrive: where the hand took hold, but of a pot of rings that is pulled round the axis with another `v`. */
+  readonly at: readonly [x: number, y: number];
+  /** The distance between the point and where it was pulled: 0 but for rounding where the shape can follow. */
+  readonly behind: number;
 }

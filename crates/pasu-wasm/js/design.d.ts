@@ -32,7 +32,7 @@ export interface Part {
 export type Unit = "cm" | "mm" | "in";
 
 /** A surface. */
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
+export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
 
 /** The vase of ZY01 equations 1 to 8. */
 export interface SecondOrder {
@@ -116,12 +116,22 @@ export interface BoundaryValue {
   readonly kind: "boundary-value";
   /** The length of the interval of v round the axis. */
   readonly span: number | "2pi";
+  /** Curves between the two ends that it passes through, in ascending u inside (0, 1), at most 64. */
+  readonly rings?: readonly Ring[];
   /** The equation and the data of x. */
   readonly x: Component;
   /** The equation and the data of y. */
   readonly y: Component;
   /** The equation and the data of z, the axis of a pot. */
   readonly z: Component;
+}
+
+/** A curve of constant u between the two ends that the surface passes through. */
+export interface Ring {
+  /** Where it is, inside (0, 1). */
+  readonly u: number;
+  /** Whether the profile has a corner there; false when left out. A component of order 2 has one at every ring. */
+  readonly sharp?: boolean;
 }
 
 /** The equation and the boundary data of one component. */
@@ -149,6 +159,8 @@ export interface FourthOrderComponent {
   readonly t: number;
   /** Shape control parameter of the fourth v derivative. */
   readonly w: number;
+  /** Ends whose slopes are not given: the second derivative in u is 0 there instead. No end when left out. */
+  readonly free?: "start" | "end" | "both";
   /** The Fourier sum of boundary data and force. */
   readonly modes: readonly Mode<FourthOrderDatum>[];
 }
@@ -169,6 +181,8 @@ export interface SecondOrderDatum {
   readonly start?: number;
   /** Value at u = 1. */
   readonly end?: number;
+  /** Values at the rings, one for each; 0 at all of them when left out. */
+  readonly rings?: readonly number[];
   /** Sculpting force in ascending powers of u, at most 512 coefficients. */
   readonly force?: readonly number[];
 }
@@ -183,8 +197,62 @@ export interface FourthOrderDatum {
   readonly start_u?: number;
   /** Slope in u at u = 1. */
   readonly end_u?: number;
+  /** Values at the rings, one for each; 0 at all of them when left out. */
+  readonly rings?: readonly number[];
   /** Sculpting force in ascending powers of u, at most 512 coefficients. */
   readonly force?: readonly number[];
+}
+
+/** A pot through any number of rings, each a radius and a height. */
+export interface Rings {
+  /** A pot by the radius and the height of its rings. */
+  readonly kind: "rings";
+  /** The smoothing parameter: how strongly the wall is drawn towards a round tube; 1 when left out. */
+  readonly a?: number;
+  /** 2 to 66 rings from the foot, at u = 0, to the rim, at u = 1. */
+  readonly rings: readonly Hoop[];
+  /** The slopes at the foot; without them it is free. */
+  readonly foot?: Slopes;
+  /** The slopes at the rim; without them it is free. */
+  readonly rim?: Slopes;
+}
+
+/** One ring of a pot. */
+export interface Hoop {
+  /** Where it is along the profile, beyond the one before it. */
+  readonly u: number;
+  /** Its radius. */
+  readonly r: Series;
+  /** Its height. */
+  readonly z: Series;
+  /** Whether the profile has a corner there; false when left out. */
+  readonly sharp?: boolean;
+}
+
+/** Derivatives in u of radius and height at an end. */
+export interface Slopes {
+  /** Of the radius. */
+  readonly r: Series;
+  /** Of the height. */
+  readonly z: Series;
+}
+
+/** A mean with waves round the axis. */
+export interface Series {
+  /** The mean round the axis. */
+  readonly mean: number;
+  /** What goes up and down about it. */
+  readonly waves?: readonly Wave[];
+}
+
+/** One harmonic of a series. */
+export interface Wave {
+  /** How often it goes up and down round the axis: whole, and 1 or more. */
+  readonly n: number;
+  /** How far as cos(n v); 0 when left out. */
+  readonly cos?: number;
+  /** How far as sin(n v); 0 when left out. */
+  readonly sin?: number;
 }
 
 /** Scaled, then turned, then moved. */
@@ -292,7 +360,8 @@ export type Restraint =
   | "level-foot"
   | "no-radius"
   | "lean-order"
-  | "rise-order";
+  | "rise-order"
+  | "free-end";
 
 /** A number of the document that moves with a handle. */
 export interface Step {

@@ -40,6 +40,7 @@ mod mesh;
 mod mode;
 mod numeric;
 mod patch;
+mod pull;
 mod solid;
 mod solution;
 mod surface;
@@ -49,8 +50,8 @@ mod weave;
 pub use design::read;
 pub use design::{
     Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
-    Glaze, Handle, HandleId, Handles, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm,
-    SecondOrder, Shape, Side, Span, Step, Unit, VaseOrder, Wall,
+    Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement,
+    Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
@@ -74,6 +75,7 @@ pub use measure::{
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use patch::SurfaceJet;
+pub use pull::{Hand, Pulled, pull};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

@@ -12,9 +12,10 @@ export const MAX_MODES = LIMITS.modes;
 
 export type DatumName = (typeof DATA)[2 | 4][number];
 
-/** The data that an order can prescribe. */
-export function datumNames(order: 2 | 4): readonly DatumName[] {
-  return DATA[order];
+/** The data that a component can be given: of its order, but for the slopes at free ends. */
+export function datumNames({ order, free }: Component): readonly DatumName[] {
+  const isFree = { start_u: free === "start" || free === "both", end_u: free === "end" || free === "both" };
+  return DATA[order].filter((name) => !((name === "start_u" || name === "end_u") && isFree[name]));
 }
 
 export function hasSine(mode: Mode): boolean {
@@ -49,12 +50,12 @@ export function withoutMode(shape: BoundaryValue, axis: Axis, index: number): Bo
   };
 }
 
-/** The component in the other order. Slopes and `w` mean nothing to order 2 and are left out there. */
+/** The component in the other order. Slopes, free ends and `w` mean nothing to order 2 and are left out there. */
 export function withOrder(shape: BoundaryValue, axis: Axis, order: 2 | 4): BoundaryValue {
   const component = shape[axis];
   if (component.order === order) return shape;
   if (order === 4) return { ...shape, [axis]: { ...component, order, w: component.w ?? 0 } };
-  const { w: _w, ...rest } = component;
+  const { w: _w, free: _free, ...rest } = component;
   const modes = component.modes.map((mode) => ({
     n: mode.n,
     ...(mode.cos && { cos: withoutSlopes(mode.cos) }),

@@ -6,7 +6,7 @@
 import { AXES } from "./boundary-value";
 import { filled } from "./kinds";
 import { numberAt, pathOf, setPath } from "./path";
-import type { Component, Handle, Shape } from "./types";
+import type { Component, Handle, Rings, Shape } from "./types";
 
 export function isFree(handle: Handle): boolean {
   return handle.radial.length > 0 || handle.axial.length > 0;
@@ -32,6 +32,10 @@ export function moveHandle(shape: Shape, handle: Handle, radial: number, axial: 
 
 /** Whether the handles of one shape move another too: they are told by places in the document. */
 export function sharesHandles(one: Shape, other: Shape): boolean {
+  if (one.kind === "rings" && other.kind === "rings") {
+    const ends = ({ foot, rim }: Rings) => `${foot !== undefined} ${rim !== undefined}`;
+    return one.rings.length === other.rings.length && ends(one) === ends(other);
+  }
   if (one.kind !== "boundary-value" || other.kind !== "boundary-value") return one.kind === other.kind;
   return AXES.every((axis) => isBeginning(one[axis], other[axis]));
 }

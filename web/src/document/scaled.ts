@@ -8,7 +8,7 @@ import type { Field } from "./field";
 import { filled } from "./kinds";
 import { getPath, numberAt, setPath } from "./path";
 import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
-import type { Component, Design, Mode, Part, Placement, Shape, Unit, Wall } from "./types";
+import type { Component, Design, Mode, Part, Placement, Rings, Series, Shape, Unit, Wall } from "./types";
 
 /** Digits that a number of a document keeps: those of canonical form. */
 const DIGITS = 12;
@@ -47,6 +47,7 @@ function all<T extends readonly number[]>(values: T, factor: number): T {
 }
 
 export function shapeBy(shape: Shape, factor: number): Shape {
+  if (shape.kind === "rings") return ringsBy(shape, factor);
   if (shape.kind !== "boundary-value") return familyBy(shape, FAMILIES[shape.kind].fields, factor);
   return {
     ...shape,
@@ -68,6 +69,31 @@ function familyBy<S extends Shape>(shape: S, fields: readonly Field[], factor: n
     grown = setPath(grown, path, by(numberAt(whole, path, 0), factor));
   }
   return grown;
+}
+
+/** Radii, heights and slopes grow; where rings are along the profile stays. */
+function ringsBy(shape: Rings, factor: number): Rings {
+  const grown = <C extends { readonly r: Series; readonly z: Series }>(curve: C): C => ({
+    ...curve,
+    r: seriesBy(curve.r, factor),
+    z: seriesBy(curve.z, factor),
+  });
+  const { foot, rim } = shape;
+  return {
+    ...shape,
+    rings: shape.rings.map(grown),
+    ...(foot && { foot: grown(foot) }),
+    ...(rim && { rim: grown(rim) }),
+  };
+}
+
+function seriesBy({ mean, waves }: Series, factor: number): Series {
+  const grown = waves?.map(({ n, cos, sin }) => ({
+    n,
+    ...(cos !== undefined && { cos: by(cos, factor) }),
+    ...(sin !== undefined && { sin: by(sin, factor) }),
+  }));
+  return { mean: by(mean, factor), ...(grown && { waves: grown }) };
 }
 
 function componentBy(component: Component, factor: number): Component {

@@ -2,7 +2,7 @@
 
 import { FAMILIES, GROUPS } from "./families.gen";
 import type { FamilyKind, Field, Group } from "./field";
-import { filled } from "./kinds";
+import { filled, isFamily } from "./kinds";
 import { numberAt, setPath } from "./path";
 import { PETALS_SYMBOL, petalsAt, withPetals } from "./petals";
 import type { Kind, Shape } from "./types";
@@ -30,9 +30,9 @@ const BY_KIND: Readonly<Record<FamilyKind, Family>> = {
   "bloor-wilson": family("bloor-wilson"),
 };
 
-/** The family of a kind; a boundary-value shape has a table of modes instead. */
+/** The family of a kind; a boundary-value shape has a table of modes instead, a pot of rings a list of these. */
 export function familyOf(kind: Kind): Family | null {
-  return kind === "boundary-value" ? null : BY_KIND[kind];
+  return isFamily(kind) ? BY_KIND[kind] : null;
 }
 
 export function fieldValue(shape: Shape, field: Field): number {

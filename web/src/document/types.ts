@@ -13,6 +13,9 @@ export type MixedOrder = Frozen<pasu.MixedOrder>;
 export type FourthOrder = Frozen<pasu.FourthOrder>;
 export type BloorWilson = Frozen<pasu.BloorWilson>;
 
+export type Rings = Frozen<pasu.Rings>;
+export type Series = Frozen<pasu.Series>;
+
 /** The data of one harmonic while it is being edited: order 2 has no use for the slopes. */
 export type Datum = Frozen<pasu.FourthOrderDatum>;
 export type Mode = Frozen<pasu.Mode<pasu.FourthOrderDatum>>;
@@ -23,6 +26,7 @@ export interface Component {
   readonly s: number;
   readonly t: number;
   readonly w?: number;
+  readonly free?: "start" | "end" | "both";
   readonly modes: readonly Mode[];
 }
 
@@ -32,7 +36,7 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
   readonly z: Component;
 }
 
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue;
+export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */

@@ -3,7 +3,7 @@
 import { filled } from "./kinds";
 import { numberAt } from "./path";
 import { SHAPES } from "./tables.gen";
-import type { Design, Shape } from "./types";
+import type { Design, Series, Shape } from "./types";
 
 /** Vertices along the profile and round the pot. */
 export interface GridSize {
@@ -20,6 +20,13 @@ export function wavesOf(design: Design): number {
 export function highestFrequency(shape: Shape): number {
   if (shape.kind === "boundary-value") {
     return Math.max(0, ...[shape.x, shape.y, shape.z].flatMap(({ modes }) => modes.map((mode) => Math.abs(mode.n))));
+  }
+  if (shape.kind === "rings") {
+    const { rings, foot, rim } = shape;
+    const curves = [...rings, ...(foot ? [foot] : []), ...(rim ? [rim] : [])];
+    const highest = ({ waves = [] }: Series) => Math.max(0, ...waves.map(({ n }) => n));
+    // What a radius does as it goes round is one wave more in x and in y.
+    return Math.max(1, ...curves.flatMap(({ r, z }) => [1 + highest(r), highest(z)]));
   }
   const whole = filled(shape);
   return Math.max(0, ...SHAPES[shape.kind].waves.map((path) => Math.abs(numberAt(whole, path, 0))));

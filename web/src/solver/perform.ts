@@ -184,6 +184,7 @@ function edgesOf(
 }
 
 function spanOf(shape: Shape): number {
+  if (shape.kind === "rings") return TAU;
   const { span } = shape.kind === "boundary-value" ? shape : SHAPES[shape.kind];
   return span === "2pi" ? TAU : span;
 }

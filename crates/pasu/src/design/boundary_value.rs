@@ -6,9 +6,10 @@ use serde::de::{Deserializer, Error, Unexpected, Visitor};
 use serde::ser::{SerializeStruct, Serializer};
 use serde::{Deserialize, Serialize};
 
-use super::limits::FORCE;
+use super::limits::{FORCE, RINGS};
 use super::list;
 use super::quantity::{Finite, One, Range, any, is_zero, not_zero, or_default, or_zero};
+use super::ring::rings;
 
 /// A surface `X(u, v)`, `u` in [0, 1], `v` in [0, `span`], of which each component solves its own equation (ZY01 eqs 1, 9, 13; IA eq 1).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,6 +17,9 @@ use super::quantity::{Finite, One, Range, any, is_zero, not_zero, or_default, or
 pub struct BoundaryValue {
     /// The length of the parameter interval round the axis.
     pub span: Span,
+    /// Curves between the two ends that it passes through, in ascending `u`.
+    #[serde(deserialize_with = "rings", skip_serializing_if = "Vec::is_empty")]
+    pub rings: Vec<Ring>,
     /// The `x` component.
     pub x: Component,
     /// The `y` component.
@@ -44,6 +48,7 @@ pub enum Axis {
     Z,
 }
 
+pub(super) use super::ring::{Free, Ring};
 pub use crate::mode::Order;
 
 /// The equation and the boundary data of one component.
@@ -58,6 +63,8 @@ pub struct Component {
     pub t: f64,
     /// Shape control parameter of the fourth `v` derivative; 0 and without meaning for order 2.
     pub w: f64,
+    /// Ends whose slopes are not given; order 4 only.
+    pub free: Free,
     /// The finite Fourier sum of boundary data and force.
     pub modes: Vec<Mode>,
 }
@@ -91,6 +98,9 @@ pub struct Datum {
     /// Derivative in `u` at `u = 1`; order 4 only.
     #[serde(deserialize_with = "or_zero", skip_serializing_if = "is_zero")]
     pub end_u: f64,
+    /// Values at the rings, one for each; all are 0 where there are none.
+    #[serde(deserialize_with = "values", skip_serializing_if = "Vec::is_empty")]
+    pub rings: Vec<f64>,
     /// Polynomial force in ascending powers of `u`.
     #[serde(deserialize_with = "force", skip_serializing_if = "Vec::is_empty")]
     pub force: Vec<f64>,
@@ -117,6 +127,8 @@ enum Equation {
         t: f64,
         #[serde(deserialize_with = "any")]
         w: f64,
+        #[serde(deserialize_with = "or_default")]
+        free: Free,
         #[serde(deserialize_with = "modes")]
         modes: Vec<Harmonic<Datum>>,
     },
@@ -141,6 +153,8 @@ struct SecondOrderDatum {
     start: f64,
     #[serde(deserialize_with = "or_zero")]
     end: f64,
+    #[serde(deserialize_with = "values")]
+    rings: Vec<f64>,
     #[serde(deserialize_with = "force")]
     force: Vec<f64>,
 }
@@ -148,8 +162,12 @@ struct SecondOrderDatum {
 impl From<Equation> for Component {
     fn from(equation: Equation) -> Self {
         match equation {
-            Equation::Second { s, t, modes } => Component { order: Order::Second, s, t, w: 0.0, modes: both(modes) },
-            Equation::Fourth { s, t, w, modes } => Component { order: Order::Fourth, s, t, w, modes: both(modes) },
+            Equation::Second { s, t, modes } => {
+                Component { order: Order::Second, s, t, w: 0.0, free: Free::default(), modes: both(modes) }
+            }
+            Equation::Fourth { s, t, w, free, modes } => {
+                Component { order: Order::Fourth, s, t, w, free, modes: both(modes) }
+            }
         }
     }
 }
@@ -159,14 +177,14 @@ fn both<D: Default + Into<Datum>>(modes: Vec<Harmonic<D>>) -> Vec<Mode> {
 }
 
 impl From<SecondOrderDatum> for Datum {
-    fn from(SecondOrderDatum { start, end, force }: SecondOrderDatum) -> Self {
-        Datum { start, end, force, ..Datum::default() }
+    fn from(SecondOrderDatum { start, end, rings, force }: SecondOrderDatum) -> Self {
+        Datum { start, end, rings, force, ..Datum::default() }
     }
 }
 
 impl Serialize for Component {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fields = serializer.serialize_struct("Component", 5)?;
+        let mut fields = serializer.serialize_struct("Component", 6)?;
         let order: u8 = match self.order {
             Order::Second => 2,
             Order::Fourth => 4,
@@ -177,6 +195,10 @@ impl Serialize for Component {
         match self.order {
             Order::Second => fields.skip_field("w")?,
             Order::Fourth => fields.serialize_field("w", &self.w)?,
+        }
+        match self.free == Free::default() {
+            true => fields.skip_field("free")?,
+            false => fields.serialize_field("free", &self.free)?,
         }
         fields.serialize_field("modes", &self.modes)?;
         fields.end()
@@ -229,16 +251,35 @@ fn modes<'de, D: Deserializer<'de>, M: Deserialize<'de>>(deserializer: D) -> Res
 
 /// Reads the coefficients of a force, none when they are left out.
 fn force<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
-    #[derive(Default)]
-    struct Force(Vec<f64>);
+    deserializer.deserialize_option(Numbers::<FORCE>("coefficients"))
+}
 
-    impl<'de> Deserialize<'de> for Force {
-        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let most = format!("at most {FORCE} coefficients");
-            let numbers: Vec<Finite> = list::read(deserializer, "a list of numbers", Some((FORCE, &most)))?;
-            Ok(Force(numbers.into_iter().map(|Finite(number)| number).collect()))
-        }
+/// Reads the values at rings, none when they are left out.
+fn values<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<f64>, D::Error> {
+    deserializer.deserialize_option(Numbers::<RINGS>("values, one for each ring"))
+}
+
+/// A list of so many numbers at most, by what they are.
+struct Numbers<const MOST: usize>(&'static str);
+
+impl<'de, const MOST: usize> Visitor<'de> for Numbers<MOST> {
+    type Value = Vec<f64>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of numbers")
     }
 
-    or_default(deserializer).map(|Force(numbers)| numbers)
+    fn visit_none<E>(self) -> Result<Vec<f64>, E> {
+        Ok(Vec::new())
+    }
+
+    fn visit_unit<E>(self) -> Result<Vec<f64>, E> {
+        Ok(Vec::new())
+    }
+
+    fn visit_some<D: Deserializer<'de>>(self, deserializer: D) -> Result<Vec<f64>, D::Error> {
+        let most = format!("at most {MOST} {}", self.0);
+        let numbers: Vec<Finite> = list::read(deserializer, "a list of numbers", Some((MOST, &most)))?;
+        Ok(numbers.into_iter().map(|Finite(number)| number).collect())
+    }
 }

@@ -75,7 +75,7 @@ impl Shape {
     /// ```
     ///
     /// # Errors
-    /// `unsupported-shape` for boundary data written out, which have no radius of rim and foot to keep; `overflow` when the numbers of the other order leave the range of
+    /// `unsupported-shape` for boundary data written out, which have no radius of rim and foot to keep, and for pots of rings; `overflow` when the numbers of the other order leave the range of
     /// numbers.
     // Compiled where it is called, for size: see `Design::from_value`.
     #[inline]
@@ -84,7 +84,12 @@ impl Shape {
             return Ok(Conversion { shape: self.clone(), lost: Vec::new() });
         }
         let Some(outline) = Outline::of(self) else {
-            let message = "boundary data that are written out cannot be converted as a whole: each component has an order of its own";
+            let message = match self {
+                Shape::Rings(_) => "a pot of rings cannot be converted: no other family passes through them",
+                _ => {
+                    "boundary data that are written out cannot be converted as a whole: each component has an order of its own"
+                }
+            };
             return Err(Error::new(Code::UnsupportedShape, "", message));
         };
         let mut lost = Vec::new();
@@ -189,7 +194,7 @@ impl Outline {
             Shape::MixedOrder(vase) => Outline::of_planar(shape, [vase.rise, 0.0], vase.rise),
             Shape::FourthOrder(vase) => Some(Outline::of_fourth(vase)),
             Shape::BloorWilson(vase) => Some(Outline::of_dint(vase)),
-            Shape::BoundaryValue(_) => None,
+            Shape::BoundaryValue(_) | Shape::Rings(_) => None,
         }
     }
 

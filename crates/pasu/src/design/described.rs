@@ -10,17 +10,25 @@ use super::boundary_value::BoundaryValue;
 use super::boundary_value::Span;
 #[cfg(feature = "typescript")]
 use super::declarations;
-use super::fields::{Dimension, Field, Fields};
+#[cfg(feature = "typescript")]
+use super::fields::Field;
+use super::fields::{self, Dimension, Fields};
 use super::handles::Handles;
+use super::parameter::Parameter;
 use super::quantity::Size;
 #[cfg(feature = "typescript")]
 use super::slider::Slider;
+use super::value::Value;
 use crate::error::{Code, Error, Result};
 
 /// A kind of shape: `serde` reads and writes the fields beside `kind`, and this is what else there is to know of them.
 pub(crate) trait Described: Serialize + DeserializeOwned {
-    /// What a readable link has to know of it, if it has one.
+    /// Its numbers, if it is made of a fixed number of them.
+    #[cfg(feature = "typescript")]
     const FAMILY: Option<Family>;
+
+    /// How a readable link says it, if it has one.
+    const SPELLING: Option<Spelling>;
 
     /// The boundary-value problem that it stands for.
     fn problem(&self) -> Cow<'_, BoundaryValue>;
@@ -45,6 +53,16 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// What of it a hand can drag.
     fn handles(&self) -> Handles;
 
+    /// Its numbers one by one, if it is a named family; none otherwise.
+    fn parameters(&self) -> Vec<Parameter> {
+        Vec::new()
+    }
+
+    /// The same with other numbers, in the order of [`Described::parameters`].
+    fn with_parameters(self, _values: &[f64]) -> Self {
+        self
+    }
+
     /// Refuses parameters within the range of numbers whose products leave it.
     ///
     /// # Errors
@@ -65,17 +83,28 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
 }
 
 /// The parameters of a named family, and what a link of it starts from: the numbers of each.
+#[cfg(feature = "typescript")]
 #[derive(Clone, Copy)]
 pub(crate) struct Family {
     pub(crate) fields: &'static [Field],
     pub(crate) start: fn() -> Vec<Vec<f64>>,
     /// How a person changes them, in the order in which they are shown.
-    #[cfg(feature = "typescript")]
     pub(crate) sliders: fn() -> Vec<Slider>,
     /// Round the axis, the same for all of them.
-    #[cfg(feature = "typescript")]
     pub(crate) span: fn() -> Span,
 }
+
+/// How a readable link says the fields of a document.
+#[derive(Clone, Copy)]
+pub(crate) struct Spelling {
+    /// What may stand before `=`.
+    pub(crate) names: &'static [&'static str],
+    /// The fields from the names and texts of a link, all of these names. What a link may leave out is there; what is wrong is left to the reader of the document, or refused with the path of the field.
+    pub(crate) read: fn(&[(&str, &str)]) -> Result<Spelled>,
+}
+
+/// Fields of a document by their names.
+pub(crate) type Spelled = Vec<(String, Value)>;
 
 /// A named family: a few numbers that expand into a boundary-value problem.
 pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
@@ -99,14 +128,14 @@ pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
 }
 
 impl<T: Expanded> Described for T {
+    #[cfg(feature = "typescript")]
     const FAMILY: Option<Family> = Some(Family {
         fields: T::FIELDS,
         start: || T::START.numbers().into_iter().map(<[f64]>::to_vec).collect(),
-        #[cfg(feature = "typescript")]
         sliders: T::sliders,
-        #[cfg(feature = "typescript")]
         span: || T::START.boundary_value().span,
     });
+    const SPELLING: Option<Spelling> = Some(Spelling { names: T::NAMES, read: fields::spelled::<T> });
 
     fn problem(&self) -> Cow<'_, BoundaryValue> {
         Cow::Owned(self.boundary_value())
@@ -137,6 +166,17 @@ impl<T: Expanded> Described for T {
     #[inline]
     fn handles(&self) -> Handles {
         Expanded::handles(self)
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        Parameter::all(T::FIELDS, &self.numbers())
+    }
+
+    fn with_parameters(mut self, values: &[f64]) -> Self {
+        for (number, value) in self.numbers_mut().into_iter().flatten().zip(values) {
+            *number = *value;
+        }
+        self
     }
 
     #[cfg(feature = "typescript")]

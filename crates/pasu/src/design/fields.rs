@@ -7,6 +7,7 @@ use serde::ser::{SerializeStruct, Serializer};
 
 use super::number::{rounded, shortest};
 use super::quantity::{Range, Size, Written, read_into};
+use super::value::Value;
 
 /// One field of a record of numbers.
 #[derive(Debug, Clone, Copy)]
@@ -48,6 +49,8 @@ pub(crate) enum Need {
 pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
     /// The fields in the order of the format.
     const FIELDS: &'static [Field];
+    /// Their names.
+    const NAMES: &'static [&'static str];
     /// What a field has when a document may leave it out and does, and (for a family) what a link need not write.
     /// Frozen with version 1 of the format.
     const START: Self;
@@ -78,6 +81,33 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
             }
         }
     }
+}
+
+/// The fields of a document from the names and texts of a link: those given, and what a document may not leave out and a link may.
+///
+/// # Errors
+/// None here: what is no number stays a text, which the reader of the document refuses and says where.
+#[inline]
+pub(crate) fn spelled<T: Fields>(given: &[(&str, &str)]) -> crate::error::Result<Vec<(String, Value)>> {
+    let all = |size: Size, mut items: Vec<Value>| match size {
+        Size::One => items.pop().unwrap_or(Value::Null),
+        Size::List(_) => Value::List(items),
+    };
+    let mut fields = Vec::with_capacity(T::FIELDS.len());
+    for (name, text) in given {
+        let size = T::FIELDS.iter().find(|field| field.name == *name).map_or(Size::One, |field| field.size);
+        let items = match size {
+            Size::One => vec![Value::spelled(text)],
+            Size::List(_) => text.split(',').map(Value::spelled).collect(),
+        };
+        fields.push(((*name).to_owned(), all(size, items)));
+    }
+    for (field, start) in T::FIELDS.iter().zip(T::START.numbers()) {
+        if field.need == Need::Required && !given.iter().any(|(name, _)| *name == field.name) {
+            fields.push((field.name.to_owned(), all(field.size, start.iter().copied().map(Value::Number).collect())));
+        }
+    }
+    Ok(fields)
 }
 
 /// What [`read`] and [`write`] have to know of a record besides its numbers.
@@ -233,6 +263,7 @@ macro_rules! fields {
                     about: &[$($doc),+],
                 }, )+
             ];
+            const NAMES: &'static [&'static str] = &[$( stringify!($field) ),+];
             const START: Self = $record { $( $field: $start, )+ };
 
             fn numbers(&self) -> Vec<&[f64]> {
@@ -248,7 +279,7 @@ macro_rules! fields {
             const TABLE: $crate::design::fields::Table = $crate::design::fields::Table {
                 record: stringify!($record),
                 what: $what,
-                names: &[$( stringify!($field) ),+],
+                names: <Self as $crate::design::fields::Fields>::NAMES,
                 fields: <Self as $crate::design::fields::Fields>::FIELDS,
             };
         }

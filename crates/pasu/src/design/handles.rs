@@ -50,6 +50,8 @@ names! {
         LeanOrder = "lean-order",
         /// The rise can be prescribed where `z` is of order 4.
         RiseOrder = "rise-order",
+        /// The end of a pot of rings is free: no slope is given there.
+        FreeEnd = "free-end",
     }
 }
 

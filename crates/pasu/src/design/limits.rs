@@ -15,6 +15,9 @@ pub(crate) const MODES: usize = 4096;
 /// The most coefficients of the force on one mode. Terms of its series stay above the least double up to twice this.
 pub(crate) const FORCE: usize = 512;
 
+/// The most rings between the two ends of a shape.
+pub(crate) const RINGS: usize = 64;
+
 /// The most waves round a pot of which anything is measured or made. Drawn is any number: links that are out in the world stay readable.
 ///
 /// On a pot of 10 cm these are grooves of 2.5 mm, about as fine as a line of printed clay; and what searches and sums over such a surface takes is still done while one waits.

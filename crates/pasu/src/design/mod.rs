@@ -20,11 +20,14 @@ mod names;
 mod number;
 #[cfg(feature = "typescript")]
 mod page;
+mod parameter;
 mod part;
 mod placement;
 mod quantity;
 mod reader;
 mod refusal;
+mod ring;
+mod rings;
 mod shape;
 #[cfg(feature = "typescript")]
 mod slider;
@@ -42,15 +45,19 @@ pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+pub(crate) use fields::Dimension;
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
-pub(crate) use limits::{RATE, SWING, WAVES};
+pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 pub(crate) use number::{plain, rounded};
 #[cfg(feature = "typescript")]
 pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tables};
+pub(crate) use parameter::Parameter;
 pub use part::Part;
 pub use placement::Placement;
 pub use reader::read_from as read;
+pub use ring::{Free, Ring};
+pub use rings::{Hoop, Rings, Series, Slopes, Wave};
 pub use shape::Shape;
 pub(crate) use text::write as to_json;
 #[cfg(feature = "typescript")]

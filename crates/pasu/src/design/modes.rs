@@ -3,18 +3,23 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use super::boundary_value::{BoundaryValue, Component, Datum, Mode, Order, Span};
+use super::boundary_value::{BoundaryValue, Component, Datum, Free, Mode, Order, Ring, Span};
 #[cfg(feature = "typescript")]
 use super::declarations::interface;
-use super::described::{Described, Family};
+#[cfg(feature = "typescript")]
+use super::described::Family;
+use super::described::{Described, Spelling};
 use super::handles::{Handle, HandleId, Handles, Restraint, steps};
 use super::number::{plain, rounded};
+use super::ring::ascending;
 #[cfg(feature = "typescript")]
-use super::tables::{BOUNDARY_VALUE, FOURTH, FOURTH_DATUM, MODE, SECOND, SECOND_DATUM};
+use super::tables::{BOUNDARY_VALUE, FOURTH, FOURTH_DATUM, MODE, RING, SECOND, SECOND_DATUM};
 use crate::error::{Code, Error, Result};
 
 impl Described for BoundaryValue {
+    #[cfg(feature = "typescript")]
     const FAMILY: Option<Family> = None;
+    const SPELLING: Option<Spelling> = None;
 
     fn problem(&self) -> Cow<'_, BoundaryValue> {
         Cow::Borrowed(self)
@@ -26,12 +31,32 @@ impl Described for BoundaryValue {
     /// `overflow` when the data of two modes of the same `n` add up to more than a number can hold.
     fn canonical(self) -> Result<Self> {
         let component = |component: Component, name| component.canonical().map_err(|error| error.inside_field(name));
+        let rings: Vec<Ring> = self.rings.into_iter().map(|ring| Ring { u: rounded(ring.u), ..ring }).collect();
+        // Rounding may put a ring on its neighbour.
+        ascending(rings.iter().map(|ring| ring.u), 0).map_err(|error| error.inside_field("rings"))?;
         Ok(BoundaryValue {
             span: self.span.canonical(),
+            rings,
             x: component(self.x, "x")?,
             y: component(self.y, "y")?,
             z: component(self.z, "z")?,
         })
+    }
+
+    /// Refuses numbers that do not fit together as well: rings that do not follow each other, data that are not of as many rings, slopes at free ends.
+    #[inline]
+    fn finite(self) -> Result<Self> {
+        ascending(self.rings.iter().map(|ring| ring.u), 0).map_err(|error| error.inside_field("rings"))?;
+        for (name, component) in ["x", "y", "z"].into_iter().zip(self.components()) {
+            for (index, mode) in component.modes.iter().enumerate() {
+                for (field, datum) in [("cos", &mode.cos), ("sin", &mode.sin)] {
+                    datum.fits(self.rings.len(), component.free).map_err(|error| {
+                        error.inside_field(field).inside_item(index).inside_field("modes").inside_field(name)
+                    })?;
+                }
+            }
+        }
+        Ok(self)
     }
 
     fn waves(&self) -> Vec<(String, f64)> {
@@ -102,6 +127,7 @@ impl Described for BoundaryValue {
     #[cfg(feature = "typescript")]
     fn typescript(_: &str, text: &mut String) {
         interface(text, "BoundaryValue", "Fourier boundary data written out, component by component.", BOUNDARY_VALUE);
+        interface(text, "Ring", "A curve of constant u between the two ends that the surface passes through.", RING);
         text.push_str(
             "\n/** The equation and the boundary data of one component. */\n\
              export type Component = SecondOrderComponent | FourthOrderComponent;\n",
@@ -180,13 +206,37 @@ impl Component {
             }
         }
         modes.retain(|mode| !(mode.cos.is_zero() && mode.sin.is_zero()));
-        Ok(Component { order: self.order, s: rounded(self.s), t: rounded(self.t), w: rounded(self.w), modes })
+        let [s, t, w] = [self.s, self.t, self.w].map(rounded);
+        Ok(Component { s, t, w, modes, ..self })
     }
 }
 
 impl Datum {
     fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
-        [self.start, self.end, self.start_u, self.end_u].into_iter().chain(self.force.iter().copied())
+        let ends = [self.start, self.end, self.start_u, self.end_u];
+        ends.into_iter().chain(self.rings.iter().copied()).chain(self.force.iter().copied())
+    }
+
+    /// Refuses data of another number of rings, and slopes at ends that are free.
+    #[inline]
+    fn fits(&self, n_rings: usize, free: Free) -> Result<()> {
+        if !(self.rings.is_empty() || self.rings.len() == n_rings) {
+            let message = match n_rings {
+                0 => "expected no values, as there are no rings".to_owned(),
+                _ => format!(
+                    "expected a list of {n_rings} numbers, one for each ring, found a list of {}",
+                    self.rings.len()
+                ),
+            };
+            return Err(Error::new(Code::WrongType, "rings", message));
+        }
+        for (name, slope, is_free) in [("start_u", self.start_u, free.start), ("end_u", self.end_u, free.end)] {
+            if is_free && slope != 0.0 {
+                let message = format!("expected no slope at a free end, found {}", plain(slope));
+                return Err(Error::new(Code::OutOfRange, name, message).with("found", slope));
+            }
+        }
+        Ok(())
     }
 
     fn is_finite(&self) -> bool {
@@ -203,16 +253,21 @@ impl Datum {
         self.end += other.end;
         self.start_u += other.start_u;
         self.end_u += other.end_u;
-        self.force.resize(self.force.len().max(other.force.len()), 0.0);
-        for (coefficient, more) in self.force.iter_mut().zip(&other.force) {
-            *coefficient += more;
+        for (numbers, others) in [(&mut self.rings, &other.rings), (&mut self.force, &other.force)] {
+            numbers.resize(numbers.len().max(others.len()), 0.0);
+            for (number, more) in numbers.iter_mut().zip(others) {
+                *number += more;
+            }
         }
     }
 
     fn canonical(&mut self) {
-        for x in [&mut self.start, &mut self.end, &mut self.start_u, &mut self.end_u].into_iter().chain(&mut self.force)
-        {
+        let ends = [&mut self.start, &mut self.end, &mut self.start_u, &mut self.end_u];
+        for x in ends.into_iter().chain(&mut self.rings).chain(&mut self.force) {
             *x = rounded(*x);
+        }
+        if self.rings.iter().all(|x| *x == 0.0) {
+            self.rings.clear();
         }
         let length = self.force.iter().rposition(|x| *x != 0.0).map_or(0, |last| last + 1);
         self.force.truncate(length);

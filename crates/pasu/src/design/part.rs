@@ -36,6 +36,7 @@ pub struct Part {
 
 impl Part {
     /// The one way of writing this part.
+    #[inline]
     pub(crate) fn canonical(self) -> Result<Self> {
         Ok(Part {
             shape: self.shape.canonical().map_err(|error| error.inside_field("shape"))?,

@@ -18,7 +18,7 @@ pub(crate) enum Range {
 }
 
 impl Range {
-    fn contains(self, x: f64) -> bool {
+    pub(crate) fn contains(self, x: f64) -> bool {
         match self {
             Range::Any => true,
             Range::NotZero => x != 0.0,

@@ -5,9 +5,13 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::boundary_value::BoundaryValue;
-use super::described::{Described, Family};
+#[cfg(feature = "typescript")]
+use super::described::Family;
+use super::described::{Described, Spelling};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
+use super::parameter::Parameter;
+use super::rings::Rings;
 use super::{reader, text};
 use crate::error::Result;
 
@@ -26,7 +30,9 @@ macro_rules! shapes {
         /// All kinds, in the order of the format.
         pub(crate) const KINDS: &[Kind] = &[$( Kind {
             name: $name,
+            #[cfg(feature = "typescript")]
             family: <$kind as Described>::FAMILY,
+            spelling: <$kind as Described>::SPELLING,
             #[cfg(feature = "typescript")]
             type_name: stringify!($kind),
             #[cfg(feature = "typescript")]
@@ -62,6 +68,7 @@ macro_rules! shapes {
             }
 
             /// How many modes have to be solved.
+            #[inline]
             pub(crate) fn cost(&self) -> usize {
                 match self {
                     $( Shape::$kind(shape) => shape.cost(), )+
@@ -69,6 +76,7 @@ macro_rules! shapes {
             }
 
             /// Every number of waves that the document gives, with where it stands within the shape.
+            #[inline]
             pub(crate) fn waves(&self) -> Vec<(String, f64)> {
                 match self {
                     $( Shape::$kind(shape) => shape.waves(), )+
@@ -76,6 +84,7 @@ macro_rules! shapes {
             }
 
             /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
+            #[inline]
             pub(crate) fn link(&self) -> Option<Vec<String>> {
                 match self {
                     $( Shape::$kind(shape) => shape.link(), )+
@@ -102,7 +111,22 @@ macro_rules! shapes {
                 }
             }
 
+            /// Its numbers one by one, if it is of a named family; none otherwise.
+            pub(crate) fn parameters(&self) -> Vec<Parameter> {
+                match self {
+                    $( Shape::$kind(shape) => shape.parameters(), )+
+                }
+            }
+
+            /// The same shape with other numbers, in the order of [`Shape::parameters`].
+            pub(crate) fn with_parameters(self, values: &[f64]) -> Shape {
+                match self {
+                    $( Shape::$kind(shape) => Shape::$kind(shape.with_parameters(values)), )+
+                }
+            }
+
             /// Refuses parameters within the range of numbers whose products leave it.
+            #[inline]
             pub(crate) fn finite(self) -> Result<Shape> {
                 match self {
                     $( Shape::$kind(shape) => shape.finite().map(Shape::$kind), )+
@@ -110,6 +134,7 @@ macro_rules! shapes {
             }
 
             /// The one way of writing this surface to twelve significant digits.
+            #[inline]
             pub(crate) fn canonical(self) -> Result<Shape> {
                 match self {
                     $( Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+
@@ -130,13 +155,18 @@ shapes! {
     BloorWilson = "bloor-wilson",
     /// `boundary-value`: any Fourier boundary data.
     BoundaryValue = "boundary-value",
+    /// `rings`: a pot by the radius and the height of its rings.
+    Rings = "rings",
 }
 
 /// A kind of shape.
 pub(crate) struct Kind {
     /// The word in a document's `kind`.
     pub(crate) name: &'static str,
+    #[cfg(feature = "typescript")]
     pub(crate) family: Option<Family>,
+    /// How a readable link says it.
+    pub(crate) spelling: Option<Spelling>,
     /// Its type in TypeScript.
     #[cfg(feature = "typescript")]
     pub(crate) type_name: &'static str,

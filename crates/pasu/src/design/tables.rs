@@ -39,9 +39,49 @@ pub(super) const PART: &[Entry] = &[
 pub(super) const BOUNDARY_VALUE: &[Entry] = &[
     required("kind", "\"boundary-value\"", "Any Fourier boundary data."),
     required("span", "number | \"2pi\"", "The length of the interval of v round the axis."),
+    optional(
+        "rings",
+        "readonly Ring[]",
+        "Curves between the two ends that it passes through, in ascending u inside (0, 1), at most 64.",
+    ),
     required("x", "Component", "The equation and the data of x."),
     required("y", "Component", "The equation and the data of y."),
     required("z", "Component", "The equation and the data of z, the axis of a pot."),
+];
+
+/// A pot through rings.
+pub(super) const RINGS_KIND: &[Entry] = &[
+    required("kind", "\"rings\"", "A pot by the radius and the height of its rings."),
+    optional(
+        "a",
+        "number",
+        "The smoothing parameter: how strongly the wall is drawn towards a round tube; 1 when left out.",
+    ),
+    required("rings", "readonly Hoop[]", "2 to 66 rings from the foot, at u = 0, to the rim, at u = 1."),
+    optional("foot", "Slopes", "The slopes at the foot; without them it is free."),
+    optional("rim", "Slopes", "The slopes at the rim; without them it is free."),
+];
+
+/// One ring of such a pot.
+pub(super) const HOOP: &[Entry] = &[
+    required("u", "number", "Where it is along the profile, beyond the one before it."),
+    required("r", "Series", "Its radius."),
+    required("z", "Series", "Its height."),
+    optional("sharp", "boolean", "Whether the profile has a corner there; false when left out."),
+];
+
+pub(super) const SLOPES: &[Entry] =
+    &[required("r", "Series", "Of the radius."), required("z", "Series", "Of the height.")];
+
+pub(super) const SERIES: &[Entry] = &[
+    required("mean", "number", "The mean round the axis."),
+    optional("waves", "readonly Wave[]", "What goes up and down about it."),
+];
+
+pub(super) const WAVE: &[Entry] = &[
+    required("n", "number", "How often it goes up and down round the axis: whole, and 1 or more."),
+    optional("cos", "number", "How far as cos(n v); 0 when left out."),
+    optional("sin", "number", "How far as sin(n v); 0 when left out."),
 ];
 
 const S: Entry = required("s", "number", "Shape control parameter of the highest u derivative; not 0.");
@@ -49,6 +89,19 @@ const START: Entry = optional("start", "number", "Value at u = 0.");
 const END: Entry = optional("end", "number", "Value at u = 1.");
 const FORCE_ENTRY: Entry =
     optional("force", "readonly number[]", "Sculpting force in ascending powers of u, at most 512 coefficients.");
+
+const RINGS_ENTRY: Entry =
+    optional("rings", "readonly number[]", "Values at the rings, one for each; 0 at all of them when left out.");
+
+/// A curve between the two ends.
+pub(super) const RING: &[Entry] = &[
+    required("u", "number", "Where it is, inside (0, 1)."),
+    optional(
+        "sharp",
+        "boolean",
+        "Whether the profile has a corner there; false when left out. A component of order 2 has one at every ring.",
+    ),
+];
 
 /// A component of order 2: `s X_uu + t X_vv = p`.
 pub(super) const SECOND: &[Entry] = &[
@@ -64,6 +117,11 @@ pub(super) const FOURTH: &[Entry] = &[
     S,
     required("t", "number", "Shape control parameter of the mixed derivative."),
     required("w", "number", "Shape control parameter of the fourth v derivative."),
+    optional(
+        "free",
+        "\"start\" | \"end\" | \"both\"",
+        "Ends whose slopes are not given: the second derivative in u is 0 there instead. No end when left out.",
+    ),
     required("modes", "readonly Mode<FourthOrderDatum>[]", "The Fourier sum of boundary data and force."),
 ];
 
@@ -74,7 +132,7 @@ pub(super) const MODE: &[Entry] = &[
 ];
 
 /// What a mode of order 2 is given; what is left out is 0.
-pub(super) const SECOND_DATUM: &[Entry] = &[START, END, FORCE_ENTRY];
+pub(super) const SECOND_DATUM: &[Entry] = &[START, END, RINGS_ENTRY, FORCE_ENTRY];
 
 /// What a mode of order 4 is given; what is left out is 0.
 pub(super) const FOURTH_DATUM: &[Entry] = &[
@@ -82,6 +140,7 @@ pub(super) const FOURTH_DATUM: &[Entry] = &[
     END,
     optional("start_u", "number", "Slope in u at u = 0."),
     optional("end_u", "number", "Slope in u at u = 1."),
+    RINGS_ENTRY,
     FORCE_ENTRY,
 ];
 

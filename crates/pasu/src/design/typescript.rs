@@ -60,7 +60,9 @@ mod tests {
 
     use super::*;
     use crate::design::boundary_value::{BoundaryValue, Component};
-    use crate::design::tables::{BOUNDARY_VALUE, Entry, FOURTH, SECOND};
+    use crate::design::ring::Ring;
+    use crate::design::rings::{Hoop, Rings, Series, Slopes, Wave};
+    use crate::design::tables::{BOUNDARY_VALUE, Entry, FOURTH, HOOP, RING, RINGS_KIND, SECOND, SERIES, SLOPES, WAVE};
     use crate::design::{Look, Part, Value, Wall, reader};
 
     /// The fields that a type is read from, as its refusal of another says.
@@ -82,6 +84,12 @@ mod tests {
         check::<Wall>(WALL, None);
         check::<Look>(LOOK, None);
         check::<BoundaryValue>(&BOUNDARY_VALUE[1..], None);
+        check::<Ring>(RING, None);
+        check::<Rings>(&RINGS_KIND[1..], None);
+        check::<Hoop>(HOOP, None);
+        check::<Slopes>(SLOPES, None);
+        check::<Series>(SERIES, None);
+        check::<Wave>(WAVE, None);
         check::<Component>(SECOND, Some(("order", Value::Number(2.0))));
         check::<Component>(FOURTH, Some(("order", Value::Number(4.0))));
     }

@@ -3,7 +3,7 @@
 use crate::numeric::trapezoid::prime;
 
 /// What is asked of an integral.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Accuracy {
     /// The largest error, as a part of the integral of the absolute value.
     pub(crate) relative: f64,
@@ -19,6 +19,8 @@ pub(crate) struct Accuracy {
     pub(crate) highest: f64,
     /// How fast a face may change next to its ends, as `exp(-rate a)`.
     pub(crate) rate: f64,
+    /// Where derivatives of a face may jump along `a`, in ascending order.
+    pub(crate) knots: Vec<f64>,
 }
 
 impl Accuracy {
@@ -33,6 +35,7 @@ impl Accuracy {
             seamed: relative.max(SEAMED),
             highest: highest as f64,
             rate: 0.0,
+            knots: Vec::new(),
         }
     }
 
@@ -41,10 +44,32 @@ impl Accuracy {
         Accuracy { rate, ..self }
     }
 
+    /// The same for a face whose derivatives may jump there.
+    pub(crate) fn broken(self, knots: Vec<f64>) -> Self {
+        Accuracy { knots, ..self }
+    }
+
     /// Intervals by which an integral along a face begins: where a face changes so fast next to its ends that no node of a rule over the whole would see it, the ends are stepped towards.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
-        let layer = LAYER / self.rate;
         let mut breaks = vec![from];
+        let (least, most) = (from.min(to), from.max(to));
+        let mut knots: Vec<f64> = self.knots.iter().copied().filter(|knot| least < *knot && *knot < most).collect();
+        if to < from {
+            knots.reverse();
+        }
+        // Between knots the layers next to them are as wide as those next to the ends.
+        let is_whole = knots.is_empty();
+        let mut from = from;
+        for to in knots.into_iter().chain([to]) {
+            let share = if is_whole { 1.0 } else { (to - from).abs() };
+            Self::add_breaks(&mut breaks, from, to, LAYER / (self.rate * share));
+            from = to;
+        }
+        breaks
+    }
+
+    /// Goes on from one knot to the next, whose layers are this share of it.
+    fn add_breaks(breaks: &mut Vec<f64>, from: f64, to: f64, layer: f64) {
         if layer < NARROW {
             let steps =
                 || core::iter::successors(Some(layer), |step| Some(step * STEP)).take_while(|step| *step < 0.25);
@@ -53,7 +78,6 @@ impl Accuracy {
             breaks.extend(rising.iter().rev().map(|step| to - step * (to - from)));
         }
         breaks.push(to);
-        breaks
     }
 }
 

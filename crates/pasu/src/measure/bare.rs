@@ -51,6 +51,11 @@ impl Bare {
         self.upright.rate()
     }
 
+    /// Where its derivatives jump along `a`.
+    pub(crate) fn knots(&self) -> Vec<f64> {
+        self.upright.knots()
+    }
+
     /// Where `u` of the shape is along the face.
     pub(crate) fn along(&self, u: f64) -> f64 {
         self.upright.along(u)

@@ -57,7 +57,9 @@ pub(crate) fn between<const N: usize>(
     integrand: impl FnMut(f64, f64) -> [f64; N],
 ) -> Integral<N> {
     let mut row = Round::new(accuracy, integrand);
-    adaptive::integrate(&accuracy.breaks(from, to), accuracy.relative, [0.0; N], accuracy.most_intervals, |a| row.at(a))
+    let breaks = accuracy.breaks(from, to);
+    let most_intervals = accuracy.most_intervals.max(if accuracy.knots.is_empty() { 0 } else { 4 * breaks.len() });
+    adaptive::integrate(&breaks, accuracy.relative, [0.0; N], most_intervals, |a| row.at(a))
 }
 
 /// Integrals round one row, with as many columns as it takes.

@@ -481,7 +481,7 @@ mod tests {
             assert!(pot.thinned().is_some(), "{n1}");
             let faces: Vec<&dyn Face> = pot.faces().iter().map(|piece| piece as &dyn Face).collect();
             let usual = Accuracy::new(1e-9, (n1 + 1) as f64);
-            let found = [1e-5, 1e-6, 1e-8].map(|seamed| enclosed(&faces, &Accuracy { seamed, ..usual }).1);
+            let found = [1e-5, 1e-6, 1e-8].map(|seamed| enclosed(&faces, &Accuracy { seamed, ..usual.clone() }).1);
             let [.., fine] = found;
             for coarse in &found[..2] {
                 let pairs = coarse.first.iter().zip(&fine.first).chain([(&coarse.volume, &fine.volume)]);

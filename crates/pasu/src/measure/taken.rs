@@ -106,8 +106,16 @@ impl Taken {
         }
     }
 
+    /// Where derivatives of the surface jump along it.
+    fn knots(&self) -> Vec<f64> {
+        match &self.surface {
+            Naked::Upright { bare, .. } => bare.knots(),
+            Naked::Patches { .. } => Vec::new(),
+        }
+    }
+
     pub(super) fn accuracy(&self) -> Accuracy {
-        Accuracy::new(ACCURACY, self.waves()).falling(self.rate())
+        Accuracy::new(ACCURACY, self.waves()).falling(self.rate()).broken(self.knots())
     }
 
     /// What holds water: the pot, or the bare surface where no wall is asked for; the reason in words where nothing does.

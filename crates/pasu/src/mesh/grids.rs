@@ -86,7 +86,11 @@ impl<'a> Grids<'a> {
     /// `overflow` for a point beyond single precision.
     pub(super) fn fill(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
         match self {
-            Grids::Fourier(grid) => workspace.fill(grid, positions, normals),
+            Grids::Fourier(grid) => {
+                workspace.fill(grid, positions, normals)?;
+                grid.join(positions);
+                Ok(())
+            }
             Grids::Patches(grids) => grids.fill(positions, normals),
         }
     }

@@ -39,11 +39,31 @@ impl<'a> PartGrid<'a> {
         let (matrix, shift) = (placed.matrix(), placed.shift());
         // A tolerance that is asked for is held to the rounding of single precision itself.
         let is_precise = options.tolerance.is_some();
-        let tessellation =
-            Tessellation::choose(|| Profile::of(surface, matrix), shift.length(), options, is_precise, is_bounded)?;
+        let tessellation = Tessellation::choose(
+            || Profile::of(surface, matrix),
+            &surface.stops(),
+            shift.length(),
+            options,
+            is_precise,
+            is_bounded,
+        )?;
         curves.prepare(surface, tessellation.along);
         let is_outward = is_outward(surface, &curves);
         Ok(PartGrid { surface, tessellation, is_precise, matrix, shift, is_outward, curves, index: placed.index() })
+    }
+
+    /// The rows behind which the next is the same curve seen from the other side of a corner: there is nothing between the two.
+    fn seams(&self) -> impl Iterator<Item = usize> + '_ {
+        let rows = self.tessellation.rows.iter().flat_map(|rows| rows.windows(2).enumerate());
+        rows.filter(|(_, pair)| pair[0].next_up() == pair[1]).map(|(index, _)| index)
+    }
+
+    /// Puts the two rows of a corner on each other to the bit.
+    pub(super) fn join(&self, positions: &mut [f32]) {
+        let (_, columns) = self.tessellation.counts();
+        for row in self.seams() {
+            positions.copy_within(3 * (row + 1) * columns..3 * (row + 2) * columns, 3 * row * columns);
+        }
     }
 
     /// Its expansions, when it has been sampled.
@@ -95,7 +115,13 @@ impl<'a> PartGrid<'a> {
             mesh.uvs.extend((0..columns).flat_map(|j| [u, (j as f64 / (columns - 1) as f64) as f32]));
         }
         let first = mesh.indices.len() as u32;
-        append_triangles(&mut mesh.indices, base, rows as u32, columns as u32, self.is_wound_forwards());
+        let is_wound_forwards = self.is_wound_forwards();
+        let mut from = 0;
+        for seam in self.seams().chain([rows - 1]) {
+            let base = base + (from * columns) as u32;
+            append_triangles(&mut mesh.indices, base, (seam + 1 - from) as u32, columns as u32, is_wound_forwards);
+            from = seam + 1;
+        }
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.index as u32]);
     }
 }

@@ -38,6 +38,8 @@ pub(super) struct Profile {
     /// `t` at these, or rather a little more than its increases.
     t: Vec<f64>,
     bends: Vec<Bend>,
+    /// For each strip whether a row has to stand where it ends.
+    is_stop: Vec<bool>,
 }
 
 /// Suprema over some strips of `|X_tt|`, `|X_tv|`, `|X_vv|`, `v` scaled to [0, 1].
@@ -122,13 +124,17 @@ impl Profile {
         let most_strips = if circumference.has_many_modes { MOST_STRIPS_OF_MANY } else { MOST_STRIPS };
         let mut row = |u: f64| circumference.suprema(surface, u, stretch);
         let mut strips = Vec::with_capacity(2 * STRIPS);
-        let mut before = row(0.0);
-        for i in 0..STRIPS {
-            let (from, to) = (i as f64 / STRIPS as f64, (i + 1) as f64 / STRIPS as f64);
+        let (mut from, mut before) = (0.0, row(0.0));
+        let stops = surface.stops();
+        let mut ends: Vec<f64> = (1..=STRIPS).map(|i| i as f64 / STRIPS as f64).chain(stops.iter().copied()).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        for to in ends {
             let after = row(to);
             strips.push(Strip::new(surface, stretch, from, to, [before, after]));
-            before = after;
+            (from, before) = (to, after);
         }
+        let most_strips = most_strips + strips.len() - STRIPS;
         for _ in 0..MOST_HALVINGS {
             let coarse = coarse(&strips);
             let n_coarse = coarse.iter().filter(|is_coarse| **is_coarse).count();
@@ -149,11 +155,14 @@ impl Profile {
             }
             strips = finer;
         }
-        Self::straightened(&strips)
+        let mut profile = Self::straightened(&strips);
+        profile.is_stop = strips.iter().map(|strip| stops.contains(&strip.to)).collect();
+        profile
     }
 
     fn straightened(strips: &[Strip]) -> Profile {
-        let mut profile = Profile { size: 0.0, u: vec![0.0], t: vec![0.0], bends: Vec::with_capacity(strips.len()) };
+        let (bends, is_stop) = (Vec::with_capacity(strips.len()), Vec::new());
+        let mut profile = Profile { size: 0.0, u: vec![0.0], t: vec![0.0], bends, is_stop };
         let (mut t, mut log) = (0.0, 0.0);
         for strip in strips {
             let [g0, g1] = strip.at.map(|row| row.straightening);
@@ -191,7 +200,7 @@ impl Profile {
         self.bends.iter().zip(self.t.windows(2)).map(|(bend, t)| (t[1] - t[0]) / bend.longest(q, budget).max(0.0)).sum()
     }
 
-    /// Walks from `u = 0` to `u = 1` with the longest steps whose cells cost no more than the budget, and tells where each ends. The number of steps, or `None` where there are more than
+    /// Walks from `u = 0` to `u = 1` with the longest steps whose cells cost no more than the budget, no step across a ring, and tells where each ends. The number of steps, or `None` where there are more than
     /// `most` or no step holds.
     pub(super) fn walk(&self, q: f64, budget: f64, most: usize, visit: &mut dyn FnMut(f64)) -> Option<usize> {
         let (mut strip, mut at) = (0, 0.0);
@@ -206,6 +215,11 @@ impl Profile {
                     if strip == self.bends.len() {
                         visit(1.0);
                         return Some(n_steps);
+                    }
+                    if self.is_stop.get(strip - 1) == Some(&true) {
+                        at = self.t[strip];
+                        visit(self.u[strip]);
+                        break;
                     }
                     continue;
                 }

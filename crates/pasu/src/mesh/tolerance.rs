@@ -47,8 +47,10 @@ pub(super) struct Tessellation {
 }
 
 /// What a part has to be bounded: its profile, and how far its vertices are from where they should be.
-struct Part {
+struct Part<'a> {
     profile: Profile,
+    /// Where rows have to stand.
+    stops: &'a [f64],
     rounding: f64,
 }
 
@@ -60,6 +62,7 @@ impl Tessellation {
     /// `tolerance-too-fine`.
     pub(super) fn choose(
         profile: impl FnOnce() -> Profile,
+        stops: &[f64],
         shift: f64,
         options: &MeshOptions,
         is_precise: bool,
@@ -67,9 +70,9 @@ impl Tessellation {
     ) -> Result<Tessellation> {
         let (along, round) = (options.rows.map(|n| n as f64 - 1.0), options.columns.map(|n| n as f64 - 1.0));
         if let (Some(along), Some(round), None, false) = (along, round, options.tolerance, is_bounded) {
-            return Ok(Tessellation { along, round, rows: None, bound: None });
+            return Ok(Tessellation { along, round, rows: spread(along, stops), bound: None });
         }
-        let part = Part::new(profile(), shift, is_precise);
+        let part = Part::new(profile(), stops, shift, is_precise);
         let tolerance = options.tolerance.unwrap_or(part.profile.size * DEFAULT_FINENESS + part.rounding);
         if options.tolerance.is_some() && !(tolerance > part.rounding) {
             return Err(part.too_fine(tolerance, &Tessellation { along: 0.0, round: 0.0, rows: None, bound: None }));
@@ -111,16 +114,16 @@ impl Tessellation {
     }
 }
 
-impl Part {
-    fn new(profile: Profile, shift: f64, is_precise: bool) -> Self {
+impl<'a> Part<'a> {
+    fn new(profile: Profile, stops: &'a [f64], shift: f64, is_precise: bool) -> Self {
         // In parts of the largest coordinate, in each of three directions: half a unit in its last place, or what sums in single precision may be off.
         let rounding = (profile.size + shift) * if is_precise { f64::from(f32::EPSILON) } else { 1.8 * POSITION_ERROR };
-        Part { profile, rounding }
+        Part { profile, stops, rounding }
     }
 
     fn grid(&self, tolerance: f64, along: Option<f64>, round: Option<f64>) -> Tessellation {
         let budget = 8.0 * (tolerance - self.rounding) * (1.0 - SPARE);
-        let even = |along, round| Tessellation { along, round, rows: None, bound: None };
+        let even = |along, round| Tessellation { along, round, rows: spread(along, self.stops), bound: None };
         match (along, round) {
             (Some(along), Some(round)) => even(along, round),
             (Some(along), None) => even(along, self.round_for(along, budget)),
@@ -132,12 +135,20 @@ impl Part {
     /// The fewest cells round the axis with which even cells along `u` hold. Where these spend the budget by themselves, the others are chosen as if they had the whole of it.
     fn round_for(&self, along: f64, budget: f64) -> f64 {
         let mut widest = 1.0 / LEAST_ROUND;
-        self.profile.cells(&mut even_rows(along), &mut |p, bend| {
+        self.profile.cells(&mut self.rows(along), &mut |p, bend| {
             let beside = bend.widest(p, budget);
             let q = if beside > 0.0 { beside } else { bend.widest(0.0, budget) };
             widest = widest.min(q.max(0.0));
         });
         (1.0 / widest).ceil()
+    }
+
+    /// So many cells, evenly spaced between where rows have to stand.
+    fn rows(&self, along: f64) -> Box<dyn Iterator<Item = f64>> {
+        match spread(along, self.stops) {
+            Some(rows) => Box::new(rows.into_iter()),
+            None => Box::new(even_rows(along)),
+        }
     }
 
     /// The cells round the axis for which the product with the rows that they take is least.
@@ -195,7 +206,8 @@ impl Part {
 
     /// The largest distance between the triangles of a grid and the surface.
     fn bound(&self, grid: &Tessellation) -> f64 {
-        if !self.is_within_limit(grid) {
+        // A cell across a corner is as far off as the corner is sharp, which no second derivative says.
+        if !self.is_within_limit(grid) || grid.rows.is_none() && !self.stops.is_empty() {
             return f64::INFINITY;
         }
         let (mut cost, q) = (0.0f64, 1.0 / grid.round);
@@ -231,6 +243,45 @@ impl Part {
             error.with("rows", grid.along + 1.0).with("columns", grid.round + 1.0)
         }
     }
+}
+
+/// The rows of so many cells with one on each of the stops, evenly spaced between these; `None` where there are no stops, or more than there are rows for. Two stops next to each other have nothing between them.
+#[inline(never)]
+fn spread(along: f64, stops: &[f64]) -> Option<Vec<f64>> {
+    // Numbers of rows beyond the limit are refused later on.
+    if stops.is_empty() || along < stops.len() as f64 + 1.0 || along > VERTEX_LIMIT as f64 {
+        return None;
+    }
+    let ends = stops.iter().copied().chain([1.0]);
+    let gaps: Vec<(f64, f64)> = [0.0].into_iter().chain(stops.iter().copied()).zip(ends).collect();
+    let is_seam = |(from, to): (f64, f64)| from.next_up() == to;
+    let free = along - gaps.iter().filter(|gap| is_seam(**gap)).count() as f64;
+    let share = |(from, to): (f64, f64)| if is_seam((from, to)) { 1.0 } else { ((to - from) * free).floor().max(1.0) };
+    let mut counts: Vec<f64> = gaps.iter().map(|gap| share(*gap)).collect();
+    let density = |index: usize, count: f64| count / (gaps[index].1 - gaps[index].0);
+    // What rounding left over goes where cells are longest, and what it took too much of from where they are shortest.
+    loop {
+        let found: f64 = counts.iter().sum();
+        let can_change = |index: &usize| !is_seam(gaps[*index]) && (found < along || counts[*index] > 1.0);
+        let candidates = (0..gaps.len()).filter(can_change);
+        let by_density =
+            |one: &usize, other: &usize| density(*one, counts[*one]).total_cmp(&density(*other, counts[*other]));
+        if found < along {
+            let index = candidates.min_by(by_density)?;
+            counts[index] += 1.0;
+        } else if found > along {
+            let index = candidates.max_by(by_density)?;
+            counts[index] -= 1.0;
+        } else {
+            break;
+        }
+    }
+    let mut rows = Vec::with_capacity(along as usize + 1);
+    for ((from, to), count) in gaps.iter().zip(&counts) {
+        rows.extend((0..*count as usize).map(|i| from + (to - from) * (i as f64 / count)));
+    }
+    rows.push(1.0);
+    Some(rows)
 }
 
 fn even_rows(along: f64) -> impl Iterator<Item = f64> {

@@ -37,6 +37,26 @@ impl Equation {
     /// assert_eq!(Equation::new(Order::Second, 1.0, -1.0, 0.0, std::f64::consts::PI), Err(Unsolvable::Resonant));
     /// ```
     pub fn new(order: Order, s: f64, t: f64, w: f64, k: f64) -> Result<Self, Unsolvable> {
+        let [b, c] = Self::coefficients(order, s, t, w, k)?;
+        Self::of_coefficients(order, s, b, c)
+    }
+
+    /// The same operator on an interval of this length, as an equation on [0, 1]: the rates grow shorter with it.
+    pub(super) fn on(order: Order, s: f64, b: f64, c: f64, length: f64) -> Result<Self, Unsolvable> {
+        let square = length * length;
+        Self::of_coefficients(order, s, b * square, c * (square * square))
+    }
+
+    fn of_coefficients(order: Order, s: f64, b: f64, c: f64) -> Result<Self, Unsolvable> {
+        let (basis, halves) = Basis::of(order, b, c)?;
+        Ok(Equation { order, s, b, c, basis, halves })
+    }
+
+    /// The operator of one mode, divided by `s`: `b` and `c`.
+    ///
+    /// # Errors
+    /// As [`Equation::new`], but for resonance.
+    pub(super) fn coefficients(order: Order, s: f64, t: f64, w: f64, k: f64) -> Result<[f64; 2], Unsolvable> {
         if s == 0.0 {
             return Err(Unsolvable::NoHighestDerivative);
         }
@@ -45,11 +65,7 @@ impl Equation {
             Order::Second => 0.0,
             Order::Fourth => k * k * (w / s) * (k * k),
         };
-        if !(b.is_finite() && c.is_finite() && s.is_finite()) {
-            return Err(Unsolvable::Overflow);
-        }
-        let (basis, halves) = Basis::of(order, b, c)?;
-        Ok(Equation { order, s, b, c, basis, halves })
+        if b.is_finite() && c.is_finite() && s.is_finite() { Ok([b, c]) } else { Err(Unsolvable::Overflow) }
     }
 
     /// The size of the fastest rate, `max |r|` over the roots of the characteristic polynomial.

@@ -14,21 +14,26 @@
 //! rate overflows. The force is met by a particular polynomial ([`force`]).
 
 mod basis;
+mod beam;
 mod equation;
 mod expansion;
 mod force;
 mod order;
 mod pair;
 mod rate;
+mod ring;
 mod roots;
 mod series;
 mod solution;
 mod solve;
+mod stiffness;
 mod supremum;
 mod unsolvable;
 
+pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held};
 pub use equation::Equation;
 pub(crate) use expansion::{Expansion, ROUNDING, TERMS};
 pub use order::Order;
+pub use ring::{Free, Ring};
 pub use solution::{ModeData, ModeSolution};
 pub use unsolvable::Unsolvable;

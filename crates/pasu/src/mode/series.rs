@@ -53,10 +53,15 @@ fn power_of_half(n: usize) -> f64 {
 
 /// The polynomial in `x` that equals the polynomial `in_u` of `u = x + 1/2`.
 pub(super) fn about_the_middle(in_u: &[f64]) -> Vec<f64> {
+    about(in_u, 0.5)
+}
+
+/// The polynomial in `x` that equals the polynomial `in_u` of `u = x + place`.
+pub(super) fn about(in_u: &[f64], place: f64) -> Vec<f64> {
     let mut shifted = in_u.to_vec();
     for first in 0..shifted.len() {
         for i in (first..shifted.len().saturating_sub(1)).rev() {
-            shifted[i] += 0.5 * shifted[i + 1];
+            shifted[i] += place * shifted[i + 1];
         }
     }
     shifted

@@ -10,4 +10,6 @@ pub enum Unsolvable {
     Resonant,
     /// The numbers leave the range of doubles.
     Overflow,
+    /// Two rings, or a ring and an end, are so near each other that slopes could not be told.
+    Crowded,
 }

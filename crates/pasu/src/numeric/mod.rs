@@ -18,3 +18,4 @@ pub(crate) mod limit;
 pub(crate) mod minima;
 pub(crate) mod romberg;
 pub(crate) mod trapezoid;
+pub(crate) mod tridiagonal;

@@ -77,6 +77,13 @@ impl Skin {
                 "the shape has no foot and no rim, so there is no wall to stand on one: expected a surface between two curves",
             );
         };
+        if let Some(ring) = upright.crease() {
+            let message = format!(
+                "the profile has a corner at the ring u = {}, round which no wall can be made yet: expected a smooth ring, in components of order 4",
+                plain(ring)
+            );
+            return Err(Error::new(Code::UnsupportedShape, placed.path("shape"), message).with("found", ring));
+        }
         if !upright.is_closed() {
             return open(
                 "the surface does not meet itself after one turn, so it encloses nothing: expected whole numbers of waves n",

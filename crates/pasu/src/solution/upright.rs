@@ -90,6 +90,21 @@ impl Upright {
         self.rate
     }
 
+    /// The first `u` at which the profile has a corner.
+    pub(crate) fn crease(&self) -> Option<f64> {
+        let surface = self.placed.solved().fourier()?;
+        surface.rings().find(|(_, is_corner)| *is_corner).map(|(u, _)| u)
+    }
+
+    /// Where derivatives jump along `s`, in ascending order.
+    pub(crate) fn knots(&self) -> Vec<f64> {
+        let knots = self.patch().map(|patch| patch.breaks()[0].knots.clone()).unwrap_or_default();
+        match self.is_upward {
+            true => knots,
+            false => knots.iter().rev().map(|u| 1.0 - u).collect(),
+        }
+    }
+
     /// Where `u` of the shape is.
     pub(crate) fn along(&self, u: f64) -> f64 {
         if self.is_upward { u } else { 1.0 - u }

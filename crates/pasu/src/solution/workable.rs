@@ -33,7 +33,8 @@ impl Solution {
 
 fn few_waves(part: &Part, surface: &Surface, index: usize) -> Result<()> {
     // What a document gives and the surface does not have, petals of no depth, does no harm.
-    let is_used = |n: f64| surface.distinct().contains(&n);
+    // Waves of a radius are those of x and y with one more and one less.
+    let is_used = |n: f64| [n - 1.0, n, n + 1.0].iter().any(|n| surface.distinct().contains(n));
     match part.shape.waves().into_iter().find(|(_, n)| n.abs() > WAVES && is_used(*n)) {
         None => Ok(()),
         Some((place, n)) => {
@@ -52,7 +53,7 @@ fn slow_enough(part: &Part, surface: &Surface, index: usize) -> Result<()> {
     let problem = part.shape.problem();
     for ((name, component), terms) in ["x", "y", "z"].into_iter().zip(problem.components()).zip(surface.components()) {
         for term in terms {
-            let (rate, swing) = (term.equation.largest_rate(), term.equation.swing());
+            let (rate, swing) = (term.beam.largest_rate(), term.beam.swing());
             let (found, greatest, what) = if !(swing <= SWING) {
                 (swing, SWING, "swings")
             } else if !(rate <= RATE) {

@@ -3,7 +3,7 @@
 use super::solve::Surface;
 use super::table::{BLOCK, Block};
 use super::term::Term;
-use crate::mode::{Expansion, ModeSolution, ROUNDING, TERMS};
+use crate::mode::{Deflection, Expansion, ROUNDING, TERMS};
 
 /// One datum of one mode, a function of `u` alone.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +48,7 @@ impl Curves {
         self.expansions.clear();
         for (axis, terms) in surface.components().iter().enumerate() {
             for (index, term) in terms.iter().enumerate() {
-                let reach = term.equation.reach(&term.cos).min(term.equation.reach(&term.sin));
+                let reach = term.beam.reach([&term.cos, &term.sin]);
                 // Half a width of 1 / n, a little more than which is used: rows come four at a time.
                 let n_expansions = (0.5 / reach).ceil();
                 let pays = n_expansions * ROWS_PER_EXPANSION <= n_rows + OTHER_ROWS;
@@ -57,13 +57,13 @@ impl Curves {
                 let n_expansions = if pays && has_room { n_expansions as usize } else { 0 };
                 let data = [(false, &term.cos), (true, &term.sin)];
                 let is_used =
-                    |(is_sine, solution): (bool, &ModeSolution)| !(solution.is_zero() || is_sine && term.n == 0.0);
+                    |(is_sine, solution): (bool, &Deflection)| !(solution.is_zero() || is_sine && term.n == 0.0);
                 let n_used = data.into_iter().filter(|datum| is_used(*datum)).count();
                 self.expansions.resize(first + n_used * n_expansions, Expansion::default());
                 let mut noise = [0.0f64; 2];
                 for i in 0..n_expansions {
                     let half = 0.5 / n_expansions as f64;
-                    let both = term.equation.expansions([&term.cos, &term.sin], (2 * i + 1) as f64 * half, half);
+                    let both = term.beam.expansions([&term.cos, &term.sin], (2 * i + 1) as f64 * half, half);
                     let used = data.into_iter().zip(both).filter(|(datum, _)| is_used(*datum));
                     for (slot, (_, expansion)) in used.enumerate() {
                         noise = [noise[0].max(expansion.noise), noise[1].max(expansion.slope_noise(n_expansions))];
@@ -72,7 +72,7 @@ impl Curves {
                 }
                 if n_expansions == 0 {
                     // Of as many derivatives as others ask for: one function less to load.
-                    for [value, slope, ..] in term.equation.suprema::<5, 2>([&term.cos, &term.sin], 0.0, 1.0) {
+                    for [value, slope, ..] in term.beam.suprema::<5, 2>([&term.cos, &term.sin], 0.0, 1.0) {
                         noise = [noise[0].max(ROUNDING * value), noise[1].max(ROUNDING * slope)];
                     }
                 }
@@ -200,6 +200,6 @@ fn asked(curve: &Curve, term: &Term, u: [f64; BLOCK]) -> [Block; 2] {
 
 fn jet(curve: &Curve, term: &Term, u: f64) -> [f64; 2] {
     let solution = if curve.is_sine { &term.sin } else { &term.cos };
-    let [jet] = term.equation.jets::<2, 1>([solution], u);
+    let [jet] = term.beam.jets::<2, 1>([solution], u);
     jet
 }

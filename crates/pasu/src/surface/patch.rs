@@ -63,7 +63,7 @@ impl Patch for Surface {
         for (axis, terms) in self.components().iter().enumerate() {
             for term in terms {
                 let k = (term.k * self.span()).abs();
-                let [a, b] = term.equation.suprema::<3, 2>([&term.cos, &term.sin], cell.u[0], cell.u[1]);
+                let [a, b] = term.beam.suprema::<3, 2>([&term.cos, &term.sin], cell.u[0], cell.u[1]);
                 let [value, u, uu] = [0, 1, 2].map(|order| libm::hypot(a[order], b[order]) * stretch[axis].abs());
                 for (sum, bound) in sums.iter_mut().zip([value, uu, k * u, k * k * value]) {
                     sum[axis] += bound;
@@ -77,8 +77,9 @@ impl Patch for Surface {
     fn breaks(&self) -> [Breaks; 2] {
         let waves = self.distinct().iter().fold(0.0f64, |highest, n| highest.max(n.abs()));
         let terms = self.components().iter().flatten();
-        let rate = terms.fold(0.0f64, |fastest, term| fastest.max(term.equation.largest_rate()));
-        [Breaks { rate, ..Breaks::smooth(1.0) }, Breaks::smooth(waves)]
+        let rate = terms.fold(0.0f64, |fastest, term| fastest.max(term.beam.largest_rate()));
+        let knots = self.rings().map(|(u, _)| u).collect();
+        [Breaks { knots, rate, ..Breaks::smooth(1.0) }, Breaks::smooth(waves)]
     }
 
     fn sides(&self) -> [Side; 4] {

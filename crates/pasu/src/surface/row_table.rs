@@ -34,7 +34,7 @@ impl<const N: usize> RowTable<N> {
         for (row, terms) in self.components.iter_mut().zip(terms) {
             row.clear();
             row.extend(terms.iter().map(|term| {
-                let [cos, sin] = term.equation.jets::<N, 2>([&term.cos, &term.sin], u);
+                let [cos, sin] = term.beam.jets::<N, 2>([&term.cos, &term.sin], u);
                 let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
                 RowTerm { column, k: term.k, cos, sin }
             }));

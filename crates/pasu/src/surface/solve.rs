@@ -9,7 +9,7 @@ use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
-use crate::mode::{Equation, ModeData, Unsolvable};
+use crate::mode::{Beam, Broken, CLOSEST, Held, ModeData, Ring, Unsolvable};
 use crate::patch::SurfaceJet;
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
@@ -19,6 +19,7 @@ use crate::patch::SurfaceJet;
 pub struct Surface {
     components: [Vec<Term>; 3],
     span: Span,
+    rings: Vec<Ring>,
     /// The different `n`, in the order of their first use.
     distinct: Vec<f64>,
     ends: Ends,
@@ -47,10 +48,10 @@ impl Span {
     }
 }
 
-impl<'a> From<&'a Datum> for ModeData<'a> {
+impl<'a> From<&'a Datum> for Held<'a> {
     fn from(datum: &'a Datum) -> Self {
-        let &Datum { start, end, start_u, end_u, ref force } = datum;
-        ModeData { start, start_u, end, end_u, force }
+        let &Datum { start, end, start_u, end_u, ref rings, ref force } = datum;
+        Held { ends: ModeData { start, start_u, end, end_u, force }, rings }
     }
 }
 
@@ -64,8 +65,8 @@ impl Surface {
     /// Solves every mode problem of a shape. `path` is where the shape stands in its design, for the error.
     ///
     /// # Errors
-    /// `resonant-problem`, naming component and mode, where oscillating solutions leave no unique answer; `out-of-range` where `s` is 0;
-    /// `overflow` where the solution leaves the range of doubles.
+    /// `resonant-problem`, naming component and mode, where oscillating solutions leave no unique answer; `out-of-range` where `s` is 0, or where rings are nearer each other than a
+    /// millionth; `overflow` where the solution leaves the range of doubles.
     ///
     /// ```
     /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
@@ -77,24 +78,25 @@ impl Surface {
         #[cfg(test)]
         SOLVED.set(SOLVED.get() + 1);
         // What x has solved: y nearly always, and z often, have the same equations.
-        let mut equations: Vec<Equation> = Vec::with_capacity(shape.x.modes.len());
+        let mut beams: Vec<Beam> = Vec::with_capacity(shape.x.modes.len());
         let mut component = |axis: Axis, component: &Component| {
-            let Component { order, s, t, w, .. } = *component;
-            let is_as_x = (order, s, t, w) == (shape.x.order, shape.x.s, shape.x.t, shape.x.w);
+            let Component { order, s, t, w, free, .. } = *component;
+            let is_as_x = (order, s, t, w, free) == (shape.x.order, shape.x.s, shape.x.t, shape.x.w, shape.x.free);
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let known = equations.get(index).filter(|_| is_as_x && shape.x.modes[index].n == mode.n);
-                let equation = known.map_or_else(|| Equation::new(order, s, t, w, k), |known| Ok(known.clone()));
-                let solved = equation.and_then(|equation| {
+                let known = beams.get(index).filter(|_| is_as_x && shape.x.modes[index].n == mode.n);
+                let beam =
+                    known.map_or_else(|| Beam::new(order, [s, t, w], k, &shape.rings, free), |known| Ok(known.clone()));
+                let solved = beam.and_then(|beam| {
                     if axis == Axis::X {
-                        equations.push(equation.clone());
+                        beams.push(beam.clone());
                     }
-                    let cos = equation.solve(&ModeData::from(&mode.cos))?;
-                    let sin = equation.solve(&ModeData::from(&mode.sin))?;
-                    Ok(Term { n: mode.n, k, equation, cos, sin })
+                    let cos = beam.solve(&Held::from(&mode.cos))?;
+                    let sin = beam.solve(&Held::from(&mode.sin))?;
+                    Ok(Term { n: mode.n, k, beam, cos, sin })
                 });
-                let term = solved.map_err(|why| unsolvable(why, component, axis, mode.n, index, path))?;
+                let term = solved.map_err(|why| unsolvable(why, shape, axis, index, path))?;
                 if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
                     terms.push(term);
                 }
@@ -108,7 +110,7 @@ impl Surface {
                 distinct.push(term.n);
             }
         }
-        Ok(Surface { components, span: shape.span, distinct, ends: Ends::default() })
+        Ok(Surface { components, span: shape.span, rings: shape.rings.clone(), distinct, ends: Ends::default() })
     }
 
     /// Solves the shape of part number `index` of a design.
@@ -124,9 +126,10 @@ impl Surface {
     /// ```
     pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
         let path = format!("parts[{index}].shape");
-        let is_written_out = matches!(part.shape, Shape::BoundaryValue(_));
-        Surface::solve(&part.shape.problem(), &path)
-            .map_err(|error| if is_written_out { error } else { error.at(path) })
+        Surface::solve(&part.shape.problem(), &path).map_err(|error| match &part.shape {
+            Shape::BoundaryValue(_) => error,
+            _ => error.at(path),
+        })
     }
 
     /// The length of the `v` interval.
@@ -152,6 +155,22 @@ impl Surface {
     /// ```
     pub fn is_closed(&self) -> bool {
         self.components.iter().flatten().all(|term| term.n == term.n.trunc())
+    }
+
+    /// Where the rings are, and whether the profile may have a corner there.
+    pub(crate) fn rings(&self) -> impl Iterator<Item = (f64, bool)> + '_ {
+        let has_corners = self.components.iter().flatten().any(|term| term.beam.has_corners());
+        self.rings.iter().map(move |ring| (ring.u, ring.sharp || has_corners))
+    }
+
+    /// Where rows of samples have to stand inside (0, 1): on every ring, and right before it too where there is a corner, so that both sides have theirs.
+    pub(crate) fn stops(&self) -> Vec<f64> {
+        let mut stops = Vec::with_capacity(self.rings.len());
+        for (u, is_corner) in self.rings() {
+            stops.extend(is_corner.then(|| u.next_down()));
+            stops.push(u);
+        }
+        stops
     }
 
     /// The different `n`, in the order of their first use.
@@ -182,7 +201,7 @@ impl Surface {
         let mut jet = SurfaceJet::default();
         for (axis, terms) in self.components.iter().enumerate() {
             for term in terms {
-                let [a, b] = term.equation.jets::<3, 2>([&term.cos, &term.sin], u);
+                let [a, b] = term.beam.jets::<3, 2>([&term.cos, &term.sin], u);
                 jet.add(axis, term.k, &a, &b, self.angle(term.n, v));
             }
         }
@@ -198,17 +217,38 @@ impl Surface {
     }
 }
 
-fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index: usize, path: &str) -> Error {
-    let name = match axis {
-        Axis::X => "x",
-        Axis::Y => "y",
-        Axis::Z => "z",
+#[inline(never)]
+fn unsolvable(broken: Broken, shape: &BoundaryValue, axis: Axis, index: usize, path: &str) -> Error {
+    let (name, component) = match axis {
+        Axis::X => ("x", &shape.x),
+        Axis::Y => ("y", &shape.y),
+        Axis::Z => ("z", &shape.z),
     };
-    let Component { s, t, w, .. } = component;
+    let Component { s, t, w, modes, .. } = component;
+    let n = modes[index].n;
+    let Broken { why, between } = broken;
+    let u = |place: usize| place.checked_sub(1).map_or(0.0, |ring| shape.rings.get(ring).map_or(1.0, |ring| ring.u));
+    let [from, to] = between.map(|place| plain(u(place)));
     let named = [("n", n), ("s", *s), ("t", *t), ("w", *w)];
     let [n, s, t, w] = named.map(|(_, number)| plain(number));
-    let path = format!("{path}.{name}.modes[{index}]");
+    // Of the two rings that are too near each other the second, unless that is an end.
+    let ring = between[1].min(shape.rings.len()).saturating_sub(1);
+    let path = match why {
+        Unsolvable::Crowded => format!("{path}.rings[{ring}].u"),
+        _ => format!("{path}.{name}.modes[{index}]"),
+    };
+    let (among, curves) = match shape.rings.is_empty() {
+        true => ("the two boundaries".to_owned(), "the boundary curves"),
+        false => (format!("the curves from u = {from} to u = {to}"), "these"),
+    };
     let error = match why {
+        Unsolvable::Crowded => {
+            let (message, gap) = (plain(CLOSEST), u(between[1]) - u(between[0]));
+            let message = format!(
+                "rings at u = {from} and u = {to} are too near each other to tell the slope between them (mode n = {n} of {name}); expected {message} or more between rings, and from the ends"
+            );
+            Error::new(Code::OutOfRange, path, message).with("least", CLOSEST).with("found", gap)
+        }
         Unsolvable::NoHighestDerivative => {
             Error::new(Code::OutOfRange, path, format!("the equation of {name} needs an s that is not 0, found {s}"))
         }
@@ -216,8 +256,8 @@ fn unsolvable(why: Unsolvable, component: &Component, axis: Axis, n: f64, index:
             Code::ResonantProblem,
             path,
             format!(
-                "component {name}, mode n = {n} is in resonance: with s = {s}, t = {t}, w = {w} the equation oscillates between the two \
-                 boundaries by itself, so the boundary curves do not decide the surface; change s, t, w or n a little"
+                "component {name}, mode n = {n} is in resonance: with s = {s}, t = {t}, w = {w} the equation oscillates between {among} \
+                 by itself, so {curves} do not decide the surface; change s, t, w or n a little"
             ),
         ),
         Unsolvable::Overflow => Error::new(

@@ -21,7 +21,7 @@ impl Surface {
         for (axis, terms) in self.components().iter().enumerate() {
             for term in terms {
                 let k = (term.k * self.span()).abs();
-                let [a, b] = term.equation.suprema::<5, 2>([&term.cos, &term.sin], from, to);
+                let [a, b] = term.beam.suprema::<5, 2>([&term.cos, &term.sin], from, to);
                 let [uu, uuu, uuuu] = [2, 3, 4].map(|order| libm::hypot(a[order], b[order]) * stretch[axis]);
                 for (sum, value) in sums.iter_mut().zip([uu, uuu, uuuu, k * uuu, k * k * uu]) {
                     sum[axis] += value;

@@ -1,13 +1,21 @@
 //! One mode of one component, solved.
 
-use crate::mode::{Equation, ModeSolution};
+use crate::mode::{Beam, Deflection};
 
 /// One `n` of one component.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Term {
     pub(crate) n: f64,
     pub(super) k: f64,
-    pub(crate) equation: Equation,
-    pub(super) cos: ModeSolution,
-    pub(super) sin: ModeSolution,
+    pub(crate) beam: Beam,
+    pub(super) cos: Deflection,
+    pub(super) sin: Deflection,
+}
+
+impl Term {
+    /// The factors of cosine and sine at `u`.
+    pub(crate) fn values(&self, u: f64) -> [f64; 2] {
+        let [[cos], [sin]] = self.beam.jets::<1, 2>([&self.cos, &self.sin], u);
+        [cos, sin]
+    }
 }

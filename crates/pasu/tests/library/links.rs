@@ -149,7 +149,7 @@ fn what_is_wrong_is_said_in_words() {
     let newer = |format: &str| {
         format!("This link was made by a newer version of Pasu (format {format}); this page reads format 1.")
     };
-    let families = r#""second-order", "mixed-order", "fourth-order" or "bloor-wilson""#;
+    let families = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson" or "rings""#;
     for (link, code, path, message) in [
         ("#2/bloor-wilson?a=6", "unknown-version", "", newer("2")),
         ("https://example.org/#7~abc", "unknown-version", "", newer("7")),

@@ -37,7 +37,7 @@ fn check(result: pasu::Result<Design>, given: &str, (code, path, message): (&str
 
 #[test]
 fn documents() {
-    let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson" or "boundary-value""#;
+    let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value" or "rings""#;
     let part = format!(r#"{{ "shape": {SHAPE} }}"#);
     let newer = "This design was made by a newer version of Pasu (format 2); this page reads format 1.";
     let cases: Vec<(String, &str, &str, String)> = vec![
@@ -338,7 +338,7 @@ fn documents() {
             with_mode(r#"{ "n": 1, "cos": { "start_u": 1 } }"#),
             "unknown-field",
             "parts[0].shape.x.modes[0].cos.start_u",
-            "unknown field \"start_u\"; expected one of start, end, force".into(),
+            "unknown field \"start_u\"; expected one of start, end, rings, force".into(),
         ),
         (
             with_mode(&format!(r#"{{ "n": 1, "sin": {{ "force": [{}] }} }}"#, vec!["1"; 513].join(", "))),

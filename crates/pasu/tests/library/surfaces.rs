@@ -2,7 +2,7 @@
 
 use crate::support::{Point, corpus, digits, rate, shape, surface, surface_of};
 use glam::DVec3;
-use pasu::{BoundaryValue, Component, Datum, Equation, Mode, ModeData, Order, Span, Surface, Unsolvable};
+use pasu::{BoundaryValue, Component, Datum, Equation, Free, Mode, ModeData, Order, Span, Surface, Unsolvable};
 use proptest::prelude::*;
 
 /// Positions within 1e-13 of the scale of the case, derivatives within 1e-12 of the largest of the same kind in the case: stricter than
@@ -54,6 +54,7 @@ fn resonance_names_component_and_mode() {
     let resonant = |t: f64| {
         let shape = BoundaryValue {
             span: Span::Tau,
+            rings: Vec::new(),
             x: component(Order::Second, 1.0, 1.0, 0.0, 1.0),
             y: component(Order::Second, 1.0, t, 0.0, 2.0),
             z: component(Order::Second, 1.0, 1.0, 0.0, 0.0),
@@ -83,8 +84,8 @@ fn order_4_resonance_is_refused() {
 }
 
 fn component(order: Order, s: f64, t: f64, w: f64, n: f64) -> Component {
-    let cos = Datum { start: 1.0, end: 0.5, start_u: 0.0, end_u: 0.0, force: Vec::new() };
-    Component { order, s, t, w, modes: vec![Mode { n, cos, sin: Datum::default() }] }
+    let cos = Datum { start: 1.0, end: 0.5, start_u: 0.0, end_u: 0.0, ..Datum::default() };
+    Component { order, s, t, w, free: Free::default(), modes: vec![Mode { n, cos, sin: Datum::default() }] }
 }
 
 /// Equations biased to the hard places: near-equal roots, vanishing parameters, slow and fast rates.
@@ -177,13 +178,14 @@ proptest! {
         let made = |a: f64, b: f64| {
             let datum = |start: f64, end: f64, plus: f64| Datum {
                 start: a * start + plus, end: a * end + plus, start_u: a * 0.4, end_u: a * -0.2, force: vec![a * 0.3, a * 2.0],
+                ..Datum::default()
             };
             let modes = vec![
                 Mode { n: 0.0, cos: datum(1.0, 0.2, b), sin: Datum::default() },
                 Mode { n: 3.0, cos: datum(0.2, 0.1, 0.0), sin: datum(0.3, 0.5, 0.0) },
             ];
-            let component = Component { order: Order::Fourth, s: 1.0, t: 3.0, w: 1.5, modes };
-            let shape = BoundaryValue { span: Span::Tau, x: component.clone(), y: component.clone(), z: component };
+            let component = Component { order: Order::Fourth, s: 1.0, t: 3.0, w: 1.5, free: Free::default(), modes };
+            let shape = BoundaryValue { span: Span::Tau, rings: Vec::new(), x: component.clone(), y: component.clone(), z: component };
             Surface::solve(&shape, "").unwrap().at(u, v).position.x
         };
         let (given, image) = (made(1.0, 0.0), made(scale, shift));

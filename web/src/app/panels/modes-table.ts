@@ -43,6 +43,7 @@ export class PasuModes extends DesignerElement {
       <p class="intro">
         <strong>${modes.lead}</strong> ${AXES.some((axis) => shape[axis].order === 4) ? modes.wavesAndSlopes : modes.waves}
       </p>
+      ${shape.rings === undefined || shape.rings.length === 0 ? nothing : html`<p class="intro">${modes.rings(shape.rings.length)}</p>`}
       ${this.span(shape)} ${AXES.map((axis) => this.component(shape, axis))}
     `;
   }
@@ -124,7 +125,6 @@ export class PasuModes extends DesignerElement {
   }
 
   private mode(shape: BoundaryValue, axis: Axis, mode: Mode, index: number) {
-    const order = shape[axis].order;
     return html`<li>
       <div class="head">
         <span class="cell"><span aria-hidden="true">n</span>${this.number(modes.frequency(index + 1, axis), [axis, "modes", index, "n"], mode.n)}</span>
@@ -141,7 +141,7 @@ export class PasuModes extends DesignerElement {
       ${WAVES.filter((wave) => wave === "cos" || mode.n !== 0).map(
         (wave) => html`<fieldset>
           <legend>${mode.n === 0 ? modes.constant : modes[wave]}</legend>
-          ${datumNames(order).map((name) => {
+          ${datumNames(shape[axis]).map((name) => {
             const label = modes.datumOf(modes.data[name], wave, formatNumber(mode.n), axis);
             return html`<span class="cell"
               ><span aria-hidden="true">${modes.data[name]}</span>${this.number(

@@ -61,9 +61,8 @@ export class PasuOrders extends DesignerElement {
     const { design, part } = this.designer.state;
     const shape = design.parts[part]?.shape;
     if (!shape) return nothing;
-    if (shape.kind === "boundary-value") {
-      return html`<p class="lead">${orders.allFree}</p>`;
-    }
+    if (shape.kind === "boundary-value") return html`<p class="lead">${orders.allFree}</p>`;
+    if (shape.kind === "rings") return html`<p class="lead">${orders.rings}</p>`;
     return html`
       <p class="lead">${orders.lead}</p>
       ${this.problem()}

@@ -36,6 +36,10 @@ export class PasuParameters extends DesignerElement {
     const part = state.design.parts[state.part];
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
+    if (part.shape.kind === "rings") {
+      void import("./rings-table");
+      return html`<pasu-rings .designer=${this.designer}></pasu-rings>`;
+    }
     if (!family) {
       void import("./modes-table");
       return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;

@@ -8,6 +8,11 @@ export const modes = phrases("modes", {
   waves: "Each direction is a sum of waves round the pot: frequency n, with its values at both edges.",
   wavesAndSlopes:
     "Each direction is a sum of waves round the pot: frequency n, with its values at both edges and, for order 4, its slopes.",
+  rings: (count: number) =>
+    plural(count, {
+      one: "It passes through 1 ring between the edges, whose values stay as they are here.",
+      other: `It passes through ${count} rings between the edges, whose values stay as they are here.`,
+    }),
   span: "Length of v",
   spanNumber: "Length of v, number",
   aNumber: "A number",

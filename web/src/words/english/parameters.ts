@@ -203,6 +203,7 @@ export const parameters = phrases("parameters", {
     "fourth-order": "Fourth order",
     "bloor-wilson": "Bloor–Wilson",
     "boundary-value": "Free boundary data",
+    rings: "Rings",
   } satisfies Readonly<Record<Kind, string>>,
   sources: {
     "second-order": "Zhang and You 2001, eqs 1 to 8",

@@ -20,6 +20,7 @@ export const profile = phrases("profile", {
     "level-foot": "The dint vase always ends level at the foot.",
     "no-radius": "There is no first harmonic in x and y, so there is no radius to drag.",
     "lean-order": "The lean needs x and y of order 4.",
+    "free-end": "This end is free: the wall leaves it as it likes.",
     "rise-order": "The rise needs z of order 4.",
   } satisfies Readonly<Record<Restraint, string>>,
   coming: "The section appears with the pot.",

@@ -62,6 +62,7 @@ impl Expanded for BloorWilson {
         let skew = datum((r[1] + r[2], slope[1] + slope[2]), (0.0, 0.0));
         BoundaryValue {
             span: Span::Tau,
+            rings: Vec::new(),
             x: fourth(equation, vec![Mode { n: 1.0, cos: round.clone(), sin: skew.clone() }]),
             y: fourth(equation, vec![Mode { n: 1.0, cos: skew, sin: round }]),
             z: fourth(

@@ -63,6 +63,7 @@ impl Expanded for FourthOrder {
         let wall = datum((self.r0, self.eta[0] * bend), (self.r1, self.eta[1] * bend));
         BoundaryValue {
             span: Span::Tau,
+            rings: Vec::new(),
             x: fourth([self.s[0], self.t[0], self.w[0]], vec![cos(1.0, wall.clone())]),
             y: fourth([self.s[1], self.t[1], self.w[1]], vec![sin(1.0, wall)]),
             z: fourth([1.0; 3], vec![cos(0.0, datum((0.0, self.dz[0]), (self.h1, self.dz[1])))]),

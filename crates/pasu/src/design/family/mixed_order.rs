@@ -48,6 +48,7 @@ impl Expanded for MixedOrder {
         let [x, y] = walls(self.r, self.n, self.force);
         BoundaryValue {
             span: Span::Length(1.0),
+            rings: Vec::new(),
             x: second(self.s[0], self.t[0], x),
             y: second(self.s[1], self.t[1], y),
             z: fourth([1.0; 3], vec![cos(0.0, datum((self.height, self.rise), (0.0, 0.0)))]),

@@ -46,6 +46,7 @@ impl Expanded for SecondOrder {
         let [x, y] = walls(self.r, self.n, self.force);
         BoundaryValue {
             span: Span::Length(1.0),
+            rings: Vec::new(),
             x: second(self.s[0], self.t[0], x),
             y: second(self.s[1], self.t[1], y),
             z: second(1.0, 1.0, vec![cos(0.0, datum((self.height, 0.0), (0.0, 0.0)))]),

@@ -109,26 +109,87 @@ fn family() -> impl Strategy<Value = Value> {
         kind("mixed-order", mixed),
         kind("fourth-order", fourth),
         kind("bloor-wilson", bloor_wilson),
+        kind("rings", rings()),
     ]
 }
 
-fn datum(order: u8) -> impl Strategy<Value = Value> {
+/// So many places inside (0, 1), in ascending order.
+fn places(n: usize) -> impl Strategy<Value = Vec<f64>> {
+    prop::collection::vec(0.01..1.0f64, n + 1).prop_map(|gaps| {
+        let total: f64 = gaps.iter().sum();
+        let ends = gaps.iter().scan(0.0, |u, gap| {
+            *u += gap / total;
+            Some(*u)
+        });
+        ends.take(gaps.len() - 1).collect()
+    })
+}
+
+fn sharp() -> impl Strategy<Value = Vec<Entry>> {
+    some_of(vec![("sharp", any::<bool>().prop_map(Value::Bool).boxed())])
+}
+
+fn series() -> impl Strategy<Value = Value> {
+    let wave = (1u32..40, some_of(vec![("cos", number(60).boxed()), ("sin", number(60).boxed())]));
+    let wave = wave.prop_map(|(n, mut fields)| {
+        fields.push(entry("n", Value::Number(n.into())));
+        Value::Record(fields)
+    });
+    let waves = prop::collection::vec(wave, 0..4).prop_map(Value::List).boxed();
+    (number(60), some_of(vec![("waves", waves)])).prop_map(|(mean, mut fields)| {
+        fields.push(entry("mean", mean));
+        Value::Record(fields)
+    })
+}
+
+fn radius_and_height() -> impl Strategy<Value = Vec<Entry>> {
+    all_of(vec![("r", series().boxed()), ("z", series().boxed())])
+}
+
+fn rings() -> impl Strategy<Value = Vec<Entry>> {
+    let list = (0usize..5).prop_flat_map(|n| {
+        let curves = prop::collection::vec((radius_and_height(), sharp()), n + 2);
+        (places(n), curves).prop_map(|(places, curves)| {
+            let places = [0.0].into_iter().chain(places).chain([1.0]);
+            let rings = places.zip(curves).map(|(u, (mut fields, sharp))| {
+                fields.extend(sharp);
+                fields.push(entry("u", Value::Number(u)));
+                Value::Record(fields)
+            });
+            Value::List(rings.collect())
+        })
+    });
+    let slopes = || radius_and_height().prop_map(Value::Record).boxed();
+    let more = some_of(vec![("a", number(60).boxed()), ("foot", slopes()), ("rim", slopes())]);
+    (list, more).prop_map(|(rings, mut fields)| {
+        fields.push(entry("rings", rings));
+        fields
+    })
+}
+
+/// Of so many rings; slopes are not given at free ends.
+fn datum(order: u8, n_rings: usize, free: &str) -> impl Strategy<Value = Value> {
     let force = prop::collection::vec(awkward(200), 0..6).prop_map(numbers).boxed();
     let mut fields = vec![("force", force), ("start", number(200).boxed()), ("end", number(200).boxed())];
-    if order == 4 {
-        fields.extend([("start_u", number(200).boxed()), ("end_u", number(200).boxed())]);
+    if n_rings > 0 {
+        fields.push(("rings", list(n_rings, 200).boxed()));
+    }
+    for (name, end) in [("start_u", "start"), ("end_u", "end")] {
+        if order == 4 && free != end && free != "both" {
+            fields.push((name, number(200).boxed()));
+        }
     }
     some_of(fields).prop_map(Value::Record)
 }
 
-fn component() -> impl Strategy<Value = Value> {
-    prop::sample::select(vec![2u8, 4]).prop_flat_map(|order| {
-        let mode = (frequency(), some_of(vec![("cos", datum(order).boxed()), ("sin", datum(order).boxed())])).prop_map(
-            |(n, mut fields)| {
-                fields.push(entry("n", Value::Number(n)));
-                Value::Record(fields)
-            },
-        );
+fn component(n_rings: usize) -> impl Strategy<Value = Value> {
+    let free = prop::sample::select(vec!["", "", "start", "end", "both"]);
+    (prop::sample::select(vec![2u8, 4]), free).prop_flat_map(move |(order, free)| {
+        let datum = || datum(order, n_rings, free).boxed();
+        let mode = (frequency(), some_of(vec![("cos", datum()), ("sin", datum())])).prop_map(|(n, mut fields)| {
+            fields.push(entry("n", Value::Number(n)));
+            Value::Record(fields)
+        });
         let modes = prop::collection::vec(mode, 0..6).prop_map(Value::List);
         (not_zero(1, 200), awkward(200), awkward(200), modes).prop_map(move |(s, t, w, modes)| {
             let Value::List(s) = s else { unreachable!("a list") };
@@ -140,6 +201,7 @@ fn component() -> impl Strategy<Value = Value> {
             ];
             if order == 4 {
                 fields.push(entry("w", Value::Number(w)));
+                fields.extend((!free.is_empty()).then(|| entry("free", Value::Text(free.into()))));
             }
             Value::Record(fields)
         })
@@ -149,15 +211,23 @@ fn component() -> impl Strategy<Value = Value> {
 fn general() -> impl Strategy<Value = Value> {
     let span =
         prop_oneof![Just(Value::Text("2pi".into())), Just(Value::Number(TAU)), (0.1..9.0).prop_map(Value::Number)];
-    kind(
-        "boundary-value",
+    let fields = (prop::sample::select(vec![0usize, 0, 1, 3]), span.boxed()).prop_flat_map(|(n, span)| {
+        let rings = (places(n), prop::collection::vec(sharp(), n)).prop_map(|(places, sharp)| {
+            let rings = places.into_iter().zip(sharp).map(|(u, mut fields)| {
+                fields.push(entry("u", Value::Number(u)));
+                Value::Record(fields)
+            });
+            Value::List(rings.collect())
+        });
         all_of(vec![
-            ("span", span.boxed()),
-            ("x", component().boxed()),
-            ("y", component().boxed()),
-            ("z", component().boxed()),
-        ]),
-    )
+            ("span", Just(span).boxed()),
+            ("rings", rings.boxed()),
+            ("x", component(n).boxed()),
+            ("y", component(n).boxed()),
+            ("z", component(n).boxed()),
+        ])
+    });
+    kind("boundary-value", fields)
 }
 
 fn label() -> impl Strategy<Value = Value> {

@@ -36,6 +36,16 @@ pub(crate) fn digits() -> Vec<Case> {
     serde_json::from_str(include_str!("../../reference/digits.json")).expect("the corpus is JSON")
 }
 
+/// `tests/reference/rings.json`: surfaces through rings.
+pub(crate) fn ring_cases() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../reference/rings.json")).expect("the corpus is JSON")
+}
+
+/// `tests/reference/ring-regimes.json`: rings in every regime of the roots, solved by shooting from ring to ring with sixty digits and more; 64 rings with gaps of 1e-4 among them.
+pub(crate) fn ring_regimes() -> Vec<Case> {
+    serde_json::from_str(include_str!("../../reference/ring-regimes.json")).expect("the corpus is JSON")
+}
+
 pub(crate) fn shape(value: &Value) -> Shape {
     Shape::parse(&value.to_string()).unwrap_or_else(|e| panic!("{e}"))
 }

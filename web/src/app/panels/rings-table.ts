@@ -1,0 +1,161 @@
+/** A pot of rings: radius, height and place of each, from the rim to the foot. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { type Path, pathText } from "../../document/path";
+import type { Rings, Shape } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { editShape, setNumber } from "../../state/shape-actions";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base } from "../../ui/styles";
+import { rings as words } from "../../words/english/rings";
+import { whyWords } from "../../words/refusals";
+
+type Hoop = Rings["rings"][number];
+
+@customElement("pasu-rings")
+export class PasuRings extends DesignerElement {
+  override render() {
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    if (shape?.kind !== "rings") return nothing;
+    return html`
+      <p class="intro"><strong>${words.lead}</strong> ${words.about}</p>
+      <span class="cell"
+        ><span aria-hidden="true">${words.smoothing}</span>${this.number(words.smoothing, ["a"], shape.a ?? 1)}</span
+      >
+      <ol>
+        ${shape.rings.map((hoop, index) => this.hoop(hoop, index, shape.rings.length - 1)).reverse()}
+      </ol>
+    `;
+  }
+
+  private hoop(hoop: Hoop, index: number, last: number) {
+    const name = index === 0 ? words.foot : index === last ? words.rim : words.ring(index);
+    const between = index > 0 && index < last;
+    const waves = (hoop.r.waves?.length ?? 0) + (hoop.z.waves?.length ?? 0);
+    const cell = (label: string, path: Path, value: number) => html`<span class="cell"
+      ><span aria-hidden="true">${label}</span>${this.number(words.of(label, name), path, value)}</span
+    >`;
+    return html`<li>
+      <h3>${name}${waves === 0 ? nothing : html` <span>${words.waves(waves)}</span>`}</h3>
+      <div class="numbers">
+        ${cell(words.radius, ["rings", index, "r", "mean"], hoop.r.mean)}
+        ${cell(words.height, ["rings", index, "z", "mean"], hoop.z.mean)}
+        ${between ? cell(words.place, ["rings", index, "u"], hoop.u) : nothing}
+      </div>
+      ${
+        between
+          ? html`<label>
+              <input
+                type="checkbox"
+                .checked=${hoop.sharp ?? false}
+                @change=${(event: Event) => this.sharpen(index, (event.target as HTMLInputElement).checked)}
+              />
+              ${words.sharp}
+            </label>`
+          : nothing
+      }
+    </li>`;
+  }
+
+  private number(label: string, path: Path, value: number) {
+    const { designer } = this;
+    return html`<pasu-number
+      compact
+      .label=${label}
+      .value=${value}
+      .step=${0.1}
+      .problem=${this.problemOf(path)}
+      @number-change=${(event: NumberChangeEvent) =>
+        designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
+      @number-done=${() => designer.store.endGesture()}
+    ></pasu-number>`;
+  }
+
+  private problemOf(path: Path): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
+  }
+
+  private sharpen(index: number, sharp: boolean): void {
+    const change = (shape: Shape) => {
+      if (shape.kind !== "rings") return shape;
+      const rings = shape.rings.map((hoop, at) => (at === index ? withSharp(hoop, sharp) : hoop));
+      return { ...shape, rings };
+    };
+    this.designer.apply(editShape(this.designer.state, change));
+  }
+
+  static override readonly styles = [
+    base,
+    css`
+      :host {
+        display: block;
+      }
+      .intro {
+        padding-bottom: 8px;
+        color: var(--soft);
+      }
+      .intro strong {
+        color: var(--ink);
+      }
+      ol {
+        display: grid;
+        gap: 10px;
+        margin: 10px 0;
+        padding: 0;
+        list-style: none;
+      }
+      li {
+        padding: 8px 12px 12px;
+        border-radius: 12px;
+        background: var(--well);
+      }
+      h3 {
+        padding: 2px 0 6px;
+        font-size: 0.95rem;
+        font-weight: 650;
+      }
+      h3 span {
+        color: var(--soft);
+        font-weight: 400;
+      }
+      .numbers {
+        display: grid;
+        grid-template-columns: repeat(3, minmax(0, 1fr));
+        gap: 6px 8px;
+      }
+      .cell {
+        display: grid;
+        gap: 3px;
+        min-width: 0;
+        color: var(--soft);
+        font-size: 0.82rem;
+      }
+      .cell pasu-number {
+        padding: 0;
+        color: var(--ink);
+        font-size: 0.94rem;
+      }
+      label {
+        display: inline-flex;
+        align-items: center;
+        gap: 8px;
+        min-height: var(--touch);
+      }
+    `,
+  ];
+}
+
+function withSharp({ sharp: _sharp, ...hoop }: Hoop, sharp: boolean): Hoop {
+  return sharp ? { ...hoop, sharp } : hoop;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-rings": PasuRings;
+  }
+}
