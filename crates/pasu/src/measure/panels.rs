@@ -12,11 +12,8 @@ use crate::watch;
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
 
-/// The most places of a wall's side at which an integrand is taken, and as much time on any other face.
+/// The most places of a wall's side at which an integrand is taken, and as much time on any other face. Where there are more at first, several cells are one panel however rough they are, and the rules differ by what they miss of that.
 const MOST_PLACES: usize = 3_000_000;
-
-/// The most of these at first: where there are more cells, several are one panel however rough they are, the rules differ by what they miss of that, and no more places are taken than these.
-const FIRST_PLACES: usize = 1_300_000;
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
@@ -149,11 +146,6 @@ fn is_patient(accuracy: &Accuracy) -> bool {
     accuracy.seamed < SEAMED
 }
 
-/// The most places where so many cells each way are one panel at first.
-fn most_places(together: usize) -> usize {
-    if together > 1 { FIRST_PLACES } else { MOST_PLACES }
-}
-
 /// A place of a column that is sought by itself takes so many times as long as one of a row,
 const ALONE: usize = 2;
 
@@ -164,7 +156,7 @@ const BEGINNING: usize = 40;
 fn together_at_first(n_panels: usize, accuracy: &Accuracy, cost: usize) -> usize {
     let places = n_panels.saturating_mul(places_of_a_panel(&rules(accuracy))).saturating_mul(cost);
     let mut together = 1usize;
-    while !is_patient(accuracy) && places / (together * together) > FIRST_PLACES {
+    while !is_patient(accuracy) && places / (together * together) > MOST_PLACES {
         together *= 2;
     }
     together
@@ -252,7 +244,7 @@ pub(crate) fn between_rows<const N: usize>(
             .map(|pair| band(pair[0], pair[1], level, false).0)
             .collect()
     };
-    let most = most_places(together) / seams.cost;
+    let most = MOST_PLACES / seams.cost;
     let mut taken = 0;
     loop {
         let mut total = Integral::<N>::default();
@@ -312,9 +304,7 @@ pub(crate) fn over_columns<const N: usize>(
     let first = first_level(breaks, accuracy).max(0);
     let cost = ALONE * n_rows + BEGINNING;
     let n_panels = breaks.len().saturating_mul(cost) << first;
-    let together = together_at_first(n_panels, accuracy, 1);
-    let most_places = most_places(together);
-    let together = together.ilog2() as Level;
+    let together = together_at_first(n_panels, accuracy, 1).ilog2() as Level;
     let places = at_level(breaks, first - together);
     let ends: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
     let mut gaps = over(&ends, -together);
@@ -336,7 +326,7 @@ pub(crate) fn over_columns<const N: usize>(
             core::array::from_fn(|i| above_rounding(difference[i].abs().max(libm::sqrt(squares[i])), total.size[i]));
         let allowed: [f64; N] = core::array::from_fn(|i| accuracy.seamed * total.size[i].max(at_least[i]));
         let is_done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        if is_done || n_taken > MOST_COLUMNS || n_places > most_places || watch::is_stopped() {
+        if is_done || n_taken > MOST_COLUMNS || n_places > MOST_PLACES || watch::is_stopped() {
             for (error, of_rule) in total.error.iter_mut().zip(of_rule) {
                 *error += of_rule;
             }
