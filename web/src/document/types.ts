@@ -91,6 +91,8 @@ export type Quantity = Frozen<pasu.Quantity>;
 /** What was measured; `docs/measures.md` says what each means. */
 export type Measures = Frozen<pasu.Measures>;
 export type PartMeasures = Frozen<pasu.PartMeasures>;
+/** Why there is something not. */
+export type Cause = Frozen<pasu.Cause>;
 export type Curvature = PartMeasures["curvature"]["mean"];
 export type Capacity = Frozen<pasu.Capacity>;
 /** What the checks found of the very triangles that a file holds. */

@@ -12,6 +12,7 @@ import type { gallery } from "./english/gallery";
 import type { help } from "./english/help";
 import type { link } from "./english/link";
 import type { look } from "./english/look";
+import type { making } from "./english/making";
 import type { maps } from "./english/maps";
 import type { measures } from "./english/measures";
 import type { modes } from "./english/modes";
@@ -41,6 +42,7 @@ export interface Catalogue {
   readonly help: typeof help;
   readonly link: typeof link;
   readonly look: typeof look;
+  readonly making: typeof making;
   readonly maps: typeof maps;
   readonly measures: typeof measures;
   readonly modes: typeof modes;

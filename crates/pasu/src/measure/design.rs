@@ -3,10 +3,12 @@
 use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
 use super::curvature::{Curvature, curvature};
+use super::dry::Dry;
 use super::fill::Filling;
 use super::finite::{refuse_infinite, refuse_infinite_part};
 use super::measures::{
-    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+    Body, Cause, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures,
+    ThicknessRange, Width,
 };
 use super::moments::{Moments, area, enclosed};
 use super::outside::{Outside, Spot, columns};
@@ -160,7 +162,11 @@ pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Resu
                     }
                 }
             }
-            sum.ok_or_else(|| Error::new(Code::NoRoom, "size.capacity", reason.unwrap_or_default()))
+            sum.ok_or_else(|| {
+                let message = reason.as_ref().map_or("", |dry: &Dry| &dry.message);
+                let error = Error::new(Code::NoRoom, "size.capacity", message);
+                reason.iter().fold(error, |error, dry| error.with("what", dry.cause.code))
+            })
         }
     }
 }
@@ -242,14 +248,14 @@ fn part_measures(
         }
     }
     watch::go_on()?;
-    let mut capacity_reason = None;
+    let mut dry = None;
     let vessel = taken.vessel(part.wall.is_some(), options.product);
     match vessel.and_then(|vessel| vessel.capacity(&accuracy, options.fill)) {
         Ok((capacity, Filling { moments, .. })) => {
             body.capacity = Some(capacity);
             share.water = Some(moments.scaled(WATER * cubic_centimetre));
         }
-        Err(reason) => capacity_reason = Some(reason),
+        Err(reason) => dry = Some(reason),
     }
     watch::go_on()?;
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
@@ -262,7 +268,9 @@ fn part_measures(
             body,
             is_pot: taken.pot.is_ok(),
             reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
-            capacity_reason,
+            capacity_reason: dry.as_ref().map(|dry| dry.message.clone()),
+            cause: taken.pot.as_ref().err().map(Cause::from),
+            capacity_cause: dry.map(|dry| dry.cause),
             thickness,
             overhang: outside.overhang(is_wall).and_then(overhang),
             overhang_inside: lining.and_then(overhang),

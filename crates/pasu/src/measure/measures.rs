@@ -7,6 +7,7 @@ use super::quantity::Quantity;
 use super::standing::{Footprint, Tipping};
 use crate::answer::answers;
 use crate::design::{Unit, to_json};
+use crate::error::Args;
 use crate::face::FaceKind;
 use crate::solid::Product;
 
@@ -110,6 +111,10 @@ answers! {
         pub reason: Option<String>,
         /// Why it holds nothing, in words; `None` where it holds something.
         pub capacity_reason: Option<String>,
+        /// Why it is no pot, for whoever says it in another language: what would be refused; `None` where it is one.
+        pub cause: Option<Cause>,
+        /// The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, or `dry` where no water stays in this position.
+        pub capacity_cause: Option<Cause>,
         /// The thickness of the wall along the normal.
         pub thickness: Option<ThicknessRange>,
         /// The largest overhang of the outside.
@@ -118,6 +123,16 @@ answers! {
         pub overhang_inside: Option<Overhang>,
         /// Curvature of the design surface.
         pub curvature: Curvature,
+    }
+
+    /// Why there is something not, without the sentence.
+    pub struct Cause as "Cause" {
+        /// A stable kebab-case word.
+        pub code: &'static str,
+        /// What of the design it is about, such as `parts[0].wall.foot`; `None` where that is no single field.
+        pub path: Option<String>,
+        /// What the sentence names, as [`Error::args`](crate::Error::args) has it.
+        pub args: Args,
     }
 
     /// How thick a wall is.

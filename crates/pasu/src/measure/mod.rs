@@ -6,6 +6,7 @@ mod capacity;
 mod column;
 mod curvature;
 mod design;
+mod dry;
 mod fill;
 mod filled;
 mod finite;
@@ -35,7 +36,8 @@ pub use filled::WaterSurface;
 pub(crate) use filled::filled;
 pub use loads::Loads;
 pub use measures::{
-    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
+    Body, Cause, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures,
+    ThicknessRange, Width,
 };
 pub(crate) use outside::{hull, lean, least_width};
 pub use paint::{Map, paint};

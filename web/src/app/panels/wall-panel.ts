@@ -133,7 +133,7 @@ export class PasuWall extends DesignerElement {
     const { made, state, surface } = this.designer;
     const path = pathText(["parts", state.part, "wall", ...field.path]);
     const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
-    return named ? whyWords(named) : "";
+    return named ? whyWords(named, unitOf(state.design)) : "";
   }
 
   static override readonly styles = [
