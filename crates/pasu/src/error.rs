@@ -51,9 +51,6 @@ pub enum Arg {
 /// What a finding or a reason names, each under its name, as [`Error::args`] of an error.
 pub(crate) type Args = BTreeMap<&'static str, Arg>;
 
-#[cfg(feature = "typescript")]
-crate::answer::known_as!(Args, "PasuErrorArgs");
-
 impl PartialEq for Arg {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {

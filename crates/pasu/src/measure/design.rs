@@ -2,13 +2,13 @@
 
 use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
+use super::cause::Cause;
 use super::curvature::{Curvature, curvature};
 use super::dry::Dry;
 use super::fill::Filling;
 use super::finite::{refuse_infinite, refuse_infinite_part};
 use super::measures::{
-    Body, Cause, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures,
-    ThicknessRange, Width,
+    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
 use super::moments::{Moments, area, enclosed};
 use super::outside::{Outside, Spot, columns};

@@ -1,6 +1,6 @@
 //! Why something holds no water.
 
-use super::measures::Cause;
+use super::cause::Cause;
 use crate::error::{Args, Error};
 
 /// The reason, in words and for whoever says it in others.
@@ -21,12 +21,5 @@ impl Dry {
 impl From<&Error> for Dry {
     fn from(error: &Error) -> Dry {
         Dry { message: error.message().to_owned(), cause: Cause::from(error) }
-    }
-}
-
-impl From<&Error> for Cause {
-    fn from(error: &Error) -> Cause {
-        let (code, path, args) = error.cause();
-        Cause { code, path, args }
     }
 }

@@ -1,13 +1,13 @@
 //! Everything that is measured on a design, in one structure.
 
 use super::capacity::Capacity;
+use super::cause::Cause;
 use super::curvature::Curvature;
 use super::loads::Loads;
 use super::quantity::Quantity;
 use super::standing::{Footprint, Tipping};
 use crate::answer::answers;
 use crate::design::{Unit, to_json};
-use crate::error::Args;
 use crate::face::FaceKind;
 use crate::solid::Product;
 
@@ -123,16 +123,6 @@ answers! {
         pub overhang_inside: Option<Overhang>,
         /// Curvature of the design surface.
         pub curvature: Curvature,
-    }
-
-    /// Why there is something not, without the sentence.
-    pub struct Cause as "Cause" {
-        /// A stable kebab-case word.
-        pub code: &'static str,
-        /// What of the design it is about, such as `parts[0].wall.foot`; `None` where that is no single field.
-        pub path: Option<String>,
-        /// What the sentence names, as [`Error::args`](crate::Error::args) has it.
-        pub args: Args,
     }
 
     /// How thick a wall is.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod bare;
 mod capacity;
+mod cause;
 mod column;
 mod curvature;
 mod design;
@@ -29,6 +30,7 @@ mod water;
 mod widths;
 
 pub use capacity::{Capacity, Fill, Spill};
+pub use cause::Cause;
 pub use curvature::{Curvature, CurvatureRange, Located};
 pub use design::measure;
 pub(crate) use design::{Gauge, gauge};
@@ -36,8 +38,7 @@ pub use filled::WaterSurface;
 pub(crate) use filled::filled;
 pub use loads::Loads;
 pub use measures::{
-    Body, Cause, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures,
-    ThicknessRange, Width,
+    Body, Centre, ClayMeasures, LeastThickness, MeasureOptions, Measures, Overhang, PartMeasures, ThicknessRange, Width,
 };
 pub(crate) use outside::{hull, lean, least_width};
 pub use paint::{Map, paint};
