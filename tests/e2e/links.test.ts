@@ -186,3 +186,40 @@ test("a link to what is already on the stage asks nothing", async () => {
   await pot.shows(mine);
   expect(await pot.page.getByRole("dialog").count()).toBe(0);
 });
+
+test("a link that is dropped or pasted is looked at as it says, like one that is opened", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  const link = (query: string, design: string) => `${here.site.url}?${query}#${design}`;
+  const give = async (type: "drop" | "paste", text: string) =>
+    await pot.page.evaluate(
+      ([event, given]) => {
+        const data = new DataTransfer();
+        data.setData("text/plain", given);
+        const app = document.querySelector("pasu-app");
+        const options = { bubbles: true, cancelable: true, composed: true };
+        if (event === "paste") app?.dispatchEvent(new ClipboardEvent("paste", { ...options, clipboardData: data }));
+        else app?.dispatchEvent(new DragEvent("drop", { ...options, dataTransfer: data }));
+      },
+      [type, text] as const,
+    );
+  const shown = async () => {
+    await pot.button("Overlays").click();
+    const checked = await pot.page
+      .getByRole("checkbox", { checked: true })
+      .evaluateAll((all) => all.map((each) => (each as HTMLElement).closest("label")?.innerText.trim()));
+    await pot.page.keyboard.press("Escape");
+    return checked;
+  };
+  await give("drop", link("view=90,90,1&cut=0&show=wireframe&map=none", "1/second-order?height=4"));
+  const second = await pot.fingerprintOtherThan(first);
+  await expect.poll(shown).toEqual(["Wireframe"]);
+  await give("paste", `See ${link("view=10,80,2&cut=0&show=isoU,axes&map=overhang", "1/second-order?height=5")}`);
+  await pot.fingerprintOtherThan(second);
+  await expect.poll(shown).toHaveLength(2);
+  await pot.tab("Measures");
+  expect(await pot.page.getByLabel("Colours show").inputValue()).toBe("overhang");
+  // What is no link is left to whoever it was meant for.
+  await give("paste", "milk, eggs");
+  expect(await pot.page.getByRole("alert").count()).toBe(0);
+});

@@ -3,8 +3,9 @@
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { countUploads, type PartBehind, type StageBehind, stageOf, uploads } from "../support/on-stage.ts";
+import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import type { Visit, VisitOptions } from "../support/visit.ts";
+import { SHARP, type Visit, type VisitOptions } from "../support/visit.ts";
 
 const here = stay();
 
@@ -262,4 +263,27 @@ test("of twenty parts the one whose slider is dragged travels to the graphics ca
   await rest();
   expect(await uploads(pot)).toEqual({ pieces: 0, bytes: 0 });
   expect(pot.troubles).toEqual([]);
+});
+
+test("the selected part is outlined on the stage, and not in pictures", async () => {
+  const { pot } = await three(SHARP);
+  const stage = await stageOf(pot);
+  const picture = async () =>
+    await stage.evaluate(async (it) => {
+      const blob = await it.picture(300, 200);
+      return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
+    });
+  const [plain, photograph] = [await stagePicture(pot), await picture()];
+  await options(pot).nth(1).click();
+  expect(await selected(pot)).toBe("Lid");
+  await expect.poll(async () => (await stagePicture(pot)).equals(plain), { timeout: 20_000 }).toBe(false);
+  const marked = await stagePicture(pot);
+  // An outline, no tint: little of what is seen is different, and that plainly.
+  const { mean, share } = difference(plain, marked);
+  expect(share).toBeLessThan(0.05);
+  expect(mean / share).toBeGreaterThan(40);
+  expect(await picture()).toBe(photograph);
+  // Another part has it then; of one part alone there is none.
+  await options(pot).nth(2).click();
+  await expect.poll(async () => (await stagePicture(pot)).equals(marked), { timeout: 20_000 }).toBe(false);
 });

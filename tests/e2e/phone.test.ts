@@ -1,59 +1,11 @@
 // On a phone: nothing hangs over the edge, and every control can be reached and is large enough to press.
 
 import { expect, test } from "vitest";
+import { overhang, unreachable } from "../support/reach.ts";
 import { stay } from "../support/stay.ts";
-import { PHONE, type Visit } from "../support/visit.ts";
+import { PHONE } from "../support/visit.ts";
 
 const here = stay();
-
-/** The largest width that anything on the page needs beyond the window's. */
-async function overhang(pot: Visit): Promise<number> {
-  return await pot.page.evaluate(() => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth);
-}
-
-/** Controls that cannot be pressed: hidden behind something, outside the window or smaller than 24 pixels (WCAG 2.5.8). */
-async function unreachable(pot: Visit): Promise<string[]> {
-  return await pot.page.evaluate(async () => {
-    const controls: HTMLElement[] = [];
-    const collect = (root: Document | ShadowRoot) => {
-      for (const element of root.querySelectorAll<HTMLElement>("*")) {
-        if (element.matches("button, input, select, summary, a[href], [role=tab], g[role=button]"))
-          controls.push(element);
-        if (element.shadowRoot) collect(element.shadowRoot);
-      }
-    };
-    collect(document);
-    const deepest = (x: number, y: number) => {
-      let hit = document.elementFromPoint(x, y);
-      for (let inner = hit; inner?.shadowRoot; hit = inner) {
-        const next: Element | null = inner.shadowRoot.elementFromPoint(x, y);
-        if (!next || next === inner) break;
-        inner = next;
-        hit = next;
-      }
-      return hit;
-    };
-    const problems: string[] = [];
-    for (const control of controls) {
-      const pressed = control.closest("label") ?? control;
-      if (!pressed.checkVisibility({ visibilityProperty: true }) || control.matches(":disabled, .skip")) continue;
-      pressed.scrollIntoView({ block: "center", inline: "nearest" });
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      const box = pressed.getBoundingClientRect();
-      if (box.width === 0 || box.height === 0) continue;
-      const name = control.getAttribute("aria-label") ?? control.textContent?.trim() ?? control.tagName;
-      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-      if (box.width < 24 || box.height < 24) problems.push(`${name}: ${box.width} × ${box.height}`);
-      if (box.left < 0 || box.right > innerWidth + 0.5) problems.push(`${name}: outside the window`);
-      const hit = deepest(x, y);
-      if (!hit || !(pressed.contains(hit) || hit.contains(pressed))) {
-        problems.push(`${name}: covered by ${hit?.tagName.toLowerCase() ?? "nothing"}.${hit?.className ?? ""}`);
-      }
-    }
-    if (controls.length < 10) problems.push("there are hardly any controls");
-    return problems;
-  });
-}
 
 test.each([390, 320])(
   "%d pixels wide, every panel fits and every control can be pressed",

@@ -121,6 +121,87 @@ test("parameters show in the page's order, and a slider tells the link of what w
   expect(await findings(guest)).toEqual([]);
 });
 
+/** How many vertices the mesh on the screen has. */
+const fineness = (there: Page) =>
+  there.evaluate(() => {
+    const { solved } = document.querySelector("pasu-pot") as unknown as {
+      solved: { parts: readonly { mesh: { positions: Float32Array } }[] } | null;
+    };
+    return (solved?.parts[0]?.mesh.positions.length ?? 0) / 3;
+  });
+
+test("every name in controls that is none is told once, and again when controls says it again", async () => {
+  const pot = '<pasu-pot src="#1/bloor-wilson" alt="A vase"></pasu-pot>';
+  const guest = await here.open(page(pot));
+  await loaded(guest);
+  const heard = await listen(guest.page, "error");
+  const set = (controls: string) =>
+    guest.page.evaluate(async (next) => {
+      const element = document.querySelector("pasu-pot") as Pot & {
+        requestUpdate(): void;
+        updateComplete: Promise<unknown>;
+      };
+      element.controls = next;
+      await element.updateComplete;
+      for (let i = 0; i < 3; i += 1) {
+        element.requestUpdate();
+        await element.updateComplete;
+      }
+    }, controls);
+  const codes = async () => (await heard()).map(({ detail }) => (detail as { path: string }).path);
+  await set("a teapot kettle");
+  expect(await codes()).toEqual(["controls", "controls"]);
+  await set("n1 teapot");
+  expect(await codes()).toEqual(["controls", "controls", "controls"]);
+});
+
+test("what a hand takes back is drawn as finely as before", async () => {
+  const pot = '<pasu-pot src="#1/bloor-wilson?n1=5" controls="a" alt="A vase"></pasu-pot>';
+  const guest = await here.open(page(pot, "pasu-pot { width: 600px; height: 500px }"));
+  const slider = guest.page.getByRole("slider").first();
+  await slider.waitFor();
+  await loaded(guest);
+  const fine = await fineness(guest.page);
+  const heard = await listen(guest.page, "input", "change", "load", "error");
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("the slider cannot be seen");
+  await guest.page.mouse.move(box.x + 0.3 * box.width, box.y + box.height / 2);
+  await guest.page.mouse.down();
+  await guest.page.mouse.move(box.x + 0.7 * box.width, box.y + box.height / 2, { steps: 4 });
+  await expect.poll(() => fineness(guest.page)).toBeLessThan(fine);
+  // As when the system takes the pointer away.
+  await slider.dispatchEvent("pointercancel");
+  await expect.poll(() => fineness(guest.page)).toBe(fine);
+  expect(await linkOf(guest.page)).toBe("#1/bloor-wilson?n1=5");
+  expect((await heard()).every(({ type }) => type === "input")).toBe(true);
+});
+
+test("without src there is no pot, and there is one again with the next", async () => {
+  const poster = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E";
+  const guest = await here.open(
+    page(`<pasu-pot src="#1/second-order" controls="height" poster="${poster}"></pasu-pot>`),
+  );
+  await loaded(guest);
+  const there = guest.page;
+  for (const without of ["removed", "empty"]) {
+    await there.evaluate((how) => {
+      const pot = document.querySelector("pasu-pot") as Pot;
+      if (how === "removed") pot.removeAttribute("src");
+      else pot.setAttribute("src", "");
+    }, without);
+    await expect.poll(() => there.evaluate(() => (document.querySelector("pasu-pot") as Pot).loaded)).toBe(false);
+    expect(await linkOf(there)).toBe(null);
+    expect(await there.evaluate(() => (document.querySelector("pasu-pot") as Pot).design)).toBe(null);
+    expect(await fineness(there)).toBe(0);
+    expect(await there.getByRole("slider").count()).toBe(0);
+    expect(await there.locator("pasu-pot .poster").isVisible()).toBe(true);
+    expect(await there.locator("pasu-pot .wheel").count()).toBe(0);
+    await there.evaluate(() => document.querySelector("pasu-pot")?.setAttribute("src", "#1/second-order?height=3"));
+    await expect.poll(() => linkOf(there)).toBe("#1/second-order?height=3");
+    await expect.poll(() => there.evaluate(() => (document.querySelector("pasu-pot") as Pot).loaded)).toBe(true);
+  }
+});
+
 test("the wheel scrolls the page, and zooms with the control key or once the pot has the focus", async () => {
   const style = "body { height: 3000px } pasu-pot { width: 500px; height: 400px }";
   const guest = await here.open(page('<pasu-pot src="#1/second-order"></pasu-pot>', style));

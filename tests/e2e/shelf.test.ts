@@ -86,6 +86,32 @@ test.each<[string, VisitOptions]>([
   await pot.shows(tall);
 });
 
+test("what was deleted can be taken back when the shelf is closed", async () => {
+  const pot = await here.enter({ link: "#1/second-order?title=Cup" });
+  await pot.fingerprint();
+  await pot.command("My designs");
+  const shelf = pot.page.locator("pasu-shelf");
+  await shelf.getByRole("button", { name: "Save to the shelf" }).click();
+  await shelf.getByRole("button", { name: "Delete “Cup”" }).click();
+  await shelf.getByText("“Cup” is deleted.").waitFor();
+  await pot.page.keyboard.press("Escape");
+  await shelf.waitFor({ state: "detached" });
+  const toast = pot.page.locator("pasu-app .toast");
+  await toast.getByText("“Cup” is deleted.").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await toast.getByRole("button", { name: "Undo" }).click();
+  await toast.getByText("Taken back.").waitFor();
+  expect(await toast.getByRole("button").count()).toBe(0);
+  await pot.command("My designs");
+  await shelf.getByRole("button", { name: "Open “Cup”" }).waitFor();
+  // What takes nothing away is not told again.
+  await shelf.getByRole("button", { name: "Duplicate “Cup”" }).click();
+  await shelf.getByText("There are two of “Cup” now.").waitFor();
+  await pot.page.keyboard.press("Escape");
+  await shelf.waitFor({ state: "detached" });
+  expect(await toast.getByText("There are two").count()).toBe(0);
+});
+
 test("where nothing can be stored the shelf says so", async () => {
   const before = async ({ context }: Visit) => {
     await context.addInitScript(() => {

@@ -36,7 +36,13 @@ beforeEach(async () => {
         revision,
         mesh: { ...whole, positions: whole.positions.slice(), normals: whole.normals.slice() },
         matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, place * 1.5 * width, 0, 0, 1],
-        look: { glaze: place % 2 ? "cobalt" : "shino", clay: "stoneware" },
+        span: [num(whole.bounds.min, 2), num(whole.bounds.max, 2)],
+        look: {
+          glaze: place % 2 ? "cobalt" : "shino",
+          inside: place % 2 ? "cobalt" : "shino",
+          line: 0,
+          clay: "stoneware",
+        },
       }),
       bounds: (count: number) => {
         const [min, max] = [[...whole.bounds.min], [...whole.bounds.max]];

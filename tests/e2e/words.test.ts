@@ -85,7 +85,7 @@ test.each<[string, VisitOptions]>([
     await pot.page.locator("pasu-captions p").first().waitFor();
     await page.check("the orders, two side by side");
     await page.tab("Look");
-    await pot.page.locator("pasu-look select").waitFor();
+    await pot.page.locator("pasu-look select").first().waitFor();
     await page.check("the look");
     await page.tab("Wall");
     await page.check("the wall of a surface");

@@ -145,6 +145,48 @@ test("a vase comes in another order, and a hand learns what it drags, from both 
   });
 });
 
+test("a point that is pulled comes along, or tells how far it stayed behind", async () => {
+  await inFreshProject((project) => {
+    const printed = run(
+      project,
+      "pull.mjs",
+      `
+      import assert from "node:assert/strict";
+      import init, * as pasu from "pasu";
+      await init();
+      const [x, y, z] = pasu.evaluate("#1/fourth-order", 0, [0.5, 0]);
+      const hand = { at: [0.5, 0], to: [x + 0.3, y, z], keep: ["r0"] };
+      const design = pasu.pull("#1/fourth-order", 0, hand);
+      const moved = pasu.evaluate(design, 0, hand.at);
+      assert.ok(Math.hypot(moved[0] - x - 0.3, moved[1] - y, moved[2] - z) < 1e-9);
+      assert.deepEqual(pasu.parse(design), design);
+      assert.equal(design.parts[0].shape.r0, 0.4);
+      const { design: same, behind } = pasu.pulled("#1/fourth-order", 0, { ...hand, to: Float64Array.of(x + 0.3, y + 0.2, z) });
+      assert.ok(Math.abs(behind - 0.2) < 1e-9);
+      assert.deepEqual(same, design);
+      const spout = { at: [1, 0], to: [3.4, 0, 20.5], width: 0.8 };
+      const jug = pasu.pulled("#1/rings", 0, spout);
+      assert.deepEqual(jug.at, [1, 0]);
+      const lip = pasu.evaluate(jug.design, 0, jug.at);
+      assert.ok(Math.hypot(lip[0] - 3.4, lip[1], lip[2] - 20.5) < 1e-9);
+      const refused = (hand, code, path) =>
+        assert.throws(() => pasu.pull("#1/fourth-order", 0, hand), { name: "PasuError", code, path });
+      refused(undefined, "wrong-type", "hand");
+      refused({ to: [0, 0, 0] }, "missing-field", "at");
+      refused({ at: [0.5], to: [0, 0, 0] }, "wrong-type", "at");
+      refused({ ...hand, to: [0, 0, NaN] }, "not-finite", "to[2]");
+      refused({ ...hand, at: [2, 0] }, "no-such-point", "at[0]");
+      refused({ ...hand, petals: 1.5 }, "wrong-type", "petals");
+      refused({ ...hand, petals: 4294967295 }, "out-of-range", "petals");
+      refused({ ...hand, keep: ["belly"] }, "unknown-name", "keep[0]");
+      refused({ ...hand, sideways: 1 }, "unknown-field", "sideways");
+      console.log("pulled");
+      `,
+    );
+    assert.equal(printed, "pulled\n");
+  });
+});
+
 test("a refusal says where in space the pot went wrong", async () => {
   await inFreshProject(async (project) => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);

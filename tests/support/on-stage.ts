@@ -20,7 +20,8 @@ export interface PartBehind {
   readonly revision: number;
   readonly mesh: MeshBehind;
   readonly matrix: readonly number[];
-  readonly look: { readonly glaze: string; readonly clay: string };
+  readonly look: { readonly glaze: string; readonly inside: string; readonly line: number; readonly clay: string };
+  readonly span: readonly [low: number, high: number];
   readonly hidden?: boolean;
 }
 

@@ -90,6 +90,23 @@ export function brightness(png: Buffer): number {
   return rgb.reduce((sum, each) => sum + each, 0) / rgb.length;
 }
 
+/** The mean colour of a piece of a picture, whose sides are shares of its width and height. */
+export function colour(
+  png: Buffer,
+  [left, top, right, bottom]: readonly [number, number, number, number],
+): readonly [red: number, green: number, blue: number] {
+  const { width, height, rgb } = pixels(png);
+  const sum: [number, number, number] = [0, 0, 0];
+  let count = 0;
+  for (let y = Math.floor(top * height); y < bottom * height; y += 1) {
+    for (let x = Math.floor(left * width); x < right * width; x += 1) {
+      for (const k of [0, 1, 2] as const) sum[k] += rgb[3 * (y * width + x) + k] ?? 0;
+      count += 1;
+    }
+  }
+  return [sum[0] / count, sum[1] / count, sum[2] / count];
+}
+
 /** Reads a PNG of 8-bit RGB or RGBA, as browsers write them. */
 function pixels(png: Buffer): { readonly width: number; readonly height: number; readonly rgb: Buffer } {
   const width = png.readUInt32BE(16);

@@ -9,8 +9,6 @@ export const PSEUDO = "?lang=en-XA";
 const EXCUSED = [
   "This link is damaged or cut short \\([^)]*\\); copy it once more, from its first to its last letter\\.",
   "This is neither a design nor a link to one: .*; a link looks like .*\\.",
-  "This part has no wall: expected one with thickness and base to make it a pot, or the solid as product\\.",
-  "The base within the foot ring is a ceiling, [^:]*: printers bridge it or need support\\.?",
   "second-order, mixed-order, fourth-order, bloor-wilson, or boundary-value",
   "“[^”]*”",
 ];

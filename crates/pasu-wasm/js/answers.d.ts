@@ -1,6 +1,6 @@
 // Generated from the structures of the Rust crate `pasu`. Do not edit.
 
-import type { FaceKind, Point, Product, Unit, Wall } from "./pasu.js";
+import type { Design, FaceKind, PasuErrorArgs, Point, Product, Unit, Wall } from "./pasu.js";
 
 /** A value with a bound on its error, both in the same unit. The error is an estimate on the safe side: what the last refinement changed, and the rounding of the sums. It covers the quadrature and the search, not the clay. */
 export interface Quantity {
@@ -148,6 +148,10 @@ export interface PartMeasures extends BodyMeasures {
   readonly reason: string | null;
   /** Why it holds nothing, in words; null where it holds something. */
   readonly capacityReason: string | null;
+  /** Why it is no pot, for whoever says it in another language: what would be refused; null where it is one. */
+  readonly cause: Cause | null;
+  /** The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, or `dry` where no water stays in this position. */
+  readonly capacityCause: Cause | null;
   /** The thickness of the wall along the normal. */
   readonly thickness: ThicknessRange | null;
   /** The largest overhang of the outside. */
@@ -156,6 +160,16 @@ export interface PartMeasures extends BodyMeasures {
   readonly overhangInside: Overhang | null;
   /** Curvature of the design surface. */
   readonly curvature: Curvature;
+}
+
+/** Why there is something not, without the sentence. */
+export interface Cause {
+  /** A stable kebab-case word. */
+  readonly code: string;
+  /** What of the design it is about, such as `parts[0].wall.foot`; null where that is no single field. */
+  readonly path: string | null;
+  /** What the sentence names, as `Error::args`(crate::Error::args) has it. */
+  readonly args: PasuErrorArgs;
 }
 
 /** How thick a wall is. */
@@ -236,6 +250,8 @@ export interface Finding {
   readonly path: string | null;
   /** One sentence in a potter's words. */
   readonly message: string;
+  /** What the sentence names, as `Error::args`(crate::Error::args) has it: with the code it takes no more to say it in another language. Lengths are in the unit of the design; those whose names end in `Mm` are in millimetres of what is made, angles in degrees. */
+  readonly args: PasuErrorArgs;
   /** Where, in model units after placement. */
   readonly at: Point | null;
   /** Of a part that is refused the nearest change of the wall that was found to help, and of a ring or drain that was fitted the wall that is made; null where there is none. */
@@ -274,4 +290,14 @@ export interface MeshReport {
   readonly thinned: number;
   /** The thinnest the wall is, in model units; null for a solid. */
   readonly thinnest: number | null;
+}
+
+/** A design whose part was pulled. */
+export interface Pulled {
+  /** The design. */
+  readonly design: Design;
+  /** The point that was to arrive: where the hand took hold, but of a pot of rings that is pulled round the axis with another `v`. */
+  readonly at: readonly [x: number, y: number];
+  /** The distance between the point and where it was pulled: 0 but for rounding where the shape can follow. */
+  readonly behind: number;
 }

@@ -292,9 +292,13 @@ export type RimForm = "flat" | "rounded";
 /** What a part is made of and covered with. */
 export interface Look {
   /** What covers the part; celadon when left out. */
-  readonly glaze?: GlazeName;
+  readonly glaze?: GlazeName | Colour;
+  /** What covers it inside; as outside when left out. */
+  readonly inside?: GlazeName | Colour;
+  /** Where the glaze of the outside ends, as a share of its height: below it the clay is bare. 0 to 1; 0 when left out. */
+  readonly line?: number;
   /** What the part is made of; stoneware when left out. */
-  readonly clay?: ClayName;
+  readonly clay?: ClayName | Colour;
 }
 
 /** A glaze. */
@@ -302,6 +306,9 @@ export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino"
 
 /** A clay body. */
 export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";
+
+/** A colour of one's own, `#rrggbb`: of sRGB. */
+export type Colour = `#${string}`;
 
 /** An order of the equation for which Zhang and You (2001) have a vase. */
 export type VaseOrder = "second-order" | "mixed-order" | "fourth-order";

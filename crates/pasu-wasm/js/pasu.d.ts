@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Measures, Report } from "./answers.js";
+import type { Measures, Pulled, Report } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -304,6 +304,34 @@ export function convert(shape: Shape, order: VaseOrder): Conversion;
  * shape as it is given here, which may be one that is not canonical.
  */
 export function handles(shape: Shape): Handles;
+
+/** A hand that takes hold of a point of a part and pulls it somewhere. */
+export interface Hand {
+  /** The point: (u, v), as {@link evaluate} takes it. */
+  at: Float64Array | readonly number[];
+  /** Where it is pulled, before placement. */
+  to: Float64Array | readonly number[];
+  /** The angle, in radians, between the two places beside the point where the pull is half as strong; all round the axis without it. */
+  width?: number | undefined;
+  /** At how many places round the axis the same is done; one without it. */
+  petals?: number | undefined;
+  /** What stays as it is: `r1` or `eta[0]` of a named family; `r`, `z` or `v` of a pot of rings; `x`, `y` or `z` of boundary data that are written out. */
+  keep?: readonly string[] | undefined;
+}
+
+/**
+ * The design with the least change of a part that brings a point of it to where a hand pulls it, or as near as the part can follow.
+ *
+ * Of `rings` and `boundary-value` the ring under the hand changes, and one is put there first where none is near: a bump as wide as is asked for is added to its radius and height, or to its `x`, `y`
+ * and `z`. Of a pot of `rings`, what the hand moves round the axis moves the bump, and the point that arrives is that of the ring which is beneath `to` ({@link Pulled.at}).
+ *
+ * Of a named family the numbers change that are not kept, least in the sum of squares, lengths measured in the size of the vase and other numbers in what they were; the waves round the axis
+ * stay, and what is equal for `x` and `y`.
+ */
+export function pull(source: DesignSource, part: number, hand: Hand): Design;
+
+/** As {@link pull}, with how far the point stayed behind. */
+export function pulled(source: DesignSource, part: number, hand: Hand): Pulled;
 
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;

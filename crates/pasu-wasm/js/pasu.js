@@ -53,6 +53,8 @@ const sketch = (source, options) => {
   return call("sketch", source, others, into);
 };
 const paint = (source, map, options) => watched(options, (others, by) => by("paint", source, map, others));
+const pull = (source, part, hand) => call("pull", source, part, hand);
+const pulled = (source, part, hand) => call("pulled", source, part, hand);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -75,6 +77,8 @@ export {
   paint,
   parse,
   provenance,
+  pull,
+  pulled,
   sketch,
   solid,
   water,

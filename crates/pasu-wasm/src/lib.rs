@@ -19,6 +19,8 @@ mod mesh;
 mod options;
 mod plain;
 mod points;
+#[cfg(feature = "making")]
+mod pull;
 mod shape;
 #[cfg(feature = "making")]
 mod sketch;
@@ -32,6 +34,8 @@ use wasm_bindgen::prelude::*;
 use crate::error::thrown;
 #[cfg(feature = "making")]
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
+#[cfg(feature = "making")]
+pub use crate::pull::{pull, pulled};
 pub use crate::shape::{convert, handles};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;

@@ -24,7 +24,7 @@ pub(crate) fn read(options: &JsValue) -> Result<MeshOptions> {
 }
 
 /// A number of rows or columns. Which grids are too fine is `pasu`'s to say.
-struct Count(usize);
+pub(crate) struct Count(pub(crate) usize);
 
 impl<'de> Deserialize<'de> for Count {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {

@@ -139,3 +139,6 @@ mod types {
         }
     }
 }
+
+#[cfg(feature = "typescript")]
+known_as!(crate::error::Args, "PasuErrorArgs");

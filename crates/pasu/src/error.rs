@@ -1,6 +1,9 @@
 //! The one error of Pasu: whose fault, where, what was found and what was expected.
 
+use std::collections::BTreeMap;
 use std::fmt;
+
+use serde::Serialize;
 
 /// What went wrong, as a stable code ([`Error::code`]), where in the design it went wrong ([`Error::path`]), a sentence for the person
 /// who caused it ([`Error::message`]), and what that sentence names ([`Error::args`]).
@@ -33,7 +36,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// One thing that a message names: with the code and the path, a page has what it takes to say it in its own language.
 ///
 /// Numbers are equal if their bits are, so that errors can be compared: what was found may be NaN.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
+#[serde(untagged)]
 #[non_exhaustive]
 pub enum Arg {
     /// A number, a count among them.
@@ -43,6 +47,9 @@ pub enum Arg {
     /// Words of the format, one of which was expected.
     Words(Vec<String>),
 }
+
+/// What a finding or a reason names, each under its name, as [`Error::args`] of an error.
+pub(crate) type Args = BTreeMap<&'static str, Arg>;
 
 impl PartialEq for Arg {
     fn eq(&self, other: &Self) -> bool {
@@ -216,6 +223,12 @@ impl Error {
         Error { path: path.into(), ..self }
     }
 
+    /// Code, path and what is named, without the sentence.
+    pub(crate) fn cause(&self) -> (&'static str, Option<String>, Args) {
+        let path = Some(self.path.clone()).filter(|path| !path.is_empty());
+        (self.code.as_str(), path, self.args.iter().cloned().collect())
+    }
+
     /// The same error in other words.
     pub(crate) fn saying(self, message: impl Into<String>) -> Self {
         Error { message: message.into(), ..self }
@@ -283,7 +296,14 @@ impl Error {
     /// | `s`, `t`, `w` | the parameters of the equation |
     /// | `rows`, `columns` | vertices along `u` and round the axis that a mesh would need or has |
     /// | `face`, `other` | the faces of a pot that meet where they should not, in the words of [`FaceKind::name`](crate::FaceKind::name) |
+    /// | `what` | which of several things it is that have this code, as a stable kebab-case word |
     /// | `thickness` | of the wall, where it was found too thin |
+    /// | `end` | `foot`, `rim`, `floor` or `underside` of the pot |
+    /// | `base`, `width`, `drain` | of the wall that was asked for: of its base, of its ring, of its drain |
+    /// | `room` | how wide what is to hold it is |
+    /// | `bound` | within which triangles step over what finer ones run into |
+    ///
+    /// Lengths are in the unit of the design; those whose names end in `Mm` are in millimetres of what is made.
     ///
     /// A message that names nothing has none; a name that is not listed here may come with a later release.
     pub fn args(&self) -> &[(&'static str, Arg)] {

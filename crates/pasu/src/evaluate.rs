@@ -75,12 +75,22 @@ impl Solution {
     }
 
     fn for_each_point(&self, part: usize, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) -> Result<()> {
+        self.check_points(part, at)?;
+        let placed = self.part(part)?;
+        at.chunks_exact(2).for_each(|point| visit(&jet(placed, point[0], point[1])));
+        Ok(())
+    }
+
+    /// Refuses a part and points that do not exist, without solving anything.
+    ///
+    /// # Errors
+    /// `no-such-point`.
+    pub(crate) fn check_points(&self, part: usize, at: &[f64]) -> Result<()> {
         self.existing(part)?;
         if !at.len().is_multiple_of(2) {
             let message = format!("expected pairs (u, v), found {} numbers", at.len());
             return Err(Error::new(Code::NoSuchPoint, "at", message).with("found", at.len()));
         }
-        let placed = self.part(part)?;
         for (i, point) in at.chunks_exact(2).enumerate() {
             let (u, v) = (point[0], point[1]);
             if !(0.0..=1.0).contains(&u) {
@@ -92,7 +102,6 @@ impl Solution {
                 let message = format!("expected a finite v, found {}", plain(v));
                 return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message).with("found", v));
             }
-            visit(&jet(placed, u, v));
         }
         Ok(())
     }

@@ -40,6 +40,7 @@ mod mesh;
 mod mode;
 mod numeric;
 mod patch;
+mod pull;
 mod solid;
 mod solution;
 mod surface;
@@ -48,9 +49,9 @@ mod weave;
 
 pub use design::read;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Clay, Component, Conversion, Datum, Design, End, FourthOrder, Free, Glaze,
-    Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Order, Part, Placement, Restraint, RimForm, Ring,
-    Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
+    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
+    Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement,
+    Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
@@ -67,13 +68,14 @@ pub use glam;
 pub use make::typescript_of_answers;
 pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};
 pub use measure::{
-    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads, Located,
-    Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,
+    Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads,
+    Located, Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,
     WaterSurface, Width, measure, paint, water,
 };
 pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use patch::SurfaceJet;
+pub use pull::{Hand, Pulled, pull};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

@@ -5,6 +5,7 @@ import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import type { Design, Refusal } from "../document/types";
 import { DesignerElement } from "../element/designer-element";
+import { VIEW_KEYS } from "../state/view-keys";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
 import type { Command, CommandEvent } from "./command";
@@ -22,6 +23,8 @@ import { refusalWords } from "../words/refusals";
 import { fetchMadeWhenWanted } from "./wanted-making";
 
 const NOTICE_MS = 6000;
+/** What can be taken back stays long enough to be thought about, and to be reached by keys. */
+const OFFER_MS = 30_000;
 
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
@@ -34,6 +37,11 @@ const DIALOGUES = {
   link: () => import("./dialogs/link-dialog"),
   embed: () => import("./dialogs/embed-dialog"),
 } as const;
+
+/** A link as this or an older version writes it, wherever in a text. */
+const LINK = /#1[/~]/;
+/** The query of a link, and the design behind it. */
+const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
@@ -57,7 +65,8 @@ export class PasuApp extends DesignerElement {
       }),
       effect(() => {
         const { notice } = designer.notices;
-        const timer = notice && setTimeout(() => designer.notices.dismiss(notice.id), NOTICE_MS);
+        const stays = notice?.undo ? OFFER_MS : NOTICE_MS;
+        const timer = notice && setTimeout(() => designer.notices.dismiss(notice.id), stays);
         return () => clearTimeout(timer ?? undefined);
       }),
     ];
@@ -65,6 +74,7 @@ export class PasuApp extends DesignerElement {
     window.addEventListener("dragover", this.dragOver);
     window.addEventListener("dragleave", this.dragLeave);
     window.addEventListener("drop", this.drop);
+    window.addEventListener("paste", this.paste);
   }
 
   override disconnectedCallback(): void {
@@ -74,6 +84,7 @@ export class PasuApp extends DesignerElement {
     window.removeEventListener("dragover", this.dragOver);
     window.removeEventListener("dragleave", this.dragLeave);
     window.removeEventListener("drop", this.drop);
+    window.removeEventListener("paste", this.paste);
   }
 
   override render() {
@@ -93,10 +104,26 @@ export class PasuApp extends DesignerElement {
       </aside>
       <p class="spoken" role="status">${this.spoken}</p>
       <div class="toasts" role="status">
-        ${designer.notices.notice ? html`<p class="toast">${icon("check")}<span>${designer.notices.notice.text}</span></p>` : nothing}
+        ${this.toast()}
       </div>
       ${this.dialogues()}
     `;
+  }
+
+  private toast() {
+    const { notices } = this.designer;
+    const { notice } = notices;
+    if (!notice) return nothing;
+    return html`<p class="toast">
+      ${icon("check")}<span>${notice.text}</span>
+      ${
+        notice.undo
+          ? html`<button class="button" type="button" @click=${() => void notices.undo()}>
+              ${icon("undo")}<span>${notice.undo.label}</span>
+            </button>`
+          : nothing
+      }
+    </p>`;
   }
 
   private banners() {
@@ -312,8 +339,26 @@ export class PasuApp extends DesignerElement {
     const text = data?.getData("text/uri-list") || data?.getData("text/plain") || "";
     if (files.length === 0 && (text === "" || isText(event.composedPath()[0]))) return;
     event.preventDefault();
-    void (files.length > 0 ? this.openFiles(files) : this.designer.opening.openText(text));
+    void (files.length > 0 ? this.openFiles(files) : this.openText(text));
   };
+
+  private readonly paste = (event: ClipboardEvent): void => {
+    if (isText(event.composedPath()[0]) || this.dialog !== "none" || this.designer.opening.conflict) return;
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    // Whatever else is pasted is meant for no one here.
+    if (!LINK.test(text)) return;
+    event.preventDefault();
+    void this.openText(text);
+  };
+
+  /** Opens a link or a document; a link that says how its pot is looked at is shown so, as it is when the page is opened by it. */
+  private async openText(text: string): Promise<void> {
+    const { opening } = this.designer;
+    await opening.openText(text);
+    const [, search = "", fragment = ""] = VIEWED_LINK.exec(text) ?? [];
+    if (opening.problem === null && VIEW_KEYS.some((key) => new URLSearchParams(search).has(key)))
+      await this.showViewed(search, fragment);
+  }
 
   /** Opens the first that is a design, and says of each of several what became of it. */
   private async openFiles(files: readonly File[]): Promise<void> {
@@ -433,6 +478,15 @@ export class PasuApp extends DesignerElement {
         justify-items: center;
         pointer-events: none;
       }
+      .toast .button {
+        margin: -8px -10px -8px 4px;
+        color: inherit;
+        text-decoration: underline;
+        pointer-events: auto;
+      }
+      .toast .button:hover {
+        color: var(--ink);
+      }
       .toast {
         display: flex;
         align-items: center;
@@ -444,7 +498,7 @@ export class PasuApp extends DesignerElement {
         color: var(--paper);
         box-shadow: 0 10px 34px var(--shadow);
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         :host {
           grid: 56px minmax(0, 46fr) minmax(0, 54fr) / minmax(0, 1fr);
         }
@@ -458,7 +512,7 @@ export class PasuApp extends DesignerElement {
           margin-top: -14px;
         }
       }
-      @media (max-height: 520px) and (max-width: 979px) and (orientation: landscape) {
+      @media (max-height: 32.5em) and (max-width: 61.1875em) and (orientation: landscape) {
         :host {
           grid: 52px minmax(0, 1fr) / minmax(0, 1fr) 46vw;
         }

@@ -34,8 +34,8 @@ export const sentenceStyles = css`
     text-wrap: pretty;
   }
   .sentences .icon {
-    width: 18px;
-    height: 18px;
+    width: 1.125rem;
+    height: 1.125rem;
     margin-top: 2px;
     color: var(--accent);
   }

@@ -25,7 +25,7 @@ export async function showViewed(
   const leave = effect(() => {
     const { settled } = surface;
     // Whether this or another pot is to be seen is still asked.
-    if (over || !settled || opening.conflict) return;
+    if (over || settled?.design !== store.design || opening.conflict) return;
     over = true;
     queueMicrotask(() => leave());
     if (settled.solved.link !== asked.value.link) return;

@@ -164,13 +164,15 @@ export class PasuPanel extends DesignerElement {
         font-weight: 600;
       }
       .body {
+        /* What is spoken only stands where it is said, and makes no page longer. */
+        position: relative;
         padding: 14px 20px 28px;
         overflow-y: auto;
         overscroll-behavior: contain;
         scrollbar-gutter: stable;
         outline-offset: -3px;
       }
-      @container (max-width: 379px) {
+      @container (max-width: 23.6875rem) {
         .tabs {
           padding: 0 6px;
         }
@@ -179,7 +181,7 @@ export class PasuPanel extends DesignerElement {
           font-size: 0.88rem;
         }
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         .body {
           padding: 10px 16px calc(24px + env(safe-area-inset-bottom));
           scrollbar-gutter: auto;

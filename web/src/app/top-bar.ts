@@ -182,7 +182,7 @@ export class PasuTopBar extends DesignerElement {
       .narrow {
         display: none;
       }
-      @media (max-width: 1079px) {
+      @media (max-width: 67.4375em) {
         .wide {
           display: none;
         }
@@ -190,7 +190,7 @@ export class PasuTopBar extends DesignerElement {
           display: inline-block;
         }
       }
-      @media (max-width: 560px) {
+      @media (max-width: 35em) {
         :host {
           padding: 0 6px 0 12px;
           gap: 2px;

@@ -1,6 +1,5 @@
 import { expect, test } from "vitest";
-import { MAPS, mapOf, needsWhole, scaleOf } from "./maps";
-import type { Design, Part } from "./types";
+import { MAPS, mapOf, scaleOf } from "./maps";
 
 test("colours with a middle have 0 there, where values are on both sides", () => {
   const map = mapOf("mean-curvature");
@@ -21,14 +20,4 @@ test("a range is never empty", () => {
 
 test("overhangs are compared with all that there can be", () => {
   expect(scaleOf(mapOf("overhang"), 3, 20)).toMatchObject({ low: 0, high: 90 });
-});
-
-test("a cut closes for a map whose surface it would hide", () => {
-  const shape = { kind: "octant", exponents: [1, 1, 1] } as unknown as Part["shape"];
-  const pot = (wall?: Part["wall"]) => ({ pasu: 1, parts: [{ shape, ...(wall && { wall }) }] }) as Design;
-  expect(needsWhole("mean-curvature", pot({ thickness: 1, base: 1 }))).toBe(true);
-  expect(needsWhole("mean-curvature", pot({ thickness: 1, base: 1, side: "outside" }))).toBe(false);
-  expect(needsWhole("mean-curvature", pot())).toBe(false);
-  expect(needsWhole("overhang", pot({ thickness: 1, base: 1 }))).toBe(false);
-  expect(needsWhole(null, pot({ thickness: 1, base: 1 }))).toBe(false);
 });

@@ -1,6 +1,6 @@
 /** The colour maps: what each shows and its colours, told apart with every kind of colour vision. */
 
-import type { Design, MapName } from "./types";
+import type { MapName } from "./types";
 
 export type Rgb = readonly [number, number, number];
 
@@ -60,11 +60,6 @@ export const MAPS: readonly ColourMap[] = [
 
 export function mapOf(name: MapName): ColourMap {
   return MAPS.find((map) => map.name === name) ?? (MAPS[0] as ColourMap);
-}
-
-/** Whether a map has to be seen on a pot that is not cut open: its values are of the design's own surface, which a cut hides where the clay is behind it. */
-export function needsWhole(name: MapName | null, { parts }: Design): boolean {
-  return name !== null && name !== "overhang" && parts.some(({ wall }) => wall && wall.side !== "outside");
 }
 
 /** How a map is drawn on one pot. */

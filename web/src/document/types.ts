@@ -44,8 +44,12 @@ export type Wall = Frozen<pasu.Wall>;
 
 export type Placement = Frozen<pasu.Placement>;
 export type Look = Frozen<pasu.Look>;
-export type GlazeName = NonNullable<pasu.Look["glaze"]>;
-export type ClayName = NonNullable<pasu.Look["clay"]>;
+export type Colour = `#${string}`;
+/** A name or a colour of one's own. */
+export type GlazeChoice = NonNullable<pasu.Look["glaze"]>;
+export type ClayChoice = NonNullable<pasu.Look["clay"]>;
+export type GlazeName = Exclude<GlazeChoice, Colour>;
+export type ClayName = Exclude<ClayChoice, Colour>;
 export type Unit = NonNullable<pasu.Design["unit"]>;
 
 export interface Part extends Omit<Frozen<pasu.Part>, "shape"> {
@@ -87,6 +91,8 @@ export type Quantity = Frozen<pasu.Quantity>;
 /** What was measured; `docs/measures.md` says what each means. */
 export type Measures = Frozen<pasu.Measures>;
 export type PartMeasures = Frozen<pasu.PartMeasures>;
+/** Why there is something not. */
+export type Cause = Frozen<pasu.Cause>;
 export type Curvature = PartMeasures["curvature"]["mean"];
 export type Capacity = Frozen<pasu.Capacity>;
 /** What the checks found of the very triangles that a file holds. */

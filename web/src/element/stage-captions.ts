@@ -44,7 +44,7 @@ export class PasuCaptions extends DesignerElement {
         color: var(--soft);
         font-weight: 400;
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         :host {
           inset: 6px 0 auto;
           font-size: 0.8rem;

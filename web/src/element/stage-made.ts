@@ -1,7 +1,7 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
 
 import { looksOf, unitOf } from "../document/look";
-import { mapOf, needsWhole, scaleOf } from "../document/maps";
+import { mapOf, scaleOf } from "../document/maps";
 import type { MapName } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
@@ -51,13 +51,13 @@ export class StageMade {
     const { shown } = surface;
     if (!made || !shown) return;
     const { map, overlays, fill, hidden } = store.session;
-    const { solid, water, painted, measures } = made;
-    const now = [shown, solid, water, painted, measures, map, overlays, fill, hidden];
+    const { solid, water, painted, lining, measures } = made;
+    const now = [shown, solid, water, painted, lining, measures, map, overlays, fill, hidden];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
     this.#show(made, fits(solid) ? solid : null, shown);
-    this.#drawing.cut(overlays.cut && !needsWhole(map, shown.design));
+    this.#drawing.cut(overlays.cut);
     this.#drawing.pour(fits(water) ? water.value : null, fill === null ? null : made.level);
     this.#paint(made, shown, map);
     this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);
@@ -72,7 +72,7 @@ export class StageMade {
     else delete this.#host.dataset.wall;
   }
 
-  #paint({ painted }: Made, shown: Shown, map: MapName | null): void {
+  #paint({ painted, lining, solid }: Made, shown: Shown, map: MapName | null): void {
     const { parts } = shown.solved;
     const meshes = parts.map(({ mesh }) => mesh);
     const another = meshes.length !== this.#meshes.length || meshes.some((mesh, i) => mesh !== this.#meshes[i]);
@@ -81,7 +81,16 @@ export class StageMade {
     else if (painted.value && painted.of === shown.design && shown.settled && painted.key.startsWith(`${map} `)) {
       const { ramp, low, high } = scaleOf(mapOf(map), painted.value.low, painted.value.high);
       const fits = painted.value.values.length === verticesOf(parts);
-      const next: StageMap = { values: painted.value.values, low, high, ramp, lean: map === "overhang" };
+      // Of the faces that are on the stage, or of none.
+      const lined = lining.of === solid.of && lining.key.startsWith(`${solid.key} ${map} `) ? lining.value : null;
+      const next: StageMap = {
+        values: painted.value.values,
+        lining: lined?.values ?? null,
+        low,
+        high,
+        ramp,
+        lean: map === "overhang",
+      };
       this.#drawing.paint(fits ? next : undefined);
     } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
   }

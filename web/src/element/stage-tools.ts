@@ -131,17 +131,17 @@ export class PasuStageTools extends DesignerElement {
         background: var(--well);
       }
       .check input {
-        width: 18px;
-        height: 18px;
+        width: 1.125rem;
+        height: 1.125rem;
         margin: 0;
         accent-color: var(--accent);
       }
-      @media (min-width: 860px) {
+      @media (min-width: 53.75em) {
         .phone {
           display: none !important;
         }
       }
-      @media (max-width: 1239px) {
+      @media (max-width: 77.4375em) {
         .views {
           display: none;
         }
@@ -149,7 +149,7 @@ export class PasuStageTools extends DesignerElement {
           display: inline-block;
         }
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         .tools {
           padding: 1px;
         }

@@ -9,6 +9,7 @@ import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
 import { base, buttons } from "../ui/styles";
+import { wheel } from "../ui/wheel";
 import { page } from "../words/english/page";
 import { LENGTH_LABELS } from "../words/length";
 import type { Compared } from "../work/comparison";
@@ -206,6 +207,8 @@ export class PasuStage extends DesignerElement {
     this.display();
     stage.measure(designer.extents);
     stage.overlays(session.overlays);
+    // Of a pot of one part there is nothing to tell apart.
+    stage.select(design.parts.length > 1 ? (session.selection.at(-1) ?? null) : null);
     if (designer.made && !this.making) void this.make(stage);
     this.made?.update();
     if (comparison !== this.compared) {
@@ -291,8 +294,11 @@ export class PasuStage extends DesignerElement {
     const shown = this.designer.surface.shown;
     if (!canvas || !shown) return;
     const { hidden } = this.designer.store.session;
-    const seen = shown.solved.parts.filter(({ id }) => !hidden.includes(id));
-    paintStill(seen, canvas, this.theme());
+    const { parts } = stageModel(shown.design, shown.solved, hidden);
+    paintStill(
+      parts.filter((part) => !part.hidden),
+      canvas,
+    );
   }
 
   private readonly key = (event: KeyboardEvent): void => {
@@ -302,6 +308,7 @@ export class PasuStage extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    wheel,
     css`
       :host {
         position: relative;
@@ -333,7 +340,7 @@ export class PasuStage extends DesignerElement {
       }
       .foot {
         position: absolute;
-        z-index: 2;
+        z-index: 4;
         inset: auto 0 0 0;
         display: flex;
         align-items: end;
@@ -365,23 +372,7 @@ export class PasuStage extends DesignerElement {
         border-radius: 10px;
         background: var(--sheet);
       }
-      .wheel {
-        position: absolute;
-        inset: 0;
-        margin: auto;
-        width: 44px;
-        height: 44px;
-        border: 3px solid var(--line);
-        border-top-color: var(--accent);
-        border-radius: 50%;
-        animation: turn 1s linear infinite;
-      }
-      @keyframes turn {
-        to {
-          rotate: 1turn;
-        }
-      }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         .foot {
           inset: 0;
           flex-direction: column;
@@ -405,7 +396,7 @@ export class PasuStage extends DesignerElement {
           margin-top: auto;
         }
       }
-      @media (max-width: 379px) {
+      @media (max-width: 23.6875em) {
         #description {
           max-width: 100%;
           overflow: hidden;

@@ -1,7 +1,11 @@
 /** The pot without WebGL2: triangles painted from back to front into a plain 2D canvas, with one soft light. */
 
+import type { Looked } from "../document/look";
 import { placedNormals } from "../document/placed-normals";
 import { type Matrix, placedAll } from "../document/placement";
+import type { GlazeChoice } from "../document/types";
+import { plainColour } from "../render/glaze";
+import { codedOf } from "../render/own-colour";
 import type { PartMesh } from "../solver/messages";
 
 /** Turned a little and seen from above, like the stage's three-quarter view. */
@@ -15,6 +19,7 @@ type Rgb = readonly [number, number, number];
 interface Face {
   readonly depth: number;
   readonly shade: number;
+  readonly colour: Rgb;
   readonly corners: readonly number[];
 }
 
@@ -22,31 +27,39 @@ interface Face {
 export interface StillPart {
   readonly mesh: Pick<PartMesh, "positions" | "normals" | "indices">;
   readonly matrix: Matrix;
+  readonly look: Looked;
+  /** From which height to which it stands. */
+  readonly span: readonly [low: number, high: number];
 }
 
-/** What the clay looks like without light from everywhere. */
-const COLOURS: Readonly<Record<"light" | "dark", Rgb>> = { light: [0.66, 0.8, 0.73], dark: [0.62, 0.78, 0.71] };
+/** How much of it is paper, so that a black pot is seen on a dark page too. */
+const LIFT = 0.1;
 const MOST_PIXELS_PER_PIXEL = 2;
 
 /** Draws parts to fill the canvas as large as it is on the page. */
-export function paintStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, theme: "light" | "dark"): void {
+export function paintStill(parts: readonly StillPart[], canvas: HTMLCanvasElement): void {
   const ratio = Math.min(MOST_PIXELS_PER_PIXEL, devicePixelRatio || 1);
   canvas.width = Math.round(canvas.clientWidth * ratio);
   canvas.height = Math.round(canvas.clientHeight * ratio);
-  drawStill(parts, canvas, COLOURS[theme]);
+  drawStill(parts, canvas);
 }
 
 /** Draws parts to fill the canvas; the canvas keeps its size in pixels. */
-export function drawStill(parts: readonly StillPart[], canvas: HTMLCanvasElement, colour: Rgb): void {
+export function drawStill(parts: readonly StillPart[], canvas: HTMLCanvasElement): void {
   const context = canvas.getContext("2d");
   if (!context) return;
   const { width, height } = canvas;
   context.clearRect(0, 0, width, height);
-  const seen = parts.map(({ mesh, matrix }) => ({
-    points: project(placedAll(matrix, mesh.positions)),
-    normals: placedNormals(matrix, mesh.normals),
-    indices: mesh.indices,
-  }));
+  const seen = parts.map(({ mesh, matrix, look, span }) => {
+    const placed = placedAll(matrix, mesh.positions);
+    return {
+      points: project(placed),
+      heights: placed,
+      normals: placedNormals(matrix, mesh.normals),
+      indices: mesh.indices,
+      coats: coatsOf(look, span),
+    };
+  });
   const scale = frameOf(
     seen.map(({ points }) => points),
     width,
@@ -54,7 +67,7 @@ export function drawStill(parts: readonly StillPart[], canvas: HTMLCanvasElement
   );
   const faces = seen.flatMap((part) => facesOf(part));
   faces.sort((a, b) => a.depth - b.depth);
-  for (const { corners, shade } of faces) {
+  for (const { corners, shade, colour } of faces) {
     context.beginPath();
     for (let i = 0; i < corners.length; i += 2) {
       const x = scale.x + scale.k * (corners[i] ?? 0);
@@ -102,15 +115,45 @@ function frameOf(parts: readonly Float32Array[], width: number, height: number):
   return { k, x: width / 2 - (k * (left + right)) / 2, y: height / 2 + (k * (low + high)) / 2 };
 }
 
-/** The triangles with their mean depth and the light that falls on them. */
+/** What a part is covered with, and below which height it is bare outside. */
+interface Coats {
+  readonly outside: Rgb;
+  readonly inside: Rgb;
+  readonly clay: Rgb;
+  readonly line: number;
+}
+
+function coatsOf({ glaze, inside, line, clay }: Looked, [low, high]: StillPart["span"]): Coats {
+  const shown = (own: GlazeChoice): Rgb => {
+    const [red, green, blue] = plainColour(own, clay);
+    return [lifted(red), lifted(green), lifted(blue)];
+  };
+  return {
+    outside: shown(glaze),
+    inside: shown(inside),
+    clay: shown("bare"),
+    line: line > 0 ? low + line * (high - low) : Number.NEGATIVE_INFINITY,
+  };
+}
+
+function lifted(linear: number): number {
+  return LIFT + (1 - LIFT) * codedOf(linear);
+}
+
+/** The triangles with their mean depth, their colour and the light that falls on them. */
 function facesOf({
   points,
+  heights,
   normals,
   indices,
+  coats,
 }: {
   readonly points: Float32Array;
+  /** xyz, of which the last is the height. */
+  readonly heights: Float64Array;
   readonly normals: Float64Array;
   readonly indices: Uint32Array;
+  readonly coats: Coats;
 }): Face[] {
   const faces: Face[] = [];
   for (let i = 0; i + 2 < indices.length; i += 3) {
@@ -121,9 +164,18 @@ function facesOf({
       corners.push(points[3 * corner] ?? 0, points[3 * corner + 1] ?? 0);
       depth += points[3 * corner + 2] ?? 0;
     }
-    faces.push({ depth, corners, shade: shadeOf(normals, a) });
+    const height = ((heights[3 * a + 2] ?? 0) + (heights[3 * b + 2] ?? 0) + (heights[3 * c + 2] ?? 0)) / 3;
+    const colour = !facesEye(normals, a) ? coats.inside : height < coats.line ? coats.clay : coats.outside;
+    faces.push({ depth, corners, colour, shade: shadeOf(normals, a) });
   }
   return faces;
+}
+
+/** Whether the outside is seen: normals point out of the pot. */
+function facesEye(normals: Float64Array, vertex: number): boolean {
+  const [x, y, z] = [normals[3 * vertex] ?? 0, normals[3 * vertex + 1] ?? 0, normals[3 * vertex + 2] ?? 0];
+  const [ct, st, cp, sp] = [Math.cos(TURN), Math.sin(TURN), Math.cos(TILT), Math.sin(TILT)];
+  return z * sp - (x * st + y * ct) * cp >= 0;
 }
 
 function shadeOf(normals: Float64Array, vertex: number): number {

@@ -25,7 +25,7 @@ interface Job {
 const PATIENCE_MS = 1000;
 
 /** What a person looks at comes first. */
-const ORDER: readonly Kind[] = ["open", "write", "quick", "water", "solid", "paint", "measure", "check"];
+const ORDER: readonly Kind[] = ["open", "write", "quick", "water", "solid", "paint", "lining", "measure", "check"];
 
 const CRASHED: Refusal = { code: "maker-stopped", path: "", message: "" };
 

@@ -23,6 +23,8 @@ export interface Solid {
   readonly extents: Extents | null;
   /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
   readonly sides: readonly ("inside" | "outside" | null)[];
+  /** From which height to which the outside of each part stands, where it is not its own surface. */
+  readonly outsides: readonly (readonly [low: number, high: number] | null)[];
 }
 
 /** Arrays of an earlier solid, to be written over. */
@@ -45,6 +47,13 @@ export interface Painted {
   /** The range that the colours stand for: what a few extreme places have beyond it is shown as its end. */
   readonly low: number;
   readonly high: number;
+}
+
+/** The same inside: one value for each vertex of a solid, NaN where there is none. */
+export interface Lined {
+  readonly values: Float32Array;
+  /** Of those that there are; null where there are none. */
+  readonly range: { readonly least: number; readonly greatest: number } | null;
 }
 
 /** The water in a pot: how much there is, and its surface. */
@@ -83,6 +92,13 @@ export type Ask =
   | { readonly kind: "measure"; readonly design: Design; readonly product: Product; readonly fill: number | null }
   | { readonly kind: "check"; readonly design: Design; readonly making: Making }
   | ({ readonly kind: "paint"; readonly design: Design; readonly map: MapName } & GridSize)
+  | ({
+      readonly kind: "lining";
+      readonly design: Design;
+      readonly map: MapName;
+      /** Where the vertices of the lining are (xyz); NaN for those that are none of it. */
+      readonly points: Float32Array;
+    } & GridSize)
   | { readonly kind: "water"; readonly design: Design; readonly level: number }
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array };
@@ -93,6 +109,7 @@ export interface Answers {
   readonly measure: Measures;
   readonly check: Report;
   readonly paint: Painted;
+  readonly lining: Lined;
   readonly water: Filled;
   readonly write: Written;
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */

@@ -1,8 +1,9 @@
 /** What the maker's worker answers: everything that the package can do besides drawing. */
 
-import { check, measure, paint, provenance, sketch, solid, water, write } from "pasu";
-import type { Sent } from "../document/types";
-import type { Answers, Ask, Kind, Quick, Request, Solid } from "./messages";
+import { check, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
+import type { MapName, Sent } from "../document/types";
+import { liningValues } from "./lining";
+import type { Answers, Ask, Kind, Lined, Quick, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { solidOf } from "./solid";
 
@@ -23,6 +24,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return check(ask.design as Sent, { ...ask.making, progress });
     case "paint":
       return paintedOf(paint(ask.design as Sent, ask.map, { rows: ask.rows, columns: ask.columns }));
+    case "lining":
+      return lined(ask);
     case "water":
       return { ...water(ask.design as Sent, ask.level), level: ask.level };
     case "write":
@@ -40,6 +43,22 @@ function drawn(design: Sent, tolerance: number): Solid {
   const made = solid({ ...design, parts }, { tolerance });
   const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
   return solidOf(design, { ...made, faces });
+}
+
+/** What a map shows inside, from what is known of the surface before it. */
+function lined({ design, map, rows, columns, points }: Extract<Ask, { kind: "lining" }>): Lined {
+  const options = { rows, columns };
+  const of = (name: MapName) => paint(design as Sent, name, options).values;
+  const { positions, normals } = mesh(design as Sent, options);
+  const [mean, gaussian, thickness] = [of("mean-curvature"), of("gaussian-curvature"), of("thickness")];
+  const values = liningValues(map, { positions, normals, mean, gaussian, thickness }, points);
+  let [least, greatest] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const value of values) {
+    if (Number.isNaN(value)) continue;
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+  }
+  return { values, range: least <= greatest ? { least, greatest } : null };
 }
 
 /** A pot under the hand, in the arrays of an earlier one. */

@@ -29,6 +29,14 @@ test("the face that the surface shows already is left out", () => {
   expect([...outside.indices].includes(9)).toBe(false);
 });
 
+test("it tells from which height to which the outside stands, where the surface does not show it", () => {
+  expect(solidOf(design(), made(KINDS)).outsides).toEqual([null]);
+  const { positions, ...rest } = made(KINDS);
+  // The first corner of the outer face, which is at a height of 1.
+  positions[3 * 3 + 2] = -2;
+  expect(solidOf(design("outside"), { positions, ...rest }).outsides).toEqual([[-2, 1]]);
+});
+
 test("the glaze knows the lining, thins at the rim and leaves what stands on the table bare", () => {
   const { wares } = solidOf(design(), made(KINDS));
   const of = (kind: string) => [...wares.subarray(12 * KINDS.indexOf(kind), 12 * KINDS.indexOf(kind) + 4)];

@@ -67,6 +67,7 @@ export function solidOf(
     bounds: boundsOf(positions),
     extents: extentsOf(positions),
     sides: parts.map(({ wall }) => (wall ? (wall.side ?? DEFAULTS.side) : null)),
+    outsides: parts.map((_, part) => outsideOf(part, kept, positions, indices)),
   };
 }
 
@@ -85,6 +86,25 @@ interface Rim {
   readonly radius: number;
   /** The lowest point of the part. */
   readonly foot: number;
+}
+
+/** From which height to which the outer side of a part stands; null where the design's own surface is that. */
+function outsideOf(
+  part: number,
+  kept: readonly Face[],
+  positions: Float32Array,
+  indices: Uint32Array,
+): readonly [number, number] | null {
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const face of kept) {
+    if (face.part !== part || face.kind !== "outer") continue;
+    for (let i = face.first; i < face.first + face.count; i += 1) {
+      const z = positions[3 * (indices[i] ?? 0) + 2] ?? 0;
+      low = Math.min(low, z);
+      high = Math.max(high, z);
+    }
+  }
+  return low < high ? [low, high] : null;
 }
 
 /** The mean height of the rim and how wide the mouth is. */

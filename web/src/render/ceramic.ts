@@ -1,6 +1,6 @@
-import { CLAYS } from "./clay";
+import { clayOf } from "./clay";
 import { Material, type Uniforms } from "./gl/material";
-import { GLAZES, type StageLook } from "./glaze";
+import { type Glaze, glazeOf, type StageLook } from "./glaze";
 import { PLACING_GLSL } from "./placing";
 import { STUDIO_GLSL, type Studio, TONE_GLSL } from "./studio";
 
@@ -18,6 +18,9 @@ uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 ${PLACING_GLSL}
 uniform highp sampler2D ware;
+uniform vec2 span;        // from which height to which the part stands, in model units
+uniform float line;       // where the glaze of the outside ends, as a share of that
+out float vLine;          // how far above that this is
 out vec3 vObject;
 out vec3 vScene;
 out vec3 vNormal;
@@ -48,6 +51,9 @@ void main() {
   vObject = inFrame(position);
   vScene = vObject + shift;
   vNormal = turned * normal;
+  float ends = (mix(span.x, span.y, line) - frame.z) * frame.w;
+  // Glazed to the foot, bare to the rim and over it, or something between.
+  vLine = line <= 0.0 ? 1e9 : line >= 1.0 ? -1e9 : vObject.z - ends;
   gl_Position = projectionMatrix * viewMatrix * vec4(vScene, 1.0);
 }
 `;
@@ -59,17 +65,19 @@ in vec3 vObject;
 in vec3 vScene;
 in vec3 vNormal;
 in vec4 vWare;
+in float vLine;
 uniform vec3 eye;
 uniform float table;
 uniform sampler3D noise;
 uniform vec3 clayColour;
 uniform vec3 grainColour;
 uniform vec2 clay;        // grog, roughness
-uniform vec3 tintLog;     // log2 of what a layer lets through
-uniform vec3 body;
-uniform vec3 edgeColour;
-uniform vec4 layer;       // opacity, breaking, mottle, streak
-uniform vec3 surface;     // speckle, roughness, coat
+// Of the outside and of the inside.
+uniform vec3 tintLogs[2]; // log2 of what a layer lets through
+uniform vec3 bodies[2];
+uniform vec3 edgeColours[2];
+uniform vec4 layers[2];   // opacity, breaking, mottle, streak
+uniform vec3 surfaces[2]; // speckle, roughness, coat
 #ifdef SOLID
 in float vLining;
 uniform float level;      // of the water, in scene space
@@ -109,6 +117,12 @@ void main() {
 #else
   bool inside = !gl_FrontFacing;
 #endif
+  int side = inside ? 1 : 0;
+  vec3 tintLog = tintLogs[side];
+  vec3 body = bodies[side];
+  vec3 edgeColour = edgeColours[side];
+  vec4 layer = layers[side];
+  vec3 surface = surfaces[side];
   // A sliver of the far wall shows along a silhouette: it must not look like the depth of the pot.
   float within = inside ? smoothstep(0.02, 0.2, dot(n, toEye)) : 0.0;
 
@@ -122,6 +136,8 @@ void main() {
   float rim = exp(-max(0.0, vWare.y) / 0.02);
   float wander = 0.5 * broad.x + 0.25 * fine.y;
   float footLine = vWare.z - 0.034 - 0.016 * wander;
+  // It ends at a line, which is as level as the hand that dips the pot.
+  if (!inside) footLine = min(footLine, vLine - 0.012 * wander);
   float bead = exp(-max(0.0, footLine) / 0.03);
   float thick = 1.0 - bend - 0.8 * rim + 0.3 * bead + layer.z * (1.0 * broad.y + 0.8 * fine.x);
   // It runs down while it melts.
@@ -193,12 +209,13 @@ export interface CeramicVariant {
 }
 
 /**
- * The material of one glaze on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
+ * The material of its glazes on one clay: a layered shader of our own rather than a general physical one, because it follows how glaze lies
  * on a pot and needs no environment map to be made before the first picture.
  */
 export function ceramic(look: StageLook, studio: Studio, variant: CeramicVariant = {}): Material {
-  const clay = CLAYS[look.clay];
-  const glaze = GLAZES[look.glaze];
+  const clay = clayOf(look.clay);
+  const glazes = [glazeOf(look.glaze), glazeOf(look.inside)];
+  const both = (of: (glaze: Glaze) => readonly number[]) => ({ value: glazes.flatMap(of) });
   const log2 = (x: number) => Math.log2(Math.max(x, 1e-4));
   return new Material({
     vertex: VERTEX,
@@ -219,11 +236,12 @@ export function ceramic(look: StageLook, studio: Studio, variant: CeramicVariant
       clayColour: { value: clay.colour },
       grainColour: { value: clay.grain },
       clay: { value: [clay.grog, clay.roughness] },
-      tintLog: { value: glaze.tint.map(log2) },
-      body: { value: glaze.body },
-      edgeColour: { value: glaze.edge },
-      layer: { value: [glaze.opacity, glaze.breaking, glaze.mottle, glaze.streak] },
-      surface: { value: [glaze.speckle, glaze.roughness, glaze.coat] },
+      line: { value: look.line },
+      tintLogs: both(({ tint }) => tint.map(log2)),
+      bodies: both(({ body }) => body),
+      edgeColours: both(({ edge }) => edge),
+      layers: both(({ opacity, breaking, mottle, streak }) => [opacity, breaking, mottle, streak]),
+      surfaces: both(({ speckle, roughness, coat }) => [speckle, roughness, coat]),
     },
   });
 }

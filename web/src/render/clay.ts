@@ -1,4 +1,5 @@
-import { BODIES } from "./materials.gen";
+import { BODIES, OWN } from "./materials.gen";
+import { type Colour, isColour, linearOf } from "./own-colour";
 import type { Triple } from "./triple";
 
 /** The clay bodies of the format. */
@@ -29,3 +30,16 @@ export const CLAY_NAMES = Object.keys(BODIES) as readonly ClayName[];
 export const CLAYS = Object.fromEntries(
   CLAY_NAMES.map((name) => [name, { ...BODIES[name], ...ON_STAGE[name] }]),
 ) as Readonly<Record<ClayName, Clay>>;
+
+/** How coarse the clay of one's own colour is. */
+const OWN_GROG = 0.4;
+/** How dark the grains in it are. */
+const OWN_GRAIN = 0.45;
+
+/** The clay of a name, or of a colour. */
+export function clayOf(choice: ClayName | Colour): Clay {
+  if (!isColour(choice)) return CLAYS[choice];
+  const colour = linearOf(choice);
+  const grain = colour.map((channel) => OWN_GRAIN * channel) as unknown as Triple;
+  return { colour, grain, grog: OWN_GROG, roughness: OWN.clay };
+}

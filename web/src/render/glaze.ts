@@ -1,5 +1,6 @@
-import type { ClayName } from "./clay";
-import { LAYERS } from "./materials.gen";
+import { type ClayName, clayOf } from "./clay";
+import { LAYERS, OWN } from "./materials.gen";
+import { type Colour, isColour, linearOf } from "./own-colour";
 import type { Triple } from "./triple";
 
 /** The glazes of the format. */
@@ -7,8 +8,11 @@ export type GlazeName = keyof typeof LAYERS;
 
 /** How one part of the mesh looks. */
 export interface StageLook {
-  glaze: GlazeName;
-  clay: ClayName;
+  readonly glaze: GlazeName | Colour;
+  readonly inside: GlazeName | Colour;
+  /** Where the glaze of the outside ends, as a share of its height; below it the clay is bare. */
+  readonly line: number;
+  readonly clay: ClayName | Colour;
 }
 
 /**
@@ -64,8 +68,36 @@ export const GLAZES = Object.fromEntries(GLAZE_NAMES.map((name) => [name, glaze(
   Record<GlazeName, Glaze>
 >;
 
+/** What only the stage shows of a glaze of one's own colour. */
+const OWN_ON_STAGE = { breaking: 0.35, mottle: 0.25, streak: 0.15, speckle: 0.12 } as const;
+
+/** The glaze of a name, or of a colour: an opaque one. */
+export function glazeOf(choice: GlazeName | Colour): Glaze {
+  if (!isColour(choice)) return GLAZES[choice];
+  const colour = linearOf(choice);
+  // Where it is thin it is a little paler.
+  const edge = colour.map((channel) => 0.12 + 0.8 * channel) as unknown as Triple;
+  return { tint: colour, body: colour, edge, opacity: OWN.opacity, roughness: OWN.glaze, coat: 1, ...OWN_ON_STAGE };
+}
+
+/** What tells materials apart. */
+export function lookKey({ glaze, inside, line, clay }: StageLook): string {
+  return [glaze, inside, line, clay].join(" ");
+}
+
+/** A plain wall, as files have it: its linear reflectances. */
+export function plainColour(glaze: GlazeName | Colour, clay: ClayName | Colour): Triple {
+  const { tint, body, opacity } = glazeOf(glaze);
+  const { colour } = clayOf(clay);
+  const channel = (i: 0 | 1 | 2) => colour[i] * tint[i] * (1 - opacity) + body[i] * opacity;
+  return [channel(0), channel(1), channel(2)];
+}
+
+/** Reflectances below this are dark: those of copper red are, those of celadon on stoneware are not. */
+const DARK = 0.07;
+
 /** Whether a look is so dark that what is drawn over it has to be light. */
-export function isDark(look: StageLook): boolean {
-  const dark: readonly GlazeName[] = ["tenmoku", "cobalt", "copper-red"];
-  return dark.includes(look.glaze) || (look.clay === "black" && (look.glaze === "bare" || look.glaze === "clear"));
+export function isDark({ glaze, clay }: Pick<StageLook, "glaze" | "clay">): boolean {
+  const [red, green, blue] = plainColour(glaze, clay);
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue < DARK;
 }

@@ -19,3 +19,10 @@ export const BODIES = {
   terracotta: { colour: [0.47, 0.165, 0.075], roughness: 0.85 },
   black: { colour: [0.035, 0.031, 0.029], roughness: 0.7 },
 } as const;
+
+/** What is of a colour of one's own: how opaque such a glaze is, and how rough glaze and clay are. */
+export const OWN = {
+  opacity: 0.9,
+  glaze: 0.12,
+  clay: 0.75,
+} as const;

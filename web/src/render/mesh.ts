@@ -21,6 +21,9 @@ export interface PartMesh {
   readonly ware: StageWare;
 }
 
+/** From which height to which. */
+export type Span = readonly [low: number, high: number];
+
 /** One part of what is shown. */
 export interface StagePart {
   readonly id: PartId;
@@ -30,6 +33,8 @@ export interface StagePart {
   /** Where it stands: from the mesh to the model. It has an inverse. */
   readonly matrix: Matrix;
   readonly look: StageLook;
+  /** From which height to which it stands, in model units. */
+  readonly span: Span;
   /** What is hidden stays on the graphics card, and is neither drawn nor found at a point. */
   readonly hidden?: boolean;
 }

@@ -4,7 +4,7 @@ import { Geometry } from "./gl/geometry";
 import type { Material, Uniform } from "./gl/material";
 import { Texture } from "./gl/texture";
 import type { Lattice } from "./lattice";
-import type { PartId, StagePart, StageWare } from "./mesh";
+import type { PartId, Span, StagePart, StageWare } from "./mesh";
 import { newPlacing, type Placing, place, placed } from "./placing";
 import { at, type Triple } from "./triple";
 
@@ -14,6 +14,7 @@ export class PotPart {
   readonly drawable: Drawable;
   readonly placing: Placing;
   readonly positions: Buffer;
+  readonly span: Uniform<Span>;
   lattice: Lattice;
   private readonly normals: Buffer;
   private readonly table: Uniform<Texture>;
@@ -21,7 +22,12 @@ export class PotPart {
   private ware: StageWare;
   private revision: number;
 
-  constructor({ id, revision, mesh, matrix }: StagePart, lattice: Lattice, shift: Uniform<Triple>, material: Material) {
+  constructor(
+    { id, revision, mesh, matrix, span }: StagePart,
+    lattice: Lattice,
+    shift: Uniform<Triple>,
+    material: Material,
+  ) {
     this.id = id;
     this.revision = revision;
     this.lattice = lattice;
@@ -30,10 +36,11 @@ export class PotPart {
     this.normals = new Buffer(mesh.normals, { size: 3, dynamic: true });
     this.table = { value: this.newTable() };
     this.placing = newPlacing(shift);
+    this.span = { value: span };
     this.drawable = {
       geometry: this.newGeometry(),
       material,
-      uniforms: { ...this.placing, ware: this.table },
+      uniforms: { ...this.placing, ware: this.table, span: this.span },
       order: 0,
       visible: true,
       mirrored: place(this.placing, matrix),
@@ -59,7 +66,8 @@ export class PotPart {
   }
 
   /** The same part at another time. */
-  update({ revision, mesh, matrix }: StagePart, lattice: Lattice): void {
+  update({ revision, mesh, matrix, span }: StagePart, lattice: Lattice): void {
+    this.span.value = span;
     this.drawable.mirrored = place(this.placing, matrix);
     if (revision === this.revision) return;
     this.revision = revision;

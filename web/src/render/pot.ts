@@ -2,7 +2,7 @@ import { ceramic } from "./ceramic";
 import type { Tenant } from "./gl/device";
 import type { Drawable } from "./gl/drawable";
 import type { Material, Uniform } from "./gl/material";
-import { isDark, type StageLook } from "./glaze";
+import { isDark, lookKey, type StageLook } from "./glaze";
 import { Lattices } from "./lattice";
 import type { Bounds, PartId, StageModel, StagePart } from "./mesh";
 import { PotPart } from "./pot-part";
@@ -102,7 +102,7 @@ export class Pot implements Tenant {
   }
 
   private material(look: StageLook): Material {
-    const key = `${look.glaze}/${look.clay}`;
+    const key = lookKey(look);
     let material = this.materials.get(key);
     if (!material) {
       material = ceramic(look, this.studio);

@@ -4,10 +4,12 @@ import { Device, type Tenant, webgl2Supported } from "./gl/device";
 import { draw } from "./gl/drawable";
 import { Pane } from "./gl/pane";
 import type { Source } from "./gl/scene";
+import { WHOLE } from "./ground";
 import { Loop } from "./loop";
 import type { PartId, PartMesh, StageModel } from "./mesh";
 import type { Size } from "./overlay/dimensions";
 import type { Box } from "./overlay/label";
+import { Mark } from "./overlay/mark";
 import { Overlays, type StageLines, type StageOverlays } from "./overlay/overlays";
 import { type Face, Picker } from "./picker";
 import { drawPicture, toPng } from "./picture";
@@ -55,6 +57,8 @@ export interface Guest extends Tenant, Source {
   /** What of it belongs to parts, and the plane before which everything is cut away. */
   readonly faces: readonly Face[];
   readonly cutPlane: { readonly value: readonly number[] };
+  /** Which side of a part, by its place, stands for its cut: -1 its back, 1 its front, 0 neither or no cut. */
+  coreOf(place: number): number;
   /** Another mesh is on the stage. */
   forget(): void;
   /** Before every frame, on a screen of so many CSS pixels. */
@@ -94,6 +98,7 @@ export class Stage {
   private readonly resolution = new Resolution();
   private readonly resizes: ResizeObserver;
   private readonly overlay: Overlays;
+  private readonly mark: Mark;
   private readonly stopwatch: Stopwatch;
   private size = { width: 0, height: 0 };
   private model: StageModel = { parts: [], bounds: null };
@@ -117,6 +122,7 @@ export class Stage {
   private readonly listeners = new AbortController();
   private readonly settings = new Map<string, unknown>();
   private guest: Guest | null = null;
+  private selected: PartId | null = null;
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -151,7 +157,8 @@ export class Stage {
     this.tableau = new Tableau(options.theme);
     this.picker = new Picker(this.tableau.studio);
     this.overlay = new Overlays(this.tableau.studio, this.root, options.theme, options.lengths);
-    this.tableau.scene.add(...this.overlay.sources);
+    this.mark = new Mark(this.tableau.studio, this.overlay.cut, this.overlay.pen.ratio);
+    this.tableau.scene.add(...this.overlay.sources, this.mark);
     for (const tenant of this.tenants()) this.device.admit(tenant);
     this.camera.reducedMotion = options.reducedMotion;
     const target: GestureTarget = {
@@ -226,6 +233,12 @@ export class Stage {
     return part === null ? null : (this.model.parts[part]?.id ?? null);
   }
 
+  /** Outlines a part among several, or none; not in pictures. */
+  select(part: PartId | null): void {
+    if (!this.differs("selected", part)) return;
+    this.selected = part;
+  }
+
   private tap(x: number, y: number): void {
     const { left, top } = this.root.getBoundingClientRect();
     const part = this.options.onTap ? this.pick(x - left, y - top) : null;
@@ -278,6 +291,7 @@ export class Stage {
     tableau.scene.add(guest);
     this.device.admit(guest);
     this.guest = guest;
+    overlay.coreOf = (place) => guest.coreOf(place);
     return guest;
   }
 
@@ -430,6 +444,7 @@ export class Stage {
     tableau.shade(this.device, this.guest?.cutPlane.value);
     const scale = height / Math.max(this.size.height, 1);
     tableau.cutOut = transparent;
+    this.mark.visible = false;
     try {
       const { drawables } = tableau.scene;
       const canvas = drawPicture(this.device, drawables, camera.view, width, height, (window) => {
@@ -441,6 +456,7 @@ export class Stage {
       return canvas;
     } finally {
       tableau.cutOut = false;
+      this.mark.visible = true;
       tableau.backdrop.window.value = [0, 0, 1, 1];
     }
   }
@@ -529,6 +545,10 @@ export class Stage {
     this.tableau.prepare(this.device);
     const { azimuth } = camera.pose;
     this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
+    this.mark.update(
+      this.tableau.main,
+      this.model.parts.findIndex(({ id }) => id === this.selected),
+    );
     this.tableau.light(camera, aspect);
     this.tableau.backdrop.aspect.value = aspect;
   }
@@ -559,6 +579,7 @@ export class Stage {
     this.overlay.scale(columns, rows, fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
     this.guest?.prepare(this.camera, width, height);
+    this.overlay.cut.value = this.guest?.cutPlane.value ?? WHOLE;
     this.tableau.shade(this.device, this.guest?.cutPlane.value);
     this.pane.draw(columns, rows, fineness.samples, () =>
       draw(this.device, this.tableau.scene.drawables, this.camera.view),

@@ -16,6 +16,8 @@ export interface SolvedPart {
   readonly mesh: PartMesh;
   /** From the mesh to where the part stands. */
   readonly matrix: Matrix;
+  /** From which height to which that is. */
+  readonly span: readonly [low: number, high: number];
 }
 
 /** Parts in the order of the design, and what they fill. */
@@ -69,10 +71,27 @@ export function placedParts(design: Design, answers: readonly PartAnswer[]): Sol
   const extents = extentsOf(all);
   const lifted = standing.map(({ told: { body, closed }, matrix }) => ({ body, closed, lift: matrix[14] ?? 0 }));
   return {
-    parts: standing.map(({ answer: { id, revision, mesh }, matrix }) => ({ id, revision, mesh, matrix })),
+    parts: standing.map(({ answer: { id, revision, mesh }, matrix, reach }) => ({
+      id,
+      revision,
+      mesh,
+      matrix,
+      span: spanOf(reach),
+    })),
     bounds,
     facts: bounds && extents && factsOf(lifted, bounds, extents),
   };
+}
+
+/** The least and the greatest height of points. */
+function spanOf(points: Float64Array): readonly [number, number] {
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (let at = 2; at < points.length; at += 3) {
+    const z = points[at] ?? 0;
+    low = Math.min(low, z);
+    high = Math.max(high, z);
+  }
+  return low <= high ? [low, high] : [0, 0];
 }
 
 /** The lines of all parts where they stand; null where they are not all there. */

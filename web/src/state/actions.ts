@@ -47,13 +47,20 @@ export function resize(state: State, factor: number, walls: Walls): Change {
   return { design: convert(state.design), undo: "step", convert };
 }
 
-export function setLook(state: State, look: Look): Change {
+/** Glazes a part otherwise, or makes it of another clay; undefined takes away what was said. What a hand goes on choosing is one step with `key`. */
+export function setLook(state: State, look: LookChange, key?: string): Change {
   const path: Path = ["parts", state.part, "look"];
   const before = getPath(state.design, path) as Look | undefined;
-  const next: Look = { ...before, ...look };
-  if (before?.glaze === next.glaze && before?.clay === next.clay) return NOTHING;
-  return { design: setPath(state.design, path, next), undo: "step" };
+  const all = Object.entries({ ...before, ...look }).filter(([, value]) => value !== undefined);
+  const next = Object.fromEntries(all) as Look;
+  const fields = ["glaze", "inside", "line", "clay"] as const;
+  if (fields.every((field) => before?.[field] === next[field])) return NOTHING;
+  const design = setPath(state.design, path, next);
+  return key === undefined ? { design, undo: "step" } : { design, undo: "merge", key };
 }
+
+/** What of a look is to be different. */
+export type LookChange = { readonly [Field in keyof Look]?: Look[Field] | undefined };
 
 export function selectTab(tab: Tab): Change {
   return { undo: "none", session: { tab } };
@@ -77,6 +84,11 @@ export function setExport(state: State, change: Partial<Session["export"]>): Cha
   const before = state.session.export;
   const same = Object.entries(change).every(([name, value]) => before[name as keyof typeof before] === value);
   return same ? NOTHING : { undo: "none", session: { export: { ...before, ...change } } };
+}
+
+/** How much clay is trimmed off and lost, in percent of the pot. */
+export function setAllowance(allowance: number): Change {
+  return { undo: "none", session: { allowance } };
 }
 
 export function compareWith(order: OrderKind | null): Change {

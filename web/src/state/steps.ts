@@ -1,6 +1,7 @@
 /** What could be undone and redone, as text: kept for as long as a tab is open, so that it survives a reload. What is read may have been written by anybody. */
 
 import type { PartId } from "./parts";
+import { isRecord } from "./record";
 
 /** A document as JSON text with who its parts were. */
 export interface Step {
@@ -59,8 +60,4 @@ function areSteps(value: unknown): value is readonly Step[] {
 
 function areIds(value: unknown): value is readonly PartId[] {
   return Array.isArray(value) && new Set(value).size === value.length && value.every((id) => Number.isSafeInteger(id));
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }

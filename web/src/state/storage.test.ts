@@ -44,9 +44,10 @@ test("settings come back, and only those that are kept in the browser", () => {
     compare: "mixed-order",
     tab: "look",
     explain: true,
+    allowance: 35,
   } as const;
   expect(keepSettings(place, session)).toBe(true);
-  expect(readSettings(place)).toEqual({ ...NEW_SESSION, theme: "dark", tab: "look", explain: true });
+  expect(readSettings(place)).toEqual({ ...NEW_SESSION, theme: "dark", tab: "look", explain: true, allowance: 35 });
 });
 
 test("nonsense on the shelf is the default, field by field", () => {
@@ -59,6 +60,7 @@ test("nonsense on the shelf is the default, field by field", () => {
       overlays: { axes: true, isoU: 7, cut: true },
       unlocked: [1, "t"],
       export: { format: "exe", shrinkage: 12.5 },
+      allowance: 200,
     }),
   );
   expect(readSettings(place)).toEqual({

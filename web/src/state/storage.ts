@@ -4,6 +4,8 @@
  */
 
 import { FORMAT_NAMES } from "../document/format";
+import { MOST_ALLOWANCE, MOST_SHRINKAGE } from "../document/wedging";
+import { isRecord } from "./record";
 import type { Overlays, Session, ThemeChoice } from "./session";
 import { NEW_SESSION, TABS, THEMES } from "./session";
 import { type Steps, stepsFrom } from "./steps";
@@ -24,6 +26,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   map: "nowhere",
   fill: "nowhere",
   export: "browser",
+  allowance: "browser",
 };
 
 /** The design as last left in this browser. */
@@ -190,6 +193,7 @@ export function readSettings(shelf: Shelf | null): Session {
     overlays: overlaysFrom(kept.overlays),
     explain: kept.explain === true,
     export: exportFrom(kept.export),
+    allowance: percentage(kept.allowance, MOST_ALLOWANCE) ?? NEW_SESSION.allowance,
     unlocked: Array.isArray(kept.unlocked) ? kept.unlocked.filter((name) => typeof name === "string") : [],
   };
 }
@@ -206,16 +210,17 @@ function exportFrom(kept: unknown): Session["export"] {
   const { format, shrinkage } = isRecord(kept) ? kept : {};
   return {
     format: oneOf(FORMAT_NAMES, format, NEW_SESSION.export.format),
-    shrinkage: typeof shrinkage === "number" && shrinkage > 0 && shrinkage < 50 ? shrinkage : 0,
+    shrinkage: percentage(shrinkage, MOST_SHRINKAGE) ?? 0,
   };
+}
+
+/** A number from 0 to less than another; null for anything else. */
+function percentage(value: unknown, below: number): number | null {
+  return typeof value === "number" && value >= 0 && value < below ? value : null;
 }
 
 function oneOf<T>(all: readonly T[], value: unknown, fallback: T): T {
   return all.find((candidate) => candidate === value) ?? fallback;
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 function read(shelf: Shelf | null, key: string): unknown {

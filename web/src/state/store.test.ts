@@ -115,6 +115,22 @@ describe("actions", () => {
     expect(store.canUndo).toBe(false);
   });
 
+  test("a look is chosen by fields, of which each may be taken back, and a hand's choosing is one step", () => {
+    const look = () => store.state.design.parts[0]?.look;
+    store.apply(actions.setLook(store.state, { glaze: "#112233" }, "look:glaze"));
+    store.apply(actions.setLook(store.state, { glaze: "#445566" }, "look:glaze"));
+    store.endGesture();
+    store.apply(actions.setLook(store.state, { inside: "clear" }));
+    store.apply(actions.setLook(store.state, { line: 0.25 }));
+    expect(look()).toEqual({ glaze: "#445566", inside: "clear", line: 0.25 });
+    store.apply(actions.setLook(store.state, { inside: undefined, line: undefined }));
+    expect(look()).toEqual({ glaze: "#445566" });
+    expect(actions.setLook(store.state, { glaze: "#445566", line: undefined }).undo).toBe("none");
+    for (let i = 0; i < 4; i += 1) store.undo();
+    expect(look()).toBeUndefined();
+    expect(store.canUndo).toBe(false);
+  });
+
   test("a locked parameter sets x and y in one step", () => {
     store.apply(shapeActions.setFields(store.state, PULL, 0.2, false));
     expect(store.state.design.parts[0]?.shape).toMatchObject({ t: [0.2, 0.2] });

@@ -39,7 +39,7 @@ export const choiceStyles = css`
   }
   .choices div {
     display: grid;
-    grid-template-columns: repeat(auto-fit, minmax(min(150px, 100%), 1fr));
+    grid-template-columns: repeat(auto-fit, minmax(min(9.375rem, 100%), 1fr));
     gap: 8px;
   }
   .choices label {

@@ -68,7 +68,7 @@ export class PasuDialog extends LitElement {
     buttons,
     css`
       dialog {
-        width: min(520px, 100vw - 24px);
+        width: min(32.5rem, 100vw - 24px);
         max-height: min(86dvh, 900px);
         padding: 0;
         border: 1px solid var(--line);
@@ -79,7 +79,7 @@ export class PasuDialog extends LitElement {
         overflow: hidden;
       }
       :host([wide]) dialog {
-        width: min(1120px, 100vw - 24px);
+        width: min(70rem, 100vw - 24px);
       }
       dialog[open] {
         display: grid;

@@ -1,9 +1,14 @@
 /** A button that opens a small panel of controls above or below itself. Escape and a press elsewhere close it. */
 
-import { css, html, LitElement, nothing } from "lit";
+import { css, html, LitElement, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { type IconName, icon } from "./icons";
 import { base, buttons } from "./styles";
+
+/** Between the button and its panel, and between that and the edge, in pixels. */
+const GAP = 14;
+/** However little room there is, one of its lines is seen. */
+const LEAST_ROOM = 60;
 
 @customElement("pasu-menu")
 export class PasuMenu extends LitElement {
@@ -16,6 +21,7 @@ export class PasuMenu extends LitElement {
   /** Whether a choice inside closes the panel. */
   @property({ type: Boolean }) once = false;
   @state() private open = false;
+  @query("#panel") private readonly panel!: HTMLElement;
   @query("button") private readonly button!: HTMLButtonElement;
 
   override connectedCallback(): void {
@@ -40,11 +46,30 @@ export class PasuMenu extends LitElement {
         @click=${() => {
           this.open = !this.open;
         }}
+        @keydown=${this.key}
       >
         ${icon(this.icon)}${this.bare ? nothing : html`<span>${this.label}</span>`}
       </button>
       <div id="panel" ?hidden=${!this.open} @click=${this.chosen} @keydown=${this.key}><slot></slot></div>
     `;
+  }
+
+  override updated(changed: PropertyValues): void {
+    if (changed.has("open") && this.open) this.keepInside();
+  }
+
+  /** What has no room between the button and the edge of what it stands in scrolls. */
+  private keepInside(): void {
+    const { top, bottom } = this.button.getBoundingClientRect();
+    let [from, to] = [0, innerHeight];
+    for (let node: Node | null = this; node; node = node instanceof ShadowRoot ? node.host : node.parentNode) {
+      if (!(node instanceof Element) || getComputedStyle(node).overflowY === "visible") continue;
+      const box = node.getBoundingClientRect();
+      from = Math.max(from, box.top);
+      to = Math.min(to, box.bottom);
+    }
+    const room = (this.side === "up" ? top - from : to - bottom) - GAP;
+    this.panel.style.maxHeight = `${Math.max(room, LEAST_ROOM)}px`;
   }
 
   private readonly pressed = (event: Event): void => {
@@ -58,7 +83,7 @@ export class PasuMenu extends LitElement {
   };
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (event.key !== "Escape") return;
+    if (event.key !== "Escape" || !this.open) return;
     event.stopPropagation();
     this.open = false;
     this.button.focus();
@@ -85,6 +110,8 @@ export class PasuMenu extends LitElement {
         min-width: 210px;
         max-width: calc(100vw - 16px);
         padding: 6px;
+        overflow-y: auto;
+        overscroll-behavior: contain;
         border: 1px solid var(--line);
         border-radius: 12px;
         background: var(--sheet);

@@ -173,6 +173,8 @@ export class PasuNumber extends LitElement {
 
   /** A field of a length takes any unit of length. */
   private read(text: string) {
+    // A sign that may be typed and says nothing more.
+    if (this.unit === "%") return parseNumber(text.trim().replace(/%$/, ""));
     return this.unit === "" ? parseNumber(text) : parseLength(text, this.unit);
   }
 
@@ -319,7 +321,7 @@ export class PasuNumber extends LitElement {
         grid-column: 3;
       }
       .field {
-        width: 112px;
+        width: 7rem;
         text-align: right;
         font-variant-numeric: tabular-nums;
         border-color: var(--line);
@@ -329,7 +331,7 @@ export class PasuNumber extends LitElement {
       }
       .unit {
         position: absolute;
-        right: 9px;
+        right: 0.5625rem;
         top: 50%;
         translate: 0 -50%;
         color: var(--soft);
@@ -337,7 +339,7 @@ export class PasuNumber extends LitElement {
         pointer-events: none;
       }
       .typed:has(.unit) .field {
-        padding-right: 34px;
+        padding-right: 2.125rem;
       }
       .ways {
         grid-column: 2;
@@ -444,8 +446,8 @@ export class PasuNumber extends LitElement {
         font-size: 0.92em;
       }
       .problem .icon {
-        width: 17px;
-        height: 17px;
+        width: 1.0625rem;
+        height: 1.0625rem;
         margin-top: 2px;
       }
       .help {

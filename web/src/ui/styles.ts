@@ -38,8 +38,8 @@ export const base = css`
     outline-offset: 2px;
   }
   .icon {
-    width: 20px;
-    height: 20px;
+    width: 1.25rem;
+    height: 1.25rem;
     flex: none;
     fill: none;
     stroke: currentColor;

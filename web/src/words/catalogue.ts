@@ -12,6 +12,7 @@ import type { gallery } from "./english/gallery";
 import type { help } from "./english/help";
 import type { link } from "./english/link";
 import type { look } from "./english/look";
+import type { making } from "./english/making";
 import type { maps } from "./english/maps";
 import type { measures } from "./english/measures";
 import type { modes } from "./english/modes";
@@ -29,6 +30,7 @@ import type { shelf } from "./english/shelf";
 import type { size } from "./english/size";
 import type { wall } from "./english/wall";
 import type { water } from "./english/water";
+import type { wedging } from "./english/wedging";
 
 export interface Catalogue {
   readonly beginnings: typeof beginnings;
@@ -40,6 +42,7 @@ export interface Catalogue {
   readonly help: typeof help;
   readonly link: typeof link;
   readonly look: typeof look;
+  readonly making: typeof making;
   readonly maps: typeof maps;
   readonly measures: typeof measures;
   readonly modes: typeof modes;
@@ -57,4 +60,5 @@ export interface Catalogue {
   readonly size: typeof size;
   readonly wall: typeof wall;
   readonly water: typeof water;
+  readonly wedging: typeof wedging;
 }

@@ -101,9 +101,16 @@ test("errors are in the unit of their numbers", () => {
 test("what holds nothing says why", () => {
   const [part] = MEASURES.parts;
   if (!part) throw new Error("part");
-  const tube: Measures = { ...MEASURES, capacity: null, parts: [{ ...part, capacityReason: "a tube has no floor" }] };
-  expect(measureGroups(tube, 0, "cm")[1]).toMatchObject({ lines: [], reason: "A tube has no floor." });
-  expect(holdsText(tube, "cm")).toBe("A tube has no floor.");
+  const tube: Measures = {
+    ...MEASURES,
+    capacity: null,
+    parts: [{ ...part, capacityReason: "a tube", capacityCause: { code: "no-bottom", path: null, args: {} } }],
+  };
+  expect(measureGroups(tube, 0, "cm")[1]).toMatchObject({
+    lines: [],
+    reason: "A tube has no bottom to hold anything. A base closes it.",
+  });
+  expect(holdsText(tube, "cm")).toBe("A tube has no bottom to hold anything. A base closes it.");
   expect(waterRange(tube)).toBeNull();
 });
 

@@ -5,6 +5,7 @@ import { millilitres } from "../document/volume";
 import { formatNumber } from "../number";
 import { measures as said } from "./english/measures";
 import { quantities } from "./english/quantities";
+import { dryWords } from "./making";
 import {
   angleWords,
   areaShown,
@@ -19,7 +20,6 @@ import {
   volumeWords,
   words,
 } from "./quantities";
-import { libraryWords } from "./refusals";
 
 /** Areas whose difference nobody can measure are the same. */
 const SAME = 1e-4;
@@ -82,7 +82,7 @@ function isRound({ greatest, least }: Measures["width"]): boolean {
 
 function held(measures: Measures, unit: Unit): readonly Group[] {
   const { capacity } = measures;
-  if (!capacity) return [{ title: said.capacity, lines: [], reason: emptyReason(measures) }];
+  if (!capacity) return [{ title: said.capacity, lines: [], reason: emptyReason(measures, unit) }];
   const { brim, spill, stopped } = capacity;
   const notes = [
     ...(stopped ? [said.stopped] : []),
@@ -100,10 +100,12 @@ function held(measures: Measures, unit: Unit): readonly Group[] {
 }
 
 /** Why a design holds nothing. */
-export function emptyReason({ parts }: Measures): string {
-  const reasons = parts.map((part) => part.capacityReason ?? part.reason);
-  const reason = reasons.find((each) => each !== null) ?? null;
-  return reason === null ? said.holdsNothing : libraryWords(reason);
+export function emptyReason({ parts }: Measures, unit: Unit): string {
+  for (const { capacityCause, capacityReason, cause, reason } of parts) {
+    const why = capacityCause ?? cause;
+    if (why) return dryWords(why, capacityReason ?? reason ?? "", unit);
+  }
+  return said.holdsNothing;
 }
 
 function clay({ clay: body }: Measures, unit: Unit): readonly Group[] {
@@ -209,7 +211,7 @@ function quantity(name: string, { value, error }: Quantity, shown: Shown, note?:
 /** "Holds 820 ml to the brim."; or why it holds nothing. */
 export function holdsText(measures: Measures, unit: Unit): string {
   const { capacity } = measures;
-  if (!capacity) return emptyReason(measures);
+  if (!capacity) return emptyReason(measures, unit);
   const volume = volumeWords(capacity.brim.value, unit, 3);
   return capacity.stopped ? said.holdsStopped(volume) : said.holds(volume);
 }

@@ -2,6 +2,8 @@ import { readFileSync } from "node:fs";
 import init, { mesh, PasuError, parse } from "pasu/drawing";
 import { beforeAll, expect, test } from "vitest";
 import type { Design, Refusal } from "../document/types";
+// What only makers refuse.
+import "./making";
 import { refusalWords, whyWords } from "./refusals";
 
 beforeAll(() => init());
@@ -96,12 +98,16 @@ test("waves in free boundary data are told by their equation and how many they a
   );
 });
 
-test("waves of which there are too many to be made are told in the library's words, which say what they are good for", () => {
-  const message = "expected at most 4096 waves round a pot that is measured or made, found 10000; it can only be drawn";
+test("waves of which there are too many to be made are told with what they are good for", () => {
   const args = { greatest: 4096, found: 10000 };
-  const refusal: Refusal = { code: "too-large", path: "parts[0].shape.n[1]", message, args };
-  expect(refusalWords(refusal, design({}))).toBe(`Petals: Expected${message.slice("expected".length)}.`);
+  const refusal: Refusal = { code: "too-large", path: "parts[0].shape.n[1]", message: "no", args };
+  expect(refusalWords(refusal, design({}))).toBe(
+    "Petals: A pot that is measured or made has at most 4096 waves round it, and this has 10000: it can only be drawn.",
+  );
   expect(whyWords({ ...refusal, path: "title" })).toBe("There are 10000; at most 4096 are possible.");
+  expect(whyWords({ ...refusal, path: "parts[0].shape.x", args: { ...args, component: "x" } })).toMatch(
+    /^The equation of x changes too fast/,
+  );
 });
 
 test("a code without words of its own speaks in the library's, as a sentence", () => {
@@ -126,7 +132,7 @@ test("every code of the library has words or is known to speak in the library's"
       args: code.startsWith("unknown") ? { ...args, found: "three" } : args,
     });
   const library = codes.filter((code) => said(code ?? "") === "In other words.");
-  // These name too little for a sentence without the library's: which field it was, where a link broke, what of a pot is in the way of what.
+  // These name too little here for a sentence without the library's: which field it was, where a link broke; which of several things it is that is in the way, of which `findings.test.ts` knows all.
   expect(library).toMatchInlineSnapshot(`
     [
       "not-json",
@@ -135,12 +141,10 @@ test("every code of the library has words or is known to speak in the library's"
       "unknown-version",
       "unsupported-shape",
       "damaged-link",
-      "tolerance-too-fine",
       "no-such-point",
       "open-surface",
       "pinched-surface",
       "crosses-itself",
-      "no-opening",
       "no-room",
       "not-ready",
       "cancelled",

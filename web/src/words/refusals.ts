@@ -3,18 +3,19 @@
  * stands behind, for whoever writes documents.
  */
 
+import { unitOf } from "../document/look";
 import { getPath, type Path, pathOf, pathText } from "../document/path";
 import { familyOf } from "../document/schema";
-import type { Design, Refusal } from "../document/types";
+import type { Design, Refusal, Unit } from "../document/types";
 import { either, isolated, listed } from "../language";
 import { formatNumber } from "../number";
 import { refusals } from "./english/refusals";
 import { fieldWords } from "./parameters";
 import { partName } from "./parts";
 
-/** Why, where the place already says of what. */
-export function whyWords(refusal: Refusal): string {
-  const own = STATEMENTS[refusal.code]?.(refusal) ?? null;
+/** Why, where the place already says of what. `unit` is that of the lengths, where it is known. */
+export function whyWords(refusal: Refusal, unit: Unit | null = null): string {
+  const own = ofMaking[refusal.code]?.(refusal, unit) ?? STATEMENTS[refusal.code]?.(refusal, unit) ?? null;
   return own ?? refusals.general[refusal.code] ?? libraryWords(refusal.message);
 }
 
@@ -26,14 +27,22 @@ export function libraryWords(message: string): string {
 
 /** The whole sentence. `design` is what was refused, where the page has it. */
 export function refusalWords(refusal: Refusal, design: Design | null = null): string {
-  const why = whyWords(refusal);
+  const why = whyWords(refusal, design && unitOf(design));
   const path = pathOf(refusal.path);
   // What is not known there is named by the sentence itself.
   const subjects = subjectsOf(refusal.code === "unknown-field" ? path.slice(0, -1) : path, design);
   return subjects.length === 0 ? why : refusals.of(refusals.within(subjects), why);
 }
 
-type Statement = (refusal: Refusal) => string | null;
+export type Statement = (refusal: Refusal, unit: Unit | null) => string | null;
+
+/** What only makers refuse. */
+let ofMaking: Readonly<Record<string, Statement>> = {};
+
+/** From here on refusals of makers are told by these. They come with what makes pots: nobody waits for them before there is a wall. */
+export function tellOfMaking(statements: Readonly<Record<string, Statement>>): void {
+  ofMaking = statements;
+}
 
 /** Null where what the refusal names is not enough for a sentence of the page's own. */
 const STATEMENTS: Readonly<Record<string, Statement>> = {
@@ -46,9 +55,9 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "missing-field": () => refusals.missing,
   "not-finite": () => refusals.notFinite,
   "too-large": (refusal) => {
-    const [found, greatest] = [numberOf(refusal, "found"), numberOf(refusal, "greatest")];
     if (refusal.args?.rows !== undefined) return refusals.tooManyPoints;
-    // Of what a shape has too much, and what it is good for all the same, the library says.
+    const [found, greatest] = [numberOf(refusal, "found"), numberOf(refusal, "greatest")];
+    // Of what a shape has too much to be made, what makes it speaks.
     const counts = found !== null && greatest !== null && !refusal.path.includes(".shape");
     return counts ? refusals.tooMany(found, greatest) : null;
   },
@@ -69,12 +78,12 @@ function named(refusal: Refusal): string {
   return textOf(refusal, "name") ?? "";
 }
 
-function textOf({ args }: Refusal, name: string): string | null {
+export function textOf({ args }: Refusal, name: string): string | null {
   const text = args?.[name];
   return typeof text === "string" ? text : null;
 }
 
-function numberOf({ args }: Refusal, name: string): string | null {
+export function numberOf({ args }: Refusal, name: string): string | null {
   const number = args?.[name];
   return typeof number === "number" ? formatNumber(number) : null;
 }

@@ -26,7 +26,10 @@ test("what is left out is the same as what is usual", () => {
 test("what was fitted is said with the size that is made", () => {
   const found = (code: string, wall: Wall | null) => {
     const remedy = wall && { path: "parts[0].wall", wall, message: "" };
-    const told = fittedWords({ code, severity: "warning", part: 0, path: null, message: "", at: null, remedy }, "cm");
+    const told = fittedWords(
+      { code, severity: "warning", part: 0, path: null, message: "", args: {}, at: null, remedy },
+      "cm",
+    );
     return told?.replaceAll("\u00a0", " ");
   };
   const made = { ...asked, foot: [0.9, 0.21], drain: 0.5 } as const;

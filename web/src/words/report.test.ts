@@ -20,6 +20,7 @@ const part = (given: Partial<PartMeasures>): PartMeasures =>
     name: null,
     isPot: true,
     reason: null,
+    cause: null,
     thickness: null,
     overhang: null,
     overhangInside: null,
@@ -44,12 +45,22 @@ test("an overhang is told by its angle and place", () => {
 test("of a pot with a ceiling beneath it only the wall is said to print without support", () => {
   const message =
     "the base within the foot ring is a ceiling, 50 mm wide and 2.5 mm above the ground: printers bridge it";
-  const finding = { code: "ceiling", severity: "note", part: 0, path: null, message, at: [0, 0, 0], remedy: null };
+  const args = { what: "within-ring", widthMm: 50, heightMm: 2.5 };
+  const finding = {
+    code: "ceiling",
+    severity: "note",
+    part: 0,
+    path: null,
+    message,
+    args,
+    at: [0, 0, 0],
+    remedy: null,
+  };
   const report = { ok: false, findings: [finding], meshes: [] } as unknown as Report;
   const told = (degrees: number) =>
     texts(measures({}, { overhang: { degrees, error: 0, at: SHOULDER, face: "outer" } }), report);
   const ceiling =
-    "note: The base within the foot ring is a ceiling, 50 mm wide and 2.5 mm above the ground: printers bridge it.";
+    "note: The base within the foot ring is a ceiling, 50 mm wide and 2.5 mm above the ground: printers bridge it or need support.";
   expect(told(30)).toEqual([
     ceiling,
     "good: The steepest overhang of the wall is 30 degrees, at the shoulder: it prints without support.",
@@ -64,15 +75,18 @@ test("what is found of one of several parts has its name", () => {
     part: 1,
     path: null,
     message: "they touch",
+    args: { what: "touches", other: 0 },
     at: null,
     remedy: null,
   };
   const report = { ok: false, findings: [finding], meshes: [] } as unknown as Report;
   const two = measures({}, { part: 0, name: "Lid" }, { part: 1, name: "Jar" });
   expect(texts(two, report).map((text) => text.replaceAll(/[\u2068\u2069]/g, ""))).toEqual([
-    "warning: Jar: They touch.",
+    "warning: Jar: It touches or runs through Lid.",
   ]);
-  expect(texts(measures({}, { part: 1, name: "Jar" }), report)).toEqual(["warning: They touch."]);
+  expect(texts(measures({}, { part: 1, name: "Jar" }), report)).toEqual([
+    "warning: It touches or runs through Part 1.",
+  ]);
 });
 
 test("the inside hangs over too, and is told by its own place however thick the wall is", () => {
@@ -155,10 +169,12 @@ test("the worst comes first, and parts are named where there are several", () =>
   const made = measures(
     { tipping: { empty: { degrees: 30, error: 0, toward: 0 }, full: null } },
     { overhang: { degrees: 80, error: 0, at: SHOULDER, face: "outer" } },
-    { part: 1, name: "lid", isPot: false, reason: "The surface does not close." },
+    { part: 1, name: "lid", isPot: false, cause: { code: "open-surface", path: null, args: { what: "not-closed" } } },
   );
   expect(texts(made).map((text) => text.split(":")[0])).toEqual(["error", "warning", "good"]);
-  expect(texts(made)[0]).toBe("error: lid: The surface does not close.");
+  expect(texts(made)[0]).toBe(
+    "error: lid: The surface does not meet itself after one turn. It does with whole numbers of waves.",
+  );
 });
 
 test("what the checks say of a thinned wall is told once, with its unit and place", () => {
@@ -174,6 +190,7 @@ test("what the checks say of a thinned wall is told once, with its unit and plac
     part: 0,
     path: "parts[0].wall.thickness",
     message: "thin",
+    args: {},
     at: SHOULDER,
     remedy: null,
   } as const;
@@ -191,12 +208,13 @@ test("findings are given the name of their place, once", () => {
     part: 0,
     path: "parts[0].wall.thickness",
     message: "The wall is thin.",
+    args: {},
     at: RIM,
     remedy: null,
   } as const;
-  expect(findingWords(finding, OUTLINE)).toBe("The wall is thin (at the rim).");
-  expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE)).toBe("Thin at the rim.");
-  expect(findingWords({ ...finding, at: null }, OUTLINE)).toBe("The wall is thin.");
+  expect(findingWords(finding, OUTLINE, "cm")).toBe("The wall is thin (at the rim).");
+  expect(findingWords({ ...finding, message: "Thin at the rim." }, OUTLINE, "cm")).toBe("Thin at the rim.");
+  expect(findingWords({ ...finding, at: null }, OUTLINE, "cm")).toBe("The wall is thin.");
   expect(texts(measures({}), { ok: true, findings: [] } as unknown as Report)).toEqual([
     "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
   ]);
@@ -210,6 +228,7 @@ test("a ring that was fitted is told with its size and unit", () => {
     part: 0,
     path: "parts[0].wall.foot",
     message: "the foot ring is made otherwise",
+    args: {},
     at: null,
     remedy: { path: "parts[0].wall", wall, message: "" },
   } as const;

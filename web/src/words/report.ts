@@ -7,9 +7,10 @@ import { isolated } from "../language";
 import { formatNumber } from "../number";
 import { quantities } from "./english/quantities";
 import { report as said } from "./english/report";
+import { lengthOf } from "./making";
 import { partName } from "./parts";
 import { degreesWords, lengthWords } from "./quantities";
-import { libraryWords, whyWords } from "./refusals";
+import { whyWords } from "./refusals";
 import { fittedWords } from "./remedies";
 
 export type Severity = "error" | "warning" | "note" | "good";
@@ -80,7 +81,7 @@ export function checked(report: Report, measures: Measures | null, outline: Outl
         finding.part,
         finding.code === THINNED
           ? thinnedWords(finding, report, outline, unit)
-          : (fittedWords(finding, unit) ?? findingWords(finding, outline)),
+          : (fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)),
       ),
     }));
   const closed: Sentence = {
@@ -90,20 +91,54 @@ export function checked(report: Report, measures: Measures | null, outline: Outl
   return report.ok ? [...sentences, closed] : sentences;
 }
 
-/** A finding as a sentence, with the name of its place. */
-export function findingWords({ code, severity, message, at }: Finding, outline: Outline): string {
-  // A part without a wall is an error by itself, and beside pots left out.
-  const sentence = code === "no-wall" && severity === "warning" ? said.leftOut : whyWords({ code, path: "", message });
+/** A finding as a sentence, with the name of its place; `measures` have the names of parts. */
+export function findingWords(finding: Finding, outline: Outline, unit: Unit, measures: Measures | null = null): string {
+  const { code, message, args, at } = finding;
+  const own = OWN[code]?.(finding, unit, measures) ?? null;
+  const sentence = own ?? whyWords({ code, path: finding.path ?? "", message, args }, unit);
   if (!at || outline.length < 2 || code === CEILING) return sentence;
   const place = whereWords(at, outline);
   return sentence.includes(place) ? sentence : said.placed(sentence.slice(0, -1), place);
+}
+
+/** What only checks say; null where what a finding names is not enough. */
+const OWN: Readonly<Record<string, (finding: Finding, unit: Unit, measures: Measures | null) => string | null>> = {
+  // A part without a wall is an error by itself, and beside pots left out.
+  "no-wall": ({ severity }) => (severity === "warning" ? said.leftOut : null),
+  "thin-base": (finding) => {
+    const { what } = finding.args;
+    const say: ((thickness: string, least: string) => string) | undefined =
+      said.thinBase[what as keyof typeof said.thinBase];
+    const [thickness, least, safe] = ["thicknessMm", "leastMm", "safeMm"].map((name) => lengthOf(finding, name, "mm"));
+    const limit = what === "not-printed" || what === "no-clay" ? least : safe;
+    return say !== undefined && thickness && limit ? say(thickness, limit) : null;
+  },
+  ceiling: (finding) => {
+    const [width, height] = ["widthMm", "heightMm"].map((name) => lengthOf(finding, name, "mm"));
+    if (!height) return null;
+    return width ? said.ceiling(width, height) : said.underside(height);
+  },
+  overlap: together,
+  "same-place": together,
+  "tolerance-too-fine": (finding, unit) => {
+    const [bound, asked] = ["bound", "asked"].map((name) => lengthOf(finding, name, unit));
+    return bound && asked ? said.unkept(bound, asked) : null;
+  },
+};
+
+function together({ args }: Finding, _unit: Unit, measures: Measures | null): string | null {
+  const say: ((other: string) => string) | undefined = said.together[args.what as keyof typeof said.together];
+  const { other } = args;
+  if (say === undefined || typeof other !== "number") return null;
+  const name = measures?.parts.find((part) => part.part === other)?.name ?? null;
+  return say(isolated(partName(other, name)));
 }
 
 /** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
 function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
   const { part, at } = finding;
   const mesh = meshes.find((each) => each.part === part);
-  if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline);
+  if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline, unit);
   const share = quantities.percent(formatNumber(Math.max(0.1, 100 * mesh.thinned), 2));
   return said.thinnedTo(lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline), share);
 }
@@ -149,7 +184,8 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, codes: readonl
   const sentences: Sentence[] = [];
   const say = (severity: Severity, text: string) => sentences.push({ severity, text });
   const where = (at: Triple | null) => whereWords(at, outline);
-  if (!part.isPot && part.reason) say("error", libraryWords(part.reason));
+  if (part.cause)
+    say("error", whyWords({ ...part.cause, path: part.cause.path ?? "", message: part.reason ?? "" }, unit));
   const { thickness } = part;
   if (thickness) {
     const { least, asked } = thickness;

@@ -7,11 +7,11 @@
 import { batch, effect, type Signal, signal } from "@preact/signals-core";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
-import type { Design, Measures, Report } from "../document/types";
+import type { Design, MapName, Measures, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
-import type { Answers, Ask, Filled, Kind, Painted, Quick, Solid } from "../maker/messages";
+import type { Answers, Ask, Filled, Kind, Lined, Painted, Quick, Solid } from "../maker/messages";
 import type { Store } from "../state/store";
 import { holdsText } from "../words/measures";
 import { InStep, type Later } from "./in-step";
@@ -19,7 +19,7 @@ import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";
 
 /** What is shown in the panels; the export dialogue asks for itself. */
-type Shown = "solid" | "measure" | "check" | "paint" | "water";
+type Shown = "solid" | "measure" | "check" | "paint" | "lining" | "water";
 
 /** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
 const COARSE = 1 / 150;
@@ -41,6 +41,7 @@ export class Made {
     measure: signal<Piece<Measures>>(NOTHING),
     check: signal<Piece<Report>>(NOTHING),
     paint: signal<Piece<Painted>>(NOTHING),
+    lining: signal<Piece<Lined>>(NOTHING),
     water: signal<Piece<Filled>>(NOTHING),
   };
   /** What is asked for, so that it is asked once. */
@@ -80,6 +81,11 @@ export class Made {
 
   get painted(): Piece<Painted> {
     return this.#pieces.paint.value;
+  }
+
+  /** The map inside, at the vertices of the solid whose key begins its own. */
+  get lining(): Piece<Lined> {
+    return this.#pieces.lining.value;
   }
 
   get water(): Piece<Filled> {
@@ -153,9 +159,23 @@ export class Made {
       const { map } = session;
       const { rows, columns } = this.#surface.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
+      this.#line(design, map, rows, columns);
     }
     if (this.#store.inGesture && !rests && !same) this.#rest();
     else this.#pour();
+  }
+
+  /** A wall within the surface hides what the map shows of it: behind it lies the lining. What leans is known of every face by its normal. */
+  #line(design: Design, map: MapName | null, rows: number, columns: number): void {
+    const { value, of, key } = this.solid;
+    const within = design.parts.some(({ wall }) => wall && wall.side !== "outside");
+    if (!map || map === "overhang" || !within || !value || of !== design || key === QUICK) {
+      this.#want("lining", null, "");
+      return;
+    }
+    const mine = `${key} ${map} ${rows} ${columns}`;
+    if (this.#has("lining", design, mine)) return;
+    this.#want("lining", { kind: "lining", design, map, rows, columns, points: liningOf(value) }, mine);
   }
 
   /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
@@ -235,4 +255,12 @@ export class Made {
   #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
     this.#pieces[name].value = piece;
   }
+}
+
+/** Numbers of a vertex that say what the glaze goes by, of which the first is 1 in the lining. */
+const WARES = 4;
+
+/** Where the vertices of the lining are; NaN for all others. */
+function liningOf({ positions, wares }: Solid): Float32Array {
+  return positions.map((x, i) => (wares[WARES * Math.floor(i / 3)] === 1 ? x : Number.NaN));
 }

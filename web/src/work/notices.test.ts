@@ -12,3 +12,15 @@ test("a notice goes when it is dismissed, and a newer one stays", () => {
   notices.dismiss(notices.notice?.id ?? 0);
   expect(notices.notice).toBeNull();
 });
+
+test("what a notice tells of is taken back once, and that is told too", async () => {
+  const notices = new Notices();
+  let taken = 0;
+  const act = async () => {
+    taken += 1;
+    return "Taken back.";
+  };
+  notices.say("Deleted.", { label: "Undo", act });
+  await Promise.all([notices.undo(), notices.undo()]);
+  expect([taken, notices.notice?.text, notices.notice?.undo]).toEqual([1, "Taken back.", null]);
+});

@@ -5,6 +5,15 @@ import { signal } from "@preact/signals-core";
 export interface Notice {
   readonly text: string;
   readonly id: number;
+  /** What takes back what is told; null where nothing can. */
+  readonly undo: Undo | null;
+}
+
+/** A way back. */
+export interface Undo {
+  readonly label: string;
+  /** Takes it back, and says what became of that. */
+  act(): Promise<string>;
 }
 
 export class Notices {
@@ -20,14 +29,22 @@ export class Notices {
     return this.#newVersion.value;
   }
 
-  say(text: string): void {
+  say(text: string, undo: Undo | null = null): void {
     this.#last += 1;
-    this.#notice.value = { text, id: this.#last };
+    this.#notice.value = { text, id: this.#last, undo };
   }
 
   /** Does nothing where something newer was said meanwhile. */
   dismiss(id: number): void {
     if (this.#notice.peek()?.id === id) this.#notice.value = null;
+  }
+
+  /** Takes back what the present notice tells of, once, and says what became of that. */
+  async undo(): Promise<void> {
+    const notice = this.#notice.peek();
+    if (!notice?.undo) return;
+    this.dismiss(notice.id);
+    this.say(await notice.undo.act());
   }
 
   announceNewVersion(): void {

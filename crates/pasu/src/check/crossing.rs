@@ -11,6 +11,12 @@ use crate::watch;
 
 type Point = [f32; 3];
 
+/// How many triangles may be beside one, in the mean; of a pot that can be made there are some ten.
+const MOST_NEIGHBOURS: usize = 64;
+
+/// So many pairs are looked at of any mesh.
+const FEW_PAIRS: usize = 1 << 20;
+
 /// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first. Triangles of one group that has a number are known not to cross each other.
 pub(crate) fn crossings(
     positions: &[Point],
@@ -18,19 +24,46 @@ pub(crate) fn crossings(
     group: impl Fn(u32) -> Option<u32>,
     most: usize,
 ) -> Vec<[u32; 2]> {
+    search(positions, triangles, group, most, usize::MAX).0
+}
+
+/// As [`crossings`], and the triangle at which the search was given up, if it was: in a mesh whose triangles lie so close together that each is beside many others it would take all day.
+pub(crate) fn crossings_soon(
+    positions: &[Point],
+    triangles: &[[u32; 3]],
+    group: impl Fn(u32) -> Option<u32>,
+    most: usize,
+) -> (Vec<[u32; 2]>, Option<u32>) {
+    let most_pairs = FEW_PAIRS.saturating_add(MOST_NEIGHBOURS.saturating_mul(triangles.len()));
+    search(positions, triangles, group, most, most_pairs)
+}
+
+fn search(
+    positions: &[Point],
+    triangles: &[[u32; 3]],
+    group: impl Fn(u32) -> Option<u32>,
+    most: usize,
+    most_pairs: usize,
+) -> (Vec<[u32; 2]>, Option<u32>) {
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
     let bounded = triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, corners(triangle)));
     let bounded: Vec<Bounded> = bounded.collect();
     let groups: Vec<Option<u32>> = (0..triangles.len() as u32).map(group).collect();
     let boxes = Boxes::new(bounded.clone());
     let mut found = Vec::new();
+    let (mut n_pairs, mut given_up) = (0, None);
     for (p, one) in triangles.iter().zip(&bounded) {
         if found.len() >= most || watch::is_stopped() {
+            break;
+        }
+        if n_pairs > most_pairs {
+            given_up = Some(one.number);
             break;
         }
         let before = found.len();
         let (at_p, group) = (corners(p), groups[one.number as usize]);
         boxes.later(one, |other| {
+            n_pairs += 1;
             if group.is_none() || group != groups[other as usize] {
                 let q = &triangles[other as usize];
                 if cross(p, q, &at_p, &corners(q)) {
@@ -41,7 +74,7 @@ pub(crate) fn crossings(
         found[before..].sort_unstable();
     }
     found.truncate(most);
-    found
+    (found, given_up)
 }
 
 /// Whether two triangles have more in common than vertices and edges that they share.
@@ -161,6 +194,19 @@ mod tests {
         let turned = triangles.map(|[a, b, c]| [c, a, b]);
         assert_eq!(found, crossings(&positions, &turned, |_| None, 9));
         !found.is_empty()
+    }
+
+    #[test]
+    fn what_lies_all_in_one_place_is_given_up() {
+        // Long triangles side by side, each in the box of every other.
+        let n = 4000;
+        let at = |i: u32| i as f32 / n as f32;
+        let corners = |i: u32| [[0.0, 0.0, at(i)], [1.0, 1.0, at(i)], [1.0, 0.999, at(i) + 1.0]];
+        let positions: Vec<Point> = (0..n).flat_map(corners).collect();
+        let triangles: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let (found, given_up) = crossings_soon(&positions, &triangles, |_| Some(1), 9);
+        assert!(found.is_empty() && given_up.is_some_and(|triangle| triangle > 0), "{given_up:?}");
+        assert_eq!(crossings_soon(&positions[..300], &triangles[..100], |_| Some(1), 9), (Vec::new(), None));
     }
 
     const T: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

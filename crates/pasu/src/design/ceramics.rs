@@ -1,6 +1,6 @@
 //! Clay and glaze as light sees them, as far as files and pages have to agree on it.
 
-use super::look::{Clay, Glaze};
+use super::look::{Choice, Clay, Glaze};
 
 /// A fired clay body.
 #[derive(Debug, Clone, Copy)]
@@ -25,6 +25,35 @@ pub(crate) struct Layer {
     pub(crate) opacity: f64,
     /// 0 (mirror) to 1.
     pub(crate) roughness: f64,
+}
+
+/// How rough clay of one's own colour is.
+pub(super) const OWN_CLAY: f64 = 0.75;
+/// The layer of a glaze of one's own colour: opaque and glossy, so that the pot has that colour.
+pub(super) const OWN_OPACITY: f64 = 0.9;
+pub(super) const OWN_GLAZE: f64 = 0.12;
+
+impl Choice<Clay> {
+    /// The fired body: its colour and its roughness.
+    pub(crate) fn fired(self) -> ([f64; 3], f64) {
+        match self {
+            Choice::Named(clay) => (clay.body().colour, clay.body().roughness),
+            Choice::Own(colour) => (colour.linear(), OWN_CLAY),
+        }
+    }
+}
+
+impl Choice<Glaze> {
+    /// The layer; none on bare clay.
+    pub(crate) fn layer(self) -> Option<Layer> {
+        match self {
+            Choice::Named(glaze) => glaze.layer(),
+            Choice::Own(colour) => {
+                let colour = colour.linear();
+                Some(Layer { tint: colour, body: colour, opacity: OWN_OPACITY, roughness: OWN_GLAZE })
+            }
+        }
+    }
 }
 
 impl Clay {

@@ -43,6 +43,7 @@ pub(super) fn numbers(text: &mut String, name: &str, about: &str, kind: Option<&
             Range::NotZero => " Not 0.",
             Range::Positive => " Greater than 0.",
             Range::NotNegative => " Not less than 0.",
+            Range::Share => " 0 to 1.",
         };
         let lines: Vec<&str> = table.about.iter().map(|line| line.trim()).collect();
         field(text, table.name, table.need, &typescript, &format!("{}{range}", lines.join(" ")));

@@ -14,6 +14,7 @@ use super::declarations;
 use super::fields::Field;
 use super::fields::{self, Dimension, Fields};
 use super::handles::Handles;
+use super::parameter::Parameter;
 use super::quantity::Size;
 #[cfg(feature = "typescript")]
 use super::slider::Slider;
@@ -52,6 +53,16 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// What of it a hand can drag.
     fn handles(&self) -> Handles;
 
+    /// Its numbers one by one, if it is a named family; none otherwise.
+    fn parameters(&self) -> Vec<Parameter> {
+        Vec::new()
+    }
+
+    /// The same with other numbers, in the order of [`Described::parameters`].
+    fn with_parameters(self, _values: &[f64]) -> Self {
+        self
+    }
+
     /// Refuses parameters within the range of numbers whose products leave it.
     ///
     /// # Errors
@@ -83,17 +94,17 @@ pub(crate) struct Family {
     pub(crate) span: fn() -> Span,
 }
 
-/// Makes fields of a document from the names and texts of a link.
-pub(crate) type Reading = fn(&[(&str, &str)]) -> Result<Vec<(String, Value)>>;
-
 /// How a readable link says the fields of a document.
 #[derive(Clone, Copy)]
 pub(crate) struct Spelling {
     /// What may stand before `=`.
     pub(crate) names: &'static [&'static str],
     /// The fields from the names and texts of a link, all of these names. What a link may leave out is there; what is wrong is left to the reader of the document, or refused with the path of the field.
-    pub(crate) read: Reading,
+    pub(crate) read: fn(&[(&str, &str)]) -> Result<Spelled>,
 }
+
+/// Fields of a document by their names.
+pub(crate) type Spelled = Vec<(String, Value)>;
 
 /// A named family: a few numbers that expand into a boundary-value problem.
 pub(crate) trait Expanded: Fields + Serialize + DeserializeOwned {
@@ -155,6 +166,17 @@ impl<T: Expanded> Described for T {
     #[inline]
     fn handles(&self) -> Handles {
         Expanded::handles(self)
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        Parameter::all(T::FIELDS, &self.numbers())
+    }
+
+    fn with_parameters(mut self, values: &[f64]) -> Self {
+        for (number, value) in self.numbers_mut().into_iter().flatten().zip(values) {
+            *number = *value;
+        }
+        self
     }
 
     #[cfg(feature = "typescript")]

@@ -9,6 +9,7 @@ use super::limits::{BYTES, MODES, PARTS, VERSION};
 use super::number::plain;
 use super::part::Part;
 use super::quantity::{is_default, or_default, whole};
+use super::shape::Shape;
 use super::unit::Unit;
 use super::value::Value;
 use super::{label, limits, list, reader, refusal, text};
@@ -83,14 +84,28 @@ impl Design {
     pub(crate) fn from_value(value: &Value) -> Result<Design> {
         check_version(value)?;
         let document: Document = reader::read(value)?;
-        let design = Design(Document { parts: canonical(document.parts)?, ..document });
-        let length = design.to_json().len();
+        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+    }
+
+    /// The same design with another shape of one of its parts.
+    ///
+    /// # Errors
+    /// As [`Design::read`], of what the shape is too large for.
+    pub(crate) fn with_shape(&self, part: usize, shape: Shape) -> Result<Design> {
+        let mut document = self.0.clone();
+        document.parts[part].shape = shape;
+        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+    }
+
+    /// Refuses a design whose document is too long.
+    fn within_limit(self) -> Result<Design> {
+        let length = self.to_json().len();
         if length > BYTES {
             let message = format!("expected a design of at most {BYTES} bytes of JSON, found {length}");
             let error = Error::new(Code::TooLarge, "", message);
             return Err(error.with("greatest", BYTES as f64).with("found", length as f64));
         }
-        Ok(design)
+        Ok(self)
     }
 
     /// The canonical document, on one line.
@@ -205,6 +220,9 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
     }
     Ok(parts)
 }
+
+#[cfg(feature = "typescript")]
+crate::answer::known_as!(Design, "Design");
 
 /// Refuses a tree with a null in it.
 fn without_null(value: &Value) -> Result<()> {

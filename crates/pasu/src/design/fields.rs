@@ -5,7 +5,7 @@ use std::fmt;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{SerializeStruct, Serializer};
 
-use super::number::{parse, rounded, shortest};
+use super::number::{rounded, shortest};
 use super::quantity::{Range, Size, Written, read_into};
 use super::value::Value;
 
@@ -89,10 +89,6 @@ pub(crate) trait Fields: Clone + PartialEq + Sized + 'static {
 /// None here: what is no number stays a text, which the reader of the document refuses and says where.
 #[inline]
 pub(crate) fn spelled<T: Fields>(given: &[(&str, &str)]) -> crate::error::Result<Vec<(String, Value)>> {
-    let number = |text: &str| match parse(text.trim()) {
-        Some(number) => Value::Number(number),
-        None => Value::Text(text.trim().to_owned()),
-    };
     let all = |size: Size, mut items: Vec<Value>| match size {
         Size::One => items.pop().unwrap_or(Value::Null),
         Size::List(_) => Value::List(items),
@@ -101,8 +97,8 @@ pub(crate) fn spelled<T: Fields>(given: &[(&str, &str)]) -> crate::error::Result
     for (name, text) in given {
         let size = T::FIELDS.iter().find(|field| field.name == *name).map_or(Size::One, |field| field.size);
         let items = match size {
-            Size::One => vec![number(text)],
-            Size::List(_) => text.split(',').map(number).collect(),
+            Size::One => vec![Value::spelled(text)],
+            Size::List(_) => text.split(',').map(Value::spelled).collect(),
         };
         fields.push(((*name).to_owned(), all(size, items)));
     }

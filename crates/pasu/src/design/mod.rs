@@ -20,6 +20,7 @@ mod names;
 mod number;
 #[cfg(feature = "typescript")]
 mod page;
+mod parameter;
 mod part;
 mod placement;
 mod quantity;
@@ -44,12 +45,14 @@ pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
+pub(crate) use fields::Dimension;
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
-pub(crate) use limits::{RATE, SWING, WAVES};
-pub use look::{Clay, Glaze, Look};
+pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
+pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 pub(crate) use number::{plain, rounded};
 #[cfg(feature = "typescript")]
 pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tables};
+pub(crate) use parameter::Parameter;
 pub use part::Part;
 pub use placement::Placement;
 pub use reader::read_from as read;

@@ -1,5 +1,6 @@
 //! The tables of the document as modules of TypeScript, for a page on which it is edited: what is edited, what holds of it whoever looks at it, and what it is made of.
 
+use super::ceramics::{OWN_CLAY, OWN_GLAZE, OWN_OPACITY};
 use super::described::Family;
 use super::fields::{Dimension, Field, Need};
 use super::limits::{CHARACTERS, FORCE, MODES, PARTS, RINGS};
@@ -101,6 +102,17 @@ pub fn typescript_of_materials() -> String {
     constant(&mut text, "Layers of glaze, in linear colours; bare clay has none.", "LAYERS", &record(glazes, 0));
     let clays = Clay::ALL.iter().map(|clay| (clay.name().to_owned(), of_clay(*clay)));
     constant(&mut text, "Fired clay bodies, in linear colours.", "BODIES", &record(clays, 0));
+    let own = [
+        ("opacity".to_owned(), plain(OWN_OPACITY)),
+        ("glaze".to_owned(), plain(OWN_GLAZE)),
+        ("clay".to_owned(), plain(OWN_CLAY)),
+    ];
+    constant(
+        &mut text,
+        "What is of a colour of one's own: how opaque such a glaze is, and how rough glaze and clay are.",
+        "OWN",
+        &record(own, 0),
+    );
     text
 }
 

@@ -42,6 +42,7 @@ impl Part {
             shape: self.shape.canonical().map_err(|error| error.inside_field("shape"))?,
             place: self.place.canonical().map_err(|error| error.inside_field("place"))?,
             wall: self.wall.map(Wall::canonical),
+            look: self.look.canonical(),
             ..self
         })
     }

@@ -14,15 +14,17 @@ pub(crate) enum Range {
     NotZero,
     Positive,
     NotNegative,
+    Share,
 }
 
 impl Range {
-    fn contains(self, x: f64) -> bool {
+    pub(crate) fn contains(self, x: f64) -> bool {
         match self {
             Range::Any => true,
             Range::NotZero => x != 0.0,
             Range::Positive => x > 0.0,
             Range::NotNegative => x >= 0.0,
+            Range::Share => (0.0..=1.0).contains(&x),
         }
     }
 
@@ -33,21 +35,25 @@ impl Range {
             Range::NotZero => "a number other than 0",
             Range::Positive => "a number greater than 0",
             Range::NotNegative => "0 or a number greater than 0",
+            Range::Share => "a number from 0 to 1",
         }
     }
 
     /// The range that such words tell of: all that `serde` hands on of what was expected are its words.
     pub(super) fn told(words: &str) -> Option<Range> {
-        [Range::NotZero, Range::Positive, Range::NotNegative].into_iter().find(|range| range.words() == words)
+        [Range::NotZero, Range::Positive, Range::NotNegative, Range::Share]
+            .into_iter()
+            .find(|range| range.words() == words)
     }
 
-    /// What an error that expected this names: the bound, and whether it is one of those allowed.
-    pub(super) fn argument(self) -> Option<(&'static str, f64)> {
+    /// What an error that expected this names: the bounds, and whether they are among those allowed.
+    pub(super) fn arguments(self) -> &'static [(&'static str, f64)] {
         match self {
-            Range::Any => None,
-            Range::NotZero => Some(("not", 0.0)),
-            Range::Positive => Some(("above", 0.0)),
-            Range::NotNegative => Some(("least", 0.0)),
+            Range::Any => &[],
+            Range::NotZero => &[("not", 0.0)],
+            Range::Positive => &[("above", 0.0)],
+            Range::NotNegative => &[("least", 0.0)],
+            Range::Share => &[("least", 0.0), ("greatest", 1.0)],
         }
     }
 }
@@ -150,6 +156,11 @@ pub(super) fn or_zero<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64,
 /// 0 or greater; 0 when it is left out.
 pub(super) fn not_negative_or_zero<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     deserializer.deserialize_option(Maybe(Range::NotNegative, PhantomData)).map(Option::unwrap_or_default)
+}
+
+/// 0 to 1; 0 when it is left out.
+pub(super) fn share_or_zero<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    deserializer.deserialize_option(Maybe(Range::Share, PhantomData)).map(Option::unwrap_or_default)
 }
 
 /// Numbers greater than 0, which may be left out.

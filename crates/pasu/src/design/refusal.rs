@@ -32,10 +32,8 @@ impl de::Error for Error {
             _ => Code::OutOfRange,
         };
         let error = with_found(refused(code, &expected, &described(found)), found);
-        match Range::told(&expected.to_string()).and_then(Range::argument) {
-            Some((name, bound)) => error.with(name, bound),
-            None => error,
-        }
+        let bounds = Range::told(&expected.to_string()).map_or(&[][..], Range::arguments);
+        bounds.iter().fold(error, |error, (name, bound)| error.with(name, *bound))
     }
 
     fn invalid_length(found: usize, expected: &dyn Expected) -> Self {

@@ -10,6 +10,7 @@ use super::described::Family;
 use super::described::{Described, Spelling};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
+use super::parameter::Parameter;
 use super::rings::Rings;
 use super::{reader, text};
 use crate::error::Result;
@@ -107,6 +108,20 @@ macro_rules! shapes {
             pub fn handles(&self) -> Handles {
                 match self {
                     $( Shape::$kind(shape) => Described::handles(shape), )+
+                }
+            }
+
+            /// Its numbers one by one, if it is of a named family; none otherwise.
+            pub(crate) fn parameters(&self) -> Vec<Parameter> {
+                match self {
+                    $( Shape::$kind(shape) => shape.parameters(), )+
+                }
+            }
+
+            /// The same shape with other numbers, in the order of [`Shape::parameters`].
+            pub(crate) fn with_parameters(self, values: &[f64]) -> Shape {
+                match self {
+                    $( Shape::$kind(shape) => Shape::$kind(shape.with_parameters(values)), )+
                 }
             }
 

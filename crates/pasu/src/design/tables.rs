@@ -158,6 +158,12 @@ pub(super) const WALL: &[Entry] = &[
 ];
 
 pub(super) const LOOK: &[Entry] = &[
-    optional("glaze", "GlazeName", "What covers the part; celadon when left out."),
-    optional("clay", "ClayName", "What the part is made of; stoneware when left out."),
+    optional("glaze", "GlazeName | Colour", "What covers the part; celadon when left out."),
+    optional("inside", "GlazeName | Colour", "What covers it inside; as outside when left out."),
+    optional(
+        "line",
+        "number",
+        "Where the glaze of the outside ends, as a share of its height: below it the clay is bare. 0 to 1; 0 when left out.",
+    ),
+    optional("clay", "ClayName | Colour", "What the part is made of; stoneware when left out."),
 ];

@@ -36,6 +36,7 @@ pub fn typescript() -> String {
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
     union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
     union(&mut text, "ClayName", "A clay body.", Clay::NAMES);
+    text.push_str("\n/** A colour of one's own, `#rrggbb`: of sRGB. */\nexport type Colour = `#${string}`;\n");
     union(
         &mut text,
         "VaseOrder",

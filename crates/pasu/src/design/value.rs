@@ -10,7 +10,7 @@ use serde::de::{self, Deserialize, DeserializeSeed, Deserializer, MapAccess, Seq
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_path_to_error::{Segment, Track};
 
-use super::number::plain;
+use super::number::{parse, plain};
 use super::refusal::{inside_field, inside_item, shortened};
 
 /// An owned tree of plain data.
@@ -37,6 +37,12 @@ pub(super) const DEEPEST: usize = 64;
 const MOST: usize = 1 << 19;
 
 impl Value {
+    /// A number as a link has it. What is none stays a text: the reader refuses it and says where.
+    pub(crate) fn spelled(text: &str) -> Value {
+        let text = text.trim();
+        parse(text).map_or_else(|| Value::Text(text.to_owned()), Value::Number)
+    }
+
     /// Reads any plain data; where that fails, with the path of what could not be read.
     pub(super) fn read<'de, D: Deserializer<'de>>(source: D) -> Result<Value, (String, D::Error)> {
         let left = Cell::new(Some(MOST));

@@ -1,5 +1,8 @@
 //! What every file says of itself, and the bodies that it holds.
 
+use std::borrow::Cow;
+
+use super::coats::{Coat, looks};
 use super::numbers::short;
 use super::provenance::told;
 use crate::design::{Look, Unit};
@@ -17,14 +20,27 @@ pub(super) struct Body<'a> {
     /// Clay and glaze.
     pub(super) look: Look,
     /// `x, y, z` per vertex in millimetres, one vertex per point.
-    pub(super) positions: &'a [f32],
+    pub(super) positions: Cow<'a, [f32]>,
     /// Three vertex numbers per triangle, counter-clockwise from outside.
-    pub(super) indices: &'a [u32],
+    pub(super) indices: Cow<'a, [u32]>,
     /// The faces in order: kind, first index, number of indices.
     pub(super) faces: Vec<(FaceKind, usize, usize)>,
+    /// What each triangle is covered with, where not all are as the outside is.
+    pub(super) coats: Vec<Coat>,
 }
 
 impl Body<'_> {
+    /// The looks of its triangles, each the same everywhere, the first of all that of the first triangle.
+    pub(super) fn looks(&self) -> Vec<Look> {
+        looks(self.look, &self.coats).0
+    }
+
+    /// Which of [`Body::looks`] each triangle has.
+    pub(super) fn look_of(&self) -> impl Fn(usize) -> usize {
+        let numbers = looks(self.look, &self.coats).1;
+        move |triangle| numbers.get(triangle).copied().unwrap_or(0)
+    }
+
     /// The number of triangles.
     pub(super) fn n_triangles(&self) -> usize {
         self.indices.len() / 3

@@ -24,17 +24,29 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     let mut meshes = Vec::new();
     let mut nodes = Vec::new();
     for body in bodies {
-        let material = looks.iter().position(|look| *look == body.look).unwrap_or_else(|| {
-            looks.push(body.look);
-            looks.len() - 1
-        });
+        let mut material = |own: Look| {
+            looks.iter().position(|look| *look == own).unwrap_or_else(|| {
+                looks.push(own);
+                looks.len() - 1
+            })
+        };
         let Shaded { positions, normals, indices } = shaded(body);
         let attributes =
             record([("POSITION", buffer.vectors(&positions, true)), ("NORMAL", buffer.vectors(&normals, false))]);
-        let primitive =
-            record([("attributes", attributes), ("indices", buffer.indices(&indices)), ("material", count(material))]);
+        // The triangles of each look, all of the same vertices.
+        let look_of = body.look_of();
+        let mut primitives = Vec::new();
+        for (number, look) in body.looks().into_iter().enumerate() {
+            let own = indices.chunks_exact(3).enumerate().filter(|(triangle, _)| look_of(*triangle) == number);
+            let own: Vec<u32> = own.flat_map(|(_, corners)| corners).copied().collect();
+            primitives.push(record([
+                ("attributes", attributes.clone()),
+                ("indices", buffer.indices(&own)),
+                ("material", count(material(look))),
+            ]));
+        }
         nodes.push(record([("name", text(&body.name)), ("mesh", count(meshes.len()))]));
-        meshes.push(record([("name", text(&body.name)), ("primitives", Value::List(vec![primitive]))]));
+        meshes.push(record([("name", text(&body.name)), ("primitives", Value::List(primitives))]));
     }
     let n_parts = nodes.len();
     nodes.push(record([

@@ -1,6 +1,6 @@
 //! Clay and glaze as a plain material: one colour and one roughness.
 
-use crate::design::{Glaze, Layer, Look};
+use crate::design::{Choice, Glaze, Layer, Look};
 
 /// A surface that reflects as a dielectric.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,13 +12,13 @@ pub(super) struct Material {
 }
 
 impl Material {
-    /// A plain wall: `clay tint (1 - opacity) + body opacity`.
+    /// A plain wall, seen from outside above the glaze line: `clay tint (1 - opacity) + body opacity`.
     pub(super) fn of(look: Look) -> Material {
-        let clay = look.clay.body();
+        let (clay, bare) = look.clay.fired();
         let Some(Layer { tint, body, opacity, roughness }) = look.glaze.layer() else {
-            return Material { colour: clay.colour, roughness: clay.roughness };
+            return Material { colour: clay, roughness: bare };
         };
-        let colour = [0, 1, 2].map(|i| clay.colour[i] * tint[i] * (1.0 - opacity) + body[i] * opacity);
+        let colour = [0, 1, 2].map(|i| clay[i] * tint[i] * (1.0 - opacity) + body[i] * opacity);
         Material { colour, roughness }
     }
 }
@@ -26,8 +26,8 @@ impl Material {
 /// `celadon on stoneware`.
 pub(super) fn name(look: Look) -> String {
     match look.glaze {
-        Glaze::Bare => look.clay.name().to_owned(),
-        glaze => format!("{} on {}", glaze.name(), look.clay.name()),
+        Choice::Named(Glaze::Bare) => look.clay.to_string(),
+        glaze => format!("{glaze} on {}", look.clay),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Files: what slicers, CAD programs, viewers and potters accept, at the right size.
 
+mod coats;
 mod contents;
 mod crc32;
 mod drawn;

@@ -4,7 +4,7 @@ use super::contents::{Body, Notes, PROGRAM};
 use super::material::{self, Material, srgb};
 use super::numbers::{push_decimal, push_f32};
 use super::zip::Package;
-use crate::design::{Clay, Glaze, Look, plain};
+use crate::design::{Choice, Clay, Glaze, Look, plain};
 use crate::watch;
 
 /// The name under which the file of materials is looked for, in the folder of the OBJ.
@@ -34,11 +34,20 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
             }
             bytes.push(b'\n');
         }
-        bytes.extend_from_slice(format!("usemtl {}\n", identifier(&material::name(body.look))).as_bytes());
+        let (looks, look_of) = (body.looks(), body.look_of());
+        let mut used = None;
         for (group, (_, first, count)) in body.faces.iter().enumerate() {
-            bytes.extend_from_slice(format!("s {}\n", group + 1).as_bytes());
-            for corners in body.indices[*first..first + count].chunks_exact(3) {
+            let triangles = body.indices[*first..first + count].chunks_exact(3);
+            for (number, corners) in (first / 3..).zip(triangles) {
                 watch::work(10);
+                if used != Some(look_of(number)) {
+                    used = Some(look_of(number));
+                    let name = identifier(&material::name(looks[look_of(number)]));
+                    bytes.extend_from_slice(format!("usemtl {name}\n").as_bytes());
+                }
+                if 3 * number == *first {
+                    bytes.extend_from_slice(format!("s {}\n", group + 1).as_bytes());
+                }
                 bytes.push(b'f');
                 for vertex in corners {
                     bytes.push(b' ');
@@ -55,11 +64,20 @@ pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
 /// The entry of such a package that holds the bodies.
 pub(super) const MODEL: &str = "pasu.obj";
 
-/// The same and the materials, together in a package.
+/// The same and the materials, those of colours of one's own among them, together in a package.
 pub(super) fn package(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     let mut package = Package::default();
     package.add_text(MODEL, &write(notes, bodies));
-    package.add_text(LIBRARY, obj_materials().as_bytes());
+    let mut materials = obj_materials();
+    let mut own: Vec<Look> = Vec::new();
+    for look in bodies.iter().flat_map(Body::looks) {
+        let is_known = matches!(look, Look { glaze: Choice::Named(_), clay: Choice::Named(_), .. });
+        if !is_known && !own.contains(&look) {
+            materials.push_str(&entry(look));
+            own.push(look);
+        }
+    }
+    package.add_text(LIBRARY, materials.as_bytes());
     package.finish()
 }
 
@@ -76,25 +94,27 @@ pub fn obj_materials() -> String {
     let mut text = format!("# {PROGRAM}, clays and glazes\n");
     for &clay in Clay::ALL {
         for &glaze in Glaze::ALL {
-            let look = Look { clay, glaze };
-            let Material { colour, roughness } = Material::of(look);
-            let [red, green, blue] = colour.map(|linear| thousandths(f64::from(srgb(linear)) / 255.0));
-            let (roughness, shininess) =
-                (thousandths(roughness), thousandths(1000.0 * (1.0 - roughness) * (1.0 - roughness)));
-            text.push_str(&format!(
-                "\nnewmtl {}\nKd {red} {green} {blue}\nKs 0.04 0.04 0.04\nNs {shininess}\nPr {roughness}\nd 1\nillum 2\n",
-                identifier(&material::name(look))
-            ));
+            text.push_str(&entry(Look::new(glaze, clay)));
         }
     }
     text
+}
+
+fn entry(look: Look) -> String {
+    let Material { colour, roughness } = Material::of(look);
+    let [red, green, blue] = colour.map(|linear| thousandths(f64::from(srgb(linear)) / 255.0));
+    let (roughness, shininess) = (thousandths(roughness), thousandths(1000.0 * (1.0 - roughness) * (1.0 - roughness)));
+    format!(
+        "\nnewmtl {}\nKd {red} {green} {blue}\nKs 0.04 0.04 0.04\nNs {shininess}\nPr {roughness}\nd 1\nillum 2\n",
+        identifier(&material::name(look))
+    )
 }
 
 fn thousandths(x: f64) -> String {
     plain(libm::round(x * 1e3) / 1e3)
 }
 
-/// One word: readers end a name at white space of any kind.
+/// One word: readers end a name at white space of any kind, and some take what follows `#` for a comment.
 fn identifier(name: &str) -> String {
-    name.chars().map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
+    name.chars().filter(|c| *c != '#').map(|c| if c.is_whitespace() || c.is_control() { '_' } else { c }).collect()
 }

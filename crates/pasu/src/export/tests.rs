@@ -60,9 +60,10 @@ impl Cup {
         Body {
             name: "bödy <1> &\u{2028} 'x'".into(),
             look: Look::default(),
-            positions: &self.positions,
-            indices: &self.indices,
+            positions: (&self.positions).into(),
+            indices: (&self.indices).into(),
             faces: self.faces.clone(),
+            coats: Vec::new(),
         }
     }
 }
@@ -480,7 +481,7 @@ fn what_is_damaged_does_no_harm() {
 #[test]
 fn colours_are_those_of_clay_and_glaze() {
     let cup = cup();
-    let bodies = [cup.body(), Body { look: Look { glaze: Glaze::Cobalt, clay: Clay::Porcelain }, ..cup.body() }];
+    let bodies = [cup.body(), Body { look: Look::new(Glaze::Cobalt, Clay::Porcelain), ..cup.body() }];
     let text = String::from_utf8(obj::write(&notes("", "1/x"), &bodies)).unwrap();
     let library = obj_materials();
     let named: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("usemtl ")).collect();

@@ -19,7 +19,7 @@ const CONTENT_TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/></Types>
 "#;
 
-/// A package of one model: an object per part, in millimetres, placed where it is by no transform, with its clay and glaze as base material; a thumbnail.
+/// A package of one model: an object per part, in millimetres, placed where it is by no transform, with its clay and glaze as base materials; a thumbnail.
 pub(super) fn write(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
     let relationships = format!(
         r#"<?xml version="1.0" encoding="UTF-8"?>
@@ -47,19 +47,22 @@ fn model(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
         text.push_str(&metadata(&format!("pasu:{name}"), &value));
     }
     text.push_str("<resources>\n<basematerials id=\"1\">");
-    for body in bodies {
-        let [red, green, blue] = Material::of(body.look).colour.map(srgb);
-        text.push_str(&format!(
-            "<base name=\"{}\" displaycolor=\"#{red:02X}{green:02X}{blue:02X}\"/>",
-            material::name(body.look)
-        ));
+    // The looks of all bodies, one after the other; which of them each body begins with.
+    let mut first_look = vec![0];
+    for look in bodies.iter().flat_map(Body::looks) {
+        let [red, green, blue] = Material::of(look).colour.map(srgb);
+        let name = material::name(look);
+        text.push_str(&format!("<base name=\"{name}\" displaycolor=\"#{red:02X}{green:02X}{blue:02X}\"/>"));
     }
     text.push_str("</basematerials>\n");
     let mut bytes = text.into_bytes();
     for (index, body) in bodies.iter().enumerate() {
         let (object, name) = (object(index), escaped(&body.name));
+        let (n_looks, look_of) = (body.looks().len(), body.look_of());
+        let first = first_look[index];
+        first_look.push(first + n_looks);
         bytes.extend_from_slice(
-            format!("<object id=\"{object}\" type=\"model\" pid=\"1\" pindex=\"{index}\" name=\"{name}\"><mesh>\n<vertices>\n")
+            format!("<object id=\"{object}\" type=\"model\" pid=\"1\" pindex=\"{first}\" name=\"{name}\"><mesh>\n<vertices>\n")
                 .as_bytes(),
         );
         for position in body.positions.chunks_exact(3) {
@@ -71,10 +74,14 @@ fn model(notes: &Notes, bodies: &[Body]) -> Vec<u8> {
             bytes.extend_from_slice(b"\"/>\n");
         }
         bytes.extend_from_slice(b"</vertices>\n<triangles>\n");
-        for corners in body.triangles() {
+        for (number, corners) in body.triangles().enumerate() {
             for (before, vertex) in ["<triangle v1=\"", "\" v2=\"", "\" v3=\""].into_iter().zip(corners) {
                 bytes.extend_from_slice(before.as_bytes());
                 push_decimal(&mut bytes, u64::from(vertex), 0);
+            }
+            if look_of(number) != 0 {
+                bytes.extend_from_slice(b"\" pid=\"1\" p1=\"");
+                push_decimal(&mut bytes, (first + look_of(number)) as u64, 0);
             }
             bytes.extend_from_slice(b"\"/>\n");
         }

@@ -43,8 +43,10 @@ pub(super) fn thumbnail(bodies: &[Body]) -> Vec<u8> {
         let scale = FILL * FINE as f64 / size;
         let middle = (low + high) / 2.0;
         for body in bodies {
-            let light = Light::on(Material::of(body.look), back);
-            draw(&shaded(body), &light, &mut samples, |p| {
+            let lights: Vec<Light> = body.looks().into_iter().map(|look| Light::on(Material::of(look), back)).collect();
+            let look_of = body.look_of();
+            let light = |triangle: usize| &lights[look_of(triangle)];
+            draw(&shaded(body), light, &mut samples, |p| {
                 let at = seen(p);
                 let half = FINE as f64 / 2.0;
                 DVec3::new((at.x - middle.x) * scale + half, half - (at.y - middle.y) * scale, at.z)
@@ -96,13 +98,13 @@ impl Light {
 }
 
 /// Draws triangles into samples, nearest first; `place` tells where a point is in samples, from the upper left, and how near.
-fn draw(body: &Shaded, light: &Light, samples: &mut [Sample], place: impl Fn(DVec3) -> DVec3) {
+fn draw<'a>(body: &Shaded, light: impl Fn(usize) -> &'a Light, samples: &mut [Sample], place: impl Fn(DVec3) -> DVec3) {
     let vector = |list: &[f32], index: usize| {
         DVec3::new(list[3 * index].into(), list[3 * index + 1].into(), list[3 * index + 2].into())
     };
     let n = body.positions.len() / 3;
     let places: Vec<DVec3> = (0..n).map(|index| place(vector(&body.positions, index))).collect();
-    for triangle in body.indices.chunks_exact(3) {
+    for (number, triangle) in body.indices.chunks_exact(3).enumerate() {
         let corners = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];
         let [a, b, c] = corners.map(|corner| places[corner]);
         // Rows count downwards, so that what faces the eye turns clockwise.
@@ -127,7 +129,7 @@ fn draw(body: &Shaded, light: &Light, samples: &mut [Sample], place: impl Fn(DVe
                 let sample = &mut samples[row * FINE + column];
                 if depth > sample.depth {
                     let normal = (to_a * na + to_b * nb + to_c * nc).normalize_or_zero();
-                    *sample = Sample { depth, colour: light.colour(normal) };
+                    *sample = Sample { depth, colour: light(number).colour(normal) };
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::coats::{Coated, coated, uncoated};
 use super::contents::{Body, Notes};
 use super::template::{Frame, Paper, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
@@ -92,7 +93,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         making: *making,
         unit: design.unit(),
     };
-    let bodies: Vec<Body> = made.iter().map(|made| body(design, &notes.title, &made.mesh)).collect();
+    let bodies: Vec<Body> = made.iter().map(|made| coated_body(design, &notes.title, &made.mesh, format)).collect();
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -156,15 +157,29 @@ fn on_paper(making: &Making, part: usize, reach: f64) -> Result<()> {
     Err(Error::new(Code::TooLarge, path, message).with("greatest", template::LARGEST).with("found", reach))
 }
 
-/// One part as files have it.
+/// One part as files have it that have no colours, or one for each part.
 pub(super) fn body<'a>(design: &Design, title: &str, mesh: &'a SolidMesh) -> Body<'a> {
-    Body {
-        name: named(design, title, mesh.part),
-        look: design.parts()[mesh.part].look,
-        positions: &mesh.positions,
-        indices: &mesh.indices,
-        faces: mesh.faces.iter().map(|(kind, first, count)| (*kind, *first as usize, *count as usize)).collect(),
+    covered(design, title, mesh.part, uncoated(mesh))
+}
+
+/// One part as files of a format have it.
+fn coated_body<'a>(design: &Design, title: &str, mesh: &'a SolidMesh, format: Format) -> Body<'a> {
+    match format {
+        Format::ThreeMf | Format::Glb | Format::Obj | Format::ObjZip | Format::Ply => {
+            covered(design, title, mesh.part, coated(mesh, design.parts()[mesh.part].look))
+        }
+        _ => body(design, title, mesh),
     }
+}
+
+fn covered<'a>(
+    design: &Design,
+    title: &str,
+    part: usize,
+    Coated { positions, indices, faces, coats }: Coated<'a>,
+) -> Body<'a> {
+    let look = design.parts()[part].look;
+    Body { name: named(design, title, part), look, positions, indices, faces, coats }
 }
 
 /// What a part is called in a file.

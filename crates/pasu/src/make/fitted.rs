@@ -3,6 +3,7 @@
 use super::remedy::Remedy;
 use super::report::{Finding, Severity};
 use crate::design::Design;
+use crate::error::Args;
 use crate::solid::short;
 use crate::weave::Made;
 
@@ -12,24 +13,29 @@ pub(super) fn findings(made: &Made, design: &Design) -> Vec<Finding> {
     let asked = design.parts().get(part).and_then(|part| part.wall);
     let Some((asked, wall)) = asked.zip(made.pot.wall()) else { return Vec::new() };
     let path = made.pot.skin().placed().path("wall");
-    let found = |code, field, message| {
+    let found = |code, field, message, args| {
         let path = Some(format!("{path}.{field}"));
         let remedy = Some(Remedy::of(made.pot.skin().placed().path("wall"), &asked, wall));
-        Finding { code, severity: Severity::Warning, part, path, message, at: None, remedy }
+        Finding { code, severity: Severity::Warning, part, path, message, args, at: None, remedy }
     };
     let ring = asked.foot.zip(wall.foot).filter(|(asked, made)| asked != made).map(|(asked, made)| {
+        let names = ["askedWidth", "askedHeight", "width", "height"];
+        let args = names.into_iter().zip(asked.into_iter().chain(made)).map(|(name, length)| (name, length.into()));
+        let args = Args::from_iter(args);
         let [[asked_width, asked_height], [width, height]] = [asked, made].map(|ring| ring.map(short));
         let message = format!(
             "the foot ring is made {width} wide and {height} high: one {asked_width} wide and {asked_height} high, as asked for, has no room"
         );
-        found("fitted-foot", "foot", message)
+        found("fitted-foot", "foot", message, args)
     });
     let drain = (wall.drain != asked.drain).then(|| {
+        let args = Args::from([("asked", asked.drain.into()), ("drain", wall.drain.into())]);
         let [asked, made] = [asked.drain, wall.drain].map(short);
         found(
             "fitted-drain",
             "drain",
             format!("the drain is made {made} wide: one of {asked}, as asked for, has no room"),
+            args,
         )
     });
     ring.into_iter().chain(drain).collect()

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::craft::Craft;
 use super::report::{Finding, Severity};
+use crate::error::Args;
 use crate::face::FaceKind;
 use crate::measure::{hull, lean, least_width};
 use crate::solid::{place, short};
@@ -57,7 +58,9 @@ fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Opti
     let severity = severity(is_asked && thinnest < least);
     let message = format!("the wall is only {} mm thick{somewhere}: {why}", short(thinnest));
     let (part, path) = (made.pot.part(), path(made, "wall.thickness"));
-    Some(Finding { code: "too-thin", severity, part, path, message, at: at.map(|at| at.to_array()), remedy: None })
+    let args = thin_args(craft, thinnest, [least, safe]);
+    let at = at.map(|at| at.to_array());
+    Some(Finding { code: "too-thin", severity, part, path, message, args, at, remedy: None })
 }
 
 fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
@@ -75,7 +78,20 @@ fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) ->
     let severity = severity(is_asked && thickness < least);
     let message = format!("the base is only {} mm thick: {why}", short(thickness));
     let (part, path) = (made.pot.part(), path(made, "wall.base"));
-    Some(Finding { code: "thin-base", severity, part, path, message, at: None, remedy: None })
+    let args = thin_args(craft, thickness, [least, safe]);
+    Some(Finding { code: "thin-base", severity, part, path, message, args, at: None, remedy: None })
+}
+
+/// What is named of something too thin: what there can be at all, what holds, and of which of the two there is less.
+fn thin_args(craft: Craft, thickness: f64, [least, safe]: [f64; 2]) -> Args {
+    let what = match (craft, thickness < least) {
+        (Craft::Print, true) => "not-printed",
+        (Craft::Print, false) => "breaks-printed",
+        (Craft::Clay, true) => "no-clay",
+        (Craft::Clay, false) => "breaks-fired",
+    };
+    let lengths = [("thicknessMm", thickness), ("leastMm", least), ("safeMm", safe)];
+    lengths.into_iter().map(|(name, length)| (name, length.into())).chain([("what", what.into())]).collect()
 }
 
 fn path(made: &Made, field: &str) -> Option<String> {
@@ -127,8 +143,9 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
         libm::round(degrees),
         place(at)
     );
+    let args = Args::from([("what", side.into()), ("degrees", degrees.into()), ("greatest", SUPPORTED.into())]);
     let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
-    Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, at, remedy: None })
+    Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, args, at, remedy: None })
 }
 
 /// What is built over air beneath a pot: the base within a foot ring, from one side of the ring to the other, and the underside of a pot that is tilted.
@@ -140,10 +157,14 @@ fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
     };
     let corners: Vec<DVec3> = triangles(made, kind).filter(is_over_air).flatten().collect();
     let highest = corners.iter().copied().reduce(|one, other| if other.z > one.z { other } else { one })?;
-    let above = short(highest.z - ground);
+    let height = highest.z - ground;
+    let above = short(height);
+    let mut args = Args::from([("heightMm", height.into())]);
     let (message, at, field) = if kind == FaceKind::Recess {
         let outline = hull(&corners.iter().map(|corner| corner.truncate()).collect::<Vec<_>>());
-        let wide = short(least_width(&outline));
+        let width = least_width(&outline);
+        let wide = short(width);
+        args.extend([("what", "within-ring".into()), ("widthMm", width.into())]);
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
         let message = format!(
             "the base within the foot ring is a ceiling, {wide} mm wide and {above} mm above the ground: printers bridge it or need support"
@@ -151,10 +172,11 @@ fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
         (message, middle, "wall.foot")
     } else {
         let message = format!("the underside is up to {above} mm above the ground: printers need support beneath it");
+        args.extend([("what", "underside".into())]);
         (message, highest, "place")
     };
     let (part, severity, at) = (made.pot.part(), Severity::Note, Some((at / millimetres).to_array()));
-    Some(Finding { code: "ceiling", severity, part, path: path(made, field), message, at, remedy: None })
+    Some(Finding { code: "ceiling", severity, part, path: path(made, field), message, args, at, remedy: None })
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::answer::answers;
 #[cfg(feature = "typescript")]
 use crate::answer::{Answer, Field, declare};
 use crate::design::to_json;
+use crate::error::Args;
 use crate::solid::Product;
 
 /// How much a finding matters.
@@ -51,6 +52,8 @@ answers! {
         pub path: Option<String>,
         /// One sentence in a potter's words.
         pub message: String,
+        /// What the sentence names, as [`Error::args`](crate::Error::args) has it: with the code it takes no more to say it in another language. Lengths are in the unit of the design; those whose names end in `Mm` are in millimetres of what is made, angles in degrees.
+        pub args: Args,
         /// Where, in model units after placement.
         pub at: Option<[f64; 3]>,
         /// Of a part that is refused the nearest change of the wall that was found to help, and of a ring or drain that was fitted the wall that is made; `None` where there is none.

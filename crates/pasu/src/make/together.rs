@@ -6,9 +6,36 @@ use glam::DVec3;
 
 use super::report::{Finding, Severity};
 use crate::check;
+use crate::error::Args;
 use crate::solid::place;
 use crate::watch;
 use crate::weave::SolidMesh;
+
+/// What one part is to another.
+struct Relation {
+    severity: Severity,
+    code: &'static str,
+    /// Which it is, as a program knows it and in words.
+    word: &'static str,
+    words: &'static str,
+}
+
+const SAME_PLACE: Relation = Relation {
+    severity: Severity::Error,
+    code: "same-place",
+    word: "same-body",
+    words: "is the same body in the same place as",
+};
+
+const TOUCHES: Relation = overlap_of("touches", "touches or runs through");
+
+const WITHIN: Relation = overlap_of("within", "lies within the clay of");
+
+const ROUND: Relation = overlap_of("round", "has clay round all of");
+
+const fn overlap_of(word: &'static str, words: &'static str) -> Relation {
+    Relation { severity: Severity::Warning, code: "overlap", word, words }
+}
 
 type Box3 = [[f32; 3]; 2];
 
@@ -21,31 +48,34 @@ pub(super) fn findings(meshes: &[&SolidMesh], name: impl Fn(usize) -> String, mi
     for (j, other) in meshes.iter().enumerate() {
         for (i, one) in meshes.iter().enumerate().take(j) {
             let common = overlap(&boxes[i], &boxes[j]);
-            let Some((severity, code, what, at)) = common.and_then(|common| told(one, other, &common)) else {
+            let Some((Relation { severity, code, word, words }, at)) =
+                common.and_then(|common| told(one, other, &common))
+            else {
                 continue;
             };
             let at = at / millimetres;
-            let message = format!("{} {what} {} at {}", name(other.part), name(one.part), place(at));
+            let message = format!("{} {words} {} at {}", name(other.part), name(one.part), place(at));
             let at = Some(at.to_array());
-            found.push(Finding { code, severity, part: other.part, path: None, message, at, remedy: None });
+            let args = Args::from([("what", word.into()), ("other", one.part.into())]);
+            found.push(Finding { code, severity, part: other.part, path: None, message, args, at, remedy: None });
         }
     }
     found
 }
 
 /// How two parts whose boxes have this in common meet, in words, and where in millimetres.
-fn told(one: &SolidMesh, other: &SolidMesh, common: &Box3) -> Option<(Severity, &'static str, &'static str, DVec3)> {
+fn told(one: &SolidMesh, other: &SolidMesh, common: &Box3) -> Option<(Relation, DVec3)> {
     if one.positions == other.positions && one.indices == other.indices {
         let at = points(one).next().map_or(DVec3::ZERO, point);
-        return Some((Severity::Error, "same-place", "is the same body in the same place as", at));
+        return Some((SAME_PLACE, at));
     }
     if let Some(at) = meeting(one, other, common) {
-        return Some((Severity::Warning, "overlap", "touches or runs through", at));
+        return Some((TOUCHES, at));
     }
-    for (inner, outer, what) in [(other, one, "lies within the clay of"), (one, other, "has clay round all of")] {
+    for (inner, outer, relation) in [(other, one, WITHIN), (one, other, ROUND)] {
         let at = points(inner).next().map(point)?;
         if winding(outer, at) > 0.5 {
-            return Some((Severity::Warning, "overlap", what, at));
+            return Some((relation, at));
         }
     }
     None

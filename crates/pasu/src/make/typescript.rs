@@ -4,9 +4,10 @@ use super::remedy::Remedy;
 use super::report::{Finding, MeshReport, Report};
 use crate::answer::Answer;
 use crate::measure::{
-    Body, Capacity, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
+    Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
     Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
 };
+use crate::pull::Pulled;
 
 /// The declarations of measures and reports, as the text of a `.d.ts` module beside the package's own.
 ///
@@ -15,7 +16,7 @@ use crate::measure::{
 /// ```
 pub fn typescript_of_answers() -> String {
     let mut text = String::from("// Generated from the structures of the Rust crate `pasu`. Do not edit.\n\n");
-    text.push_str("import type { FaceKind, Point, Product, Unit, Wall } from \"./pasu.js\";\n");
+    text.push_str("import type { Design, FaceKind, PasuErrorArgs, Point, Product, Unit, Wall } from \"./pasu.js\";\n");
     let all = [
         Quantity::declare,
         Located::declare,
@@ -30,6 +31,7 @@ pub fn typescript_of_answers() -> String {
         Footprint::declare,
         Tipping::declare,
         PartMeasures::declare,
+        Cause::declare,
         ThicknessRange::declare,
         LeastThickness::declare,
         Overhang::declare,
@@ -39,6 +41,7 @@ pub fn typescript_of_answers() -> String {
         Finding::declare,
         Remedy::declare,
         MeshReport::declare,
+        Pulled::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

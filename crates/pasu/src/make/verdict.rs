@@ -8,7 +8,7 @@ use super::remedy::remedy;
 use super::report::{Finding, MeshReport, Report, Severity};
 use super::together;
 use crate::design::Design;
-use crate::error::{Code, Result};
+use crate::error::{Args, Code, Result};
 use crate::solid::{place, short};
 use crate::solution::Solution;
 use crate::watch;
@@ -57,15 +57,9 @@ impl Solution {
                 Err(error) => {
                     n_remedies += 1;
                     let remedy = if n_remedies <= REMEDIES { remedy(self, part, making, scale, &error) } else { None };
-                    refused.push(Finding {
-                        code: error.code().as_str(),
-                        severity: Severity::Error,
-                        part,
-                        path: Some(error.path().to_owned()).filter(|path| !path.is_empty()),
-                        message: error.message().to_owned(),
-                        at: error.place(),
-                        remedy,
-                    });
+                    let (code, path, args) = error.cause();
+                    let (severity, message, at) = (Severity::Error, error.message().to_owned(), error.place());
+                    refused.push(Finding { code, severity, part, path, message, args, at, remedy });
                 }
             }
         }
@@ -76,8 +70,9 @@ impl Solution {
 /// A part without a wall beside others that are pots.
 fn left_out(part: usize) -> Finding {
     let message = "this part has no wall and is left out of the pots: with thickness and base it is one".to_owned();
-    let path = Some(format!("parts[{part}].wall"));
-    Finding { code: Code::NoWall.as_str(), severity: Severity::Warning, part, path, message, at: None, remedy: None }
+    let (path, args) = (Some(format!("parts[{part}].wall")), Args::from([("what", "left-out".into())]));
+    let (code, severity) = (Code::NoWall.as_str(), Severity::Warning);
+    Finding { code, severity, part, path, message, args, at: None, remedy: None }
 }
 
 /// The share of the time that making takes, as against looking at what was made.
@@ -137,7 +132,8 @@ fn thinned(made: &Made) -> Option<Finding> {
     );
     let (severity, at) = (Severity::Warning, Some(at.to_array()));
     let path = Some(pot.skin().placed().path("wall.thickness"));
-    Some(Finding { code: "thinned", severity, part: pot.part(), path, message, at, remedy: None })
+    let args = Args::from([("thickness", pot.thickness().0.into()), ("share", share.into())]);
+    Some(Finding { code: "thinned", severity, part: pot.part(), path, message, args, at, remedy: None })
 }
 
 /// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
@@ -149,5 +145,6 @@ fn unkept(made: &Made) -> Option<Finding> {
         short(asked)
     );
     let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
-    Some(Finding { code, severity, part: made.pot.part(), path, message, at: None, remedy: None })
+    let args = Args::from([("what", "unkept".into()), ("bound", made.mesh.bound.into()), ("asked", asked.into())]);
+    Some(Finding { code, severity, part: made.pot.part(), path, message, args, at: None, remedy: None })
 }

@@ -91,4 +91,4 @@ const NARROW: f64 = 0.02;
 const STEP: f64 = 4.0;
 
 /// What is asked at most of an integral over a face with seams: what is found is far better than that as a rule, because the longer of two rules counts and their difference is the error.
-const SEAMED: f64 = 1e-5;
+pub(crate) const SEAMED: f64 = 1e-5;

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use super::accuracy::Accuracy;
 use super::bare::{Bare, Cap};
 use super::column::Inside;
+use super::dry::Dry;
 use super::fill::Filling;
 use super::pond::{Pond, ponds};
 use super::quantity::Quantity;
@@ -13,10 +14,14 @@ use crate::face::{Face, FaceKind};
 use crate::solid::Pot;
 
 /// Why there is no capacity.
-const DRY: &str = "in this position no water stays in it";
+fn dry() -> Dry {
+    Dry::new("dry", "in this position no water stays in it")
+}
 
 /// The same of a tube.
-const NO_BOTTOM: &str = "a tube has no bottom to hold anything: give the wall a base greater than 0";
+fn no_bottom() -> Dry {
+    Dry::new("no-bottom", "a tube has no bottom to hold anything: give the wall a base greater than 0")
+}
 
 answers! {
     /// What a pot holds.
@@ -75,7 +80,7 @@ pub(crate) struct Vessel<'a> {
 
 impl<'a> Vessel<'a> {
     /// The inside of a pot; the reason in words where it holds nothing.
-    pub(crate) fn of_pot(pot: &'a Pot, highest: f64) -> Result<Vessel<'a>, String> {
+    pub(crate) fn of_pot(pot: &'a Pot, highest: f64) -> Result<Vessel<'a>, Dry> {
         let pieces = || pot.faces().iter().rev().map(|piece| piece as &dyn Face);
         let is_stopped = pieces().any(|face| face.kind() == FaceKind::Drain);
         let is_tube = pot.is_ring() && !is_stopped;
@@ -86,7 +91,7 @@ impl<'a> Vessel<'a> {
         let is_inside = |kind: FaceKind| matches!(kind, FaceKind::Floor | FaceKind::Lining | FaceKind::Rim);
         let faces: Vec<&dyn Face> = pieces().filter(|face| is_inside(face.kind())).collect();
         if !faces.iter().any(|face| face.kind() == FaceKind::Lining) {
-            return Err("a solid has no inside".to_owned());
+            return Err(Dry::new("solid", "a solid has no inside"));
         }
         let outside: Vec<&dyn Face> =
             pieces().filter(|face| !is_inside(face.kind()) && face.kind() != FaceKind::Drain).collect();
@@ -98,9 +103,9 @@ impl<'a> Vessel<'a> {
     }
 
     /// A surface taken as a wall of zero thickness, closed at the foot by a cone; the reason in words where it holds nothing. The first is the surface seen from [inside](Bare::inside), the second the same from outside.
-    pub(crate) fn of_bare(bare: &'a Bare, outside: &'a Bare) -> Result<Vessel<'a>, String> {
+    pub(crate) fn of_bare(bare: &'a Bare, outside: &'a Bare) -> Result<Vessel<'a>, Dry> {
         if !bare.is_closed() {
-            return Err("the surface does not close round the axis, so it holds nothing".to_owned());
+            return Err(Dry::new("open-surface", "the surface does not close round the axis, so it holds nothing"));
         }
         let highest = bare.waves();
         let width = |a: f64| {
@@ -111,9 +116,10 @@ impl<'a> Vessel<'a> {
         };
         let widest = [0.0, 0.25, 0.5, 0.75, 1.0].map(width).into_iter().fold(0.0, f64::max);
         if !(width(1.0) > 1e-9 * widest) {
-            return Err(
-                "the surface closes to a point where the opening of a pot is, so nothing can be filled in".to_owned()
-            );
+            return Err(Dry::new(
+                "no-opening",
+                "the surface closes to a point where the opening of a pot is, so nothing can be filled in",
+            ));
         }
         let is_open = width(0.0) > 1e-9 * widest;
         let caps = [bare, outside].map(|bare| is_open.then(|| Cap::new(bare, 0.0, closing_columns(highest))));
@@ -138,15 +144,15 @@ impl<'a> Vessel<'a> {
     }
 
     /// The waters that stand in it, that which holds most first; the reason in words where there are none.
-    pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, String> {
+    pub(crate) fn ponds(&self) -> Result<Vec<Pond<'_>>, Dry> {
         let found = ponds(self.inside(), || self.whole(), self.axis.z > UPRIGHT)?;
-        if found.is_empty() { Err(if self.is_tube { NO_BOTTOM } else { DRY }.to_owned()) } else { Ok(found) }
+        if found.is_empty() { Err(if self.is_tube { no_bottom() } else { dry() }) } else { Ok(found) }
     }
 
     /// What it holds, and the water at the brim; the reason in words where that is nothing.
-    pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), String> {
+    pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), Dry> {
         let ponds = self.ponds()?;
-        let main = ponds.first().ok_or(DRY)?;
+        let main = ponds.first().ok_or_else(dry)?;
         let water = |pond: &Pond, z: f64| {
             let level = z.min(pond.spill.value);
             if !(level > pond.floor) {

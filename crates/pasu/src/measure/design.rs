@@ -2,7 +2,9 @@
 
 use super::accuracy::Accuracy;
 use super::capacity::{Capacity, Fill};
+use super::cause::Cause;
 use super::curvature::{Curvature, curvature};
+use super::dry::Dry;
 use super::fill::Filling;
 use super::finite::{refuse_infinite, refuse_infinite_part};
 use super::measures::{
@@ -13,7 +15,7 @@ use super::outside::{Outside, Spot, columns};
 use super::quantity::Quantity;
 use super::standing::Standing;
 use super::taken::{ACCURACY, Naked, Taken};
-use crate::design::{Clay, Design, plain, rounded};
+use crate::design::{Choice, Clay, Design, plain, rounded};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
 use crate::solid::Product;
@@ -34,6 +36,23 @@ impl Clay {
             Clay::Stoneware | Clay::Black => 2.3,
             Clay::Porcelain => 2.4,
             Clay::Terracotta => 1.9,
+        }
+    }
+}
+
+impl Choice<Clay> {
+    /// The usual density of the fired body in g/cm3; of a clay of one's own colour, that of stoneware.
+    ///
+    /// ```
+    /// use pasu::{Clay, Colour, Choice};
+    ///
+    /// let own: Choice<Clay> = Colour([120, 90, 60]).into();
+    /// assert_eq!(own.density(), Clay::Stoneware.density());
+    /// ```
+    pub fn density(self) -> f64 {
+        match self {
+            Choice::Named(clay) => clay.density(),
+            Choice::Own(_) => Clay::default().density(),
         }
     }
 }
@@ -143,7 +162,11 @@ pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Resu
                     }
                 }
             }
-            sum.ok_or_else(|| Error::new(Code::NoRoom, "size.capacity", reason.unwrap_or_default()))
+            sum.ok_or_else(|| {
+                let message = reason.as_ref().map_or("", |dry: &Dry| &dry.message);
+                let error = Error::new(Code::NoRoom, "size.capacity", message);
+                reason.iter().fold(error, |error, dry| error.with("what", dry.cause.code))
+            })
         }
     }
 }
@@ -225,14 +248,14 @@ fn part_measures(
         }
     }
     watch::go_on()?;
-    let mut capacity_reason = None;
+    let mut dry = None;
     let vessel = taken.vessel(part.wall.is_some(), options.product);
     match vessel.and_then(|vessel| vessel.capacity(&accuracy, options.fill)) {
         Ok((capacity, Filling { moments, .. })) => {
             body.capacity = Some(capacity);
             share.water = Some(moments.scaled(WATER * cubic_centimetre));
         }
-        Err(reason) => capacity_reason = Some(reason),
+        Err(reason) => dry = Some(reason),
     }
     watch::go_on()?;
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
@@ -245,7 +268,9 @@ fn part_measures(
             body,
             is_pot: taken.pot.is_ok(),
             reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
-            capacity_reason,
+            capacity_reason: dry.as_ref().map(|dry| dry.message.clone()),
+            cause: taken.pot.as_ref().err().map(Cause::from),
+            capacity_cause: dry.map(|dry| dry.cause),
             thickness,
             overhang: outside.overhang(is_wall).and_then(overhang),
             overhang_inside: lining.and_then(overhang),

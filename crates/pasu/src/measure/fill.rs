@@ -193,6 +193,8 @@ impl<'a> Level<'a> {
         let mut total = Integral::<5>::default();
         let mut breaks = self.breaks.clone();
         let mut common: Vec<Option<(f64, f64)>> = Vec::with_capacity(links.len());
+        // How many cells the rest of a column goes through at most.
+        let mut n_rows = 0;
         for (number, link, seams) in &links {
             breaks.extend(seams.round.iter().chain(&seams.crossings));
             // What is wet in every column.
@@ -209,6 +211,13 @@ impl<'a> Level<'a> {
                     self.of_jet(link, jet, middle)
                 }));
             }
+            let of_common = rows.map_or(0, |(from, to)| panels::cells_between(seams, from, to) - 1);
+            let of_column = |(column, wet): &(Column, Vec<Wet>)| -> usize {
+                let here = wet.iter().filter(|wet| wet.link == *number);
+                let stretches = here.map(|wet| link.straight((wet.from, wet.to), column.v()));
+                stretches.map(|(from, to)| panels::cells_between(seams, from, to)).sum()
+            };
+            n_rows += self.columns.iter().map(of_column).max().unwrap_or(0).saturating_sub(of_common);
             common.push(rows);
         }
         if links.is_empty() {
@@ -219,7 +228,7 @@ impl<'a> Level<'a> {
         // The water's edge has corners on the seams. Its area is only to be looked at, the volume does not notice.
         at_least[4] *= 10.0;
         let breaks = panels::once_round(&ascending(breaks));
-        total.add(&panels::over_columns(&breaks, accuracy, at_least, |places, cut| {
+        total.add(&panels::over_columns(&breaks, accuracy, at_least, n_rows, |places, cut| {
             let columns = self.inside.columns(places);
             let of_column = |column: &Column| {
                 let (v, wet) = (column.v(), self.inside.wet(column, self.z));

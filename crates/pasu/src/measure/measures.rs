@@ -1,6 +1,7 @@
 //! Everything that is measured on a design, in one structure.
 
 use super::capacity::Capacity;
+use super::cause::Cause;
 use super::curvature::Curvature;
 use super::loads::Loads;
 use super::quantity::Quantity;
@@ -110,6 +111,10 @@ answers! {
         pub reason: Option<String>,
         /// Why it holds nothing, in words; `None` where it holds something.
         pub capacity_reason: Option<String>,
+        /// Why it is no pot, for whoever says it in another language: what would be refused; `None` where it is one.
+        pub cause: Option<Cause>,
+        /// The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, or `dry` where no water stays in this position.
+        pub capacity_cause: Option<Cause>,
         /// The thickness of the wall along the normal.
         pub thickness: Option<ThicknessRange>,
         /// The largest overhang of the outside.

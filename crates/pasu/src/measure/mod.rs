@@ -3,9 +3,11 @@
 mod accuracy;
 mod bare;
 mod capacity;
+mod cause;
 mod column;
 mod curvature;
 mod design;
+mod dry;
 mod fill;
 mod filled;
 mod finite;
@@ -28,6 +30,7 @@ mod water;
 mod widths;
 
 pub use capacity::{Capacity, Fill, Spill};
+pub use cause::Cause;
 pub use curvature::{Curvature, CurvatureRange, Located};
 pub use design::measure;
 pub(crate) use design::{Gauge, gauge};

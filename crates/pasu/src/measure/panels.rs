@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::accuracy::Accuracy;
+use super::accuracy::{Accuracy, SEAMED};
 use crate::face::{Face, FaceJet, Seams, ascending};
 use crate::numeric::gauss_legendre::{FOUR, Rule, THREE, TWO, spread};
 use crate::numeric::integral::{Integral, ROUNDING};
@@ -12,7 +12,7 @@ use crate::watch;
 /// A panel is cut until the highest harmonic turns by no more than this over it, in radians.
 const TURN: f64 = 0.6;
 
-/// The most places of a wall's side at which an integrand is taken, and as much time on any other face.
+/// The most places of a wall's side at which an integrand is taken, and as much time on any other face. Where there are more at first, several cells are one panel however rough they are, and the rules differ by what they miss of that.
 const MOST_PLACES: usize = 3_000_000;
 
 /// What a rule is held against: one with a node less.
@@ -141,6 +141,32 @@ struct Band<const N: usize> {
     of_rule: [f64; N],
 }
 
+/// Whether more is asked than [`measure`](crate::measure()) asks at most: then as many places are taken as it takes.
+fn is_patient(accuracy: &Accuracy) -> bool {
+    accuracy.seamed < SEAMED
+}
+
+/// A place of a column that is sought by itself takes so many times as long as one of a row,
+const ALONE: usize = 2;
+
+/// and to find where such a column begins takes as long as so many.
+const BEGINNING: usize = 40;
+
+/// How many cells each way are one panel at first, a power of two, where all of them by themselves would be too many.
+fn together_at_first(n_panels: usize, accuracy: &Accuracy, cost: usize) -> usize {
+    let places = n_panels.saturating_mul(places_of_a_panel(&rules(accuracy))).saturating_mul(cost);
+    let mut together = 1usize;
+    while !is_patient(accuracy) && places / (together * together) > MOST_PLACES {
+        together *= 2;
+    }
+    together
+}
+
+/// The places of both rules.
+fn places_of_a_panel(rules: &[Rule; 2]) -> usize {
+    rules.iter().map(|rule| rule.len() * rule.len()).sum()
+}
+
 /// Columns of a level: those of the rule and those of the shorter one, with their weights.
 struct Fan {
     level: Level,
@@ -160,10 +186,11 @@ pub(crate) fn between_rows<const N: usize>(
     let mut fans: Vec<Fan> = Vec::new();
     let mut places_so_far = 0;
     let mut walk = face.straight_walk();
-    let mut band = |from: f64, to: f64, level: Level| {
+    let mut band = |from: f64, to: f64, level: Level, heeds_rough: bool| {
         // Panels of several cells are those of one band alone.
         if level < 0 || !fans.iter().any(|fan| fan.level == level) {
-            let places = places_round(seams, &breaks, (from, to), level);
+            let places =
+                if heeds_rough { places_round(seams, &breaks, (from, to), level) } else { at_level(&breaks, level) };
             let columns = rules.map(|rule| {
                 let (places, weights) = spread(&places, 1, rule);
                 (face.columns(places), weights)
@@ -205,8 +232,18 @@ pub(crate) fn between_rows<const N: usize>(
         .chain([to])
         .collect();
     let level = first_level(&breaks, accuracy);
-    let mut bands: Vec<Band<N>> =
-        first_rows(seams, &rows).windows(2).map(|pair| band(pair[0], pair[1], level).0).collect();
+    let first = first_rows(seams, &rows);
+    let n_panels = first.windows(2).map(|pair| places_round(seams, &breaks, (pair[0], pair[1]), level).len()).sum();
+    let together = together_at_first(n_panels, accuracy, seams.cost);
+    let mut bands: Vec<Band<N>> = if together == 1 {
+        first.windows(2).map(|pair| band(pair[0], pair[1], level, true).0).collect()
+    } else {
+        let level = level - together.ilog2() as Level;
+        at_level(&rows, -(together.ilog2() as Level))
+            .windows(2)
+            .map(|pair| band(pair[0], pair[1], level, false).0)
+            .collect()
+    };
     let most = MOST_PLACES / seams.cost;
     let mut taken = 0;
     loop {
@@ -223,8 +260,8 @@ pub(crate) fn between_rows<const N: usize>(
         let Some(worst) = worst.filter(|_| !is_done) else { return total.rounded() };
         let Band { from, to, level, .. } = bands[worst];
         let middle = cut(&rows, from, to);
-        let (lower, _) = band(from, middle, level + 1);
-        let (upper, so_far) = band(middle, to, level + 1);
+        let (lower, _) = band(from, middle, level + 1, true);
+        let (upper, so_far) = band(middle, to, level + 1, true);
         taken = so_far;
         bands[worst] = lower;
         bands.push(upper);
@@ -232,11 +269,13 @@ pub(crate) fn between_rows<const N: usize>(
 }
 
 /// Integrates columns that are given for several `v` at once, between ascending places that go once round; the columns come by the rule that is handed over. Gaps between two places with the
-/// largest errors are halved until the whole is accurate enough, as a part of the size or of `at_least`, whichever is larger: what is not smooth there is so in few of them.
+/// largest errors are halved until the whole is accurate enough, as a part of the size or of `at_least`, whichever is larger: what is not smooth there is so in few of them. `n_rows` is how many cells a
+/// column goes through at most.
 pub(crate) fn over_columns<const N: usize>(
     breaks: &[f64],
     accuracy: &Accuracy,
     at_least: [f64; N],
+    n_rows: usize,
     mut at: impl FnMut(&[f64], Cut) -> Vec<Integral<N>>,
 ) -> Integral<N> {
     let rules = rules(accuracy);
@@ -262,10 +301,16 @@ pub(crate) fn over_columns<const N: usize>(
             })
             .collect()
     };
-    let places = at_level(breaks, first_level(breaks, accuracy).max(0));
+    let first = first_level(breaks, accuracy).max(0);
+    let cost = ALONE * n_rows + BEGINNING;
+    let n_panels = breaks.len().saturating_mul(cost) << first;
+    let together = together_at_first(n_panels, accuracy, 1).ilog2() as Level;
+    let places = at_level(breaks, first - together);
     let ends: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
-    let mut gaps = over(&ends, 0);
-    let mut n_taken = 0;
+    let mut gaps = over(&ends, -together);
+    // Both the halves and the places in them are counted.
+    let (mut n_taken, mut n_places) = (0, 0usize);
+    let places_of_a_row = |level: Level| libm::exp2(f64::from(level)) * (cost * places_of_a_panel(&rules)) as f64;
     loop {
         let mut total = Integral::<N>::default();
         // By how much the two rules differ, and the root of the sum of its squares gap by gap: what cancels once round may do so by chance.
@@ -281,7 +326,7 @@ pub(crate) fn over_columns<const N: usize>(
             core::array::from_fn(|i| above_rounding(difference[i].abs().max(libm::sqrt(squares[i])), total.size[i]));
         let allowed: [f64; N] = core::array::from_fn(|i| accuracy.seamed * total.size[i].max(at_least[i]));
         let is_done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        if is_done || n_taken > MOST_COLUMNS || watch::is_stopped() {
+        if is_done || n_taken > MOST_COLUMNS || n_places > MOST_PLACES || watch::is_stopped() {
             for (error, of_rule) in total.error.iter_mut().zip(of_rule) {
                 *error += of_rule;
             }
@@ -323,6 +368,7 @@ pub(crate) fn over_columns<const N: usize>(
             n_taken += ends.len();
             let share = if is_along { 1 } else { 2 };
             let level = if is_along && level < FINEST { level + 1 } else { level };
+            n_places = n_places.saturating_add((ends.len() as f64 * places_of_a_row(level)) as usize);
             let mut found = over(&ends, level).into_iter();
             for before in group {
                 let parts: Vec<Gap<N>> = found.by_ref().take(share).collect();
@@ -361,7 +407,7 @@ const USELESS: f64 = 0.6;
 /// A gap waits as long as its error is less than this part of the largest.
 const WAITING: f64 = 0.1;
 
-/// How a column is integrated: a rule, and how much more finely than at first.
+/// How a column is integrated: a rule, and how finely the cells that it goes through are cut, or how many of them are taken together.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cut {
     rule: Rule,
@@ -379,8 +425,9 @@ pub(crate) fn column<const N: usize>(
     let mut total = Integral::default();
     let mut below = low;
     let pieces = 1usize << level.clamp(0, 30);
-    let rows = seams.along.iter().copied();
-    for above in rows.filter(|s| low < *s && *s < high).chain([high]).take_while(|_| !watch::is_stopped()) {
+    let together = 1usize << (-level).clamp(0, 30);
+    let rows = seams.along.iter().copied().filter(|s| low < *s && *s < high).skip(together - 1).step_by(together);
+    for above in rows.chain([high]).take_while(|_| !watch::is_stopped()) {
         let width = (above - below) / pieces as f64;
         for piece in 0..pieces {
             for &(node, weight) in rule {
@@ -411,7 +458,8 @@ pub(crate) fn over_seamed<const N: usize>(
     let mut total = between_rows(face, seams, (first, 1.0), accuracy, &integrand);
     if least < first {
         let at_least = total.size;
-        total.add(&over_columns(&breaks, accuracy, at_least, |places, cut| {
+        let n_rows = cells_between(seams, least, first);
+        total.add(&over_columns(&breaks, accuracy, at_least, n_rows, |places, cut| {
             let mut walk = face.straight_walk();
             let mut along = |v: f64| column(seams, (begins(face, v), first), cut, |s| integrand(&walk.jet(s, v)));
             places.iter().map(|v| along(*v)).collect()
@@ -436,6 +484,12 @@ const SAME: f64 = 1e-11;
 /// The row from which all columns are there: the first seam above where the last begins, or that place itself where all begin together.
 fn first_row(seams: &Seams, least: f64, most: f64) -> Option<f64> {
     if most - least <= SAME { Some(least) } else { seams.along.iter().copied().find(|s| *s >= most) }
+}
+
+/// How many cells a column goes through between two places.
+pub(crate) fn cells_between(seams: &Seams, from: f64, to: f64) -> usize {
+    let before = |s: f64| seams.along.partition_point(|along| *along < s);
+    before(from).abs_diff(before(to)) + 1
 }
 
 /// The rows between which all of several stretches are, from seam to seam; `None` where they have nothing in common.

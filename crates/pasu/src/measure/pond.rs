@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::accuracy::Accuracy;
 use super::column::{Column, Inside, Wet};
+use super::dry::Dry;
 use super::fill::Level;
 use super::ground::{Basin, Ground, Shortcut, turn};
 use super::outside::round;
@@ -64,7 +65,9 @@ const LEAST: f64 = 1e-9;
 const LEVELS: usize = 8;
 
 /// Why a body that runs through itself holds nothing.
-const CROSSED: &str = "the surface runs through itself so far that it has no inside";
+fn crossed() -> Dry {
+    Dry::new("crosses-itself", "the surface runs through itself so far that it has no inside")
+}
 
 /// Hollows whose lowest point is looked at: of more, which only a body of many equal waves has, the smaller ones are believed.
 const LOOKED_AT: usize = 24;
@@ -98,7 +101,7 @@ pub(crate) fn ponds<'a>(
     inside: Inside<'a>,
     whole: impl Fn() -> Inside<'a>,
     is_upright: bool,
-) -> Result<Vec<Pond<'a>>, &'static str> {
+) -> Result<Vec<Pond<'a>>, Dry> {
     let body = whole();
     let ground = Rc::new(Ground::new(&body));
     let (basins, shortcuts) = basins(&body, &ground);
@@ -120,7 +123,7 @@ pub(crate) fn ponds<'a>(
             if !(level > floor && pond.is_water()) {
                 return Ok(Vec::new());
             }
-            return if is_plain || pond.has_inside() { Ok(vec![pond]) } else { Err(CROSSED) };
+            return if is_plain || pond.has_inside() { Ok(vec![pond]) } else { Err(crossed()) };
         }
     }
     let of_basin = |basin: &Basin| {

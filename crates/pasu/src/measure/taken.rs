@@ -3,6 +3,7 @@
 use super::accuracy::Accuracy;
 use super::bare::Bare;
 use super::capacity::Vessel;
+use super::dry::Dry;
 use super::folded::Folded;
 use super::outside::Outside;
 use crate::error::Result;
@@ -119,13 +120,15 @@ impl Taken {
     }
 
     /// What holds water: the pot, or the bare surface where no wall is asked for; the reason in words where nothing does.
-    pub(super) fn vessel(&self, has_wall: bool, product: Product) -> std::result::Result<Vessel<'_>, String> {
+    pub(super) fn vessel(&self, has_wall: bool, product: Product) -> std::result::Result<Vessel<'_>, Dry> {
         match (&self.pot, &self.surface) {
-            _ if product == Product::Solid => Err("a solid has no inside".to_owned()),
+            _ if product == Product::Solid => Err(Dry::new("solid", "a solid has no inside")),
             (Ok(pot), _) => Vessel::of_pot(pot, self.waves()),
-            (Err(why), _) if has_wall => Err(why.message().to_owned()),
+            (Err(why), _) if has_wall => Err(why.into()),
             (Err(_), Naked::Upright { inside, bare }) => Vessel::of_bare(inside, bare),
-            (Err(_), Naked::Patches { .. }) => Err("the shape has no foot and no rim, so it holds nothing".to_owned()),
+            (Err(_), Naked::Patches { .. }) => {
+                Err(Dry::new("no-foot", "the shape has no foot and no rim, so it holds nothing"))
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::accuracy::Accuracy;
 use super::design::above_spill;
+use super::dry::Dry;
 use super::pond::Pond;
 use super::pool::Pool;
 use super::taken::Taken;
@@ -76,20 +77,21 @@ fn standing(solution: &Solution, level: f64) -> Result<Water> {
     let mut refusal = None;
     for (index, part) in solution.design().parts().iter().enumerate() {
         let taken = Taken::new(solution, index, Product::Pot)?;
-        let mut refused = |reason| {
-            refusal.get_or_insert(Error::new(Code::NoRoom, format!("parts[{index}]"), reason));
+        let mut refused = |dry: Dry| {
+            let error = Error::new(Code::NoRoom, format!("parts[{index}]"), dry.message);
+            refusal.get_or_insert(error.with("what", dry.cause.code));
         };
         let vessel = match taken.vessel(part.wall.is_some(), Product::Pot) {
             Ok(vessel) => vessel,
-            Err(reason) => {
-                refused(reason);
+            Err(dry) => {
+                refused(dry);
                 continue;
             }
         };
         let ponds = match vessel.ponds() {
             Ok(ponds) => ponds,
-            Err(reason) => {
-                refused(reason);
+            Err(dry) => {
+                refused(dry);
                 continue;
             }
         };

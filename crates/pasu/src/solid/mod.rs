@@ -1,6 +1,6 @@
 //! A placed surface and its wall, as smooth faces.
 
-mod cells;
+mod ball;
 mod curve;
 mod frame;
 mod outline;

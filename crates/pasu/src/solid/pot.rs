@@ -22,8 +22,11 @@ use crate::watch;
 /// A wall that somewhere takes up more than this part of the radius at which the surface bends is looked into more closely; it is to take up no more than 0.8.
 const CROWDED: f64 = 0.9;
 
-/// So many times as closely.
-const CLOSER: usize = 3;
+/// So many times as closely, or less where that is at too many places.
+const CLOSER: [usize; 2] = [3, 2];
+
+/// The most places at which a wall is looked into more closely. What bends at more is a folded cloth rather than a pot: its wall is as it was found, and refused where it folds.
+const MOST_PLACES: usize = 250_000;
 
 /// Columns that begin no further apart than this begin at the same place.
 const SAME: f64 = 1e-9;
@@ -75,8 +78,11 @@ impl Pot {
         let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
         let mut starts = pot.starts(sought.columns);
         // What is thicker than the pot is wide is thinned everywhere, however closely it is looked at.
-        if is_closely && wall.thickness < skin.size() && pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
-            let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((CLOSER, &sought)))?;
+        let closer = CLOSER.into_iter().find(|factor| factor * factor * sought.n_places() <= MOST_PLACES);
+        if let Some(closer) = closer.filter(|_| is_closely && wall.thickness < skin.size())
+            && pot.thickness.is_crowded(skin, &sought, &starts, CROWDED)
+        {
+            let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((closer, &sought)))?;
             sought = closer;
             pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
             starts = pot.starts(sought.columns);
@@ -349,14 +355,16 @@ impl Builder<'_> {
         let Some(middle) = outline.middle else {
             let message =
                 format!("the {name} encloses no area at {}: expected a curve with an inside", place(outline.mean));
-            return Err(self.error(Code::PinchedSurface, field, message).near(outline.mean.to_array()));
+            let error = self.error(Code::PinchedSurface, field, message).near(outline.mean.to_array());
+            return Err(error.with("what", "no-area").with("end", name));
         };
         if !outline.is_level && !outline.is_star {
             let message = format!(
                 "the {name} is neither level nor seen as a whole from its middle at {}, so no disc closes it; expected a level {name}, or one that bends less",
                 place(middle)
             );
-            return Err(self.error(Code::NoRoom, field, message).near(middle.to_array()));
+            let error = self.error(Code::NoRoom, field, message).near(middle.to_array());
+            return Err(error.with("what", "no-disc").with("end", name));
         }
         Ok(middle)
     }
@@ -380,7 +388,7 @@ impl Builder<'_> {
             if is_there {
                 let message =
                     "a pot without a base has nothing to carry this: expected a base greater than 0".to_owned();
-                return Err(self.error(Code::NoRoom, field, message));
+                return Err(self.error(Code::NoRoom, field, message).with("what", "no-base"));
             }
         }
         let [outer, lining] = self.sides(wall, Trim::Foot, Trim::Foot)?;
@@ -401,7 +409,7 @@ impl Builder<'_> {
     fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Arc<Sheet>; 2]> {
         let no_room = |field: &str| {
             let message = "the rim is lower than what is to lie within it: expected less".to_owned();
-            self.error(Code::NoRoom, field, message)
+            self.error(Code::NoRoom, field, message).with("what", "above-rim")
         };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
         let design = self.sheet(WallSide::Design, design).ok_or_else(|| no_room("wall.drain"))?;
@@ -438,7 +446,7 @@ impl Builder<'_> {
             let message =
                 "a round bottom has no edge under which a ring could stand: expected a surface with a foot, or no ring"
                     .to_owned();
-            return Err(self.error(Code::NoRoom, "wall.foot", message));
+            return Err(self.error(Code::NoRoom, "wall.foot", message).with("what", "round-bottom"));
         }
         // The level on the other side of the base, to which the other side of the wall is cut.
         let cut =
@@ -460,7 +468,8 @@ impl Builder<'_> {
                 place(outline.mean),
                 plain(wall.base)
             );
-            return Err(self.error(Code::NoRoom, "wall.base", message).near(outline.mean.to_array()));
+            let error = self.error(Code::NoRoom, "wall.base", message).near(outline.mean.to_array());
+            return Err(error.with("what", "tip").with("base", wall.base));
         }
         let has_level = !is_pole || is_cut || is_tip;
         if is_pole && !has_level && radius > 0.0 {
@@ -582,7 +591,7 @@ impl Builder<'_> {
         let outline = Outline::of(edge, self.skin);
         if !outline.is_level {
             let message = "a ring needs a level foot to stand on: expected one, or no ring".to_owned();
-            return Err(self.error(Code::NoRoom, "wall.foot", message));
+            return Err(self.error(Code::NoRoom, "wall.foot", message).with("what", "foot-not-level"));
         }
         let inner =
             Arc::new(Curve::Inset { curve: Arc::clone(edge), sheet: Arc::clone(surface), width: width * outline.turn });
@@ -595,13 +604,17 @@ impl Builder<'_> {
                     plain(width),
                     place(at)
                 );
-                return Err(self.error(Code::NoRoom, "wall.foot", message));
+                let error = self.error(Code::NoRoom, "wall.foot", message).near(at.to_array());
+                return Err(error.with("what", "ring-too-wide").with("width", width));
             }
         }
         let room = Outline::of(&inner, self.skin);
         if room.middle.is_none() || room.turn != outline.turn {
             let message = format!("a ring {} wide fills the foot: expected a narrower one", plain(width));
-            return Err(self.error(Code::NoRoom, "wall.foot", message));
+            return Err(self
+                .error(Code::NoRoom, "wall.foot", message)
+                .with("what", "ring-fills-foot")
+                .with("width", width));
         }
         let top = Arc::new(self.raised(&inner, height, surface));
         let start = match start {
@@ -625,7 +638,8 @@ impl Builder<'_> {
         if !outline.goes_round_middle {
             let at = outline.middle.unwrap_or(outline.mean);
             let message = format!("the middle of the base at {} is outside of it, so no drain can be there", place(at));
-            return Err(self.error(Code::NoRoom, "wall.drain", message).near(at.to_array()));
+            let error = self.error(Code::NoRoom, "wall.drain", message).near(at.to_array());
+            return Err(error.with("what", "middle-outside"));
         }
         let reach = self.skin.round().map(|v| (frame.plan(hole.at(v).0) - middle).length()).fold(0.0, f64::max);
         if reach < outline.narrowest {
@@ -636,6 +650,7 @@ impl Builder<'_> {
             plain(wall.drain),
             short(2.0 * outline.narrowest)
         );
-        Err(self.error(Code::NoRoom, "wall.drain", message))
+        let error = self.error(Code::NoRoom, "wall.drain", message).with("what", "drain-too-wide");
+        Err(error.with("drain", wall.drain).with("room", 2.0 * outline.narrowest))
     }
 }

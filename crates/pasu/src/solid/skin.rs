@@ -71,9 +71,12 @@ impl Skin {
     /// # Errors
     /// `open-surface`, `pinched-surface`, `overflow`.
     pub(crate) fn new(placed: &Arc<Placed>) -> Result<Skin> {
-        let open = |message: &str| Err(Error::new(Code::OpenSurface, placed.path("shape"), message));
+        let open = |what: &str, message: &str| {
+            Err(Error::new(Code::OpenSurface, placed.path("shape"), message).with("what", what))
+        };
         let Some(upright) = Upright::new(placed) else {
             return open(
+                "no-foot",
                 "the shape has no foot and no rim, so there is no wall to stand on one: expected a surface between two curves",
             );
         };
@@ -86,6 +89,7 @@ impl Skin {
         }
         if !upright.is_closed() {
             return open(
+                "not-closed",
                 "the surface does not meet itself after one turn, so it encloses nothing: expected whole numbers of waves n",
             );
         }
@@ -126,9 +130,8 @@ impl Skin {
                         "the surface is pinched to a point at {}: expected it to be wide everywhere between foot and rim",
                         place(at)
                     );
-                    return Err(
-                        Error::new(Code::PinchedSurface, self.placed().path("shape"), message).near(at.to_array())
-                    );
+                    let error = Error::new(Code::PinchedSurface, self.placed().path("shape"), message);
+                    return Err(error.near(at.to_array()).with("what", "waist"));
                 }
             }
         }

@@ -6,11 +6,10 @@
 //! How the surface bends at `P` itself is known from its second derivatives.
 
 use core::f64::consts::TAU;
-use core::ops::ControlFlow;
 
 use glam::DVec3;
 
-use super::cells::Ladder;
+use super::ball::Crowd;
 use super::skin::{Skin, SkinJet};
 use crate::design::Wall;
 use crate::error::Result;
@@ -25,9 +24,6 @@ const WIDEST: f64 = 1.0 / 48.0;
 
 /// The fewest columns.
 const COLUMNS: usize = 64;
-
-/// A ball is shrunk at once when it can be by this factor.
-const SHRUNK: f64 = 0.7;
 
 /// Between places it is looked at closer where the wall takes up more than this part of the radius at which the surface bends.
 const NEAR: f64 = 0.4;
@@ -102,6 +98,13 @@ struct Sample {
     area: f64,
 }
 
+impl Sought {
+    /// How many there are.
+    pub(crate) fn n_places(&self) -> usize {
+        self.samples.len()
+    }
+}
+
 impl Thickness {
     /// The thickness of a wall on one side of a surface, and where it was sought; `direction` is 1 for outwards and -1 for inwards. With places that are `closer` together by some factor than those at which it
     /// was sought before: what the ball must not hold are still the points of before, how the surface bends is known everywhere.
@@ -120,13 +123,15 @@ impl Thickness {
         let asked = wall.thickness;
         let most = asked / SHARE;
         let points = closer.map_or(&samples, |(_, before)| &before.samples);
-        let positions: Vec<DVec3> = points.iter().map(|sample| sample.position).collect();
-        let cells = Ladder::new(&positions, most);
+        let crowd = Crowd::new(points.iter().map(|sample| sample.position).collect());
         let mut touched = None;
         let mut values = Vec::with_capacity(samples.len());
         for row in samples.chunks(columns) {
             watch::go_on()?;
-            values.extend(row.iter().map(|sample| asked.min(SHARE * radius(sample, &cells, most, &mut touched))));
+            values.extend(row.iter().map(|sample| {
+                let most = most.min(sample.bend);
+                asked.min(SHARE * crowd.ball(sample.position, sample.inward, most, &mut touched))
+            }));
         }
         let sought = |rows: Vec<f64>| Sought { rows, columns, samples, direction };
         let mut values = least_nearby(&values, columns);
@@ -462,36 +467,4 @@ fn bend(jet: &SkinJet, direction: f64) -> f64 {
     let root = libm::sqrt((half * half - product).max(0.0));
     let sharpest = (-direction * (half + root)).max(-direction * (half - root));
     if sharpest > 0.0 && sharpest.is_finite() { 1.0 / sharpest } else { f64::INFINITY }
-}
-
-/// The radius of the largest ball, up to `most`: the least of `|Q - P|^2 / (2 N . (Q - P))` over all points `Q` on its side.
-///
-/// `touched` is the point that stopped the ball at a neighbour, and then that which did here: mostly it is near, and the first ball is hardly larger than the last.
-fn radius(sample: &Sample, cells: &Ladder, most: f64, touched: &mut Option<DVec3>) -> f64 {
-    let mut radius = most.min(sample.bend);
-    if let Some(point) = *touched {
-        let across = point - sample.position;
-        let depth = sample.inward.dot(across);
-        if across.length_squared() < 2.0 * depth * radius {
-            radius = across.length_squared() / (2.0 * depth);
-        }
-    }
-    loop {
-        let mut least = radius;
-        cells.near(sample.position + sample.inward * radius, radius, |point| {
-            let across = point - sample.position;
-            let depth = sample.inward.dot(across);
-            // Most points are outside of the ball, which is seen without dividing.
-            if across.length_squared() < 2.0 * depth * least {
-                least = across.length_squared() / (2.0 * depth);
-                *touched = Some(point);
-            }
-            // Where there are many points, most of them are outside of the ball through the first.
-            if least < SHRUNK * radius { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        if !(least < SHRUNK * radius) {
-            return least;
-        }
-        radius = least;
-    }
 }

@@ -11,3 +11,11 @@ pub(crate) struct Term {
     pub(super) cos: Deflection,
     pub(super) sin: Deflection,
 }
+
+impl Term {
+    /// The factors of cosine and sine at `u`.
+    pub(crate) fn values(&self, u: f64) -> [f64; 2] {
+        let [[cos], [sin]] = self.beam.jets::<1, 2>([&self.cos, &self.sin], u);
+        [cos, sin]
+    }
+}

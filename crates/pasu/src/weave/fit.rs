@@ -150,8 +150,9 @@ impl Bounds {
     /// What is ruled out by what a ring is refused for.
     fn of([width, height]: [f64; 2], error: &Error) -> Bounds {
         let (all, from) = ([0.0, f64::INFINITY], |length: f64| [length, f64::INFINITY]);
+        let is_crossing = error.arg("what") == Some(&"crossing".into());
         let is_of = |name: &str, kinds: &[FaceKind]| {
-            error.arg(name).is_some_and(|face| kinds.iter().any(|kind| *face == kind.name().into()))
+            is_crossing && error.arg(name).is_some_and(|face| kinds.iter().any(|kind| *face == kind.name().into()))
         };
         let beneath = [FaceKind::FootRing, FaceKind::Recess, FaceKind::Underside, FaceKind::Drain];
         let through = ["face", "other"].map(|name| is_of(name, &beneath));

@@ -16,6 +16,9 @@ use crate::watch;
 /// The most triangles of one part.
 const MOST_TRIANGLES: usize = 8_000_000;
 
+/// The most triangles of the surface at which a part is looked at once more before it is refused.
+const MOST_LOOKED_AT: usize = 600_000;
+
 /// How many times as finely as asked for a part is meshed, in turn, before it is refused.
 const FINENESS: [f64; 2] = [1.0, 3.0];
 
@@ -64,7 +67,7 @@ impl Made {
                 if is_fine && meshed(&pot, None, scale).is_ok() =>
             {
                 let message = format!("{}, where triangles within {} step over it", error.message(), short(usual));
-                error.saying(message)
+                error.saying(message).with("bound", usual)
             }
             _ => error,
         });
@@ -88,6 +91,9 @@ fn meshed(pot: &Pot, tolerance: Option<f64>, scale: f64) -> Result<(Topology, So
     let part = pot.part();
     let mut refusal = None;
     for (attempt, fineness) in FINENESS.into_iter().enumerate() {
+        if attempt > 0 && is_too_fine(pot, tolerance, fineness) {
+            break;
+        }
         match meshed_once(pot, tolerance, fineness, scale) {
             Ok(made) => return Ok(made),
             // Looking more closely does not make a pot smaller.
@@ -103,6 +109,12 @@ fn meshed(pot: &Pot, tolerance: Option<f64>, scale: f64) -> Result<(Topology, So
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, pot_path(part), "the pot cannot be meshed")))
+}
+
+/// Whether so many times as finely as usual takes so many triangles that nobody would wait for them, only to be refused again. Who asks for a tolerance waits.
+fn is_too_fine(pot: &Pot, tolerance: Option<f64>, fineness: f64) -> bool {
+    let Ok(usual) = grid(pot.skin(), None, None) else { return true };
+    tolerance.is_none_or(|asked| asked >= usual.bound) && usual.n_triangles() as f64 * fineness > MOST_LOOKED_AT as f64
 }
 
 /// As [`meshed`], so many times as finely as asked for.
@@ -165,7 +177,7 @@ fn too_thin(pot: &Pot, tolerance: Option<f64>) -> Option<Error> {
             place(at),
             short(thinnest)
         );
-        Error::new(Code::NoRoom, pot.skin().placed().path("wall.thickness"), message).near(at.to_array()).with("thickness", thinnest)
+        Error::new(Code::NoRoom, pot.skin().placed().path("wall.thickness"), message).near(at.to_array()).with("what", "bends-too-sharply").with("thickness", thinnest)
     })
 }
 
@@ -183,10 +195,12 @@ pub(crate) fn refuse_crossing(skin: &Arc<Skin>, tolerance: Option<f64>, scale: f
     for asked in steps {
         let grid = grid(skin, asked, asked)?;
         let woven = weave_surface(skin, &grid, scale)?;
-        let Some(pair) = check::crossings(&woven.positions, &woven.triangles, |_| None, 1).first().copied() else {
-            return Ok(());
-        };
-        found = Some(surface_crosses(skin, woven.middle(pair[0]) / scale));
+        let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, 1);
+        found = Some(match (crossings.first(), given_up) {
+            (Some(pair), _) => surface_crosses(skin, woven.middle(pair[0]) / scale),
+            (None, Some(triangle)) => surface_is_crowded(skin, woven.middle(triangle) / scale),
+            (None, None) => return Ok(()),
+        });
     }
     found.map_or(Ok(()), Err)
 }
@@ -199,7 +213,8 @@ pub(crate) fn grid(skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Re
     let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
     if grid.n_triangles() > MOST_TRIANGLES {
         let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
-        return Err(Error::new(Code::TooLarge, skin.placed().own_path(), message).with("greatest", MOST_TRIANGLES));
+        let error = Error::new(Code::TooLarge, skin.placed().own_path(), message).with("what", "triangles");
+        return Err(error.with("greatest", MOST_TRIANGLES));
     }
     Ok(grid)
 }
@@ -237,25 +252,53 @@ pub(crate) fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> 
             place(at(woven.triangles[number][0]))
         );
         let place = at(woven.triangles[number][0]).to_array();
-        return Err(Error::new(Code::PinchedSurface, pot.skin().placed().path(field(kind)), message).near(place));
+        let error = Error::new(Code::PinchedSurface, pot.skin().placed().path(field(kind)), message).near(place);
+        return Err(error.with("what", "shrinks").with("face", kind.name()));
     }
     let topology = check::closed(&woven.triangles, woven.positions.len()).map_err(|vertex| {
         let message = format!("the faces do not close at {}", place(at(vertex)));
-        Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array())
+        let error = Error::new(Code::CrossesItself, pot_path(pot.part()), message).near(at(vertex).to_array());
+        error.with("what", "does-not-close")
     })?;
-    let crossings = check::crossings(&woven.positions, &woven.triangles, group, CROSSINGS);
+    let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, group, CROSSINGS);
     let kinds = |pair: &[u32; 2]| pair.map(kind_of);
     // If the surface itself is at fault, that is the reason.
     let worst = crossings.iter().find(|pair| kinds(pair) == [pot.surface_kind(); 2]).or(crossings.first());
-    match worst {
-        Some(pair) => Err(crossing(pot, kinds(pair), woven.middle(pair[0]) / scale)),
-        None => Ok(topology),
+    match (worst, given_up) {
+        (Some(pair), _) => Err(crossing(pot, kinds(pair), woven.middle(pair[0]) / scale)),
+        (None, Some(triangle)) => Err(crowded(pot, kind_of(triangle), woven.middle(triangle) / scale)),
+        (None, None) => Ok(topology),
     }
+}
+
+/// Triangles of a surface that lie so close together that nobody knows whether they cross.
+fn surface_is_crowded(skin: &Skin, at: DVec3) -> Error {
+    let message = format!(
+        "so much of the surface lies close to itself near {} that it cannot be told whether it runs through itself: expected one that does not",
+        place(at)
+    );
+    let error = Error::new(Code::CrossesItself, skin.placed().path("shape"), message).near(at.to_array());
+    error.with("what", "surface-close")
+}
+
+/// The same of a wall.
+fn crowded(pot: &Pot, kind: FaceKind, at: DVec3) -> Error {
+    if kind == pot.surface_kind() || !pot.has_wall() {
+        return surface_is_crowded(pot.skin(), at);
+    }
+    let message = format!(
+        "so much of the {} lies close to itself near {} that it cannot be told whether it has room: expected a thinner wall",
+        name(kind),
+        place(at)
+    );
+    let error = Error::new(Code::NoRoom, pot.skin().placed().path("wall.thickness"), message).near(at.to_array());
+    error.with("what", "close").with("face", kind.name())
 }
 
 fn surface_crosses(skin: &Skin, at: DVec3) -> Error {
     let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
-    Error::new(Code::CrossesItself, skin.placed().path("shape"), message).near(at.to_array())
+    let error = Error::new(Code::CrossesItself, skin.placed().path("shape"), message).near(at.to_array());
+    error.with("what", "surface")
 }
 
 /// What a crossing of two faces means to a potter.
@@ -283,7 +326,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         kind => field(kind),
     };
     let error = Error::new(Code::NoRoom, pot.skin().placed().path(path), message).near(at.to_array());
-    error.with("face", first.name()).with("other", second.name())
+    error.with("what", "crossing").with("face", first.name()).with("other", second.name())
 }
 
 pub(crate) fn finished(woven: &Woven, part: usize, scale: f64) -> SolidMesh {

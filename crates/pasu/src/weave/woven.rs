@@ -325,7 +325,8 @@ impl Weaver<'_> {
         let mut triangles = disc::triangles(&outlines).map_err(|vertex| {
             let at = self.at(vertex) / self.scale;
             let message = format!("the outline of the {} crosses itself near {}", name(piece.kind()), place(at));
-            Error::new(Code::CrossesItself, self.skin.placed().path(field(piece.kind())), message).near(at.to_array())
+            let error = Error::new(Code::CrossesItself, self.skin.placed().path(field(piece.kind())), message);
+            error.near(at.to_array()).with("what", "outline").with("face", piece.kind().name())
         })?;
         // Anti-clockwise seen from along the axis is right for what faces that way.
         let area = |ring: &Ring| {

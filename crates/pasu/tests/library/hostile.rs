@@ -1,5 +1,8 @@
 //! What outsiders found that took too long, broke or lied: each case of `tests/reference/hostile.json` by its name.
 
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use pasu::{
@@ -139,6 +142,44 @@ hostile! {
     ordinary_pot_7: "ordinary pot 7, slowly measured",
     ordinary_pot_8: "ordinary pot 8, slowly measured",
     less_than_no_water: "less than no water",
+    a_folded_cloth: "a wall on a folded cloth",
+    a_thick_wall_on_a_folded_cloth: "a thick wall on a folded cloth",
+    a_wall_thicker_than_a_folded_cloth: "a wall thicker than a folded cloth",
+    a_wall_far_thicker_than_a_folded_cloth: "a wall a thousand times as thick as a folded cloth",
+    forty_petals: "forty petals stretched eighteen times",
+    triangles_in_one_place: "a wall whose triangles lie in one place",
+    refused_after_every_trial: "a wall that is refused after every trial",
+    a_remedy_sought_for_long: "a remedy that is sought for long",
+}
+
+/// How often a watcher may hear of a call that would have gone on for minutes: as of any pot, about once for a millisecond of work.
+const MOST_TOLD: u64 = 2500;
+
+/// Work is counted, not time: as the library tells it to whoever waits.
+#[test]
+fn what_went_on_for_minutes_does_a_bounded_work() {
+    for name in [
+        "a wall on a folded cloth",
+        "a thick wall on a folded cloth",
+        "a wall thicker than a folded cloth",
+        "a wall a thousand times as thick as a folded cloth",
+    ] {
+        let case = cases().into_iter().find(|case| case["name"] == name).expect("a case of this name");
+        let design = Design::parse(&case["input"].to_string()).unwrap();
+        for what in ["measure", "check", "sketch"] {
+            let told = Rc::new(Cell::new(0));
+            let progress = {
+                let told = Rc::clone(&told);
+                move |_| {
+                    told.set(told.get() + 1);
+                    ControlFlow::Continue(())
+                }
+            };
+            // Refused or not: it ends.
+            drop(pasu::watched(progress, || call(what, &design).map_or(Ok(()), Err)));
+            assert!(told.get() <= MOST_TOLD, "{name}, {what}: told {} times", told.get());
+        }
+    }
 }
 
 #[test]

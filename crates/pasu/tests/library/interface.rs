@@ -16,9 +16,9 @@ macro_rules! shared {
 #[test]
 fn every_type_goes_from_thread_to_thread() {
     let mut checked = BTreeSet::from(shared!(
-    Arg Axis BloorWilson Body BoundaryValue Capacity Centre Clay ClayMeasures Code Component Conversion Craft Curvature CurvatureRange Datum Derivatives Design
-    Drawn DrawnFace End Equation Error FaceJet FaceKind Fill Finding Footprint Format FourthOrder Free Glaze Handle HandleId Handles Hoop LeastThickness Located Look Loss Making Map
-        MeasureOptions Measures Mesh MeshOptions MeshReport MixedOrder Mode ModeSolution Order Overhang Part PartMeasures Piece Placement Pot Product Provenance Quantity Remedy Report
+    Arg Axis BloorWilson Body BoundaryValue Capacity Cause Centre Clay ClayMeasures Code Colour Component Conversion Craft Curvature CurvatureRange Datum Derivatives Design
+    Drawn DrawnFace End Equation Error FaceJet FaceKind Fill Finding Footprint Format FourthOrder Free Glaze Hand Handle HandleId Handles Hoop LeastThickness Located Look Loss Making Map
+        MeasureOptions Measures Mesh MeshOptions MeshReport MixedOrder Mode ModeSolution Order Overhang Part PartMeasures Piece Placement Pot Product Provenance Pulled Quantity Remedy Report
     Restraint RimForm Ring Rings Sampler Scale SecondOrder Series Severity Shape Side Size Sketch SketchOptions Slopes SolidMesh Solution Span Spill Step Surface SurfaceJet ThicknessRange Tipping Unit
     Unsolvable VaseOrder Wall Water WaterSurface Wave Width
     ));
@@ -27,8 +27,10 @@ fn every_type_goes_from_thread_to_thread() {
     checked.insert("ModeData");
     is_shared::<Loads<Centre>>();
     checked.insert("Loads");
+    is_shared::<Choice<Glaze>>();
+    checked.insert("Choice");
     // Traits and an alias.
-    checked.extend(["Face", "FaceWalk", "Result"]);
+    checked.extend(["Face", "FaceWalk", "Named", "Result"]);
     assert_eq!(checked, declared());
 }
 

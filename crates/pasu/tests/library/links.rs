@@ -190,7 +190,7 @@ fn what_is_wrong_is_said_in_words() {
             "#1/bloor-wilson?b=1",
             "unknown-field",
             "parts[0].shape.b",
-            "unknown field \"b\"; expected one of a, r, R, h, H, n1, title, unit, glaze, clay".into(),
+            "unknown field \"b\"; expected one of a, r, R, h, H, n1, title, unit, glaze, inside, line, clay".into(),
         ),
         (
             "#1/bloor-wilson?a=1&a=2",
@@ -233,7 +233,7 @@ fn what_is_wrong_is_said_in_words() {
             "#1/second-order?glaze=pink",
             "unknown-name",
             "parts[0].look.glaze",
-            "expected \"celadon\", \"tenmoku\", \"cobalt\", \"tin-white\", \"shino\", \"copper-red\", \"clear\" or \"bare\", found \"pink\"".into(),
+            "expected \"celadon\", \"tenmoku\", \"cobalt\", \"tin-white\", \"shino\", \"copper-red\", \"clear\", \"bare\" or \"#rrggbb\", found \"pink\"".into(),
         ),
         ("#1/second-order?unit=m", "unknown-name", "unit", "expected \"cm\", \"mm\" or \"in\", found \"m\"".into()),
     ] {

@@ -104,7 +104,11 @@ fn make(seed: u64) -> Outcome {
                 "seed {seed}: {} {error}\n{json}",
                 error.code().as_str()
             );
+            // Which of several things have this code is told besides, so that a page can say it in its own words.
+            assert!(error.arg("what").is_some(), "seed {seed}: {} {error}", error.code());
             let report = solution.check(&making).unwrap();
+            let named: Vec<&str> = report.findings[0].args.keys().copied().collect();
+            assert!(error.args().iter().all(|(name, _)| named.contains(name)), "seed {seed}: {named:?}");
             let is_helped = report.findings[0].remedy.is_some();
             let helped = if is_helped { "" } else { UNHELPED };
             Outcome::Refused(format!("{} {path}{helped}", error.code().as_str()))

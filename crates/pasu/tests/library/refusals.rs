@@ -240,7 +240,7 @@ fn documents() {
             with_part(r#""look": { "clay": "mud" }"#),
             "unknown-name",
             "parts[0].look.clay",
-            "expected \"stoneware\", \"porcelain\", \"terracotta\" or \"black\", found \"mud\"".into(),
+            "expected \"stoneware\", \"porcelain\", \"terracotta\", \"black\" or \"#rrggbb\", found \"mud\"".into(),
         ),
         // Shapes.
         (

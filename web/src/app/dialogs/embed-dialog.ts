@@ -8,6 +8,7 @@ import { familyIn } from "../../element/pot/controls";
 import "../../element/pot/define";
 import { lendSolver } from "../../element/pot/shared-solver";
 import "../../ui/dialog";
+import { checks } from "../../ui/checks";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { embed } from "../../words/english/embed";
@@ -153,6 +154,7 @@ export class PasuEmbed extends DesignerElement {
     base,
     buttons,
     fields,
+    checks,
     css`
       .columns {
         display: grid;
@@ -188,19 +190,6 @@ export class PasuEmbed extends DesignerElement {
       .own {
         display: grid;
       }
-      .check {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        cursor: pointer;
-      }
-      .check input {
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
-      }
       summary {
         display: list-item;
         min-height: 30px;
@@ -208,7 +197,7 @@ export class PasuEmbed extends DesignerElement {
       }
       ul {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(min(210px, 100%), 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(13.125rem, 100%), 1fr));
       }
       code {
         color: var(--soft);
@@ -234,7 +223,7 @@ export class PasuEmbed extends DesignerElement {
         color: var(--soft);
         font-size: 0.9rem;
       }
-      @media (max-width: 719px) {
+      @media (max-width: 44.9375em) {
         .columns {
           grid-template-columns: minmax(0, 1fr);
         }

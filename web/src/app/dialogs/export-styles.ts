@@ -7,7 +7,7 @@ export const exportStyles = css`
     margin-top: 0;
   }
   .formats .choices div {
-    grid-template-columns: repeat(auto-fill, minmax(80px, 1fr));
+    grid-template-columns: repeat(auto-fill, minmax(min(5rem, 100%), 1fr));
     gap: 6px;
   }
   .formats .choices label {
@@ -22,7 +22,7 @@ export const exportStyles = css`
   }
   .row {
     display: grid;
-    grid-template-columns: repeat(auto-fit, minmax(130px, 1fr));
+    grid-template-columns: repeat(auto-fit, minmax(min(8.125rem, 100%), 1fr));
     gap: 10px 12px;
     padding-top: 14px;
   }

@@ -3,6 +3,7 @@
 import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import "../../ui/dialog";
+import { checks } from "../../ui/checks";
 import { base, buttons, fields } from "../../ui/styles";
 import { link } from "../../words/english/link";
 
@@ -60,21 +61,10 @@ export class PasuLink extends LitElement {
     base,
     buttons,
     fields,
+    checks,
     css`
       .check {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
         margin-top: 6px;
-        cursor: pointer;
-      }
-      .check input {
-        flex: none;
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
       }
       .copied {
         min-height: 1.5em;

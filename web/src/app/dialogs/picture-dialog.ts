@@ -4,6 +4,7 @@ import { css, html, LitElement, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { parseNumber } from "../../number";
 import "../../ui/dialog";
+import { checks } from "../../ui/checks";
 import { base, buttons, fields } from "../../ui/styles";
 import { picture } from "../../words/english/picture";
 
@@ -115,6 +116,7 @@ export class PasuPicture extends LitElement {
     base,
     buttons,
     fields,
+    checks,
     css`
       .lead {
         color: var(--soft);
@@ -128,19 +130,6 @@ export class PasuPicture extends LitElement {
       legend {
         padding: 0;
         font-weight: 650;
-      }
-      .check {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        cursor: pointer;
-      }
-      .check input {
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
       }
       .size {
         margin-left: auto;

@@ -71,7 +71,7 @@ export class Pictures {
     } catch {
       // Once is enough to know: the rest are drawn without trying again.
       this.#painter = Promise.resolve(null);
-      drawStill(outcome.value.parts, canvas, [0.66, 0.8, 0.73]);
+      drawStill(stageModel(design, outcome.value).parts, canvas);
     }
     // What draws gives up without a word once it is at its end: the picture is drawn the next time.
     if (!this.#ended) canvas.dataset.drawn = "true";
@@ -120,7 +120,7 @@ export function canvasOf(id: string): HTMLCanvasElement {
 export const tileStyles = css`
   .tiles {
     display: grid;
-    grid-template-columns: repeat(auto-fill, minmax(158px, 1fr));
+    grid-template-columns: repeat(auto-fill, minmax(min(9.875rem, 100%), 1fr));
     gap: 14px;
   }
   .tiles li {
@@ -169,7 +169,7 @@ export const tileStyles = css`
     line-height: 1.35;
     text-wrap: pretty;
   }
-  @media (max-width: 420px) {
+  @media (max-width: 26.25em) {
     .tiles {
       grid-template-columns: 1fr 1fr;
       gap: 10px;

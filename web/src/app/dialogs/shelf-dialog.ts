@@ -16,10 +16,17 @@ import { refusalWords } from "../../words/refusals";
 import { type Change, Collection, type Entry } from "../../work/collection";
 import { canvasOf, Pictures } from "./pictures";
 
+interface Told {
+  readonly text: string;
+  readonly undo: (() => Promise<boolean>) | null;
+  /** Whether something is gone that a person may miss later. */
+  readonly gone?: boolean;
+}
+
 @customElement("pasu-shelf")
 export class PasuShelf extends DesignerElement {
   /** What was done last, and how it is taken back. */
-  @state() private told: { readonly text: string; readonly undo: (() => Promise<boolean>) | null } | null = null;
+  @state() private told: Told | null = null;
   private collection: Collection | null = null;
   private pictures: Pictures | null = null;
 
@@ -135,7 +142,7 @@ export class PasuShelf extends DesignerElement {
   private async replace(entry: Entry, before: Design): Promise<void> {
     const { store, keeper } = this.designer;
     const { design } = store;
-    const done = await this.tell(this.collection?.replace(entry, design), shelf.replaced(nameOf(before)));
+    const done = await this.tell(this.collection?.replace(entry, design), shelf.replaced(nameOf(before)), true);
     if (done && store.design === design) keeper.markShared();
   }
 
@@ -151,17 +158,17 @@ export class PasuShelf extends DesignerElement {
   }
 
   private async takeAway(entry: Entry, name: string): Promise<void> {
-    await this.tell(this.collection?.remove(entry), shelf.removed(name));
+    await this.tell(this.collection?.remove(entry), shelf.removed(name), true);
     // What had the focus is gone.
     await this.updateComplete;
     this.renderRoot.querySelector<HTMLButtonElement>(".told button")?.focus();
   }
 
   /** Says what became of a change; whether there was one. */
-  private async tell(change: Promise<Change> | undefined, text: string): Promise<boolean> {
+  private async tell(change: Promise<Change> | undefined, text: string, gone = false): Promise<boolean> {
     const made = await change;
     if (!made) return false;
-    if (made.state === "done") this.told = { text, undo: made.undo };
+    if (made.state === "done") this.told = { text, undo: made.undo, gone };
     else this.told = { text: made.state === "full" ? shelf.notKept : shelf.notSolved, undo: null };
     return made.state === "done";
   }
@@ -179,6 +186,13 @@ export class PasuShelf extends DesignerElement {
   };
 
   private readonly close = (): void => {
+    // What is gone from the shelf can be taken back without it too.
+    const { told } = this;
+    if (told?.undo && told.gone) {
+      const { text, undo } = told;
+      const act = async () => ((await undo()) ? shelf.undone : shelf.notKept);
+      this.designer.notices.say(text, { label: shelf.undo, act });
+    }
     this.dispatchEvent(new Event("shelf-closed"));
   };
 
@@ -216,7 +230,7 @@ export class PasuShelf extends DesignerElement {
       }
       .pieces {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(190px, 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(11.875rem, 100%), 1fr));
         gap: 14px;
         padding-top: 14px;
       }
@@ -270,7 +284,7 @@ export class PasuShelf extends DesignerElement {
         margin-top: auto;
         padding: 2px 8px 6px;
       }
-      @media (max-width: 440px) {
+      @media (max-width: 27.5em) {
         .pieces {
           grid-template-columns: 1fr 1fr;
           gap: 10px;

@@ -1,10 +1,10 @@
 /** The colours of a map with the numbers that they stand for. */
 
-import { css, html, LitElement } from "lit";
+import { css, html, LitElement, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import { type ColourMap, scaleOf } from "../../document/maps";
 import type { Unit } from "../../document/types";
-import type { Painted } from "../../maker/messages";
+import type { Lined, Painted } from "../../maker/messages";
 import { base } from "../../ui/styles";
 import { maps } from "../../words/english/maps";
 import { mapNote, mapWords } from "../../words/maps";
@@ -13,6 +13,8 @@ import { mapNote, mapWords } from "../../words/maps";
 export class PasuLegend extends LitElement {
   @property({ attribute: false }) map!: ColourMap;
   @property({ attribute: false }) painted: Painted | null = null;
+  /** What is known of the inside; null where the map has nothing of its own there, or not yet. */
+  @property({ attribute: false }) lined: Lined | null = null;
   @property() unit: Unit = "cm";
 
   override render() {
@@ -21,7 +23,7 @@ export class PasuLegend extends LitElement {
     const scale = scaleOf(map, painted.low, painted.high);
     const { low, high } = scale;
     const words = (value: number) => mapWords(map.name, value, unit);
-    const on = map.name === "overhang" ? maps.onOutside : maps.onPot;
+    const on = map.name === "overhang" || this.lined ? maps.onOutside : maps.onPot;
     const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
     return html`
       <div class="ramp" role="img" aria-label=${maps.colours(maps.names[map.name], words(low), words(high))}></div>
@@ -29,8 +31,17 @@ export class PasuLegend extends LitElement {
         <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
         ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
       </p>
-      <p class="note">${on(mapNote(map.name, scale), words(painted.least), words(painted.greatest))}</p>
+      <p class="note">${on(mapNote(map.name, scale), words(painted.least), words(painted.greatest))} ${this.within(words)}</p>
     `;
+  }
+
+  private within(words: (value: number) => string) {
+    if (!this.lined) return nothing;
+    const { range } = this.lined;
+    if (!range) return maps.notInside;
+    const numbers =
+      this.map.name === "thickness" ? maps.insideSame : maps.inside(words(range.least), words(range.greatest));
+    return html`${numbers} ${maps.insideSeen}`;
   }
 
   override updated(): void {

@@ -1,12 +1,15 @@
 /** Glaze, clay and unit, and which part of the design is being edited. */
 
-import { css, html, unsafeCSS } from "lit";
+import { css, html, nothing, unsafeCSS } from "lit";
 import { customElement } from "lit/decorators.js";
-import { lookOf, unitOf } from "../../document/look";
+import { type Looked, lookOf, unitOf } from "../../document/look";
+import { isOwn, swatchOf } from "../../document/swatches";
 import * as tables from "../../document/tables.gen";
-import type { ClayName, GlazeName, Unit } from "../../document/types";
+import type { ClayChoice, ClayName, Colour, GlazeChoice, GlazeName, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { setLook, setUnit } from "../../state/actions";
+import { type LookChange, setLook, setUnit } from "../../state/actions";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, fields } from "../../ui/styles";
 import { look } from "../../words/english/look";
 import { quantities } from "../../words/english/quantities";
@@ -18,6 +21,9 @@ const SWATCHES = unsafeCSS(
     .join("\n"),
 );
 
+/** What of a look is chosen by name or colour. */
+type Chosen = "glaze" | "inside" | "clay";
+
 @customElement("pasu-look")
 export class PasuLook extends DesignerElement {
   override render() {
@@ -25,38 +31,10 @@ export class PasuLook extends DesignerElement {
     const { design, part } = designer.state;
     const chosen = lookOf(design.parts[part]);
     return html`
-      <fieldset>
-        <legend>${look.glaze}</legend>
-        <div class="swatches">
-          ${entries<GlazeName>(look.glazes).map(
-            ([name, label]) => html`<label class="swatch">
-              <input
-                type="radio"
-                name="glaze"
-                .checked=${chosen.glaze === name}
-                @change=${() => designer.apply(setLook(designer.state, { glaze: name }))}
-              />
-              <span class="dot ${name}"></span><span>${label}</span>
-            </label>`,
-          )}
-        </div>
-      </fieldset>
-      <fieldset>
-        <legend>${look.clay}</legend>
-        <div class="swatches">
-          ${entries<ClayName>(look.clays).map(
-            ([name, label]) => html`<label class="swatch">
-              <input
-                type="radio"
-                name="clay"
-                .checked=${chosen.clay === name}
-                @change=${() => designer.apply(setLook(designer.state, { clay: name }))}
-              />
-              <span class="dot ${name}"></span><span>${label}</span>
-            </label>`,
-          )}
-        </div>
-      </fieldset>
+      ${this.swatches(look.glaze, "glaze", entries<GlazeName>(look.glazes), chosen.glaze, look.ownGlaze)}
+      ${this.within(chosen, design.parts[part]?.look?.inside)}
+      ${chosen.glaze === "bare" ? nothing : this.line(chosen)}
+      ${this.swatches(look.clay, "clay", entries<ClayName>(look.clays), chosen.clay, look.ownClay)}
       <label class="unit">
         <span>${look.unit}</span>
         <select
@@ -73,6 +51,98 @@ export class PasuLook extends DesignerElement {
       </label>
       <p class="hint">${look.staysAsLarge}</p>
     `;
+  }
+
+  /** Everything that has a name, and behind it a colour of one's own. */
+  private swatches<N extends GlazeName | ClayName>(
+    legend: string,
+    of: Chosen,
+    names: readonly (readonly [N, string])[],
+    chosen: GlazeChoice | ClayChoice,
+    label: string,
+  ) {
+    const own = isOwn(chosen);
+    return html`<fieldset>
+      <legend>${legend}</legend>
+      <div class="swatches">
+        ${names.map(
+          ([name, text]) => html`<label class="swatch">
+            <input type="radio" name=${of} .checked=${chosen === name} @change=${() => this.choose({ [of]: name })} />
+            <span class="dot ${name}"></span><span>${text}</span>
+          </label>`,
+        )}
+        <label class="swatch">
+          <input
+            type="radio"
+            name=${of}
+            .checked=${own}
+            @change=${() => this.choose({ [of]: swatchOf(chosen) })}
+          />
+          ${own ? this.colour(of, chosen, label) : html`<span class="dot any"></span>`}<span>${look.own}</span>
+        </label>
+      </div>
+    </fieldset>`;
+  }
+
+  /** What covers the inside: a few words, for it is mostly what covers the outside. */
+  private within({ inside }: Looked, said: GlazeChoice | undefined) {
+    const value = said === undefined ? "" : isOwn(said) ? "own" : said;
+    const choices = [["", look.asOutside], ...entries<GlazeName>(look.glazes), ["own", look.own]] as const;
+    return html`<div class="line">
+      <label for="inside">${look.inside}</label>
+      <span class="pair">
+        ${said !== undefined && isOwn(said) ? this.colour("inside", said, look.ownInside) : nothing}
+        <select
+          id="inside"
+          class="field"
+          @change=${(event: Event) => {
+            const { value: next } = event.target as HTMLSelectElement;
+            const own = next === "own" ? swatchOf(inside) : next === "" ? undefined : (next as GlazeName);
+            this.choose({ inside: own });
+          }}
+        >
+          ${choices.map(([name, text]) => html`<option value=${name} ?selected=${value === name}>${text}</option>`)}
+        </select>
+      </span>
+    </div>`;
+  }
+
+  private colour(of: Chosen, value: Colour, label: string) {
+    const { designer } = this;
+    return html`<input
+      type="color"
+      class="own"
+      aria-label=${label}
+      .value=${value}
+      @input=${(event: Event) =>
+        this.choose({ [of]: (event.target as HTMLInputElement).value as Colour }, `look:${of}`)}
+      @change=${() => designer.store.endGesture()}
+    />`;
+  }
+
+  private line({ line }: Looked) {
+    const { designer } = this;
+    return html`<pasu-number
+      class="part"
+      .label=${look.line}
+      .unit=${"%"}
+      .help=${look.lineHelp}
+      .value=${Number((100 * line).toPrecision(12))}
+      .min=${0}
+      .max=${100}
+      .step=${1}
+      @number-change=${({ value, gesture }: NumberChangeEvent) => {
+        const share = Math.min(1, Math.max(0, value / 100));
+        this.choose({ line: share === 0 ? undefined : share }, gesture ? "look:line" : undefined);
+      }}
+      @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
+    ></pasu-number>`;
+  }
+
+  private choose(change: LookChange, key?: string): void {
+    const { designer } = this;
+    designer.apply(setLook(designer.state, change, key));
   }
 
   static override readonly styles = [
@@ -93,7 +163,7 @@ export class PasuLook extends DesignerElement {
       }
       .swatches {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
+        grid-template-columns: repeat(auto-fill, minmax(min(9.375rem, 100%), 1fr));
         gap: 8px;
       }
       .swatch {
@@ -115,11 +185,11 @@ export class PasuLook extends DesignerElement {
         background: var(--accent-wash);
         box-shadow: inset 0 0 0 1px var(--accent);
       }
-      .swatch:has(:focus-visible) {
+      .swatch:has(input[type="radio"]:focus-visible) {
         outline: 2.5px solid var(--accent);
         outline-offset: 2px;
       }
-      .swatch input {
+      .swatch input[type="radio"] {
         position: absolute;
         opacity: 0;
         inset: 0;
@@ -137,11 +207,54 @@ export class PasuLook extends DesignerElement {
           inset -4px -4px 8px rgb(0 0 0 / 0.28);
       }
       ${SWATCHES}
+      .any {
+        background: conic-gradient(#b5453c, #d9a441, #6e9a4f, #3f7f8f, #5a4f9a, #b5453c);
+      }
+      .own {
+        position: relative;
+        z-index: 1;
+        width: 34px;
+        height: 34px;
+        flex: none;
+        padding: 0;
+        border: 1px solid var(--edge);
+        border-radius: 50%;
+        background: none;
+        overflow: hidden;
+        cursor: pointer;
+      }
+      .own::-webkit-color-swatch-wrapper {
+        padding: 0;
+      }
+      .own::-webkit-color-swatch,
+      .own::-moz-color-swatch {
+        border: 0;
+      }
+      .swatch .own {
+        margin: 0 -4px;
+      }
+      .line,
       .unit {
         display: flex;
+        flex-wrap: wrap;
         align-items: center;
         justify-content: space-between;
-        gap: 12px;
+        gap: 6px 12px;
+      }
+      .line {
+        margin-bottom: 14px;
+      }
+      .pair {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-width: 0;
+      }
+      .part {
+        display: block;
+        margin-bottom: 18px;
+      }
+      .unit {
         padding-top: 14px;
         border-top: 1px solid var(--line);
       }

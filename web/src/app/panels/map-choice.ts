@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { MAPS, mapOf, needsWhole } from "../../document/maps";
+import { MAPS, mapOf } from "../../document/maps";
 import type { MapName } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { setMap } from "../../state/wall-actions";
@@ -20,6 +20,7 @@ export class PasuMaps extends DesignerElement {
     const walled = design.parts.some((part) => part.wall !== undefined);
     const { map } = session;
     const painted = designer.made?.painted;
+    const lined = designer.made?.lining.value;
     return html`<label>
         <span>${maps.show}</span>
         <select
@@ -39,8 +40,7 @@ export class PasuMaps extends DesignerElement {
       ${
         map === null
           ? nothing
-          : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .unit=${unitOf(design)}></pasu-legend>
-              ${session.overlays.cut && needsWhole(map, design) ? html`<p role="status">${maps.closed}</p>` : nothing}
+          : html`<pasu-legend .map=${mapOf(map)} .painted=${painted?.value ?? null} .lined=${lined ?? null} .unit=${unitOf(design)}></pasu-legend>
               ${painted?.problem ? html`<p class="problem" role="status">${refusalWords(painted.problem, design)}</p>` : nothing}`
       } `;
   }

@@ -8,6 +8,7 @@ import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import "./map-choice";
 import "./size-panel";
+import "./wedging-panel";
 import { base, buttons } from "../../ui/styles";
 import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
@@ -33,6 +34,7 @@ export class PasuMeasures extends DesignerElement {
       <pasu-water .designer=${designer}></pasu-water>
       <pasu-maps .designer=${designer}></pasu-maps>
       ${this.numbers()}
+      <pasu-wedging .designer=${designer}></pasu-wedging>
       ${accuracy === "" ? nothing : html`<p class="hint">${accuracy}</p>`}
     `;
   }
@@ -116,6 +118,7 @@ export class PasuMeasures extends DesignerElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: 18px;
       }
       h3 {

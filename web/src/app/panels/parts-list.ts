@@ -266,7 +266,7 @@ export class PasuParts extends DesignerElement {
         color: var(--warn);
         font-size: 0.88rem;
       }
-      @media (max-width: 859px) {
+      @media (max-width: 53.6875em) {
         /* Two and a half: that there are more is seen. */
         ul {
           max-height: 112px;

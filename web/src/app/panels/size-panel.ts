@@ -9,6 +9,7 @@ import { millilitres } from "../../document/volume";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber, parseLength, parseVolume } from "../../number";
 import { resize, setUnit } from "../../state/actions";
+import { checks } from "../../ui/checks";
 import { base, fields } from "../../ui/styles";
 import { quantities } from "../../words/english/quantities";
 import { size as words } from "../../words/english/size";
@@ -146,6 +147,7 @@ export class PasuSize extends DesignerElement {
   static override readonly styles = [
     base,
     fields,
+    checks,
     css`
       section {
         display: grid;
@@ -186,19 +188,6 @@ export class PasuSize extends DesignerElement {
         color: var(--soft);
         font-size: 0.86em;
         pointer-events: none;
-      }
-      .check {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        cursor: pointer;
-      }
-      .check input {
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
       }
       .hint {
         color: var(--soft);

@@ -10,6 +10,7 @@ import { type WallField, wallFields, wallNumber, wallRange } from "../../documen
 import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
 import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
+import { checks } from "../../ui/checks";
 import { choiceStyles, choices } from "../../ui/choices";
 import { icon } from "../../ui/icons";
 import { CommandEvent } from "../command";
@@ -132,7 +133,7 @@ export class PasuWall extends DesignerElement {
     const { made, state, surface } = this.designer;
     const path = pathText(["parts", state.part, "wall", ...field.path]);
     const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
-    return named ? whyWords(named) : "";
+    return named ? whyWords(named, unitOf(state.design)) : "";
   }
 
   static override readonly styles = [
@@ -140,6 +141,7 @@ export class PasuWall extends DesignerElement {
     buttons,
     choiceStyles,
     remedyStyles,
+    checks,
     css`
       :host {
         display: block;
@@ -172,19 +174,6 @@ export class PasuWall extends DesignerElement {
         background: var(--warn-wash);
         color: var(--warn);
         font-size: 0.92rem;
-      }
-      .check {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        cursor: pointer;
-      }
-      .check input {
-        width: 18px;
-        height: 18px;
-        margin: 0;
-        accent-color: var(--accent);
       }
       .export {
         width: 100%;

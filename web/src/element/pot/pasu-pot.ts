@@ -7,6 +7,7 @@ import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
 import type { SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
+import { wheel } from "../../ui/wheel";
 import { pot } from "../../words/english/pot";
 import { LENGTH_LABELS } from "../../words/length";
 import { COARSEST, gridFor } from "../../work/grid";
@@ -40,7 +41,7 @@ interface Shown {
 let count = 0;
 
 export class PasuPotElement extends LitElement implements Contract {
-  @property() src = "";
+  @property({ converter: (text) => text ?? "" }) src = "";
   @property() alt = "";
   @property() poster = "";
   @property() loading: "auto" | "lazy" | "eager" = "auto";
@@ -91,6 +92,11 @@ export class PasuPotElement extends LitElement implements Contract {
   private aimed = "";
   private held: Shown | null = null;
   private changing: Promise<void> = Promise.resolve();
+  /** What is shown of its parameters. */
+  private fields: readonly Field[] = [];
+  /** What was said of `controls`, each once; and what is still to be said. */
+  private readonly complained = new Set<string>();
+  private readonly complaints: Refusal[] = [];
   private hiding: ReturnType<typeof setTimeout> | undefined;
 
   /** Whether the design is on the screen. */
@@ -178,13 +184,33 @@ export class PasuPotElement extends LitElement implements Contract {
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
-    if (!changed.has("src") || (!this.hasUpdated && this.given)) return;
-    this.given = null;
-    this.pending = this.src !== "";
+    if (changed.has("controls")) this.complained.clear();
+    if (changed.has("src") && (this.hasUpdated || !this.given)) {
+      this.given = null;
+      this.pending = this.src !== "";
+      if (!this.pending) this.unload();
+    }
+    this.fields = this.chooseFields();
+  }
+
+  /** Without a source there is no pot, as with `<model-viewer>`: the poster stands in its place again. */
+  private unload(): void {
+    this.wanted.abort();
+    this.shown = null;
+    this.solved = null;
+    this.origin = null;
+    this.held = null;
+    this.problem = null;
+    this.untold = false;
+    this.isLoaded = false;
+    this.aimed = "";
+    this.holder.stage?.show({ parts: [], bounds: null });
   }
 
   override updated(changed: PropertyValues<this>): void {
     this.begin();
+    // Not while rendering: whoever listens may set what is rendered.
+    for (const refusal of this.complaints.splice(0)) this.tell(refusal);
     const { stage } = this.holder;
     if (this.holder.mode === "still") {
       if (this.still) this.resizes.observe(this.still);
@@ -306,11 +332,11 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** The picture of a browser without WebGL2. */
   private paint(): void {
-    const { solved, still } = this;
-    if (!solved || !still) return;
+    const { solved, shown, still } = this;
+    if (!solved || !shown || !still) return;
     void import("../still-picture").then(({ paintStill }) => {
       if (solved !== this.solved || still.clientWidth === 0) return;
-      paintStill(solved.parts, still, this.scheme());
+      paintStill(stageModel(shown.design, solved).parts, still);
       this.drawn();
     });
   }
@@ -356,12 +382,26 @@ export class PasuPotElement extends LitElement implements Contract {
     cancel: () => {
       const { held } = this;
       if (!held) return;
-      this.hand.set(held.design);
-      void this.changing.then(() => {
-        this.held = null;
-      });
+      void this.putBack(held);
     },
   };
+
+  /** The hand took back what it did: what it held, as fine as it was. */
+  private async putBack(held: Shown): Promise<void> {
+    this.wanted.abort();
+    this.wanted = new AbortController();
+    const { signal } = this.wanted;
+    this.shown = held;
+    this.dispatchEvent(new CustomEvent("input", { bubbles: true, detail: { design: copy(held.design) } }));
+    try {
+      if (!(await this.solve(held, FINENESS, signal))) return;
+      this.held = null;
+      this.untold = false;
+      this.display();
+    } catch (error) {
+      if (!signal.aborted) this.refuse(error);
+    }
+  }
 
   /** The hand let go: the fine mesh, and the link. */
   private async settle(): Promise<void> {
@@ -389,19 +429,17 @@ export class PasuPotElement extends LitElement implements Contract {
     return getComputedStyle(this.probe).color === "rgb(255, 255, 255)" ? "light" : "dark";
   }
 
-  private get fields(): readonly Field[] {
+  private chooseFields(): readonly Field[] {
     const { shown } = this;
     if (!shown || this.ui === "view") return [];
     const named = namesIn(this.controls).length > 0;
     if (!named) return this.ui === "sliders" ? (familyIn(shown.design)?.fields ?? []) : [];
     return shownFields(shown.design, this.controls, (refusal) => {
-      if (this.complained === `${refusal.message}`) return;
-      this.complained = refusal.message;
-      this.tell(refusal);
+      if (this.complained.has(refusal.message)) return;
+      this.complained.add(refusal.message);
+      this.complaints.push(refusal);
     });
   }
-
-  private complained = "";
 
   override render() {
     const { mode } = this.holder;
@@ -482,7 +520,7 @@ export class PasuPotElement extends LitElement implements Contract {
     }, HINT_MS);
   };
 
-  static override readonly styles = [base, potStyles];
+  static override readonly styles = [base, wheel, potStyles];
 }
 
 /** What is handed out is nobody else's. */

@@ -28,6 +28,7 @@ export const potStyles = css`
     --shadow: light-dark(rgb(60 45 30 / 0.14), rgb(0 0 0 / 0.5));
     --radius: 10px;
     --touch: 36px;
+    --wheel: 32px;
     --font: var(--pasu-pot-font, system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif);
     --font-brand: "Iowan Old Style", "Palatino Linotype", Palatino, "URW Palladio L", "Book Antiqua", Georgia, serif;
     color: var(--ink);
@@ -111,22 +112,6 @@ export const potStyles = css`
     height: 100%;
     min-height: 0;
     object-fit: contain;
-  }
-  .wheel {
-    position: absolute;
-    inset: 0;
-    margin: auto;
-    width: 32px;
-    height: 32px;
-    border: 3px solid var(--line);
-    border-top-color: var(--accent);
-    border-radius: 50%;
-    animation: turn 1s linear infinite;
-  }
-  @keyframes turn {
-    to {
-      rotate: 1turn;
-    }
   }
   .message,
   .hint {

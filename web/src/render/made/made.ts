@@ -4,9 +4,9 @@ import { Buffer } from "../gl/buffer";
 import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import type { Material, Uniform } from "../gl/material";
-import type { StageLook } from "../glaze";
+import { lookKey, type StageLook } from "../glaze";
 import { WHOLE } from "../ground";
-import type { Bounds } from "../mesh";
+import type { Bounds, Span } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
 import type { Face } from "../picker";
@@ -30,6 +30,8 @@ export interface StageSolid {
   readonly bounds: Bounds | null;
   /** Where the clay is on the surface of each part. */
   readonly sides: readonly ("inside" | "outside" | null)[];
+  /** From which height to which the outside of each part stands, where its own mesh does not show that. */
+  readonly outsides: readonly (Span | null)[];
 }
 
 /** Where the hand takes hold of the water, in CSS pixels, and how many of them upwards one model unit is. */
@@ -49,8 +51,9 @@ const CORES = { inside: -1, outside: 1, none: 0 } as const;
 
 /** What is made comes placed. */
 const SOLID_PLACING = { ...newPlacing() };
+const SOLID = { ...SOLID_PLACING, span: { value: [0, 1] } };
 
-const DEFAULT_LOOK: StageLook = { glaze: "celadon", clay: "stoneware" };
+const DEFAULT_LOOK: StageLook = { glaze: "celadon", inside: "celadon", line: 0, clay: "stoneware" };
 
 /** What is made of the design: its wall, the water in it, the colours of a map, and the cut that lets one look inside. */
 export class Made implements Guest {
@@ -61,7 +64,8 @@ export class Made implements Guest {
   private readonly normals = newBuffer(3);
   private readonly wares = newBuffer(4);
   private readonly indices = new Buffer(new Uint32Array(), { size: 1, dynamic: true });
-  private readonly geometry: Geometry;
+  private geometry: Geometry;
+  private lining: Buffer | null = null;
   private readonly water: Water;
   private readonly level: Uniform<number> = { value: DRY };
   private readonly materials = new Map<string, Material>();
@@ -76,8 +80,7 @@ export class Made implements Guest {
   private open = false;
 
   constructor(private readonly place: Place) {
-    const { positions, normals, wares, indices } = this;
-    this.geometry = new Geometry({ position: positions, normal: normals, wares }, indices);
+    this.geometry = this.newGeometry();
     this.water = new Water(place.studio, this.cutPlane);
   }
 
@@ -97,12 +100,17 @@ export class Made implements Guest {
     return faces;
   }
 
+  coreOf(place: number): number {
+    return this.open ? CORES[this.made?.sides[place] ?? "none"] : 0;
+  }
+
   /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. */
   show(made: StageSolid | null, looks: readonly StageLook[]): StageSolid | null {
     const before = this.made;
     this.looks = looks;
     if (made !== before) {
       this.made = made;
+      this.line(null);
       if (made) {
         this.positions.array = made.positions;
         this.normals.array = made.normals;
@@ -134,7 +142,23 @@ export class Made implements Guest {
       this.place.pot.values = map.values;
     }
     this.map = map ?? null;
+    const lining = this.map?.lining ?? null;
+    this.line(lining && lining.length === this.positions.count ? lining : null);
     this.dress();
+  }
+
+  /** What a map shows inside. */
+  private line(values: Float32Array | null): void {
+    if ((this.lining?.array ?? null) === values) return;
+    this.geometry.release();
+    this.lining?.release();
+    this.lining = values && new Buffer(values, { size: 1 });
+    this.geometry = this.newGeometry();
+  }
+
+  private newGeometry(): Geometry {
+    const { positions, normals, wares, indices, lining } = this;
+    return new Geometry({ position: positions, normal: normals, wares, ...(lining && { value: lining }) }, indices);
   }
 
   /** Takes the half before the eye away, or puts it back. */
@@ -180,7 +204,7 @@ export class Made implements Guest {
 
   private drop(): void {
     this.geometry.release();
-    for (const buffer of [this.positions, this.normals, this.wares, this.indices]) buffer.release();
+    for (const buffer of [this.positions, this.normals, this.wares, this.indices, this.lining]) buffer?.release();
   }
 
   private dress(): void {
@@ -203,24 +227,32 @@ export class Made implements Guest {
     this.solids = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
       if (this.place.pot.hides(at(made.groups, g + 2))) continue;
-      const look = this.looks[at(made.groups, g + 2)] ?? DEFAULT_LOOK;
+      const part = at(made.groups, g + 2);
+      const look = this.looks[part] ?? DEFAULT_LOOK;
       const material = this.mapped
-        ? this.mapMaterial(this.map?.lean ? this.map : null, -1)
+        ? this.mapMaterial(this.map?.lean || this.lining ? this.map : null, -1)
         : this.glazed(look, -1, true);
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
       const last = this.solids.at(-1);
-      if (last?.material === material && last.range && last.range[0] + last.range[1] === start) {
+      // Parts that are glazed to the foot need not be told apart.
+      const own = look.line > 0 && !this.mapped;
+      const uniforms = own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID;
+      if (last?.material === material && !own && last.range && last.range[0] + last.range[1] === start) {
         last.range = [last.range[0], last.range[1] + count];
       } else {
         const range: [number, number] = [start, count];
-        this.solids.push({ geometry, material, uniforms: SOLID_PLACING, order: 0, visible: true, range });
+        this.solids.push({ geometry, material, uniforms, order: 0, visible: true, range });
       }
     }
   }
 
+  private spanOf(part: number): Span {
+    return this.made?.outsides[part] ?? this.place.pot.parts[part]?.span.value ?? [0, 1];
+  }
+
   private glazed(look: StageLook, core: number, solid: boolean): Material {
     const { open } = this;
-    return this.kept(`glaze ${look.glaze} ${look.clay} ${core} ${solid} ${open}`, () =>
+    return this.kept(`glaze ${lookKey(look)} ${core} ${solid} ${open}`, () =>
       ceramic(look, this.place.studio, {
         defines: [...(solid ? (["SOLID"] as const) : []), ...(open ? (["CUT"] as const) : [])],
         uniforms: { cut: this.cutPlane, core: { value: core }, level: this.level },

@@ -5,6 +5,8 @@ import type { Studio } from "../studio";
 /** A map on the pot: values of its vertices, and the colours (sRGB, 0 to 255) that stand for the range from `low` to `high`. */
 export interface StageMap {
   readonly values: Float32Array;
+  /** The same of the vertices of the solid's faces, NaN where there is none; null while they are not known. */
+  readonly lining: Float32Array | null;
   readonly low: number;
   readonly high: number;
   readonly ramp: readonly (readonly [number, number, number])[];
@@ -74,7 +76,12 @@ void main() {
 `;
 
 /** The material of a map; without values, plain grey. `core` is as in a glaze that is cut open. */
-export function mapCoat(studio: Studio, map: Omit<StageMap, "values"> | null, cut: Uniform, core: number): Material {
+export function mapCoat(
+  studio: Studio,
+  map: Pick<StageMap, "low" | "high" | "ramp" | "lean"> | null,
+  cut: Uniform,
+  core: number,
+): Material {
   const ramp = Array.from({ length: STOPS }, (_, i) => (map?.ramp[i] ?? [0, 0, 0]).map((channel) => channel / 255));
   return new Material({
     vertex: VERTEX,

@@ -1,6 +1,8 @@
 import type { Tenant } from "../gl/device";
+import type { Uniform } from "../gl/material";
 import type { Source } from "../gl/scene";
 import type { View } from "../gl/view";
+import { WHOLE } from "../ground";
 import type { Bounds } from "../mesh";
 import type { Pot } from "../pot";
 import { type Studio, type Theme, toScene } from "../studio";
@@ -71,7 +73,11 @@ type StrokeName = keyof typeof STYLES;
 export class Overlays implements Tenant {
   /** In the order in which they are drawn. */
   readonly sources: Source[] = [];
-  private readonly pen: Pen = { viewport: { value: [1, 1] }, ratio: { value: 1 } };
+  /** The plane before which lines on the pot are taken away with it. */
+  readonly cut: Uniform<readonly number[]> = { value: WHOLE };
+  /** Which side of a part stands for its cut: -1 its back, 1 its front, 0 neither. */
+  coreOf: (place: number) => number = () => 0;
+  readonly pen: Pen = { viewport: { value: [1, 1] }, ratio: { value: 1 } };
   private readonly wireframe: Wireframe;
   private readonly strokes: Record<StrokeName, Stroke>;
   private readonly labels: Label[] = [];
@@ -94,7 +100,8 @@ export class Overlays implements Tenant {
     public lengths: (length: number) => string,
   ) {
     const stroke = (name: StrokeName, order: number) => {
-      const made = new Stroke(studio, this.pen, STYLES[name], order);
+      // Dimensions stand beside the pot, and are whole.
+      const made = new Stroke(studio, this.pen, STYLES[name], order, name === "axes" ? { value: WHOLE } : this.cut);
       this.sources.push(made);
       return made;
     };
@@ -106,7 +113,7 @@ export class Overlays implements Tenant {
       tangents: stroke("tangents", 44),
       axes: stroke("axes", 50),
     };
-    this.wireframe = new Wireframe(studio, 10);
+    this.wireframe = new Wireframe(studio, this.cut, 10);
     this.sources.push(this.wireframe);
     this.appearance = theme;
   }
@@ -159,7 +166,7 @@ export class Overlays implements Tenant {
     }
     this.wireframe.visible = bounds !== null && shown.wireframe;
     if (!bounds) return;
-    if (shown.wireframe) this.wireframe.update(pot);
+    if (shown.wireframe) this.wireframe.update(pot, this.coreOf);
     if (shown.isoU) strokes.isoU.segments = ofPolylines(given.iso_u);
     if (shown.isoV) strokes.isoV.segments = ofPolylines(given.iso_v);
     if (shown.boundary) {

@@ -39,6 +39,7 @@ uniform float halfWidth;
 uniform float nearer;
 uniform float caps;
 out vec2 vAt;
+out vec3 vScene;
 flat out float vLength;
 void main() {
   vec4 a = viewMatrix * vec4((start - frame.xyz) * frame.w, 1.0);
@@ -65,6 +66,7 @@ void main() {
   vec2 p = pa + way * at.x + vec2(-way.y, way.x) * at.y;
   vec4 c = position.x > 0.0 ? cb : ca;
   vAt = at;
+  vScene = (mix(start, end, position.x) - frame.xyz) * frame.w;
   vLength = size;
   gl_Position = vec4(p / (viewport * 0.5) * c.w, c.z, c.w);
 }
@@ -73,6 +75,8 @@ void main() {
 const FRAGMENT = /* glsl */ `
 precision highp float;
 in vec2 vAt;
+in vec3 vScene;
+uniform vec4 cut;
 flat in float vLength;
 uniform float ratio;
 uniform float halfWidth;
@@ -80,6 +84,7 @@ uniform vec3 lineColour;
 uniform float opacity;
 out vec4 colour;
 void main() {
+  if (dot(vScene, cut.xyz) > cut.w) discard;
   float past = vAt.x < 0.0 ? -vAt.x : max(0.0, vAt.x - vLength);
   float off = length(vec2(past, vAt.y));
   float all = clamp(halfWidth * ratio + 0.5 - off, 0.0, 1.0) * opacity;
@@ -110,6 +115,7 @@ export class Stroke implements Tenant {
     private readonly pen: Pen,
     style: StrokeStyle,
     order: number,
+    private readonly cut: Uniform<readonly number[]>,
   ) {
     const { width, colour, border, borderWidth, opacity, hidden } = style;
     if (hidden > 0) this.add(width / 2, colour, order, false, hidden, true);
@@ -162,6 +168,7 @@ export class Stroke implements Tenant {
         caps: { value: opacity === 1 ? 1 : 0 },
         lineColour,
         opacity: { value: opacity },
+        cut: this.cut,
       },
       depthTest,
       depthWrite: false,

@@ -20,9 +20,11 @@ ${PLACING_GLSL}
 uniform float nearer;
 uniform int columns;
 out vec2 vCell;
+out vec3 vScene;
 void main() {
   vCell = vec2(gl_VertexID / columns, gl_VertexID % columns);
-  vec4 p = viewMatrix * vec4(inFrame(position) + shift, 1.0);
+  vScene = inFrame(position) + shift;
+  vec4 p = viewMatrix * vec4(vScene, 1.0);
   p.xyz *= nearer;
   gl_Position = projectionMatrix * p;
 }
@@ -31,7 +33,10 @@ void main() {
 const FRAGMENT = /* glsl */ `
 precision highp float;
 in vec2 vCell;
+in vec3 vScene;
 uniform vec3 ink;
+uniform vec4 cut;
+uniform float core;  // which side of the surface stands for the cut: -1 its back, 1 its front, 0 neither
 out vec4 colour;
 
 // How much of a pixel a line covers that is as wide as one, where x is whole; wide is how much x changes over a pixel.
@@ -54,6 +59,7 @@ float family(float x, float wide) {
 }
 
 void main() {
+  if (dot(vScene, cut.xyz) > cut.w || (core != 0.0 && gl_FrontFacing == (core > 0.0))) discard;
   vec3 x = vec3(vCell, vCell.x - vCell.y);
   vec3 right = dFdx(x);
   vec3 up = dFdy(x);
@@ -79,12 +85,13 @@ export class Wireframe implements Tenant {
 
   constructor(
     studio: Studio,
+    cut: Uniform<readonly number[]>,
     private readonly order: number,
   ) {
     this.material = new Material({
       vertex: VERTEX,
       fragment: FRAGMENT,
-      uniforms: { frame: studio.frame, nearer: { value: NEARER }, ink: this.ink },
+      uniforms: { frame: studio.frame, nearer: { value: NEARER }, ink: this.ink, cut },
       bothSides: true,
       depthWrite: false,
       blending: "alpha",
@@ -95,17 +102,18 @@ export class Wireframe implements Tenant {
     return this.visible ? this.lines : [];
   }
 
-  /** Follows the pot; light lines on a dark glaze. */
-  update(pot: Pot): void {
+  /** Follows the pot; light lines on a dark glaze. `coreOf` says which side of a part stands for its cut, by its place: there are no lines on that. */
+  update(pot: Pot, coreOf: (place: number) => number): void {
     this.ink.value = pot.dark ? LIGHT_INK : DARK_INK;
     for (const { geometry } of this.lines) geometry.release();
-    const seen = pot.parts.filter(({ drawable }) => drawable.visible);
-    this.lines = seen.map(({ positions, lattice, drawable }) => ({
+    const seen = [...pot.parts.entries()].filter(([, { drawable }]) => drawable.visible);
+    this.lines = seen.map(([place, { positions, lattice, drawable }]) => ({
       geometry: new Geometry({ position: positions }, lattice.index),
       material: this.material,
-      uniforms: { ...drawable.uniforms, columns: { value: lattice.columns } },
+      uniforms: { ...drawable.uniforms, columns: { value: lattice.columns }, core: { value: coreOf(place) } },
       order: this.order,
       visible: true,
+      mirrored: drawable.mirrored ?? false,
     }));
   }
 

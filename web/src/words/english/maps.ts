@@ -29,9 +29,13 @@ export const maps = phrases("maps", {
     thickness: "wall thickness",
     overhang: "overhang",
   } satisfies Readonly<Record<MapName, string>>,
-  closed: "The pot is shown whole, because this map is of its outside. It is cut open again without the map.",
   needsWall: (map: string) => `${map} (needs a wall)`,
   colours: (map: string, low: string, high: string) => `${map}: colours from ${low} to ${high}`,
   onPot: (note: string, least: string, greatest: string) => `${note} On this pot: ${least} to ${greatest}.`,
   onOutside: (note: string, least: string, greatest: string) => `${note} On the outside: ${least} to ${greatest}.`,
+  /** Of a wall that is as thick inside as outside, only that it is coloured there too. */
+  inside: (least: string, greatest: string) => `Inside: ${least} to ${greatest}, as the wall moves the outside in.`,
+  insideSame: "Inside the colours are the same: of the wall at that place.",
+  insideSeen: "Seen through the mouth, or cut open. The rim, the floor and what the pot stands on are grey.",
+  notInside: "The inside is grey: there is no wall of an even thickness before it.",
 });

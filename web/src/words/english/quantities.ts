@@ -12,6 +12,7 @@ export const quantities = phrases("quantities", {
   litres: "l",
   grams: "g",
   kilograms: "kg",
+  pounds: "lb",
   pixels: "px",
   ounces: "US\u00a0fl\u00a0oz",
   pints: "US\u00a0pt",

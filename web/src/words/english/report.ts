@@ -42,6 +42,29 @@ export const report = phrases("report", {
   fittedFoot: (width: string, height: string) =>
     `There is no room for the foot ring that was asked for: it is made ${width} wide and ${height} high.`,
   fittedDrain: (width: string) => `There is no room for the drain that was asked for: it is made ${width} wide.`,
+  /** Three layers are usual, and a part of one is nothing. */
+  thinBase: {
+    "not-printed": (thickness: string, least: string) =>
+      `The base is only ${thickness} thick: a layer is usually ${least}, and what is thinner is not printed.`,
+    "breaks-printed": (thickness: string, least: string) =>
+      `The base is only ${thickness} thick: three layers are usually ${least}, and fewer leak and break.`,
+    "no-clay": (thickness: string, least: string) =>
+      `The base is only ${thickness} thick: clay of less than ${least} does not hold.`,
+    "breaks-fired": (thickness: string, least: string) =>
+      `The base is only ${thickness} thick: clay of less than ${least} warps and breaks.`,
+  },
+  ceiling: (width: string, height: string) =>
+    `The base within the foot ring is a ceiling, ${width} wide and ${height} above the ground: printers bridge it or need support.`,
+  underside: (height: string) => `The underside is up to ${height} above the ground: printers need support beneath it.`,
+  /** One part and another. */
+  together: {
+    "same-body": (other: string) => `It is the same body in the same place as ${other}.`,
+    touches: (other: string) => `It touches or runs through ${other}.`,
+    within: (other: string) => `It lies within the clay of ${other}.`,
+    round: (other: string) => `It has clay round all of ${other}.`,
+  },
+  unkept: (bound: string, asked: string) =>
+    `The triangles come within ${bound} of the wall, not within ${asked} as asked for: its other side bends too sharply for that.`,
   leftOut: "This part has no wall and is left out of the pots: with thickness and base it is one.",
   remedies: {
     outwards: "the clay laid outwards",

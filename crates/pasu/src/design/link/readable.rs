@@ -5,7 +5,8 @@ use super::wrapping::encoded;
 use crate::design::described::Spelling;
 use crate::design::document::Design;
 use crate::design::limits::VERSION;
-use crate::design::look::Look;
+use crate::design::look::{Choice, Named, is_hexadecimal};
+use crate::design::number::shortest;
 use crate::design::part::Part;
 use crate::design::placement::Placement;
 use crate::design::refusal::{self, shortened};
@@ -17,7 +18,11 @@ use crate::error::{Error, Result};
 /// What a readable link may say beside the parameters of its shape.
 const TITLE: &str = "title";
 const UNIT: &str = "unit";
-const LOOK: [&str; 2] = ["glaze", "clay"];
+const GLAZE: &str = "glaze";
+const INSIDE: &str = "inside";
+const LINE: &str = "line";
+const CLAY: &str = "clay";
+const LOOK: [&str; 4] = [GLAZE, INSIDE, LINE, CLAY];
 
 /// What follows `1/`; `None` when the design is more than one part of a named family.
 pub(super) fn write(design: &Design) -> Option<String> {
@@ -36,14 +41,12 @@ pub(super) fn write(design: &Design) -> Option<String> {
     if design.unit() != Unit::default() {
         query.push(format!("{UNIT}={}", design.unit().name()));
     }
-    let plain = Look::default();
-    for (field, name, default) in
-        [(LOOK[0], look.glaze.name(), plain.glaze.name()), (LOOK[1], look.clay.name(), plain.clay.name())]
-    {
-        if name != default {
-            query.push(format!("{field}={name}"));
-        }
+    query.extend(chosen(GLAZE, (look.glaze != Choice::default()).then_some(look.glaze)));
+    query.extend(chosen(INSIDE, look.inside));
+    if look.line != 0.0 {
+        query.push(format!("{LINE}={}", shortest(look.line)));
     }
+    query.extend(chosen(CLAY, (look.clay != Choice::default()).then_some(look.clay)));
     let kind = shape.kind();
     Some(if query.is_empty() { kind.to_owned() } else { format!("{kind}?{}", query.join("&")) })
 }
@@ -69,8 +72,12 @@ pub(super) fn read(text: &str) -> Result<Design> {
             document.push((name.to_owned(), Value::Text(text.to_owned())));
         } else if name == UNIT {
             document.push((name.to_owned(), word()));
+        } else if name == LINE {
+            look.push((name.to_owned(), Value::spelled(text)));
         } else if LOOK.contains(&name) {
-            look.push((name.to_owned(), word()));
+            let text = text.trim();
+            let colour = if is_hexadecimal(text) { "#" } else { "" };
+            look.push((name.to_owned(), Value::Text(format!("{colour}{text}"))));
         } else {
             let known = spelling.names.iter().copied().chain([TITLE, UNIT]).chain(LOOK);
             let error = refusal::unknown_field(name, None, &known.collect::<Vec<_>>());
@@ -86,6 +93,11 @@ pub(super) fn read(text: &str) -> Result<Design> {
 
 fn inside_shape(error: Error) -> Error {
     error.inside_field("shape").inside_item(0).inside_field("parts")
+}
+
+/// What was chosen of glazes or clays; a colour without its `#`, which would begin another fragment.
+fn chosen<N: Named>(field: &str, choice: Option<Choice<N>>) -> Option<String> {
+    choice.map(|choice| format!("{field}={}", choice.to_string().trim_start_matches('#')))
 }
 
 /// How links of this kind are read.

@@ -1,8 +1,9 @@
-//! What there is to know of a pot of rings besides its fields.
+//! What there is to know of a pot of rings beside its fields.
 
 use std::borrow::Cow;
 
-use super::{Rings, Series, Slopes, spelling};
+use super::pot::{Rings, Series, Slopes};
+use super::spelling;
 use crate::design::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use crate::design::declarations::interface;

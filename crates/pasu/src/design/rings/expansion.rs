@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Rings, Series};
+use super::pot::{Rings, Series};
 use crate::design::boundary_value::{BoundaryValue, Component, Datum, Free, Mode, Order, Ring, Span};
 
 /// Where the numbers of one series go: into which datum, of which curve.

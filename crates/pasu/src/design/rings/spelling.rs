@@ -3,7 +3,7 @@
 //! `r` and `z` are lists from the foot to the rim; waves stand behind the mean that they go about, `6~3:.5:-.2` for `n`, the cosine and the sine. `u` are the places between foot and rim, evenly spaced when left
 //! out; `sharp` the numbers of the rings with a corner, 0 the foot; `foot` and `rim` the slopes of radius and height there.
 
-use super::{Hoop, Rings, Series, Slopes};
+use super::pot::{Hoop, Rings, Series, Slopes};
 use crate::design::number::{parse, plain, rounded, shortest};
 use crate::design::refusal::{refused, shortened};
 use crate::design::value::Value;
@@ -87,7 +87,7 @@ pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
     });
     let n = r.len().max(z.len());
     let places = match items("u") {
-        Some(list) => list.into_iter().map(number).collect(),
+        Some(list) => list.into_iter().map(Value::spelled).collect(),
         None if has_other_rings => even(n).into_iter().map(Value::Number).collect(),
         None => inner(&start.rings).iter().map(|hoop| Value::Number(hoop.u)).collect::<Vec<Value>>(),
     };
@@ -120,7 +120,7 @@ pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
             fields.push((name.to_owned(), Value::Record(slopes)));
         }
     }
-    fields.extend(text("a").map(|text| ("a".to_owned(), number(text.trim()))));
+    fields.extend(text("a").map(|text| ("a".to_owned(), Value::spelled(text))));
     // A name that is given twice is refused as a field would be.
     let repeated =
         given.iter().enumerate().find(|(index, (name, _))| given[..*index].iter().any(|(earlier, _)| earlier == name));
@@ -134,10 +134,10 @@ pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
 #[inline]
 fn series_of(text: &str) -> Value {
     let mut parts = text.split('~');
-    let mean = parts.next().map_or(Value::Null, number);
+    let mean = parts.next().map_or(Value::Null, Value::spelled);
     let waves = parts.map(|wave| {
         let names = ["n", "cos", "sin"].into_iter().map(str::to_owned).chain((3..).map(|index| index.to_string()));
-        Value::Record(names.zip(wave.split(':')).map(|(name, text)| (name, number(text))).collect())
+        Value::Record(names.zip(wave.split(':')).map(|(name, text)| (name, Value::spelled(text))).collect())
     });
     let waves: Vec<Value> = waves.collect();
     let mut fields = vec![("mean".to_owned(), mean)];
@@ -145,9 +145,4 @@ fn series_of(text: &str) -> Value {
         fields.push(("waves".to_owned(), Value::List(waves)));
     }
     Value::Record(fields)
-}
-
-#[inline]
-fn number(text: &str) -> Value {
-    parse(text.trim()).map_or_else(|| Value::Text(text.trim().to_owned()), Value::Number)
 }

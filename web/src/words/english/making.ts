@@ -1,0 +1,74 @@
+/** What is said when a pot cannot be made, by which of several things is in the way; fetched with what makes it. */
+
+import { phrases } from "../../language";
+
+export const making = phrases("making", {
+  tooManyWaves: (found: string, greatest: string) =>
+    `A pot that is measured or made has at most ${greatest} waves round it, and this has ${found}: it can only be drawn.`,
+  tooFast: (axis: string) =>
+    `The equation of ${axis} changes too fast along the profile to be measured or made: it can only be drawn.`,
+  tooManyTriangles: (greatest: string) => `It takes more than ${greatest} triangles. A coarser tolerance takes fewer.`,
+  tooFine: (found: string) => `Triangles as fine as ${found} are more than can be made, or finer than their numbers.`,
+  /** Sides and ends of a pot, inside a sentence. */
+  faces: {
+    outer: "outside",
+    lining: "lining",
+    rim: "rim",
+    underside: "underside",
+    "foot-ring": "foot ring",
+    recess: "recess under the base",
+    floor: "floor",
+    drain: "drain hole",
+    lid: "lid",
+    foot: "foot",
+  },
+  openSurface: {
+    noFoot: "The shape has no foot and no rim, so there is nothing for a wall to stand on.",
+    notClosed: "The surface does not meet itself after one turn. It does with whole numbers of waves.",
+  },
+  pinched: {
+    noArea: (end: string) => `The ${end} encloses no area. A pot needs an outline with an inside there.`,
+    waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",
+    shrinks: (face: string) => `The ${face} shrinks to nothing, so that the numbers of a file cannot hold it.`,
+  },
+  crosses: {
+    surface: "The surface runs through itself.",
+    surfaceClose: "So much of the surface lies close to itself that nobody can tell whether it runs through itself.",
+    outline: (face: string) => `The outline of the ${face} crosses itself.`,
+    doesNotClose: "The sides of the pot do not close.",
+    /** The sentence, and how fine triangles may be that do not show it. */
+    steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
+  },
+  noOpening: "The surface closes to a point where the opening of a pot is. It can be made as a solid.",
+  noRoom: {
+    noDisc: (end: string) =>
+      `The ${end} is neither level nor seen as a whole from its middle, so that no disc closes it. One that is level, or bends less, can be closed.`,
+    noBase: "A pot without a base has nothing to carry this.",
+    aboveRim: "The rim is lower than what is to lie within it.",
+    roundBottom: "A round bottom has no edge under which a ring could stand.",
+    tip: (base: string) =>
+      `The bottom ends in a tip, too sharp for a wall above a base of ${base}. A thicker base may do.`,
+    footNotLevel: "A ring needs a level foot to stand on.",
+    ringTooWide: (width: string) => `A ring ${width} wide has no room within the foot.`,
+    ringFillsFoot: (width: string) => `A ring ${width} wide fills the foot.`,
+    middleOutside: "The middle of the base is outside of it, so that no drain can be there.",
+    drainTooWide: (drain: string, room: string) =>
+      `A drain of ${drain} has no room in the base, which is only ${room} wide there.`,
+    bendsTooSharply: (thickness: string) =>
+      `The surface bends so sharply, or comes so close to itself, that the wall would be only ${thickness} thick.`,
+    crossing: (face: string, other: string) => `The ${face} has no room: it runs through the ${other}.`,
+    crossingItself: (face: string) => `The ${face} has no room: it runs through itself.`,
+    close: (face: string) =>
+      `So much of the ${face} lies close to itself that nobody can tell whether it has room. A thinner wall may do.`,
+  },
+  /** Why something holds no water. */
+  dry: {
+    solid: "A solid has no inside.",
+    "open-surface": "The surface does not close round the axis, so it holds nothing.",
+    "no-opening": "The surface closes to a point where the opening of a pot is, so nothing can be filled in.",
+    "crosses-itself": "The surface runs through itself so far that it has no inside.",
+    "no-foot": "The shape has no foot and no rim, so it holds nothing.",
+    "no-bottom": "A tube has no bottom to hold anything. A base closes it.",
+    dry: "In this position no water stays in it.",
+  },
+});
