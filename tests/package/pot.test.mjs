@@ -38,6 +38,7 @@ test("the package of the element holds what it promises and nothing else", async
     assert.deepEqual(assets.sort(), [
       "bindings.js",
       "define.js",
+      "glaze.js",
       "pasu_drawing_bg.wasm",
       "pasu_scalar_bg.wasm",
       "sliders.js",
@@ -133,7 +134,7 @@ const all = (text, pattern) => [...new Set([...text.matchAll(pattern)].map((matc
 test("the manifest lists what there is: attributes, events, slots, parts, custom properties", () => {
   const element = source("pasu-pot.ts");
   const styles = source("pot-styles.ts");
-  const properties = all(element, /@property\([^)]*\) (\w+)/g);
+  const properties = all(element, /@property\((?:[^()]|\([^()]*\))*\) (\w+)/g);
   assert.deepEqual(listed("attributes", "fieldName").toSorted(), properties);
   const named = all(element, /attribute: "([a-z-]+)"/g);
   assert.deepEqual(

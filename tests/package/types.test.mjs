@@ -12,7 +12,7 @@ const TSC = join(ROOT, "web/node_modules/typescript/bin/tsc");
 const CONSUMER = `
 import init, {
   bound, check, type Conversion, convert, type Derivatives, type Design, derivatives, evaluate, fingerprint, type Finding, type Handle, type HandleId, handles, link, type Making, type Measures, measure,
-  type Mesh, mesh, objMaterials, open, paint, parse, PasuError, type PasuErrorCode, type Provenance, provenance, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
+  type Mesh, mesh, objMaterials, open, paint, parse, PasuError, type PasuErrorCode, type Provenance, provenance, pull, pulled, type Report, type Sketch, sketch, type Solid, solid, type Water, water, write,
 } from "pasu";
 import start, { convert as switched, mesh as drawn, type Mesh as Drawn, PasuError as Refused } from "pasu/drawing";
 
@@ -26,6 +26,7 @@ for (const part of design.parts) {
     case "mixed-order": { const rise: number = shape.rise; void rise; break; }
     case "fourth-order": { const rm: number = shape.rm; void rm; break; }
     case "bloor-wilson": { const a: number = shape.a; void a; break; }
+    case "rings": { const radius: number | undefined = shape.rings[0]?.r.mean; void radius; break; }
     case "boundary-value": { const span: number | "2pi" = shape.span; void span; break; }
     default: { const none: never = shape; void none; }
   }
@@ -57,6 +58,8 @@ const colours: Float32Array = paint(design, "thickness", { rows: 3, columns: 5 }
 const wet: Water = water(design, 2);
 const kept: string | null = open(new Uint8Array(8));
 const clays: Blob = new Blob([objMaterials(), write(design, "obj.zip"), write(design, "a4.svg")]);
+const behind: number = pulled(design, 0, { at: [0.5, 0], to: [1, 0, 1], keep: ["r"] }).behind;
+const pulled_there: Design = pull(design, 0, { at: at, to: at, width: 0.5, petals: 3 });
 const told: Provenance | null = provenance(new Uint8Array(8));
 if (told?.making) write(told.link, "stl", told.making);
 const fourth: Conversion = convert({ kind: "mixed-order", r: [1, 0, 0.6, 0], rise: -10 }, "fourth-order");

@@ -12,8 +12,11 @@ const MOST_HALVINGS: i32 = 24;
 /// A direction in which the point moves by less than this part of that in which it moves most is one in which it cannot be moved.
 const UNMOVED: f64 = 1e-6;
 
-/// The point is there when no step brings it nearer by this part of the way that it had to go.
-const NEARER: f64 = 1e-14;
+/// A step may leave the point behind by this part of the way that it had to go.
+const NEARER: f64 = 1e-10;
+
+/// The change is the least when a step is this part of it: Gauss-Newton steps shrink by a factor each, and the last brings the point there to rounding.
+const SHORTEST: f64 = 1e-12;
 
 /// What moves a point: `n` numbers, each measured in a unit of its own.
 pub(super) trait Mover {
@@ -31,7 +34,7 @@ pub(super) trait Mover {
 pub(super) fn least_change(mover: &impl Mover, n: usize, to: DVec3) -> Option<Vec<f64>> {
     let mut changes = vec![0.0; n];
     let mut behind = to - mover.point(&changes)?;
-    let way = behind.length();
+    let allowed = NEARER * behind.length();
     for _ in 0..MOST_STEPS {
         let slopes = mover.slopes(&changes)?;
         let (mut moved, mut square) = (behind, Matrix3::zeros());
@@ -42,14 +45,20 @@ pub(super) fn least_change(mover: &impl Mover, n: usize, to: DVec3) -> Option<Ve
         }
         let force = against(square, moved);
         let step: Vec<f64> = slopes.iter().zip(&changes).map(|(slope, change)| slope.dot(force) - change).collect();
+        // Once the point is there, steps go on towards the least change, and may lead it a little away.
         let nearer = (0..MOST_HALVINGS).find_map(|halvings| {
             let part = libm::ldexp(1.0, -halvings);
             let candidate: Vec<f64> = changes.iter().zip(&step).map(|(change, step)| change + part * step).collect();
             let left = to - mover.point(&candidate)?;
-            (left.length() < behind.length() - NEARER * way).then_some((candidate, left))
+            (left.length() < behind.length() + allowed).then_some((candidate, left))
         });
         let Some((candidate, left)) = nearer else { break };
+        let size = |numbers: &[f64]| numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
+        let is_last = size(&step) <= SHORTEST * size(&candidate);
         (changes, behind) = (candidate, left);
+        if is_last {
+            break;
+        }
     }
     Some(changes)
 }
