@@ -320,3 +320,18 @@ fn hostile_hands_on_rings_are_answered_or_refused() {
         }
     }
 }
+
+/// What cannot be followed does not keep the rest from arriving.
+#[test]
+fn a_point_that_stays_behind_arrives_in_all_that_it_can_follow() {
+    let vase = family(2);
+    let from = point(&vase, [0.5, 0.0]);
+    for sideways in [0.2, 2.0] {
+        let to = [from[0] + 0.3, from[1] + sideways, from[2]];
+        let hand = Hand { keep: vec!["r0".into()], ..Hand::new([0.5, 0.0], to) };
+        let pulled = pull(&vase, 0, &hand).unwrap();
+        let moved = point(&pulled.design, [0.5, 0.0]);
+        assert!((moved[0] - to[0]).abs() < 1e-9 && (moved[2] - to[2]).abs() < 1e-9, "{moved:?}");
+        assert!((pulled.behind - sideways).abs() < 1e-9, "{}", pulled.behind);
+    }
+}
