@@ -635,7 +635,7 @@ fn meshes_keep_their_bound_and_have_rows_on_rings() {
             };
             let place = |index: u32| [0, 1].map(|i| f64::from(mesh.uvs[2 * index as usize + i]));
             let mut worst = 0.0f64;
-            for triangle in mesh.indices.chunks_exact(3).step_by(5) {
+            for triangle in mesh.indices.chunks_exact(3).step_by(23) {
                 for weights in [[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5], [1.0 / 3.0; 3]] {
                     let point: DVec3 =
                         triangle.iter().zip(weights).map(|(index, weight)| vertex(*index) * weight).sum();
