@@ -147,7 +147,6 @@ hostile! {
     a_wall_thicker_than_a_folded_cloth: "a wall thicker than a folded cloth",
     a_wall_far_thicker_than_a_folded_cloth: "a wall a thousand times as thick as a folded cloth",
     triangles_in_one_place: "a wall whose triangles lie in one place",
-    refused_after_every_trial: "a wall that is refused after every trial",
     a_remedy_sought_for_long: "a remedy that is sought for long",
 }
 
