@@ -177,7 +177,7 @@ test("a point that is pulled comes along, or tells how far it stayed behind", as
       refused({ at: [0.5], to: [0, 0, 0] }, "wrong-type", "at");
       refused({ ...hand, to: [0, 0, NaN] }, "not-finite", "to[2]");
       refused({ ...hand, at: [2, 0] }, "no-such-point", "at[0]");
-      refused({ ...hand, petals: 1.5 }, "wrong-type", "petals");
+      refused({ ...hand, petals: 1.5 }, "out-of-range", "petals");
       refused({ ...hand, petals: 4294967295 }, "out-of-range", "petals");
       refused({ ...hand, keep: ["belly"] }, "unknown-name", "keep[0]");
       refused({ ...hand, sideways: 1 }, "unknown-field", "sideways");
