@@ -132,7 +132,53 @@ test("a named vase follows with its numbers, and says where it cannot", async ()
   expect((await pot.address()).startsWith(VASE)).toBe(true);
 });
 
-test("what is pulled keeps its wall, and of several parts the one under the hand is pulled", async () => {
+/** Two bottles, the second lying on its side, stretched and in a mirror. */
+const PAIR = {
+  pasu: 1,
+  unit: "in",
+  parts: [
+    { shape: { kind: "rings", rings: bottleRings() } },
+    {
+      shape: { kind: "rings", rings: bottleRings() },
+      place: { scale: [1, -1, 1.2], axis: [0, 1, 0], angle: 1.2, shift: [14, 0, 4] },
+    },
+  ],
+};
+
+function bottleRings() {
+  return [3, 6, 1.6, 2.2].map((mean, i) => ({ u: [0, 0.35, 0.7, 1][i], r: { mean }, z: { mean: [0, 6, 15, 20][i] } }));
+}
+
+test("of several parts the one under the hand is pulled, wherever it stands", async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  await pot.dropFile("pair.json", JSON.stringify(PAIR));
+  const before = await pot.fingerprintOtherThan(first);
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  const radii = () =>
+    pot.page.evaluate(() => {
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: { store: { design: { parts: { shape: { rings: { r: { mean: number } }[] } }[] } } };
+      };
+      return designer.store.design.parts.map(({ shape }) => shape.rings.map(({ r }) => r.mean));
+    });
+  await pot.page.getByRole("option").nth(1).click();
+  const belly = await spotOf(ring(pot, 1));
+  const middle = await spotOf(ring(pot, 3));
+  // Away from where its axis is seen.
+  const by = { x: 0, y: Math.sign(belly.y - middle.y || 1) * 30 };
+  await dragFrom(pot, belly, by);
+  await pot.fingerprintOtherThan(before);
+  const [one, other] = await radii();
+  expect(one).toEqual([3, 6, 1.6, 2.2]);
+  expect(other).toHaveLength(4);
+  expect(Math.abs((other?.[1] ?? 0) - 6)).toBeGreaterThan(0.3);
+  await pot.undo();
+  await pot.shows(before);
+});
+
+test("what is pulled keeps its wall", async () => {
   const pot = await here.enter({ link: BOTTLE });
   const before = await pot.fingerprint();
   await pot.makePot();

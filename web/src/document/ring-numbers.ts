@@ -3,6 +3,7 @@
 import type { Rings, Series } from "./types";
 
 export type Hoop = Rings["rings"][number];
+type Wave = NonNullable<Series["waves"]>[number];
 
 /** What goes round a ring so many times: how far it swings, and where its first crest is, in degrees. */
 export interface Swing {
@@ -81,6 +82,26 @@ export function withSharp({ sharp: _sharp, ...ring }: Hoop, sharp: boolean): Hoo
 /** The ring at another radius or height. */
 export function withMean(ring: Hoop, of: "r" | "z", mean: number): Hoop {
   return ring[of].mean === mean ? ring : { ...ring, [of]: { ...ring[of], mean } };
+}
+
+/** The same round the axis, so many degrees further on. */
+export function turnedSeries(series: Series, degrees: number): Series {
+  const { mean, waves = [] } = series;
+  if (degrees === 0) return series;
+  return withWaves(
+    { mean },
+    waves.map(({ n, cos = 0, sin = 0 }) => {
+      const angle = (n * degrees) / DEGREES;
+      const [c, s] = [Math.cos(angle), Math.sin(angle)];
+      return waveOf(n, cos * c - sin * s, cos * s + sin * c);
+    }),
+  );
+}
+
+/** A wave with the digits that a document keeps. */
+export function waveOf(n: number, cos: number, sin: number): Wave {
+  const [c, s] = [Number(cos.toPrecision(DIGITS)), Number(sin.toPrecision(DIGITS))];
+  return { n, ...(c !== 0 && { cos: c }), ...(s !== 0 && { sin: s }) };
 }
 
 export function withWaves({ mean }: Series, waves: NonNullable<Series["waves"]>): Series {

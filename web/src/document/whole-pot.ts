@@ -3,10 +3,8 @@
  * a slider there and back leaves the same pot.
  */
 
-import { type Hoop, withWaves } from "./ring-numbers";
+import { type Hoop, turnedSeries, waveOf, withWaves } from "./ring-numbers";
 import type { Rings, Series } from "./types";
-
-type Wave = NonNullable<Series["waves"]>[number];
 
 /** Where petals are strongest. */
 export type PetalsAt = "all" | "rim" | "belly" | "foot";
@@ -53,8 +51,8 @@ export function changed(pot: Rings, whole: Whole): Rings {
   const { foot, rim } = pot;
   const slopes = <S extends { readonly r: Series; readonly z: Series }>(given: S, share: number): S => ({
     ...given,
-    r: turned(scaled(given.r, whole.width * taperAt(whole.taper, share)), whole.twist * share),
-    z: turned(scaled(given.z, whole.height), whole.twist * share),
+    r: turnedSeries(scaled(given.r, whole.width * taperAt(whole.taper, share)), whole.twist * share),
+    z: turnedSeries(scaled(given.z, whole.height), whole.twist * share),
   });
   return { ...pot, rings, ...(foot && { foot: slopes(foot, 0) }), ...(rim && { rim: slopes(rim, 1) }) };
 }
@@ -83,8 +81,8 @@ function shareOf(pot: Rings, index: number): number {
 
 function ringOf(ring: Hoop, share: number, whole: Whole, height: number): Hoop {
   const wider = whole.width * taperAt(whole.taper, share);
-  const r = turned(scaled(ring.r, wider), whole.twist * share);
-  const z = turned(scaled(ring.z, whole.height), whole.twist * share);
+  const r = turnedSeries(scaled(ring.r, wider), whole.twist * share);
+  const z = turnedSeries(scaled(ring.z, whole.height), whole.twist * share);
   const added = [
     { n: 1, cos: whole.lean * share * height * whole.height },
     { n: 2, cos: whole.oval * r.mean },
@@ -118,20 +116,6 @@ function scaled({ mean, waves = [] }: Series, factor: number): Series {
   );
 }
 
-/** The same round the axis, so many degrees further on. */
-function turned(series: Series, degrees: number): Series {
-  const { mean, waves = [] } = series;
-  if (degrees === 0) return series;
-  return withWaves(
-    { mean },
-    waves.map(({ n, cos = 0, sin = 0 }) => {
-      const angle = (n * degrees * Math.PI) / 180;
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      return waveOf(n, cos * c - sin * s, cos * s + sin * c);
-    }),
-  );
-}
-
 function plus(series: Series, { n, cos }: { readonly n: number; readonly cos: number }): Series {
   if (cos === 0) return series;
   const { waves = [] } = series;
@@ -142,11 +126,6 @@ function plus(series: Series, { n, cos }: { readonly n: number; readonly cos: nu
     series,
     [...others, wave].sort((a, b) => a.n - b.n),
   );
-}
-
-function waveOf(n: number, cos: number, sin: number): Wave {
-  const [c, s] = [rounded(cos), rounded(sin)];
-  return { n, ...(c !== 0 && { cos: c }), ...(s !== 0 && { sin: s }) };
 }
 
 function rounded(value: number): number {

@@ -97,6 +97,16 @@ test("all other rings keep their numbers, and a pull keeps the link short", () =
   expect(link(designOf(shape)).length).toBeLessThan(300);
 });
 
+test("a ring as a whole is turned against its neighbours, with all its waves", () => {
+  const { shape, at } = pulled(BOTTLE, [0.35, 0], { round: 0.3 }, ALL);
+  expect(at).toEqual([0.35, 0.3]);
+  for (const v of [0, 1, 4]) {
+    const [x, y] = point(shape, [0.35, v + 0.3]);
+    const [a, b] = point(BOTTLE, [0.35, v]);
+    expect(Math.hypot(x, y)).toBeCloseTo(Math.hypot(a, b), 5);
+  }
+});
+
 test("up moves up, and round the axis moves what is pulled", () => {
   const up = pulled(BOTTLE, [1, 0], { up: -1.5 }, ALL);
   expect((up.shape as Rings).rings[3]?.z.mean).toBeCloseTo(18.5, 5);

@@ -4,10 +4,9 @@ import { evaluate, type Hand, parse, pulled } from "pasu";
 import { type Bump, bumpOf, spreadOf, takesRings } from "../document/brush";
 import { curveUnder } from "../document/curves";
 import { isRound, pulledRound, type RadialMove } from "../document/radial-pull";
+import { type Hoop, turnedSeries } from "../document/ring-numbers";
 import type { Rings, Sent, SentShape, Series, Shape, Triple } from "../document/types";
 import type { PullAsk, PulledShape } from "./messages";
-
-type Hoop = Rings["rings"][number];
 
 export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   const design = alone(shape);
@@ -15,6 +14,9 @@ export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   const angle = (x === 0 && y === 0 ? at[1] : Math.atan2(y, x)) + by.round;
   const radius = Math.hypot(x, y) + by.out;
   const to: Triple = [radius * Math.cos(angle), radius * Math.sin(angle), z + by.up];
+  // A ring as a whole is turned against its neighbours: there is no bump to be moved.
+  if (shape.kind === "rings" && brush.spread === "all" && by.round !== 0)
+    return turning(shape, { at, by, brush, keep });
   // At several places, and all round, written data are to move away from the axis, not all the same way.
   if (shape.kind === "boundary-value" && brush.spread !== "side" && by.round === 0 && isRound(shape))
     return { shape: spread(design, at, { ...by, lean: angle - at[1] }, bumpOf(brush)), at, behind: 0 };
@@ -28,6 +30,20 @@ export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   // Of a ring that is only put there every digit is kept: it changes nothing.
   const still = by.out === 0 && by.up === 0 && by.round === 0;
   return { shape: still ? shapeOf(made) : short(shapeOf(made), u), at: [u, v], behind: followed.behind };
+}
+
+function turning(shape: Rings, { at, by, brush, keep }: Omit<PullAsk, "kind" | "shape">): PulledShape {
+  const followed = pulling({ kind: "pull", shape, at, by: { ...by, round: 0 }, brush, keep });
+  const [u, v] = followed.at;
+  const degrees = (by.round * 180) / Math.PI;
+  const turned = (ring: Hoop): Hoop => ({
+    ...ring,
+    r: turnedSeries(ring.r, degrees),
+    z: turnedSeries(ring.z, degrees),
+  });
+  const made = followed.shape as Rings;
+  const rings = made.rings.map((ring) => (ring.u === u ? turned(ring) : ring));
+  return { ...followed, shape: { ...made, rings }, at: [u, v + by.round] };
 }
 
 /** The curve under the hand, put there first where there is none, with a bump along the radius. */

@@ -84,7 +84,15 @@ export class Pull {
     void this.release();
     this.#grips += 1;
     this.#followed.value = FOLLOWED;
-    this.#grip.value = { ...grip, key: `pull:${this.#grips}`, from: null, left: null, over: false, under: 0, waiting: [] };
+    this.#grip.value = {
+      ...grip,
+      key: `pull:${this.#grips}`,
+      from: null,
+      left: null,
+      over: false,
+      under: 0,
+      waiting: [],
+    };
   }
 
   /** The hand has come so far from where it took hold. */
@@ -122,11 +130,6 @@ export class Pull {
     held.over = true;
     this.#followed.value = FOLLOWED;
     if (held.left !== null && held.left === this.#store.design) this.#store.cancelGesture();
-  }
-
-  dispose(): void {
-    this.cancel();
-    this.#maker.dispose();
   }
 
   async #ask(held: Held, by: Move, brush: Brush, keep: PullAsk["keep"]): Promise<void> {

@@ -112,7 +112,7 @@ export class PasuRingCards extends DesignerElement {
           : nothing
       }
       <details>
-        <summary>${words.like(SWING_NAMES.map((each) => words.swings[each]))}</summary>
+        <summary>${words.swingsOf}</summary>
         ${SWING_NAMES.map((each) => this.swing(ring, index, name, each))}
         ${restOf(ring) === 0 ? nothing : html`<p class="rest">${words.pulled(restOf(ring))}</p>`}
       </details>

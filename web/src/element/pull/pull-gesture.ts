@@ -28,6 +28,8 @@ export interface PullTarget {
 
 type Doing = "pull" | "turn" | "pan" | "pinch";
 
+/** A hand that moves no farther than this did not mean to. */
+const STILL = 3;
 /** As everywhere on the stage. */
 const WHEEL_RATE = 0.0015;
 const PINCH_WHEEL_RATE = 0.01;
@@ -40,6 +42,8 @@ export class PullGesture {
   readonly #pointers = new Map<number, { x: number; y: number }>();
   #doing: Doing | null = null;
   #from: Point = { x: 0, y: 0 };
+  /** Whether the hand that holds has moved since. */
+  #moved = false;
 
   constructor(target: PullTarget) {
     this.#target = target;
@@ -69,6 +73,7 @@ export class PullGesture {
     this.#pointers.set(event.pointerId, { ...at });
     this.#doing = "pull";
     this.#from = at;
+    this.#moved = false;
     capture(event);
   };
 
@@ -83,9 +88,12 @@ export class PullGesture {
     const [dx, dy] = [at.x - pointer.x, at.y - pointer.y];
     Object.assign(pointer, at);
     switch (this.#doing) {
-      case "pull":
-        this.#target.pull({ x: at.x - this.#from.x, y: at.y - this.#from.y }, modifierOf(event));
+      case "pull": {
+        const by = { x: at.x - this.#from.x, y: at.y - this.#from.y };
+        this.#moved ||= Math.hypot(by.x, by.y) > STILL;
+        if (this.#moved) this.#target.pull(by, modifierOf(event));
         return;
+      }
       case "turn":
         this.#target.turn(dx, dy);
         return;
@@ -133,6 +141,7 @@ export class PullGesture {
 
   #begin(event: PointerEvent, at: Point): void {
     this.#from = at;
+    this.#moved = false;
     if (event.button === 2) this.#doing = "turn";
     else if (event.button !== 0 || event.ctrlKey || event.metaKey) this.#doing = "pan";
     else if (this.#target.take(at)) this.#doing = "pull";

@@ -39,6 +39,7 @@ export class PasuPull extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @state() private pull: Pull | null = null;
   @state() private spoken = "";
+  private opening = false;
   @query(".surface") private readonly surface!: HTMLElement;
   private hand: Hand | null = null;
   private giveBack: (() => void) | null = null;
@@ -85,7 +86,8 @@ export class PasuPull extends DesignerElement {
   override willUpdate(changed: Map<PropertyKey, unknown>): void {
     if (changed.has("stage")) this.leave();
     // Not before the designer is there, which a component that is fetched late is given last.
-    if (!this.pull) {
+    if (!this.opening) {
+      this.opening = true;
       void this.designer.openPull().then((pull) => {
         this.pull = pull;
       });
@@ -108,6 +110,7 @@ export class PasuPull extends DesignerElement {
         @pointercancel=${this.gesture.up}
         @lostpointercapture=${this.gesture.up}
         @pointerleave=${this.gesture.leave}
+        @dblclick=${this.put}
         @contextmenu=${(event: Event) => event.preventDefault()}
       ></div>
       ${
@@ -158,9 +161,9 @@ export class PasuPull extends DesignerElement {
       @pointerup=${this.gesture.up}
       @pointercancel=${this.gesture.up}
       @lostpointercapture=${this.gesture.up}
-      @pointerenter=${() => this.touch(this.feltOf(curve))}
+      @pointerenter=${() => this.touchCurve(curve)}
       @pointerleave=${() => this.touch(null)}
-      @focus=${() => this.touch(this.feltOf(curve))}
+      @focus=${() => this.touchCurve(curve)}
       @blur=${this.blurred}
       @keydown=${(event: KeyboardEvent) => this.key(event, curve)}
       @keyup=${this.keyUp}
@@ -214,6 +217,13 @@ export class PasuPull extends DesignerElement {
       this.feeling = 0;
       if (!this.gesture.pulling) this.touch(this.pointer && this.feel(this.pointer));
     });
+  }
+
+  /** What a handle stands for counts, not what is seen beneath it. */
+  private touchCurve(curve: Curve): void {
+    cancelAnimationFrame(this.feeling);
+    this.feeling = 0;
+    this.touch(this.feltOf(curve));
   }
 
   private touch(felt: Felt | null): void {
@@ -279,6 +289,16 @@ export class PasuPull extends DesignerElement {
     this.over = null;
     this.show();
   }
+
+  /** Puts a ring where the pot is clicked on twice. */
+  private readonly put = (event: MouseEvent): void => {
+    const { designer, pull } = this;
+    const felt = this.feel({ x: event.clientX, y: event.clientY });
+    const part = felt && designer.store.ids[felt.place];
+    const shape = felt && designer.store.design.parts[felt.place]?.shape;
+    if (!pull || !felt || !shape || part === undefined || part === null) return;
+    if (takesRings(shape) && !curveUnder(shape, felt.u)) void pull.putRing(part, felt.u);
+  };
 
   private widen(steps: number): void {
     const { pull } = this;
@@ -411,6 +431,17 @@ export class PasuPull extends DesignerElement {
         border-radius: 50%;
         background: var(--sheet);
         box-shadow: 0 1px 4px var(--shadow);
+      }
+      @media (pointer: coarse) {
+        .ring {
+          top: -20px;
+          left: -20px;
+          width: 40px;
+          height: 40px;
+        }
+        .ring::before {
+          inset: 13px;
+        }
       }
       .ring.end::before {
         border-radius: 2px;
