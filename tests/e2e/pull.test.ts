@@ -4,9 +4,10 @@ import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { fineWall } from "../support/drag.ts";
 import { dragFrom, fingers, onStage, ring, ringsOf, spotOf, takeUp } from "../support/pulling.ts";
+import { overhang, unreachable } from "../support/reach.ts";
 import { stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { PHONE } from "../support/visit.ts";
+import { PHONE, type VisitOptions } from "../support/visit.ts";
 import { PSEUDO, unmarked } from "../support/words.ts";
 
 const here = stay();
@@ -35,6 +36,11 @@ test("a ring is pulled by the mouse, in one step of undo, and Escape takes back 
   const middle = await onStage(pot, 0.5, 0.55);
   await pot.page.mouse.move(middle.x, middle.y);
   await pot.page.locator("pasu-pull .surface.over").waitFor();
+  // Two clicks put one there and leave the pot as it is.
+  await pot.page.mouse.dblclick(middle.x, middle.y);
+  await expect.poll(() => ringsOf(pot)).toBe(5);
+  await pot.undo();
+  await pot.shows(wide);
   await pot.page.keyboard.down("Shift");
   await dragFrom(pot, middle, { x: 0, y: -25 });
   await pot.page.keyboard.up("Shift");
@@ -195,6 +201,22 @@ test("what is pulled keeps its wall", async () => {
   );
   await pot.fingerprintOtherThan(before);
   await fineWall(pot);
+});
+
+test.each<[string, VisitOptions]>([
+  ["on a phone", PHONE],
+  // A window of 1280 by 800 whose page is enlarged to 200 %.
+  ["at 200 %", { viewport: { width: 640, height: 400 } }],
+])("the bar is within reach %s", async (_, options) => {
+  const pot = await here.enter({ ...options, link: BOTTLE });
+  await pot.fingerprint();
+  await takeUp(pot);
+  expect(await overhang(pot)).toBe(0);
+  for (const spread of ["all", "side", "petals"]) {
+    await pot.page.getByRole("combobox", { name: "Where" }).selectOption(spread);
+    expect(await unreachable(pot, ".bar")).toEqual([]);
+  }
+  expect(await findings(pot)).toEqual([]);
 });
 
 test("the tool is clean to axe, and says nothing that is not from the catalogue", async () => {

@@ -13,7 +13,7 @@ test("a ring is said in a potter's words, and added and taken away where nothing
   const plain = await pot.fingerprint();
   const cards = pot.page.locator("pasu-ring-cards li");
   await cards.nth(3).waitFor();
-  await pot.type("Radius (Ring 1)", "7 cm");
+  await pot.type("Radius, Ring 1", "7 cm");
   const wide = await pot.fingerprintOtherThan(plain);
   expect(await pot.address()).toBe("#1/rings?r=3,7,1.6,2.2");
   await cards.nth(2).getByText("Oval, petals, tilt and waves").click();
@@ -113,7 +113,7 @@ test("on the profile rings are dragged, put where the wall is clicked on twice, 
 });
 
 test("in inches the numbers are those, and everything is from the catalogue", async () => {
-  const pot = await here.enter({ link: `${PSEUDO}${BOTTLE}&unit=in` });
+  const pot = await here.enter({ link: `${PSEUDO}${BOTTLE}?unit=in` });
   await pot.fingerprint();
   await pot.page.locator("pasu-whole-pot summary").click();
   for (const each of await pot.page.locator("pasu-ring-cards summary").all()) {

@@ -1,6 +1,6 @@
 import init, { handles } from "pasu/drawing";
 import { beforeAll, describe, expect, test } from "vitest";
-import { isFree, moveHandle, nearestOn, ringHandles, sharesHandles } from "./profile";
+import { isFree, moveHandle, sharesHandles } from "./profile";
 import { familyOf } from "./schema";
 import type { BloorWilson, BoundaryValue, FourthOrder, Handle, HandleId, Shape } from "./types";
 
@@ -101,34 +101,4 @@ test("handles of one shape are no handles of another kind, or of other modes", (
   const renumbered: BoundaryValue = { ...FREE, x: { ...FREE.x, modes: [{ ...FREE.x.modes[0], n: 2 }] } };
   expect(sharesHandles(FREE, renumbered)).toBe(false);
   expect(sharesHandles(FREE, { ...FREE, y: { ...FREE.y, modes: [] } })).toBe(false);
-});
-
-describe("rings on the section", () => {
-  const pot: Shape = {
-    kind: "rings",
-    rings: [
-      { u: 0, r: { mean: 3 }, z: { mean: 0 } },
-      { u: 0.4, r: { mean: 6, waves: [{ n: 3, cos: 0.4 }] }, z: { mean: 6 } },
-      { u: 1, r: { mean: 2 }, z: { mean: 20 } },
-    ],
-  };
-
-  test("each between the ends is dragged by its own radius and height, and its waves stay", () => {
-    const [ring, ...others] = ringHandles(pot);
-    expect(others).toEqual([]);
-    const next = ring && moveHandle(pot, ring, 0.5, -1);
-    expect(next?.kind === "rings" && next.rings[1]).toEqual({
-      u: 0.4,
-      r: { mean: 6.5, waves: [{ n: 3, cos: 0.4 }] },
-      z: { mean: 5 },
-    });
-    expect(ringHandles(FREE)).toEqual([]);
-  });
-
-  test("a click finds the wall that it is nearest to", () => {
-    const line = [0, 0, 1, 1, 2, 4];
-    expect(nearestOn(line, 1.2, 1)).toMatchObject({ u: 0.5 });
-    expect(nearestOn(line, 1.2, 1).away).toBeCloseTo(0.2);
-    expect(nearestOn([5, 5], 0, 0).u).toBe(0);
-  });
 });

@@ -7,6 +7,7 @@ import { formatNumber } from "../../number";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { pull as words } from "../../words/english/pull";
+import { whyWords } from "../../words/refusals";
 import { DesignerElement } from "../designer-element";
 
 /** A point that stays so far behind, as a share of the pot, is seen to. */
@@ -22,14 +23,15 @@ export class PasuPullBar extends DesignerElement {
     const shape = design.parts[part]?.shape;
     // A family of numbers follows as a whole.
     const whole = shape !== undefined && !takesRings(shape);
-    const behind = !pull.grip || pull.followed.behind < BEHIND ? "" : words.behind;
+    const { refusal, behind } = pull.followed;
+    const note = refusal ? whyWords(refusal) : pull.grip && behind > BEHIND ? words.behind : "";
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
         ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
         ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
         ${whole ? nothing : this.detail(brush)}
       </div>
-      <p class="note" role="status" ?hidden=${behind === ""}>${behind}</p>
+      <p class="note" role="status" ?hidden=${note === ""}>${note}</p>
     `;
   }
 

@@ -71,6 +71,8 @@ export interface Touch {
   readonly held: boolean;
 }
 
+const NAMES = ["place", "u", "v", "degree", "petals", "held"] as const;
+
 /** Draws a touch on the part's own triangles once more: it follows every mesh and holds nothing on the GPU. */
 export class Band {
   private touch: Touch | null = null;
@@ -93,13 +95,19 @@ export class Band {
     });
   }
 
-  show(touch: Touch | null): void {
+  /** Whether that is another one than before. */
+  show(touch: Touch | null): boolean {
+    const before = this.touch;
     this.touch = touch;
-    if (!touch) return;
+    if (before === null || touch === null) {
+      if (before === touch) return false;
+    } else if (NAMES.every((name) => before[name] === touch[name])) return false;
+    if (!touch) return true;
     this.at.value = [touch.u, touch.v];
     this.degree.value = touch.degree;
     this.petals.value = touch.petals;
     this.held.value = touch.held ? 1 : 0;
+    return true;
   }
 
   drawables(pot: Pot, cut: readonly number[]): readonly Drawable[] {

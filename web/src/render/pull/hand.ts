@@ -42,7 +42,8 @@ export class Hand implements Tool {
 
   /** Shows what a pull would move, or nothing. */
   show(touch: Touch | null): void {
-    this.band.show(touch);
+    // Every movement of a hand says so again, and mostly nothing of it is new: no frame is drawn for that.
+    if (!this.band.show(touch)) return;
     this.bench.changed();
   }
 
