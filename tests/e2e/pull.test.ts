@@ -184,11 +184,16 @@ test("of several parts the one under the hand is pulled, wherever it stands", as
   await pot.shows(before);
 });
 
-test("what is pulled keeps its wall", async () => {
+test("what is pulled keeps its wall and its water", async () => {
   const pot = await here.enter({ link: BOTTLE });
   const before = await pot.fingerprint();
   await pot.makePot();
   await fineWall(pot);
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  const water = pot.page.locator("pasu-water [data-volume]");
+  await water.waitFor();
+  const volume = await water.getAttribute("data-volume");
   await takeUp(pot);
   await pot.page.getByRole("radio", { name: "All round" }).check();
   await dragFrom(
@@ -201,6 +206,7 @@ test("what is pulled keeps its wall", async () => {
   );
   await pot.fingerprintOtherThan(before);
   await fineWall(pot);
+  await expect.poll(() => water.getAttribute("data-volume")).not.toBe(volume);
 });
 
 test.each<[string, VisitOptions]>([

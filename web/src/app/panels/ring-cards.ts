@@ -155,6 +155,8 @@ export class PasuRingCards extends DesignerElement {
     const set = (next: Swing, gesture: boolean, what: string) => {
       this.remembered.set(key, next);
       this.requestUpdate();
+      // How many there would be, and how turned, is no change of the pot while there are none.
+      if (next.size === 0 && found.size === 0) return;
       this.change(index, (each) => withSwing(each, name, found, next), gesture ? `${name} ${what}` : undefined);
     };
     const [least, most] = countsOf(name);

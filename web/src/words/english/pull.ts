@@ -31,5 +31,4 @@ export const pull = phrases("pull", {
   at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
   removed: (name: string) => `${name} is gone.`,
   behind: "This form cannot follow any further with the numbers that it has.",
-  hint: "Take hold of the pot and pull. Drag beside it to turn it.",
 });

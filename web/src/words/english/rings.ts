@@ -15,7 +15,6 @@ export const rings = phrases("rings", {
   height: "Height",
   of: (what: string, ring: string) => `${what}, ${ring}`,
   sharp: "Sharp",
-  smooth: "Round and level",
   swingsOf: "Oval, petals, tilt and waves",
   /** What a ring is like, behind its name. */
   like: (all: readonly string[]) => listed(all),
