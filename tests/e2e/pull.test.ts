@@ -193,7 +193,7 @@ test("what is pulled keeps its wall and its water", async () => {
   await pot.button("Fill it").click();
   const water = pot.page.locator("pasu-water [data-volume]");
   await water.waitFor();
-  const volume = await water.getAttribute("data-volume");
+  const volume = await water.innerText();
   await takeUp(pot);
   await pot.page.getByRole("radio", { name: "All round" }).check();
   await dragFrom(
@@ -206,7 +206,7 @@ test("what is pulled keeps its wall and its water", async () => {
   );
   await pot.fingerprintOtherThan(before);
   await fineWall(pot);
-  await expect.poll(() => water.getAttribute("data-volume")).not.toBe(volume);
+  await expect.poll(() => water.innerText()).not.toBe(volume);
 });
 
 test.each<[string, VisitOptions]>([

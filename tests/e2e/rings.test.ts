@@ -15,12 +15,12 @@ test("a ring is said in a potter's words, and added and taken away where nothing
   await cards.nth(3).waitFor();
   await pot.type("Radius, Ring 1", "7 cm");
   const wide = await pot.fingerprintOtherThan(plain);
-  expect(await pot.address()).toBe("#1/rings?r=3,7,1.6,2.2");
+  expect(await pot.address()).toContain("r=3,7,1.6,2.2&");
   await cards.nth(2).getByText("Oval, petals, tilt and waves").click();
   await pot.type("Number, Petals, Ring 1", "6");
   await pot.type("Depth, Petals, Ring 1", "0.5");
   const petals = await pot.fingerprintOtherThan(wide);
-  expect(await pot.address()).toBe("#1/rings?r=3,7~6:.5,1.6,2.2");
+  expect(await pot.address()).toContain("r=3,7~6:.5,1.6,2.2&");
   await cards.nth(2).getByText("6 petals").waitFor();
   await cards.nth(2).getByRole("button", { name: "Change Ring 1" }).click();
   await pot.button("Make it round").click();

@@ -50,10 +50,11 @@ export class Hand implements Tool {
   /** The point of a part that is seen there, in CSS pixels from the upper left of the stage; `pick` says which part is. */
   feel({ x, y }: Spot, pick: (x: number, y: number) => PartId | null): Felt | null {
     const { parts } = this.bench.pot;
-    const id = pick(x, y);
+    // Of a pot of one part there is nothing to tell apart.
+    const id = parts.length > 1 ? pick(x, y) : parts[0]?.id;
     const place = parts.findIndex((part) => part.id === id);
     const part = parts[place];
-    const of = part && this.bench.aim();
+    const of = part?.drawable.visible ? this.bench.aim() : null;
     if (!part || !of) return null;
     const found = this.feeler.feel(this.bench.device, part, this.bench.cut(), this.bench.camera.view, { x, y, of });
     return found && { place, u: found[0], v: found[1] };
