@@ -37,7 +37,11 @@ function bench(): Bench {
 
 test("a point is found in the mesh between its rows and columns", () => {
   const hand = new Hand(bench());
-  expect(hand.pointOf({ place: 0, u: 0.1, v: 0 })).toEqual([expect.closeTo(1.1, 6), expect.closeTo(0, 6), expect.closeTo(0.5, 6)]);
+  expect(hand.pointOf({ place: 0, u: 0.1, v: 0 })).toEqual([
+    expect.closeTo(1.1, 6),
+    expect.closeTo(0, 6),
+    expect.closeTo(0.5, 6),
+  ]);
   expect(hand.pointOf({ place: 0, u: 0.6, v: 0.5 })?.[2]).toBeCloseTo(2.5, 6);
   expect(hand.pointOf({ place: 0, u: 1, v: 1 })?.[2]).toBeCloseTo(3, 6);
   // Half way between two columns the chord is followed.

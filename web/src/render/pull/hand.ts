@@ -1,4 +1,4 @@
-import { mat4, vec4 } from "gl-matrix";
+import { vec4 } from "gl-matrix";
 import type { Camera } from "../camera";
 import type { Drawable } from "../gl/drawable";
 import type { PartId } from "../mesh";
@@ -7,6 +7,8 @@ import { at, type Triple } from "../triple";
 import { Band, type Touch } from "./band";
 import { Feeler } from "./feeler";
 import type { See, Spot } from "./reach";
+
+type Quad = readonly [number, number, number, number];
 
 /** A point of a part that is seen on the screen. */
 export interface Felt {
@@ -92,20 +94,15 @@ export class Hand implements Tool {
     const [width, height] = this.size;
     if (!part || width === 0) return null;
     const [cx = 0, cy = 0, cz = 0, scale = 1] = this.bench.studio.frame.value;
-    const frame = mat4.fromScaling(mat4.create(), [scale, scale, scale]);
-    mat4.translate(frame, frame, [-cx, -cy, -cz]);
-    const { viewMatrix, projectionMatrix } = view.uniforms;
-    const all: number[] = [...projectionMatrix.value];
-    for (const each of [viewMatrix.value, frame, part.placing.model.value]) {
-      mat4.multiply(all as unknown as mat4, all as unknown as mat4, each as unknown as mat4);
-    }
+    const model = [...part.placing.model.value];
+    const [look, lens] = [view.uniforms.viewMatrix.value, view.uniforms.projectionMatrix.value].map((each) => [
+      ...each,
+    ]);
+    const by = (matrix: readonly number[] | undefined, [x, y, z, w]: Quad): Quad =>
+      vec4.transformMat4([0, 0, 0, 0], [x, y, z, w], (matrix ?? []) as number[]) as number[] as unknown as Quad;
     return (point) => {
-      const [x, y, , w] = vec4.transformMat4([0, 0, 0, 0], [...point, 1], all as unknown as mat4) as number[] as [
-        number,
-        number,
-        number,
-        number,
-      ];
+      const [px, py, pz] = by(model, [...point, 1]);
+      const [x, y, , w] = by(lens, by(look, [scale * (px - cx), scale * (py - cy), scale * (pz - cz), 1]));
       return w > 0 ? { x: width * (0.5 + (0.5 * x) / w), y: height * (0.5 - (0.5 * y) / w) } : null;
     };
   }
