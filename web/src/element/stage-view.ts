@@ -5,6 +5,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
+import { togglePulling } from "../state/actions";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
@@ -130,8 +131,11 @@ export class PasuStage extends DesignerElement {
       const [left, top] = [each.left - frame.left, each.top - frame.top];
       return [{ left, top, right: left + each.width, bottom: top + each.height }];
     };
-    const [caption = null] = boxOf("#description:not(:empty)");
-    stage.furnish(caption, boxOf("pasu-stage-tools"));
+    // On a narrow screen the bar of the tool that pulls stands where the caption was.
+    const caption = this.renderRoot.querySelector("#description:not(:empty)");
+    const hidden = caption !== null && getComputedStyle(caption).visibility === "hidden";
+    const [box = null] = boxOf(hidden ? "pasu-pull-bar" : "#description:not(:empty)");
+    stage.furnish(box, boxOf("pasu-stage-tools"));
   }
 
   override render() {
@@ -149,6 +153,7 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
+      ${this.hand()}
       ${
         designer.comparison.shown
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
@@ -168,6 +173,15 @@ export class PasuStage extends DesignerElement {
   private get stands(): boolean {
     const { mode } = this.holder;
     return mode === "still" || mode === "gone";
+  }
+
+  /** What pulls at the pot, fetched when it is taken up. */
+  private hand() {
+    const { designer, stage } = this;
+    if (!designer.store.session.pulling || !stage || this.holder.mode !== "live") return nothing;
+    import("./pull/pull-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-pull .designer=${designer} .stage=${stage}></pasu-pull
+      ><pasu-pull-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-pull-bar>`;
   }
 
   private note() {
@@ -302,7 +316,11 @@ export class PasuStage extends DesignerElement {
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (this.stage) stageKey(event, this.stage);
+    const { designer, stage } = this;
+    if (!stage || stageKey(event, stage)) return;
+    if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    designer.apply(togglePulling(designer.state));
   };
 
   static override readonly styles = [
@@ -387,8 +405,9 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
-        /* The captions stand in its place. */
-        pasu-captions ~ .foot #description {
+        /* The captions, or the bar of a tool, stand in its place. */
+        pasu-captions ~ .foot #description,
+        pasu-pull ~ .foot #description {
           visibility: hidden;
         }
         pasu-stage-tools {

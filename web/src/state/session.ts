@@ -39,6 +39,8 @@ export interface Session {
   readonly fill: number | null;
   /** What was last chosen for files: the clay stays the same from pot to pot. */
   readonly export: { readonly format: Format; readonly shrinkage: number };
+  /** Whether a hand on the stage pulls the pot, and does not turn it. */
+  readonly pulling: boolean;
   /** How much more clay is wedged than the pot has, for trimming and waste, in percent. */
   readonly allowance: number;
 }
@@ -55,5 +57,6 @@ export const NEW_SESSION: Session = {
   map: null,
   fill: null,
   export: { format: "3mf", shrinkage: 0 },
+  pulling: false,
   allowance: 20,
 };

@@ -37,8 +37,8 @@ export class PasuParameters extends DesignerElement {
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
     if (part.shape.kind === "rings") {
-      void import("./rings-table");
-      return html`<pasu-rings .designer=${this.designer}></pasu-rings>`;
+      void import("./ring-cards");
+      return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>`;
     }
     if (!family) {
       void import("./modes-table");

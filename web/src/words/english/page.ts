@@ -75,6 +75,7 @@ export const page = phrases("page", {
   still: "This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.",
   view: "View",
   views: { "three-quarter": "Three-quarter", front: "Front", side: "Side", top: "Top", below: "Below" },
+  pull: "Pull",
   zoomOut: "Zoom out",
   zoomIn: "Zoom in",
   fit: "Fit to view",
