@@ -53,7 +53,10 @@ function lines(formula: string): string[] {
   const whole = (aligned[1] ?? "").replace(/\\begin\{cases\}.*?\\end\{cases\}/g, (cases) =>
     cases.replaceAll("\\\\", "\\;"),
   );
-  return whole.split("\\\\").map((line) => line.replaceAll("\\;", "\\\\"));
+  return whole
+    .replaceAll("\\\\&\\quad ", "")
+    .split("\\\\")
+    .map((line) => line.replaceAll("\\;", "\\\\"));
 }
 
 class Parser {

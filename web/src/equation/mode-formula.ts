@@ -16,6 +16,9 @@ export interface Written {
   readonly open: boolean;
 }
 
+/** Goes on in the next line. */
+const NEXT = "\\\\&\\quad ";
+
 /** So many digits more than the others have a few numbers, before the form is left open. */
 const MOST_MORE = 5;
 
@@ -49,10 +52,14 @@ export function modeFormula(problem: Problem, mode: Mode, roots: Roots, system: 
   const sum = `P_{${index}}(u)`;
   const homogeneous = pieces.length === 1 ? (pieces[0] ?? "0") : cases(writer, beam, pieces);
   const name = `q_{${index}}(u)`;
-  if (!forced) return { formula: writer.formula(`${name}=${homogeneous}`), open: false };
+  if (!forced) {
+    const isLong = homogeneous.includes(NEXT);
+    const tex = isLong ? aligned([`${name}&=${homogeneous}`]) : `${name}=${homogeneous}`;
+    return { formula: writer.formula(tex), open: false };
+  }
   const terms = polynomialTerms(polynomial.map((value) => decided(value, under)));
   const lines = [
-    `${name}&=${sum}${homogeneous.startsWith("-") ? "" : "+"}${homogeneous}`,
+    `${name}&=${sum}${NEXT}${homogeneous.startsWith("-") ? "" : "+"}${homogeneous}`,
     `${sum}&=${writer.sum(terms)}`,
   ];
   return { formula: writer.formula(aligned(lines)), open: false };
@@ -114,7 +121,7 @@ function lengths(writer: Writer, places: readonly Amount[], bay: number) {
   return {
     behind: () => (bay === 0 ? "u" : `u-${writer.amount(from)}`),
     ahead: () => `${writer.amount(to)}-u`,
-    length: () => (bay === 0 ? writer.amount(to) : `${writer.amount(to)}-${writer.amount(from)}`),
+    length: () => writer.amount(bay === 0 ? to : decided(to.value - from.value, [from, to])),
     isWhole: bay === 0 && places.length === 2,
   };
 }
@@ -139,8 +146,14 @@ function ofSecond(writer: Writer, { roots, places, values, by }: Held, bay: numb
   }
   const name = z > 0 ? "\\sinh" : "\\sin";
   const r = () => writer.amount(decided(rate, by));
-  const sum = writer.sum(terms((x) => `${name}(${r()}\\,${x === "u" ? x : `(${x})`})`));
-  return `\\frac{${sum}}{${name}(${isWhole ? r() : `${r()}\\,(${length()})`})}`;
+  const below = () => `${name}(${r()}${isWhole ? "" : `\\cdot ${length()}`})`;
+  const fractions = terms((x) => `${name}(${r()}\\,${x === "u" ? x : `(${x})`})`).map((term) => {
+    const sign = term.amount.value < 0 ? "-" : "+";
+    const above = writer.sum([{ ...term, amount: { ...term.amount, value: Math.abs(term.amount.value) } }]);
+    return `${sign}\\frac{${above}}{${below()}}`;
+  });
+  // Two are wide: between the ends alone there is a line for each.
+  return fractions.join(places.length === 2 ? NEXT : "").replace(/^\+/, "");
 }
 
 function ofFourth(writer: Writer, { problem, roots, system, places, values, slopes }: Held, bay: number): string {
@@ -160,7 +173,13 @@ function ofFourth(writer: Writer, { problem, roots, system, places, values, slop
   const of = (name: string, x: string) => `${name}_{${system}}(${x}${endsAlone ? "" : `,${length()}`})`;
   const near = (amount: Amount, name: string) => (amount.value === 0 ? [] : [{ amount, body: of(name, behind()) }]);
   const far = (amount: Amount, name: string) => (amount.value === 0 ? [] : [{ amount, body: of(name, ahead()) }]);
-  return writer.sum([...near(start, "H"), ...near(start_u, "K"), ...far(end, "H"), ...far(turned, "K")]);
+  const [begin, rest] = [
+    [...near(start, "H"), ...near(start_u, "K")],
+    [...far(end, "H"), ...far(turned, "K")],
+  ];
+  if (!endsAlone || begin.length === 0 || rest.length === 0) return writer.sum([...begin, ...rest]);
+  const second = writer.sum(rest);
+  return `${writer.sum(begin)}${NEXT}${second.startsWith("-") ? "" : "+"}${second}`;
 }
 
 /** One line for each stretch; of many the first. */

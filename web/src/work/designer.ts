@@ -20,12 +20,14 @@ import type { Made } from "./made";
 import { Notices } from "./notices";
 import { Opening } from "./opening";
 import { Origin } from "./origin";
+import { Pointed } from "./pointed";
 import { Surface } from "./surface";
 
 export class Designer {
   readonly store: Store;
   readonly solver: SolverClient;
   readonly notices = new Notices();
+  readonly pointed = new Pointed();
   readonly surface: Surface;
   readonly origin: Origin;
   readonly comparison: Comparison;

@@ -49,8 +49,8 @@ export const equation = phrases("equation", {
   order: "The order",
   at: (u: string) => `At u = ${u}`,
   atSharp: (u: string) => `At u = ${u}, with a corner`,
-  foot: (where: string) => `The foot: ${where}`,
-  rim: (where: string) => `The rim: ${where}`,
+  foot: (u: string) => `At the foot, u = ${u}`,
+  rim: (u: string) => `At the rim, u = ${u}`,
   more: (count: number) => plural(count, { one: "and 1 more", other: `and ${count} more` }),
   fewer: "Show fewer",
   formulas: {
