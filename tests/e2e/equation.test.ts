@@ -2,7 +2,9 @@
 
 import type { Locator } from "playwright-core";
 import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
 import { stageOf } from "../support/on-stage.ts";
+import { overhang, unreachable } from "../support/reach.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
 
@@ -140,6 +142,19 @@ test("a pot of rings shows where it passes, and which curve is which", async () 
   // A cubic along the height, and roots twice where the smoothing is.
   await pot.page.getByText("All four roots are 0: a cubic").waitFor();
   await pot.page.getByText("Real roots ±2, each twice").first().waitFor();
+});
+
+test.each<[string, VisitOptions]>([
+  ["on a desk", {}],
+  ["on a dark phone", { ...PHONE, colorScheme: "dark" }],
+])("every formula can be heard, reached and scrolled, %s", async (_, options) => {
+  const pot = await enter(BOTTLE, options);
+  await formula(pot, "At u = 0.35").focus();
+  await pot.page.keyboard.press("ArrowRight");
+  await expect.poll(() => told(pot).innerText()).toMatch(/^Place u, Ring 1 = 0\.35: /);
+  expect(await findings(pot)).toEqual([]);
+  expect(await overhang(pot)).toBe(0);
+  expect(await unreachable(pot, "pasu-equation *")).toEqual([]);
 });
 
 test("of many waves the first are shown, and all on demand", async () => {

@@ -1,35 +1,48 @@
-// Works out formulas of `src/equation` from their text alone: what a reader of them would do with a pocket calculator.
+// Works out formulas of `src/equation` from their text alone: what a reader of them would do.
 
-type Env = Readonly<Record<string, number>>;
-type Expression = (env: Env) => number;
+import type { Arithmetic } from "./arithmetic";
 
-interface Definition {
+type Env<T> = Readonly<Record<string, T>>;
+type Expression<T> = (env: Env<T>, index: string) => T;
+type Call<T> = (name: string, values: readonly T[]) => T;
+
+interface Definition<T> {
   readonly parameters: readonly string[];
-  readonly body: Expression;
+  readonly body: Expression<T>;
 }
 
-const WAVES: Readonly<Record<string, (x: number) => number>> = {
-  sin: Math.sin,
-  cos: Math.cos,
-  sinh: Math.sinh,
-  cosh: Math.cosh,
-};
-
 /** What the formulas define, by name: `q_1`, `x`, and `H_j` for every `j`. */
-export class Formulary {
-  readonly #definitions = new Map<string, Definition>();
+export class Formulary<T> {
+  readonly #arithmetic: Arithmetic<T>;
+  readonly #definitions = new Map<string, Definition<T>>();
+  /** The same is asked again and again. */
+  readonly #known = new Map<string, T>();
 
-  constructor(formulas: readonly string[]) {
+  constructor(formulas: readonly string[], arithmetic: Arithmetic<T>) {
+    this.#arithmetic = arithmetic;
     for (const line of formulas.flatMap(lines)) this.#define(line);
   }
 
   at(name: string, ...values: readonly number[]): number {
+    const { from, to } = this.#arithmetic;
+    return to(this.#value(name, values.map(from)));
+  }
+
+  #value(name: string, values: readonly T[]): T {
+    const key = `${name} ${values.join(" ")}`;
+    const known = this.#known.get(key);
+    if (known !== undefined) return known;
     const [letter = "", index = ""] = name.split("_");
-    const own = this.#definitions.get(name);
-    const definition = own ?? this.#definitions.get(`${letter}_j`);
+    const definition = this.#definitions.get(name) ?? this.#definitions.get(`${letter}_j`);
     if (!definition) throw new Error(`nothing says what ${name} is`);
-    const env = Object.fromEntries(definition.parameters.map((parameter, at) => [parameter, values[at] ?? Number.NaN]));
-    return definition.body({ ...env, j: Number(index) });
+    const env: Record<string, T> = {};
+    definition.parameters.forEach((parameter, at) => {
+      const value = values[at];
+      if (value !== undefined) env[parameter] = value;
+    });
+    const found = definition.body(env, index);
+    this.#known.set(key, found);
+    return found;
   }
 
   #define(line: string): void {
@@ -37,7 +50,7 @@ export class Formulary {
     const left = line.slice(0, equals).replace("&", "");
     const [, name = "", list = ""] = /^([A-Za-z](?:_\{\w+\})?)\(([^)]*)\)$/.exec(left) ?? [];
     if (name === "") throw new Error(`no definition: ${line}`);
-    const parser = new Parser(line.slice(equals + 1), (of, values) => this.at(of, ...values));
+    const parser = new Parser(line.slice(equals + 1), this.#arithmetic, (of, values) => this.#value(of, values));
     this.#definitions.set(name.replace(/[{}]/g, ""), { parameters: list.split(","), body: parser.whole() });
   }
 }
@@ -49,7 +62,7 @@ function lines(formula: string): string[] {
   while (mark.test(text)) text = text.replace(mark, "$1");
   const aligned = /^\\begin\{aligned\}(.*)\\end\{aligned\}$/.exec(text);
   if (!aligned) return [text];
-  // The lines of cases are not lines of their own.
+  // The lines of cases are not lines of their own, nor are those that go on.
   const whole = (aligned[1] ?? "").replace(/\\begin\{cases\}.*?\\end\{cases\}/g, (cases) =>
     cases.replaceAll("\\\\", "\\;"),
   );
@@ -59,97 +72,118 @@ function lines(formula: string): string[] {
     .map((line) => line.replaceAll("\\;", "\\\\"));
 }
 
-class Parser {
+class Parser<T> {
   readonly #tokens: readonly string[];
-  readonly #call: (name: string, values: readonly number[]) => number;
+  readonly #arithmetic: Arithmetic<T>;
+  readonly #call: Call<T>;
   #at = 0;
 
-  constructor(text: string, call: (name: string, values: readonly number[]) => number) {
+  constructor(text: string, arithmetic: Arithmetic<T>, call: Call<T>) {
     const all = text.match(/\d+(?:\.\d+)?|\\[A-Za-z]+|\\\\|\\,|\S/g) ?? [];
     this.#tokens = all.filter((token) => !["\\,", "\\left", "\\right"].includes(token));
+    this.#arithmetic = arithmetic;
     this.#call = call;
   }
 
-  whole(): Expression {
+  whole(): Expression<T> {
     this.#take("&");
     const found = this.#sum();
     if (this.#at < this.#tokens.length) throw new Error(`left over: ${this.#tokens.slice(this.#at).join(" ")}`);
     return found;
   }
 
-  #sum(): Expression {
+  #sum(): Expression<T> {
+    const { add, multiply, from } = this.#arithmetic;
+    const [none, minus] = [from(0), from(-1)];
     let negative = this.#take("-");
     if (!negative) this.#take("+");
-    const terms: Expression[] = [];
+    const terms: Expression<T>[] = [];
     do {
       const product = this.#product();
-      const sign = negative ? -1 : 1;
-      terms.push((env) => sign * product(env));
+      terms.push(negative ? (env, index) => multiply(minus, product(env, index)) : product);
       negative = this.#token === "-";
     } while (this.#take("+") || this.#take("-"));
-    return (env) => terms.reduce((sum, term) => sum + term(env), 0);
+    return (env, index) => terms.reduce((sum, term) => add(sum, term(env, index)), none);
   }
 
-  #product(): Expression {
-    const factors: Expression[] = [];
+  #product(): Expression<T> {
+    const { multiply, from } = this.#arithmetic;
+    const one = from(1);
+    const factors: Expression<T>[] = [];
     while (this.#begins()) {
       this.#take("\\cdot");
       factors.push(this.#power());
     }
     if (factors.length === 0) throw new Error(`nothing before ${this.#token}`);
-    return (env) => factors.reduce((product, factor) => product * factor(env), 1);
+    return (env, index) => factors.reduce((product, factor) => multiply(product, factor(env, index)), one);
   }
 
-  #power(): Expression {
+  #power(): Expression<T> {
+    const { multiply, divide, from } = this.#arithmetic;
+    const one = from(1);
     const base = this.#base();
     if (!this.#take("^")) return base;
-    const exponent = this.#braced();
-    return (env) => base(env) ** exponent(env);
+    this.#expect("{");
+    const isNegative = this.#take("-");
+    const times = Number(this.#next());
+    this.#expect("}");
+    return (env, index) => {
+      const value = base(env, index);
+      const power = Array.from({ length: times }).reduce<T>((product) => multiply(product, value), one);
+      return isNegative ? divide(one, power) : power;
+    };
   }
 
-  #base(): Expression {
+  #base(): Expression<T> {
+    const { of, pi, divide, functions } = this.#arithmetic;
     const token = this.#next();
-    if (/^\d/.test(token)) return () => Number(token);
-    if (token === "(") {
-      const inside = this.#sum();
-      this.#expect(")");
-      return inside;
+    if (/^\d/.test(token)) {
+      const number = of(token);
+      return () => number;
     }
-    if (token === "\\pi") return () => Math.PI;
+    if (token === "(") return this.#closed();
+    if (token === "\\pi") return () => pi;
     if (token === "\\frac") {
       const [above, below] = [this.#braced(), this.#braced()];
-      return (env) => above(env) / below(env);
+      return (env, index) => divide(above(env, index), below(env, index));
     }
     if (token === "\\begin") return this.#cases();
-    const wave = WAVES[token.slice(1)];
-    if (token.startsWith("\\") && wave) {
+    if (token.startsWith("\\")) {
+      const wave = functions[token.slice(1) as keyof typeof functions];
       this.#expect("(");
-      const inside = this.#sum();
-      this.#expect(")");
-      return (env) => wave(inside(env));
+      const inside = this.#closed();
+      return (env, index) => wave(inside(env, index));
     }
     if (!/^[A-Za-z]$/.test(token)) throw new Error(`unknown: ${token}`);
-    if (!this.#take("_")) return (env) => value(env, token);
+    return this.#take("_") ? this.#called(token) : (env) => valueIn(env, token);
+  }
+
+  /** Up to the bracket that ends it. */
+  #closed(): Expression<T> {
+    const inside = this.#sum();
+    this.#expect(")");
+    return inside;
+  }
+
+  #called(letter: string): Expression<T> {
     this.#expect("{");
-    const index = this.#next();
+    const own = this.#next();
     this.#expect("}");
     this.#expect("(");
     const given = [this.#sum()];
     while (this.#take(",")) given.push(this.#sum());
     this.#expect(")");
     const call = this.#call;
-    return (env) => {
-      const which = index === "j" ? value(env, "j") : index;
-      return call(
-        `${token}_${which}`,
-        given.map((each) => each(env)),
+    return (env, index) =>
+      call(
+        `${letter}_${own === "j" ? index : own}`,
+        given.map((each) => each(env, index)),
       );
-    };
   }
 
-  #cases(): Expression {
+  #cases(): Expression<T> {
     for (const token of ["{", "c", "a", "s", "e", "s", "}"]) this.#expect(token);
-    const rows: { readonly from: Expression; readonly to: Expression; readonly body: Expression }[] = [];
+    const rows: { readonly from: Expression<T>; readonly to: Expression<T>; readonly body: Expression<T> }[] = [];
     do {
       const body = this.#sum();
       this.#expect("&");
@@ -160,15 +194,15 @@ class Parser {
       rows.push({ body, from, to: this.#sum() });
     } while (this.#take("\\\\"));
     for (const token of ["\\end", "{", "c", "a", "s", "e", "s", "}"]) this.#expect(token);
-    return (env) => {
-      const u = value(env, "u");
-      const row = rows.find(({ from, to }) => u >= from(env) && u <= to(env));
+    return (env, index) => {
+      const u = valueIn(env, "u");
+      const row = rows.find(({ from, to }) => u >= from(env, index) && u <= to(env, index));
       if (!row) throw new Error(`no case for u = ${u}`);
-      return row.body(env);
+      return row.body(env, index);
     };
   }
 
-  #braced(): Expression {
+  #braced(): Expression<T> {
     this.#expect("{");
     const inside = this.#sum();
     this.#expect("}");
@@ -176,8 +210,7 @@ class Parser {
   }
 
   #begins(): boolean {
-    const token = this.#token;
-    return token !== "" && !/^([-+)}&,=^_]|\\\\|\\end|\\le)$/.test(token);
+    return this.#token !== "" && !/^([-+)}&,=^_]|\\\\|\\end|\\le)$/.test(this.#token);
   }
 
   get #token(): string {
@@ -201,7 +234,7 @@ class Parser {
   }
 }
 
-function value(env: Env, name: string): number {
+function valueIn<T>(env: Env<T>, name: string): T {
   const found = env[name];
   if (found === undefined) throw new Error(`nothing says what ${name} is`);
   return found;

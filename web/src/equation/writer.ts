@@ -1,6 +1,6 @@
 /** Writes formulas as LaTeX, numbers rounded to so many digits; numbers of the shape are marked, so that they can be found in what it is drawn as. */
 
-import { type Amount, decided } from "./amount";
+import { type Amount, amountAt, decided } from "./amount";
 
 /** A formula, as LaTeX. */
 export interface Formula {
@@ -123,7 +123,7 @@ export class Writer {
     const named = this.#symbols && n.name !== undefined;
     if (span === "one") return named ? `2\\pi\\,${this.amount(n)}\\,v` : `${this.#sized(n, 2)}\\pi v`;
     if (span === "turn") return n.value === 1 && !named ? this.#mark(n, "v") : `${this.#sized(n, 1)}\\,v`;
-    const amount = decided(n.value / span, [n]);
+    const amount = decided(n.value / span, [n, amountAt(["span"], span)]);
     return `${this.#sized(amount, 2)}\\pi v`;
   }
 
