@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { pathText } from "../../document/path";
 import type { Group } from "../../document/schema";
 import { familyOf } from "../../document/schema";
 import type { Shape } from "../../document/types";
@@ -91,8 +92,9 @@ export class PasuEquation extends DesignerElement {
         </section>
         <section aria-labelledby="edges">
           <h3 id="edges">${equation.edges}</h3>
-          <p class="note">${equation.edgesLead}</p>
+          <p class="note">${equation.edgesLead}${problem.rings.length === 0 ? nothing : html` ${equation.ringsLead}`}</p>
           ${given.map((edge) => this.edge(problem, edge))}
+          ${this.more(problem.rings.length + 2 - given.length, problem.rings.length)}
           ${familyOf(shape.kind) ? this.numbers(shape, OF_EDGES) : this.table()}
         </section>
         <section aria-labelledby="closed">
@@ -152,7 +154,8 @@ export class PasuEquation extends DesignerElement {
 
   private closedForm(shape: Shape) {
     const { problem: refused } = this.designer.surface;
-    if (refused)
+    // What is refused of another part, or of the wall, leaves this equation as it is.
+    if (refused?.path.startsWith(pathText(["parts", this.designer.state.part, "shape"])))
       return html`<p class="problem">${icon("warn")}<span>${equation.unsolved(whyWords(refused))}</span></p>`;
     const { form } = this.written(shape);
     return html`
@@ -161,7 +164,7 @@ export class PasuEquation extends DesignerElement {
       <ol>
         ${form.solved.map((each) => this.mode(each))}
       </ol>
-      ${this.more(form)}
+      ${this.more(form.hidden, form.solved.length)}
       ${
         form.systems.length === 0
           ? nothing
@@ -179,8 +182,9 @@ export class PasuEquation extends DesignerElement {
     </li>`;
   }
 
-  private more({ hidden, solved }: Closed) {
-    if (hidden === 0 && !(this.all && solved.length > FEW)) return nothing;
+  /** Where not all of something is written, or was not before somebody asked. */
+  private more(hidden: number, shown: number) {
+    if (hidden === 0 && !(this.all && shown > FEW)) return nothing;
     return html`<button
       class="button outlined"
       type="button"

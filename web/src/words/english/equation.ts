@@ -39,6 +39,8 @@ export const equation = phrases("equation", {
   pdeLead: "It decides how the wall runs between what is given.",
   edges: "What is given",
   edgesLead: "u runs along the profile, v round the pot.",
+  ringsLead:
+    "At a ring the wall and its first two derivatives in u run on; at a corner it may turn, and the second is 0. A coordinate of second order has a corner at every ring.",
   numbers: "The numbers",
   closed: "Closed form",
   closedLead: "Each coordinate is a sum of waves round the pot. What stands before a wave is a function of u:",
