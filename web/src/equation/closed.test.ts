@@ -204,3 +204,21 @@ test("a number is as long as its digits, with the decimal mark of the language",
   const [first] = closed(problemOf(KINDS[0] as Shape), { ...SHOWN, decimal: "," }).solved;
   expect(first?.formula.tex).toContain("{4{,}4429}");
 });
+
+test("a force on what hardly bends is written with the digits that it takes, or left open", () => {
+  const planar = (t: number): Shape => ({
+    kind: "boundary-value",
+    span: "2pi",
+    x: { order: 2, s: 1, t, modes: [{ n: 1, cos: { start: 1, end: 2, force: [1, 3] } }] },
+    y: { order: 2, s: 1, t: 1, modes: [] },
+    z: { order: 2, s: 1, t: 1, modes: [{ n: 0, cos: { start: 1 } }] },
+  });
+  const points = [0, 0.3, 0.8, 1].map((u) => [u, 0.2] as const);
+  for (const t of [0, 1e-6, 1e-4, 1e-2, 1, 100]) {
+    expect(distance({ shape: planar(t), points }, SHOWN, 256), `t = ${t}`).toBeLessThan(3e-5);
+    expect(distance({ shape: planar(t), points }, WHOLE, 256), `t = ${t}`).toBeLessThan(1e-9);
+  }
+  const [first] = closed(problemOf(planar(1e-12)), SHOWN).solved;
+  expect(first?.open).toBe(true);
+  expect(first?.formula.tex).toContain("q_{1}''-");
+});

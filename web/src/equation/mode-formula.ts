@@ -20,7 +20,7 @@ export interface Written {
 const NEXT = "\\\\&\\quad ";
 
 /** So many digits more than the others have a few numbers, before the form is left open. */
-const MOST_MORE = 5;
+const MOST_MORE = { 2: 8, 4: 5 } as const;
 
 export function modeFormula(problem: Problem, mode: Mode, roots: Roots, system: number, hand: Hand): Written {
   const { component, harmonic, index, k } = mode;
@@ -30,7 +30,7 @@ export function modeFormula(problem: Problem, mode: Mode, roots: Roots, system: 
   const polynomial = particular(roots, equation, force);
   const more = moreDigits(mode, polynomial, force, fastest(roots));
   const writer = new Writer(more === 0 ? hand : { ...hand, digits: hand.digits + more });
-  if (!(more <= MOST_MORE)) return { formula: posed(mode, equation, hand), open: true };
+  if (!(more <= MOST_MORE[component.order])) return { formula: posed(mode, equation, hand), open: true };
   const under = [...harmonic.force, component.s, component.t, component.w, harmonic.n];
   const beam: Held = {
     problem,
@@ -194,13 +194,20 @@ function cases(writer: Writer, { places }: Held, pieces: readonly string[]): str
 }
 
 /** How many digits more the numbers of a mode under a force need: those by which the polynomial outgrows what it stands for, and those by which slow functions answer to their rates. */
-function moreDigits({ harmonic }: Mode, polynomial: readonly number[], force: readonly number[], rate: number): number {
+function moreDigits(
+  { component, harmonic }: Mode,
+  polynomial: readonly number[],
+  force: readonly number[],
+  rate: number,
+): number {
   if (force.length === 0 || rate === 0) return 0;
   const size = (numbers: readonly number[]) => numbers.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   const { start, end, start_u, end_u, rings } = harmonic;
   const given = size([start, end, start_u, end_u, ...rings].map(({ value }) => value));
   const grown = size(polynomial) / Math.max(given, size(force) / Math.max(1, rate ** 2), Number.MIN_VALUE);
-  const slow = rate < 1 ? -2 * Math.log10(rate) : 0;
+  const lost = rate < 1 ? -2 * Math.log10(rate) : 0;
+  // Of second order the rates count for less: what is off is of the size of their square.
+  const slow = component.order === 4 ? lost : Math.min(2, lost);
   return Math.max(0, Math.ceil(Math.log10(Math.max(grown, 1)) + slow));
 }
 
