@@ -45,7 +45,7 @@ test.each<[string, VisitOptions]>([
   const before = await pot.fingerprint();
   const check = async (where: string) => expect(await findings(pot), where).toEqual([]);
   await check("the page");
-  for (const name of ["Profile", "Order", "Look"] as const) {
+  for (const name of ["Profile", "Equation", "Look"] as const) {
     await pot.tab(name);
     await check(`the panel “${name}”`);
   }

@@ -76,7 +76,7 @@ test.each<[string, VisitOptions]>([
     await page.tab("Profile");
     await pot.page.locator("pasu-profile svg").waitFor();
     await page.check("the profile");
-    await page.tab("Order");
+    await page.tab("Equation");
     await page
       .button("Show side by side with Fourth order")
       .or(pot.button(/⟦Šĥöŵ šîðé/).first())

@@ -213,7 +213,7 @@ export class Visit {
     await this.button(name).click();
   }
 
-  async tab(name: "Shape" | "Profile" | "Order" | "Look" | "Wall" | "Measures"): Promise<void> {
+  async tab(name: "Shape" | "Profile" | "Equation" | "Look" | "Wall" | "Measures"): Promise<void> {
     await this.page.getByRole("tab", { name }).click();
   }
 

@@ -1,4 +1,4 @@
-/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders, the look, the wall and what it measures. */
+/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the equation, the look, the wall and what it measures. */
 
 import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
@@ -12,7 +12,7 @@ import { page } from "../words/english/page";
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
   shape: () => import("./panels/parameters"),
   profile: () => import("./panels/profile-editor"),
-  order: () => import("./panels/orders-panel"),
+  equation: () => import("./panels/equation-panel"),
   look: () => import("./panels/look-panel"),
   wall: () => import("./panels/wall-panel"),
   measures: () => import("./panels/measures-panel"),
@@ -76,8 +76,8 @@ export class PasuPanel extends DesignerElement {
         return html`<pasu-parameters .designer=${designer}></pasu-parameters>`;
       case "profile":
         return html`<pasu-profile .designer=${designer}></pasu-profile>`;
-      case "order":
-        return html`<pasu-orders .designer=${designer}></pasu-orders>`;
+      case "equation":
+        return html`<pasu-equation .designer=${designer}></pasu-equation>`;
       case "look":
         return html`<pasu-look .designer=${designer}></pasu-look>`;
       case "wall":

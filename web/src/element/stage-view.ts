@@ -50,7 +50,8 @@ export class PasuStage extends DesignerElement {
   private compared: Compared | null = null;
   private made: StageMade | null = null;
   private making = false;
-  private leave: (() => void) | null = null;
+  private leave: (() => void)[] = [];
+  private hinting = false;
   private framed = -1;
   private wanted: Camera | null = null;
   private framedSize = 0;
@@ -62,14 +63,14 @@ export class PasuStage extends DesignerElement {
   override connectedCallback(): void {
     super.connectedCallback();
     // A new surface goes to the stage before the page writes about it.
-    this.leave = effect(() => this.display());
+    this.leave = [effect(() => this.display()), effect(() => void this.hint())];
     if (this.hasUpdated) void this.holder.open();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.leave?.();
-    this.leave = null;
+    for (const leave of this.leave) leave();
+    this.leave = [];
   }
 
   /** Nothing is drawn any more. */
@@ -264,6 +265,23 @@ export class PasuStage extends DesignerElement {
     // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
     this.made?.update();
     this.frame(shown, stage);
+  }
+
+  /** Draws the curves whose numbers somebody points at. What they are is worked out by code that is fetched when somebody first does. */
+  private async hint(): Promise<void> {
+    const { designer } = this;
+    const { places } = designer.pointed;
+    // Elsewhere a field keeps the focus for long, and the pot is to be seen as it is.
+    if (places.length === 0 || designer.store.session.tab !== "equation") {
+      if (this.hinting) this.stage?.point([]);
+      this.hinting = false;
+      return;
+    }
+    const { design, part } = designer.state;
+    const { pointedCurves } = await import("./pointed-curves");
+    if (places !== designer.pointed.places) return;
+    this.hinting = true;
+    this.stage?.point(pointedCurves(design.parts[part], places));
   }
 
   /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */

@@ -291,6 +291,12 @@ export class Stage {
     this.changed();
   }
 
+  /** Curves that somebody points at, or none. */
+  point(lines: readonly Float32Array[]): void {
+    this.overlay.pointed = lines;
+    this.changed();
+  }
+
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
     if (!this.differs("overlays", JSON.stringify(overlays))) return;

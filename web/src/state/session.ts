@@ -3,8 +3,8 @@
 import type { Format, MapName, OrderKind } from "../document/types";
 import type { PartId } from "./parts";
 
-export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
-export const TABS: readonly Tab[] = ["shape", "profile", "order", "look", "wall", "measures"];
+export type Tab = "shape" | "profile" | "equation" | "look" | "wall" | "measures";
+export const TABS: readonly Tab[] = ["shape", "profile", "equation", "look", "wall", "measures"];
 
 export type ThemeChoice = "auto" | "light" | "dark";
 export const THEMES: readonly ThemeChoice[] = ["auto", "light", "dark"];

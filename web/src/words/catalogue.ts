@@ -7,6 +7,7 @@ import type { beginnings } from "./english/beginnings";
 import type { controls } from "./english/controls";
 import type { description } from "./english/description";
 import type { embed } from "./english/embed";
+import type { equation } from "./english/equation";
 import type { exporting } from "./english/export";
 import type { gallery } from "./english/gallery";
 import type { help } from "./english/help";
@@ -39,6 +40,7 @@ export interface Catalogue {
   readonly controls: typeof controls;
   readonly description: typeof description;
   readonly embed: typeof embed;
+  readonly equation: typeof equation;
   readonly exporting: typeof exporting;
   readonly gallery: typeof gallery;
   readonly help: typeof help;

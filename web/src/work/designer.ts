@@ -21,12 +21,14 @@ import { Notices } from "./notices";
 import { Opening } from "./opening";
 import { Origin } from "./origin";
 import type { Pull } from "./pull";
+import { Pointed } from "./pointed";
 import { Surface } from "./surface";
 
 export class Designer {
   readonly store: Store;
   readonly solver: SolverClient;
   readonly notices = new Notices();
+  readonly pointed = new Pointed();
   readonly surface: Surface;
   readonly origin: Origin;
   readonly comparison: Comparison;

@@ -62,6 +62,7 @@ export class PasuRings extends DesignerElement {
     const { designer } = this;
     return html`<pasu-number
       compact
+      data-at=${pathText(path)}
       .label=${label}
       .value=${value}
       .step=${0.1}
@@ -86,6 +87,13 @@ export class PasuRings extends DesignerElement {
   static override readonly styles = [
     base,
     css`
+      pasu-number[data-pointed] {
+        border-radius: 8px;
+        background: var(--accent-wash);
+        box-shadow: 0 0 0 4px var(--accent-wash);
+        outline: 2px solid var(--accent);
+        outline-offset: 4px;
+      }
       :host {
         display: block;
       }

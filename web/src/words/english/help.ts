@@ -40,6 +40,11 @@ const list: Keys = [
   ["F2", "Name it"],
   ["Delete", "Take it away; undo brings it back"],
 ];
+const formula: Keys = [
+  ["Left, right", "From number to number"],
+  ["Home, End", "First and last number"],
+  ["Enter", "To its field"],
+];
 const number: Keys = [
   ["Arrows", "One step"],
   ["Shift arrows", "Ten steps"],
@@ -62,6 +67,7 @@ export const help = phrases("help", {
     { title: "On the water", keys: water },
     { title: "In the list of parts", keys: list },
     { title: "On a number", keys: number },
+    { title: "On a formula", keys: formula },
   ],
   /** `{0}` and `{1}` are the titles of the two papers. */
   sources: "After J. J. Zhang and L. You, {0} (2001), and S. N. Ishak and J. M. Ali, {1}.",

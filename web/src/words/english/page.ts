@@ -57,7 +57,7 @@ export const page = phrases("page", {
   tabs: {
     shape: "Shape",
     profile: "Profile",
-    order: "Order",
+    equation: "Equation",
     look: "Look",
     wall: "Wall",
     measures: "Measures",
