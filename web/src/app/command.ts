@@ -2,6 +2,7 @@
 
 export type Command =
   | "new"
+  | "surprise"
   | "gallery"
   | "shelf"
   | "open"

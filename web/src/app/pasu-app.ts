@@ -8,6 +8,7 @@ import { DesignerElement } from "../element/designer-element";
 import { VIEW_KEYS } from "../state/view-keys";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
+import type { Surprises } from "../work/surprises";
 import type { Command, CommandEvent } from "./command";
 import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
@@ -53,6 +54,7 @@ export class PasuApp extends DesignerElement {
   @query("pasu-stage") private readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
   private leave: readonly (() => void)[] = [];
+  private surprises: Surprises | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -177,7 +179,7 @@ export class PasuApp extends DesignerElement {
       case "none":
         return nothing;
       case "new":
-        return html`<pasu-new .designer=${designer} @new-closed=${close}></pasu-new>`;
+        return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
       case "shelf":
@@ -207,6 +209,9 @@ export class PasuApp extends DesignerElement {
       case "export":
         await this.show(command);
         return;
+      case "surprise":
+        await this.surprise();
+        return;
       case "open": {
         const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
         if (file) await this.designer.opening.openFile(file);
@@ -235,6 +240,18 @@ export class PasuApp extends DesignerElement {
     try {
       await DIALOGUES[dialogue]();
       this.dialog = dialogue;
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
+  }
+
+  /** Opens a pot that nobody has thought of. */
+  private async surprise(): Promise<void> {
+    try {
+      const { judgedBy, Surprises } = await import("../work/surprises");
+      this.surprises ??= new Surprises(judgedBy(async () => (await this.designer.openMade())?.maker ?? null));
+      const design = await this.surprises.next();
+      if (design) this.designer.opening.open(design);
     } catch {
       this.designer.notices.say(page.unfetched);
     }

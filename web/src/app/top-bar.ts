@@ -13,6 +13,7 @@ import { page } from "../words/english/page";
 
 const ICONS: Readonly<Record<Command, IconName>> = {
   new: "add",
+  surprise: "chance",
   gallery: "gallery",
   shelf: "shelf",
   open: "open",
@@ -70,11 +71,11 @@ export class PasuTopBar extends DesignerElement {
         ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
-        ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
+        ${this.bare("surprise")} ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
       </div>
       <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
         ${this.item("shelf")} ${FILES.map((command) => this.item(command))}
-        ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
+        ${this.item("surprise")} ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
         ${this.item("help")}
       </pasu-menu>
     `;

@@ -35,6 +35,7 @@ export const page = phrases("page", {
   editedMeans: "Changed since it was opened or saved",
   commands: {
     new: "New",
+    surprise: "Surprise me",
     gallery: "Gallery",
     shelf: "My designs",
     open: "Open",
