@@ -248,6 +248,17 @@ test("several parts, free boundary data and a pot that cannot be made are told f
   await page.check("free boundary data");
 });
 
+test("a pot of rings that is mixed with another is told from the catalogue", { timeout: 400_000 }, async () => {
+  const page = await enter("#1/rings?title=1");
+  const { pot } = page;
+  await page.button("Mix with…").click();
+  await pot.page.locator("pasu-mix-dialog button[data-exhibit=form-cup]").waitFor();
+  await page.check("what to mix with");
+  await pot.page.locator("pasu-mix-dialog button[data-exhibit=form-cup]").click();
+  await pot.field(marked("Share")).waitFor();
+  await page.check("the slider that mixes");
+});
+
 test("where there is no WebGL2 that is said from the catalogue", async () => {
   const before = async ({ context }: Visit) => {
     await context.addInitScript(() => {

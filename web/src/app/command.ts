@@ -4,6 +4,7 @@ export type Command =
   | "new"
   | "surprise"
   | "gallery"
+  | "mix"
   | "shelf"
   | "open"
   | "save"

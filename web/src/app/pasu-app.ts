@@ -10,6 +10,7 @@ import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
 import type { Surprises } from "../work/surprises";
 import type { Command, CommandEvent } from "./command";
+import type { MixEvent } from "./dialogs/mix-dialog";
 import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
 import "../element/stage-view";
@@ -31,6 +32,7 @@ const OFFER_MS = 30_000;
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
+  mix: () => import("./dialogs/mix-dialog"),
   shelf: () => import("./dialogs/shelf-dialog"),
   help: () => import("./dialogs/help-dialog"),
   picture: () => import("./dialogs/picture-dialog"),
@@ -182,6 +184,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
+      case "mix":
+        return html`<pasu-mix-dialog .designer=${designer} @mix-chosen=${this.mixed} @mix-closed=${close}></pasu-mix-dialog>`;
       case "shelf":
         return html`<pasu-shelf .designer=${designer} @shelf-closed=${close}></pasu-shelf>`;
       case "help":
@@ -197,12 +201,15 @@ export class PasuApp extends DesignerElement {
     }
   }
 
+  private readonly mixed = ({ other }: MixEvent): void => this.panel.mix(other);
+
   private readonly commanded = (event: CommandEvent): void => void this.perform(event.command);
 
   private async perform(command: Command): Promise<void> {
     switch (command) {
       case "new":
       case "gallery":
+      case "mix":
       case "shelf":
       case "help":
       case "picture":

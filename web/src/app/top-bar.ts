@@ -15,6 +15,7 @@ const ICONS: Readonly<Record<Command, IconName>> = {
   new: "add",
   surprise: "chance",
   gallery: "gallery",
+  mix: "mix",
   shelf: "shelf",
   open: "open",
   save: "save",

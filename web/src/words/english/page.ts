@@ -37,6 +37,7 @@ export const page = phrases("page", {
     new: "New",
     surprise: "Surprise me",
     gallery: "Gallery",
+    mix: "Mix with…",
     shelf: "My designs",
     open: "Open",
     save: "Save",
