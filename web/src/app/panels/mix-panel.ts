@@ -54,7 +54,13 @@ export class PasuMix extends DesignerElement {
   }
 
   override updated(changed: PropertyValues): void {
-    if (changed.has("mix") && this.mix) (this.field ?? this.renderRoot.querySelector("button"))?.focus();
+    if (changed.has("mix") && this.mix) void this.enter();
+  }
+
+  /** What was pressed to come here is gone. */
+  private async enter(): Promise<void> {
+    await this.field?.updateComplete;
+    (this.field ?? this.renderRoot.querySelector("button"))?.focus();
   }
 
   private body(mix: Mix) {
