@@ -35,7 +35,9 @@ export const page = phrases("page", {
   editedMeans: "Changed since it was opened or saved",
   commands: {
     new: "New",
+    surprise: "Surprise me",
     gallery: "Gallery",
+    mix: "Mix with…",
     shelf: "My designs",
     open: "Open",
     save: "Save",
