@@ -7,9 +7,9 @@ import { fineWall, movements, slowDown, walls, watchDrags } from "../support/dra
 import { ring, spotOf, takeUp } from "../support/pulling.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP } from "../support/visit.ts";
+import { COARSE, SHARP } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 const VASE = "#1/second-order";
 
 /** The value that most of these do not exceed. */
