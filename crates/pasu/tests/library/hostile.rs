@@ -147,6 +147,8 @@ hostile! {
     a_wall_thicker_than_a_folded_cloth: "a wall thicker than a folded cloth",
     a_wall_far_thicker_than_a_folded_cloth: "a wall a thousand times as thick as a folded cloth",
     triangles_in_one_place: "a wall whose triangles lie in one place",
+    forty_petals: "forty petals stretched eighteen times",
+    refused_after_every_trial: "a wall that is refused after every trial",
     a_remedy_sought_for_long: "a remedy that is sought for long",
 }
 
@@ -161,6 +163,10 @@ fn what_went_on_for_minutes_does_a_bounded_work() {
         "a thick wall on a folded cloth",
         "a wall thicker than a folded cloth",
         "a wall a thousand times as thick as a folded cloth",
+        "a wall whose triangles lie in one place",
+        "forty petals stretched eighteen times",
+        "a wall that is refused after every trial",
+        "a remedy that is sought for long",
     ] {
         let case = cases().into_iter().find(|case| case["name"] == name).expect("a case of this name");
         let design = Design::parse(&case["input"].to_string()).unwrap();
