@@ -169,7 +169,9 @@ impl Limit {
 impl Drop for Limit {
     fn drop(&mut self) {
         let left = ALLOWED.get();
-        ALLOWED.set(if self.allowed == u64::MAX { u64::MAX } else { self.allowed - (self.given - left) });
+        // A watcher that panics leaves no end of it.
+        let done = self.given.saturating_sub(left);
+        ALLOWED.set(if self.allowed == u64::MAX { u64::MAX } else { self.allowed.saturating_sub(done) });
         match STATE.get() {
             State::Stopped => {}
             // The limit round this one was met, too.
