@@ -213,3 +213,30 @@ impl<'a> Walk<'a> {
         self.jet(s, |row| row.jet_at(columns.of_patch(), column))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+    use crate::solution::Solution;
+
+    #[test]
+    fn what_is_kept_of_rows_and_columns_changes_no_bit() {
+        let text = "#1/bloor-wilson?n1=5";
+        let solution = Solution::of(&Design::parse(text).unwrap());
+        let upright = Upright::new(solution.part(0).unwrap()).unwrap();
+        let mut walk = upright.walk();
+        // More columns than are kept, row by row, then column by column; each by a walk of its own besides.
+        let (few, many) = (7, 3 * MANY / 2);
+        let place = |i: usize, j: usize| (i as f64 / 6.0, TAU * j as f64 / many as f64);
+        let by_rows = (0..few).flat_map(|i| (0..many).map(move |j| (i, j)));
+        let by_columns = (0..many).step_by(9).flat_map(|j| (0..few).map(move |i| (i, j)));
+        for (i, j) in by_rows.chain(by_columns) {
+            let (s, v) = place(i, j);
+            let kept = walk.at(s, v);
+            if j % 37 == 0 {
+                assert_eq!(kept, upright.at(s, v), "{i} {j}");
+            }
+        }
+    }
+}
