@@ -73,10 +73,6 @@ export class PasuNumber extends LitElement {
     }
   }
 
-  override focus(options?: FocusOptions): void {
-    this.field.focus(options);
-  }
-
   override render() {
     const message = this.typo !== "" ? this.typo : this.problem;
     const text = this.draft ?? formatNumber(this.value);
