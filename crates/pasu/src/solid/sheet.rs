@@ -1,13 +1,14 @@
 //! The two sides of a wall: the design surface, and the surface at a distance from it.
 
 use core::f64::consts::TAU;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
 
 use super::skin::{Skin, SkinJet, SkinWalk};
 use super::thickness::{SplineRow, Thickness};
+use crate::numeric::scattered::Scatter;
 use crate::numeric::{bisection, illinois};
 use crate::patch::SurfaceJet;
 use crate::solution::Columns;
@@ -79,10 +80,12 @@ pub(crate) struct Sheet {
     trim: Trim,
     /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
     brackets: Vec<Option<usize>>,
+    /// Even columns that are above by more than neighbours differ: what is between two of them is all above, too.
+    clear: Vec<bool>,
     /// Where all columns begin, if they begin at the same place.
     common: Option<f64>,
     /// Columns that were asked for.
-    starts: Mutex<BTreeMap<u64, Start>>,
+    starts: Mutex<HashMap<u64, Start, Scatter>>,
     crossings: OnceLock<Vec<f64>>,
 }
 
@@ -95,6 +98,7 @@ impl Sheet {
             face,
             trim: Trim::Foot,
             brackets: Vec::new(),
+            clear: Vec::new(),
             common: Some(0.0),
             starts: Mutex::default(),
             crossings: OnceLock::new(),
@@ -108,18 +112,28 @@ impl Sheet {
         let mut walk = sheet.walk();
         // From the rim down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
+        // How far each stays above, and how far neighbours are apart at most.
+        let (mut least, mut apart) = (vec![f64::INFINITY; columns.len()], 0.0f64);
         for i in (0..=ROWS).rev() {
             let s = i as f64 / ROWS as f64;
+            let mut before: Option<(usize, f64)> = None;
             for (j, below) in below.iter_mut().enumerate().filter(|(_, below)| below.is_none()) {
-                if sheet.height(walk.position_at(s, &columns, j)) < 0.0 {
+                let height = sheet.height(walk.position_at(s, &columns, j));
+                if height < 0.0 {
                     *below = Some(i);
                 }
+                least[j] = least[j].min(height);
+                if let Some((_, beside)) = before.filter(|(left, _)| left + 1 == j) {
+                    apart = apart.max((height - beside).abs());
+                }
+                before = Some((j, height));
             }
         }
         drop(walk);
         if below.contains(&Some(ROWS)) {
             return None;
         }
+        sheet.clear = below.iter().zip(least).map(|(below, least)| below.is_none() && least > apart).collect();
         sheet.brackets = below;
         let starts: Vec<f64> = skin.round().map(|v| sheet.start(v).s).collect();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
@@ -301,6 +315,10 @@ impl Sheet {
         let n = self.brackets.len();
         let at = v / TAU * n as f64;
         let (left, right) = (libm::floor(at) as usize % n, libm::ceil(at) as usize % n);
+        let is_clear = |j: usize| self.clear.get(j).copied().unwrap_or(false);
+        if is_clear(left) && is_clear(right) {
+            return None;
+        }
         let near = |j: usize| self.brackets.get(j).copied().flatten();
         if let (Some(a), Some(b)) = (near(left), near(right)) {
             let (low, high) = (a.min(b).saturating_sub(1), (a.max(b) + 2).min(ROWS));
