@@ -69,9 +69,13 @@ test("glaze, clay, inside and line are chosen with a hand and by the keyboard, u
   await pot.redo();
   await pot.redo();
   await expect.poll(() => pot.address()).toContain(link);
-  // A number beyond the pot is its rim; a glaze that is not there ends nowhere.
+  // A number beyond the pot is told, and nothing changes; a glaze that is not there ends nowhere.
   await pot.type("Bare foot, up to", "140");
+  await page.getByText("A percentage from 0 to 100.").waitFor();
+  expect(await pot.address()).toContain(link);
+  await pot.type("Bare foot, up to", "100");
   await expect.poll(() => pot.address()).toContain("line=1&");
+  expect(await page.getByText("A percentage from 0 to 100.").count()).toBe(0);
   await glaze.getByRole("radio", { name: "No glaze" }).check();
   await expect.poll(() => pot.address()).not.toContain("line");
   await page.getByLabel("Glaze inside", { exact: true }).selectOption("As outside");

@@ -1,7 +1,7 @@
 /** Glaze, clay and unit, and which part of the design is being edited. */
 
 import { css, html, nothing, unsafeCSS } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { type Looked, lookOf, unitOf } from "../../document/look";
 import { isOwn, swatchOf } from "../../document/swatches";
 import * as tables from "../../document/tables.gen";
@@ -26,6 +26,9 @@ type Chosen = "glaze" | "inside" | "clay";
 
 @customElement("pasu-look")
 export class PasuLook extends DesignerElement {
+  /** Whether the glaze line was last typed where there is none. */
+  @state() private lineIsWrong = false;
+
   override render() {
     const { designer } = this;
     const { design, part } = designer.state;
@@ -131,9 +134,11 @@ export class PasuLook extends DesignerElement {
       .min=${0}
       .max=${100}
       .step=${1}
+      .problem=${this.lineIsWrong ? look.lineProblem : ""}
       @number-change=${({ value, gesture }: NumberChangeEvent) => {
-        const share = Math.min(1, Math.max(0, value / 100));
-        this.choose({ line: share === 0 ? undefined : share }, gesture ? "look:line" : undefined);
+        this.lineIsWrong = !(value >= 0 && value <= 100);
+        if (this.lineIsWrong) return;
+        this.choose({ line: value === 0 ? undefined : value / 100 }, gesture ? "look:line" : undefined);
       }}
       @number-done=${() => designer.store.endGesture()}
       @number-cancel=${() => designer.store.cancelGesture()}

@@ -203,6 +203,7 @@ export class PasuModes extends DesignerElement {
       @number-change=${(event: NumberChangeEvent) =>
         designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
       @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
     ></pasu-number>`;
   }
 

@@ -34,6 +34,7 @@ export const look = phrases("look", {
   asOutside: "As outside",
   line: "Bare foot, up to",
   lineHelp: "Below this share of the height the outside is bare clay: as dipped upside down, or wiped.",
+  lineProblem: "A percentage from 0 to 100.",
   clay: "Clay",
   unit: "Unit",
   unitOfLength: "Unit of length",
