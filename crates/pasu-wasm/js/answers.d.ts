@@ -150,7 +150,7 @@ export interface PartMeasures extends BodyMeasures {
   readonly capacityReason: string | null;
   /** Why it is no pot, for whoever says it in another language: what would be refused; null where it is one. */
   readonly cause: Cause | null;
-  /** The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, or `dry` where no water stays in this position. */
+  /** The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, `dry` where no water stays in this position, or `too-long` where nobody would wait for it. */
   readonly capacityCause: Cause | null;
   /** The thickness of the wall along the normal. */
   readonly thickness: ThicknessRange | null;

@@ -3,6 +3,8 @@
 //! The watcher belongs to the thread, not to a design: what takes long says here that it has done so much [`work`], and knows nothing of who listens. A call that is to end is not
 //! torn out of its loops. Those that take long stop early, as if what they have were enough, and what they return goes nowhere: [`go_on`] refuses what would be made of it, and
 //! [`watched`] whatever is left.
+//!
+//! Work that nobody would wait for ends by the same door: [`within`] gives a stretch so much of it and refuses what takes more. It is counted, not timed, so that the same is refused everywhere.
 
 use core::cell::{Cell, RefCell};
 use core::ops::ControlFlow;
@@ -15,6 +17,9 @@ const BETWEEN: u64 = 1 << 17;
 /// What a place of a surface counts for, in units of [`work`].
 const PLACE: u64 = 16;
 
+/// What a row of it counts for besides, of which a place is asked for the first time.
+const ROW: u64 = 64;
+
 /// The work after which a stretch whose length nobody knows is taken to be half done: about a tenth of a second.
 const HALF: f64 = 1e7;
 
@@ -22,6 +27,8 @@ thread_local! {
     static STATE: Cell<State> = const { Cell::new(State::Alone) };
     /// What is left of [`BETWEEN`].
     static LEFT: Cell<u64> = const { Cell::new(BETWEEN) };
+    /// How much may still be done before [`within`] refuses; no end of it where nobody set one.
+    static ALLOWED: Cell<u64> = const { Cell::new(u64::MAX) };
     static WATCHER: RefCell<Option<Watcher>> = const { RefCell::new(None) };
 }
 
@@ -29,9 +36,13 @@ thread_local! {
 enum State {
     /// Nobody listens.
     Alone,
+    /// Nobody listens either, but there is an end to what may be done.
+    Counted,
     Watched,
     /// Whoever listened wants no more of it.
     Stopped,
+    /// What may be done is done.
+    Spent,
 }
 
 struct Watcher {
@@ -109,11 +120,11 @@ pub fn watched<T>(
 }
 
 /// The watcher of a call round this one, put back at the end whatever happens.
-struct Outer(State, Option<Watcher>);
+struct Outer(State, Option<Watcher>, u64);
 
 impl Outer {
     fn take() -> Outer {
-        Outer(STATE.replace(State::Alone), WATCHER.take())
+        Outer(STATE.replace(State::Alone), WATCHER.take(), ALLOWED.replace(u64::MAX))
     }
 }
 
@@ -121,23 +132,80 @@ impl Drop for Outer {
     fn drop(&mut self) {
         STATE.set(self.0);
         WATCHER.set(self.1.take());
+        ALLOWED.set(self.2);
+    }
+}
+
+/// Does what may take so much work, in the units of [`work`], and no more; `None` where it takes more. What else was asked of it, or of those who wait for it, makes no difference: the same work is
+/// refused whoever listens, give or take what is between two calls of a watcher.
+pub(crate) fn within<T>(units: u64, stretch: impl FnOnce() -> T) -> Option<T> {
+    let limit = Limit::set(units);
+    let done = stretch();
+    let is_through = !is_stopped();
+    drop(limit);
+    is_through.then_some(done)
+}
+
+/// What may be done round a stretch, put back at its end whatever happens, less what was done in it.
+struct Limit {
+    outer: State,
+    allowed: u64,
+    given: u64,
+}
+
+impl Limit {
+    fn set(units: u64) -> Limit {
+        let (outer, allowed) = (STATE.get(), ALLOWED.get());
+        let given = units.min(allowed);
+        ALLOWED.set(given);
+        LEFT.set(BETWEEN);
+        if outer == State::Alone {
+            STATE.set(State::Counted);
+        }
+        Limit { outer, allowed, given }
+    }
+}
+
+impl Drop for Limit {
+    fn drop(&mut self) {
+        let left = ALLOWED.get();
+        // A watcher that panics leaves no end of it.
+        let done = self.given.saturating_sub(left);
+        ALLOWED.set(if self.allowed == u64::MAX { u64::MAX } else { self.allowed.saturating_sub(done) });
+        match STATE.get() {
+            State::Stopped => {}
+            // The limit round this one was met, too.
+            State::Spent if ALLOWED.get() == 0 => {}
+            _ => STATE.set(self.outer),
+        }
     }
 }
 
 /// Says that so much was done, in units of about ten nanoseconds.
 #[inline]
 pub(crate) fn work(units: u64) {
-    if STATE.get() == State::Watched {
+    if matches!(STATE.get(), State::Watched | State::Counted) {
         match LEFT.get().checked_sub(units) {
             Some(left) => LEFT.set(left),
-            None => {
-                let done = BETWEEN + units;
-                LEFT.set(BETWEEN);
-                tell(|stretch| {
-                    stretch.work += done as f64;
-                    stretch.done()
-                });
-            }
+            None => count(units.saturating_add(BETWEEN - LEFT.get())),
+        }
+    }
+}
+
+/// So much was done since the last time.
+#[cold]
+#[inline(never)]
+fn count(done: u64) {
+    LEFT.set(BETWEEN);
+    tell(|stretch| {
+        stretch.work += done as f64;
+        stretch.done()
+    });
+    let allowed = ALLOWED.get();
+    if allowed != u64::MAX {
+        ALLOWED.set(allowed.saturating_sub(done));
+        if allowed <= done && STATE.get() != State::Stopped {
+            STATE.set(State::Spent);
         }
     }
 }
@@ -146,6 +214,12 @@ pub(crate) fn work(units: u64) {
 #[inline]
 pub(crate) fn place() {
     work(PLACE);
+}
+
+/// Says that what a row of a surface has in common was computed.
+#[inline]
+pub(crate) fn row() {
+    work(ROW);
 }
 
 /// Does part number `index` of `n` of what is at hand, which take about as long.
@@ -176,21 +250,24 @@ pub(crate) fn between<T>(from: f64, to: f64, part: impl FnOnce() -> T) -> T {
 /// Whether what is being done goes nowhere: loops that take long stop as if they were through.
 #[inline]
 pub(crate) fn is_stopped() -> bool {
-    STATE.get() == State::Stopped
+    matches!(STATE.get(), State::Stopped | State::Spent)
 }
 
-/// Refuses to go on where nobody wants the answer any more.
+/// Refuses to go on where nobody wants the answer any more, or where it takes more than it may: whoever set that limit says so in other words.
 ///
 /// # Errors
-/// `cancelled`.
+/// `cancelled`; `too-large`.
 #[inline]
 pub(crate) fn go_on() -> Result<()> {
-    if is_stopped() { Err(cancelled()) } else { Ok(()) }
+    if is_stopped() { Err(ended()) } else { Ok(()) }
 }
 
 #[cold]
-fn cancelled() -> Error {
-    Error::new(Code::Cancelled, "", "the call was ended by whoever watched it")
+fn ended() -> Error {
+    match STATE.get() {
+        State::Spent => Error::new(Code::TooLarge, "", "it takes longer than anybody would wait"),
+        _ => Error::new(Code::Cancelled, "", "the call was ended by whoever watched it"),
+    }
 }
 
 /// Tells the watcher how far it is. Meanwhile nobody is watched: it may call Pasu itself.
@@ -199,8 +276,61 @@ fn cancelled() -> Error {
 fn tell(done: impl FnOnce(&mut Stretch) -> f64) {
     let Some(mut watcher) = WATCHER.take() else { return };
     STATE.set(State::Alone);
+    let allowed = ALLOWED.replace(u64::MAX);
     watcher.told = watcher.told.max(done(&mut watcher.stretch)).min(1.0);
     let goes_on = (watcher.progress)(watcher.told);
     WATCHER.set(Some(watcher));
+    ALLOWED.set(allowed);
     STATE.set(if goes_on.is_break() { State::Stopped } else { State::Watched });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is refused of two stretches, of which one does so many chunks of work, and what was told meanwhile.
+    fn refused(limit: u64, chunks: u64) -> bool {
+        let stretch = || (0..chunks).take_while(|_| !is_stopped()).for_each(|_| work(BETWEEN));
+        within(limit * BETWEEN, stretch).is_none()
+    }
+
+    #[test]
+    fn what_takes_more_than_it_may_is_refused_whoever_listens() {
+        for (limit, chunks, expected) in [(100, 10, false), (100, 49, false), (100, 1000, true), (1, 100, true)] {
+            assert_eq!(refused(limit, chunks), expected, "{limit} {chunks}");
+            let watched = watched(|_| ControlFlow::Continue(()), || Ok(refused(limit, chunks)));
+            assert_eq!(watched.unwrap(), expected, "{limit} {chunks}");
+        }
+        assert!(STATE.get() == State::Alone && ALLOWED.get() == u64::MAX && go_on().is_ok());
+    }
+
+    #[test]
+    fn a_stretch_that_is_refused_ends_neither_the_next_nor_the_one_round_it() {
+        let round = || {
+            let inner = [refused(4, 1000), refused(400, 3)];
+            (inner, go_on().is_ok())
+        };
+        assert_eq!(within(1 << 40, round), Some(([true, false], true)));
+        // But what was done in it counts.
+        let twice = || [refused(40, 1000), refused(40, 1000)];
+        assert_eq!(within(60 * BETWEEN, twice), None);
+        assert!(go_on().is_ok());
+    }
+
+    #[test]
+    fn what_is_ended_within_a_limit_is_cancelled() {
+        let ended = watched(
+            |done| if done > 0.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) },
+            || {
+                within(1 << 40, || (0..10).for_each(|_| work(BETWEEN)));
+                go_on()
+            },
+        );
+        assert_eq!(ended.unwrap_err().code(), Code::Cancelled);
+        let spent = within(BETWEEN, || {
+            (0..10).for_each(|_| work(BETWEEN));
+            go_on()
+        });
+        assert!(spent.is_none() && go_on().is_ok());
+    }
 }

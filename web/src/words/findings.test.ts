@@ -132,7 +132,7 @@ test("what fine triangles alone run into says so", () => {
 });
 
 test("why something holds nothing is said in the words of the page", () => {
-  const codes = ["solid", "open-surface", "no-opening", "crosses-itself", "no-foot", "no-bottom", "dry"];
+  const codes = ["solid", "open-surface", "no-opening", "crosses-itself", "no-foot", "no-bottom", "dry", "too-long"];
   const part = (capacityCause: object) =>
     ({ parts: [{ capacityCause, capacityReason: LIBRARY }] }) as unknown as Measures;
   for (const code of codes) {
@@ -153,6 +153,6 @@ test("no reason of the crate is missing here", () => {
   expect(named.filter((what) => !known.includes(what))).toEqual([]);
   const dry = [...all.matchAll(/Dry::new\(\s*"([a-z-]+)"/g)].map(([, code]) => code ?? "");
   expect(new Set(dry)).toEqual(
-    new Set(["solid", "open-surface", "no-opening", "crosses-itself", "no-foot", "no-bottom", "dry"]),
+    new Set(["solid", "open-surface", "no-opening", "crosses-itself", "no-foot", "no-bottom", "dry", "too-long"]),
   );
 });

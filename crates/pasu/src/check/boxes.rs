@@ -2,12 +2,17 @@
 //!
 //! Of our own because of the time: with the trees of boxes that libraries have (`rstar`) the checks of a pot take three times as long, which is more than anybody should wait.
 
+use core::ops::{ControlFlow, Range};
+
 use crate::watch;
 
 type Point = [f32; 3];
 
 /// No more triangles than this are asked for one by one.
 const TOGETHER: usize = 4;
+
+/// So many boxes are held against each other between two looks at whether that is still wanted.
+const CHUNK: u64 = 1 << 12;
 
 /// A triangle among the others.
 #[derive(Debug, Clone, Copy)]
@@ -35,13 +40,19 @@ pub(super) struct Boxes {
 struct Node {
     low: Point,
     high: Point,
-    /// The highest number of a triangle in it.
-    highest: u32,
     /// The first node that is not in it.
     next: u32,
     /// Of a node that has none in it: its triangles.
     first: u32,
     n: u32,
+}
+
+impl Node {
+    /// Which triangles it has, if it has no halves.
+    fn triangles(&self) -> Option<Range<usize>> {
+        let first = self.first as usize;
+        (self.n > 0).then(|| first..first + self.n as usize)
+    }
 }
 
 impl Boxes {
@@ -51,51 +62,127 @@ impl Boxes {
         Boxes { nodes, triangles }
     }
 
-    /// Calls with the number of every triangle of a higher number whose box touches that of this one.
-    pub(super) fn later(&self, one: &Bounded, mut visit: impl FnMut(u32)) {
-        let (mut index, mut n_seen) = (0, 0);
-        while let Some(node) = self.nodes.get(index) {
+    /// Calls with the numbers of every two triangles whose boxes touch, the lower first, once each, until it says that this is enough. Boxes are held against boxes, so that what is
+    /// far from each other is told apart by the thousand.
+    pub(super) fn pairs(&self, mut visit: impl FnMut(u32, u32) -> ControlFlow<()>) {
+        let mut open: Vec<(u32, u32)> = if self.nodes.is_empty() { Vec::new() } else { vec![(0, 0)] };
+        let mut n_seen = 0;
+        while let Some((one, other)) = open.pop() {
             n_seen += 1;
-            if node.highest <= one.number || !touch((&node.low, &node.high), one) {
-                index = node.next as usize;
-                continue;
-            }
-            let first = node.first as usize;
-            for other in &self.triangles[first..first + node.n as usize] {
-                if other.number > one.number && touch((&other.low, &other.high), one) {
-                    visit(other.number);
+            if n_seen >= CHUNK {
+                watch::work(n_seen);
+                n_seen = 0;
+                if watch::is_stopped() {
+                    return;
                 }
             }
-            index += 1;
+            let (a, b) = (&self.nodes[one as usize], &self.nodes[other as usize]);
+            if one == other {
+                match a.triangles() {
+                    Some(range) => {
+                        for (i, p) in self.triangles[range.clone()].iter().enumerate() {
+                            if self.beside(p, range.start + i + 1..range.end, &mut visit).is_break() {
+                                return;
+                            }
+                        }
+                    }
+                    None => {
+                        let [left, right] = self.halves(one);
+                        open.extend([(left, right), (right, right), (left, left)]);
+                    }
+                }
+                continue;
+            }
+            if !touch((&a.low, &a.high), (&b.low, &b.high)) {
+                continue;
+            }
+            match (a.triangles(), b.triangles()) {
+                (Some(these), Some(those)) => {
+                    for p in &self.triangles[these] {
+                        if touch((&p.low, &p.high), (&b.low, &b.high))
+                            && self.beside(p, those.clone(), &mut visit).is_break()
+                        {
+                            return;
+                        }
+                    }
+                }
+                // The one in which there are more is halved.
+                (None, those) if those.is_some() || self.n_nodes(one) >= self.n_nodes(other) => {
+                    open.extend(self.halves(one).map(|half| (half, other)));
+                }
+                _ => open.extend(self.halves(other).map(|half| (one, half))),
+            }
         }
         watch::work(n_seen);
     }
+
+    /// Those of some triangles whose boxes touch that of one.
+    fn beside(
+        &self,
+        one: &Bounded,
+        others: Range<usize>,
+        visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        for other in &self.triangles[others] {
+            if touch((&other.low, &other.high), (&one.low, &one.high)) {
+                visit(one.number.min(other.number), one.number.max(other.number))?;
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn halves(&self, node: u32) -> [u32; 2] {
+        [node + 1, self.nodes[node as usize + 1].next]
+    }
+
+    fn n_nodes(&self, node: u32) -> u32 {
+        self.nodes[node as usize].next - node
+    }
+
+    /// How many triangles of those that count there are whose boxes touch that of this one, itself among them.
+    pub(super) fn n_beside(&self, one: &Bounded, counts: impl Fn(u32) -> bool) -> usize {
+        let (mut index, mut n_seen, mut n_found) = (0, 0, 0);
+        while let Some(node) = self.nodes.get(index) {
+            n_seen += 1;
+            if !touch((&node.low, &node.high), (&one.low, &one.high)) {
+                index = node.next as usize;
+                continue;
+            }
+            let within = node.triangles().unwrap_or_default();
+            let touches = |other: &&Bounded| touch((&other.low, &other.high), (&one.low, &one.high));
+            n_found += self.triangles[within].iter().filter(touches).filter(|other| counts(other.number)).count();
+            index += 1;
+        }
+        watch::work(n_seen);
+        n_found
+    }
 }
 
-fn touch((low, high): (&Point, &Point), other: &Bounded) -> bool {
-    low[0] <= other.high[0]
-        && other.low[0] <= high[0]
-        && low[1] <= other.high[1]
-        && other.low[1] <= high[1]
-        && low[2] <= other.high[2]
-        && other.low[2] <= high[2]
+type Extent<'a> = (&'a Point, &'a Point);
+
+fn touch((low, high): Extent, (other_low, other_high): Extent) -> bool {
+    low[0] <= other_high[0]
+        && other_low[0] <= high[0]
+        && low[1] <= other_high[1]
+        && other_low[1] <= high[1]
+        && low[2] <= other_high[2]
+        && other_low[2] <= high[2]
 }
 
 /// Appends the node of these triangles, of which there are `before` before them, and all that is in it.
 fn build(nodes: &mut Vec<Node>, triangles: &mut [Bounded], before: usize) {
     watch::work(triangles.len() as u64);
-    let (mut low, mut high, mut highest) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3], 0);
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for triangle in triangles.iter() {
         for i in 0..3 {
             low[i] = low[i].min(triangle.low[i]);
             high[i] = high[i].max(triangle.high[i]);
         }
-        highest = highest.max(triangle.number);
     }
     let this = nodes.len();
     let is_last = triangles.len() <= TOGETHER;
     let n = if is_last { triangles.len() as u32 } else { 0 };
-    nodes.push(Node { low, high, highest, next: 0, first: before as u32, n });
+    nodes.push(Node { low, high, next: 0, first: before as u32, n });
     if !is_last {
         let width = |i: usize| high[i] - low[i];
         let mut axis = if width(1) > width(0) { 1 } else { 0 };
@@ -133,18 +220,32 @@ mod tests {
             };
             let triangles: Vec<Bounded> = (0..n).map(&mut triangle).collect();
             let boxes = Boxes::new(triangles.clone());
-            let mut n_found = 0;
+            let mut found = Vec::new();
+            boxes.pairs(|one, other| {
+                found.push((one, other));
+                ControlFlow::Continue(())
+            });
+            found.sort_unstable();
+            let mut expected = Vec::new();
             for one in &triangles {
-                let mut found = Vec::new();
-                boxes.later(one, |other| found.push(other));
-                found.sort_unstable();
-                let others = triangles.iter().filter(|other| other.number > one.number);
-                let expected: Vec<u32> =
-                    others.filter(|other| touch((&other.low, &other.high), one)).map(|other| other.number).collect();
-                assert_eq!(found, expected, "{n}: {}", one.number);
-                n_found += found.len();
+                let beside = |other: &&Bounded| touch((&other.low, &other.high), (&one.low, &one.high));
+                let later = triangles.iter().filter(beside).filter(|other| other.number > one.number);
+                expected.extend(later.map(|other| (one.number, other.number)));
+                assert_eq!(
+                    boxes.n_beside(one, |_| true),
+                    triangles.iter().filter(beside).count(),
+                    "{n}: {}",
+                    one.number
+                );
             }
-            assert!(n < 300 || n_found > 100 && n_found < 30_000, "{n_found}");
+            assert_eq!(found, expected, "{n}");
+            assert!(n < 300 || found.len() > 100 && found.len() < 30_000, "{}", found.len());
+            let mut n_visited = 0;
+            boxes.pairs(|_, _| {
+                n_visited += 1;
+                if n_visited < 9 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            });
+            assert_eq!(n_visited, expected.len().min(9), "{n}");
         }
     }
 }

@@ -4,6 +4,8 @@
 //! else. All of this is decided by the signs of volumes and areas without rounding error (J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast
 //! robust geometric predicates*, 1997), on the single precision coordinates as they are.
 
+use core::ops::ControlFlow;
+
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use super::boxes::{Bounded, Boxes};
@@ -11,13 +13,13 @@ use crate::watch;
 
 type Point = [f32; 3];
 
-/// How many triangles may be beside one, in the mean; of a pot that can be made there are some ten.
-const MOST_NEIGHBOURS: usize = 64;
+/// How many triangles may be beside one, in the mean; of a pot that can be made there are some twelve.
+const MOST_NEIGHBOURS: usize = 24;
 
 /// So many pairs are looked at of any mesh.
 const FEW_PAIRS: usize = 1 << 20;
 
-/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first. Triangles of one group that has a number are known not to cross each other.
+/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first; of a mesh in which tens of thousands cross, the lowest of those that are found first. Triangles of one group that has a number are known not to cross each other.
 pub(crate) fn crossings(
     positions: &[Point],
     triangles: &[[u32; 3]],
@@ -38,6 +40,18 @@ pub(crate) fn crossings_soon(
     search(positions, triangles, group, most, most_pairs)
 }
 
+/// To look at two triangles takes as long as to pass over so many that are known not to cross.
+const LOOK: usize = 8;
+
+/// Nobody wants to know more of them.
+const MOST_FOUND: usize = 1 << 16;
+
+/// Every so many triangles one is asked beforehand how many there are beside it: a prime, so that columns of a grid are met alike.
+const SAMPLED: usize = 61;
+
+/// Of a mesh of fewer triangles nobody asks beforehand.
+const FEW_TRIANGLES: usize = 1 << 13;
+
 fn search(
     positions: &[Point],
     triangles: &[[u32; 3]],
@@ -50,31 +64,46 @@ fn search(
     let bounded: Vec<Bounded> = bounded.collect();
     let groups: Vec<Option<u32>> = (0..triangles.len() as u32).map(group).collect();
     let boxes = Boxes::new(bounded.clone());
+    let may_cross = |p: u32, q: u32| groups[p as usize].is_none() || groups[p as usize] != groups[q as usize];
+    let does_cross = |p: u32, q: u32| {
+        let [one, other] = [p, q].map(|number| &triangles[number as usize]);
+        cross(one, other, &corners(one), &corners(other))
+    };
     let mut found = Vec::new();
-    let (mut n_pairs, mut given_up) = (0, None);
-    for (p, one) in triangles.iter().zip(&bounded) {
-        if found.len() >= most || watch::is_stopped() {
-            break;
-        }
-        if n_pairs > most_pairs {
-            given_up = Some(one.number);
-            break;
-        }
-        let before = found.len();
-        let (at_p, group) = (corners(p), groups[one.number as usize]);
-        boxes.later(one, |other| {
-            n_pairs += 1;
-            if group.is_none() || group != groups[other as usize] {
-                let q = &triangles[other as usize];
-                if cross(p, q, &at_p, &corners(q)) {
-                    found.push([one.number, other]);
-                }
-            }
-        });
-        found[before..].sort_unstable();
+    let mut given_up = None;
+    if most_pairs < usize::MAX && triangles.len() >= FEW_TRIANGLES {
+        given_up = crowded(&bounded, &boxes, may_cross, most_pairs);
     }
+    let most_pairs = if given_up.is_some() { most_pairs / SAMPLED } else { most_pairs };
+    let mut left = most_pairs.saturating_mul(LOOK);
+    boxes.pairs(|p, q| {
+        let is_looked_at = may_cross(p, q);
+        if is_looked_at && does_cross(p, q) {
+            found.push([p, q]);
+        }
+        let rest = left.checked_sub(if is_looked_at { LOOK } else { 1 });
+        left = rest.unwrap_or(0);
+        if rest.is_none() || found.len() >= MOST_FOUND {
+            given_up = given_up.or(rest.is_none().then_some(p));
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    });
+    found.sort_unstable();
     found.truncate(most);
     (found, given_up)
+}
+
+/// The triangle beside which there are most of every [`SAMPLED`]th, if there are more pairs than so many of a mesh: these few tell that in a small part of the time that it takes to look at all.
+fn crowded(bounded: &[Bounded], boxes: &Boxes, may_cross: impl Fn(u32, u32) -> bool, most_pairs: usize) -> Option<u32> {
+    let (mut n_beside, mut most) = (0, (0, 0));
+    for one in bounded.iter().step_by(SAMPLED).take_while(|_| !watch::is_stopped()) {
+        let beside = boxes.n_beside(one, |other| may_cross(one.number, other));
+        n_beside += beside;
+        most = most.max((beside, one.number));
+    }
+    // Every pair is seen from both of its triangles.
+    (n_beside / 2 * SAMPLED > most_pairs).then_some(most.1)
 }
 
 /// Whether two triangles have more in common than vertices and edges that they share.
@@ -204,9 +233,38 @@ mod tests {
         let corners = |i: u32| [[0.0, 0.0, at(i)], [1.0, 1.0, at(i)], [1.0, 0.999, at(i) + 1.0]];
         let positions: Vec<Point> = (0..n).flat_map(corners).collect();
         let triangles: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let (found, given_up) = crossings_soon(&positions, &triangles, |_| Some(1), 9);
-        assert!(found.is_empty() && given_up.is_some_and(|triangle| triangle > 0), "{given_up:?}");
-        assert_eq!(crossings_soon(&positions[..300], &triangles[..100], |_| Some(1), 9), (Vec::new(), None));
+        let (found, given_up) = crossings_soon(&positions, &triangles, |_| None, 9);
+        assert!(found.is_empty() && given_up.is_some(), "{given_up:?}");
+        assert_eq!(crossings_soon(&positions[..300], &triangles[..100], |_| None, 9), (Vec::new(), None));
+        // What is known not to cross is passed over.
+        assert_eq!(crossings_soon(&positions, &triangles, |_| Some(1), 9), (Vec::new(), None));
+    }
+
+    #[test]
+    fn a_mesh_of_many_is_asked_beforehand_how_close_its_triangles_lie() {
+        let n = 20_000;
+        let mesh = |far: f32| {
+            let corners = |i: u32| {
+                let at = far * i as f32;
+                [[0.0, 0.0, at], [1.0, 1.0, at], [1.0, 0.999, at + 1.0]]
+            };
+            let positions: Vec<Point> = (0..n).flat_map(corners).collect();
+            positions
+        };
+        let mut triangles: Vec<[u32; 3]> = (0..n).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let (crowd, queue) = (mesh(1e-4), mesh(0.25));
+        let (found, given_up) = crossings_soon(&crowd, &triangles, |_| None, 9);
+        // That in the middle of all has more beside it than any at the ends.
+        assert!(found.is_empty() && given_up.is_some_and(|number| number > 0 && number < n - 1), "{given_up:?}");
+        assert_eq!(crossings_soon(&queue, &triangles, |_| None, 9), (Vec::new(), None));
+        // The lowest numbers come first, and no more than are asked for.
+        for number in [7, 11_000, 19_000] {
+            triangles[number + 1][0] = triangles[number][0];
+            triangles[number + 1][1] = triangles[number][2];
+            triangles[number + 1][2] = triangles[number][1];
+        }
+        let (found, given_up) = crossings_soon(&queue, &triangles, |_| None, 2);
+        assert_eq!((found, given_up), (vec![[7, 8], [11_000, 11_001]], None));
     }
 
     const T: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

@@ -169,7 +169,7 @@ fn passes(body: &Coated) -> bool {
     };
     !triangles.iter().any(|triangle| check::is_degenerate(at(triangle)))
         && check::closed(&triangles, points.len()).is_ok()
-        && check::crossings(&points, &triangles, of_level, 1).is_empty()
+        && check::crossings_soon(&points, &triangles, of_level, 1) == (Vec::new(), None)
 }
 
 /// Every plain look of a body, in the order in which they first come, and which each triangle has.

@@ -8,6 +8,7 @@ use crate::design::{RimForm, Side, Wall};
 use crate::error::Error;
 use crate::solid::{Pot, Skin, short, significant};
 use crate::solution::Solution;
+use crate::watch;
 use crate::weave::{COARSE, Made, grid, meshed_once};
 
 answers! {
@@ -31,6 +32,9 @@ const DIGITS: u32 = 2;
 /// The most triangles of the surface on all meshes of walls that are tried: twenty coarse ones of an ordinary pot, and a few of the usual tolerance.
 const MOST_TRIED: usize = 1_000_000;
 
+/// The most work on all of them, in the units of [`watch::work`]: half a second.
+const MOST_WORK: u64 = 50_000_000;
+
 /// By how much walls are thinner.
 const THINNER: [f64; 5] = [0.75, 0.5, 0.3, 0.15, 0.07];
 
@@ -47,6 +51,10 @@ const WIDER: [f64; 3] = [0.75, 0.5, 0.25];
 ///
 /// A coarse mesh decides which is worth a mesh within the tolerance asked for. Of what takes many triangles fewer walls are tried: nobody waits for a suggestion longer than for the verdict.
 pub(super) fn remedy(solution: &Solution, part: usize, making: &Making, scale: f64, error: &Error) -> Option<Remedy> {
+    watch::within(MOST_WORK, || sought(solution, part, making, scale, error)).flatten()
+}
+
+fn sought(solution: &Solution, part: usize, making: &Making, scale: f64, error: &Error) -> Option<Remedy> {
     let placed = solution.workable(part).ok()?;
     let asked = solution.wall(part, making.product).ok()??;
     let field = error.path().strip_prefix(&placed.path("wall."))?;

@@ -12,6 +12,7 @@ use super::quantity::Quantity;
 use crate::answer::answers;
 use crate::face::{Face, FaceKind};
 use crate::solid::Pot;
+use crate::watch;
 
 /// Why there is no capacity.
 fn dry() -> Dry {
@@ -56,6 +57,17 @@ answers! {
         /// Of the water, in the unit of the design cubed.
         pub volume: Quantity,
     }
+}
+
+/// The most work on what a pot holds, in the units of [`watch::work`]: about a second.
+pub(super) const MOST_WORK: u64 = 80_000_000;
+
+/// Why nobody knows.
+pub(super) fn too_long() -> Dry {
+    Dry::new(
+        "too-long",
+        "how much it holds takes too long to find out, because the wall is folded or waved too finely: expected fewer waves, shallower ones or a thinner wall",
+    )
 }
 
 /// A body whose axis rises by more than this stands upright.
@@ -151,6 +163,10 @@ impl<'a> Vessel<'a> {
 
     /// What it holds, and the water at the brim; the reason in words where that is nothing.
     pub(crate) fn capacity(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), Dry> {
+        watch::within(MOST_WORK, || self.found(accuracy, fill)).unwrap_or_else(|| Err(too_long()))
+    }
+
+    fn found(&self, accuracy: &Accuracy, fill: Option<f64>) -> Result<(Capacity, Filling), Dry> {
         let ponds = self.ponds()?;
         let main = ponds.first().ok_or_else(dry)?;
         let water = |pond: &Pond, z: f64| {

@@ -63,6 +63,16 @@ const TAKING: f64 = 0.3;
 /// and up to this one parts are measured.
 const TOGETHER: f64 = 0.9;
 
+/// The most work on measuring one part, in the units of [`watch::work`]: about two seconds.
+const MOST_WORK: u64 = 180_000_000;
+
+/// The refusal of a part on which more of it would have to be done.
+fn too_long(design: &Design, index: usize) -> Error {
+    let field = if design.parts()[index].wall.is_some() { "wall" } else { "shape" };
+    let message = "it is folded or waved so finely that nobody would wait until it is measured: expected fewer waves, shallower ones or a thinner wall";
+    Error::new(Code::TooLarge, format!("parts[{index}].{field}"), message)
+}
+
 /// What a part adds to the measures of the whole.
 struct Share {
     /// Clay and water times their densities.
@@ -111,8 +121,10 @@ fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
     let n = taken.len();
     let one = |(index, (taken, outside)): (usize, (&Taken, &Outside))| {
-        let (part, share) = watch::share(index, n, || part_measures(design, index, taken, outside, options))?;
+        let part = || watch::within(MOST_WORK, || part_measures(design, index, taken, outside, options));
+        let measured = watch::share(index, n, part);
         watch::go_on()?;
+        let (part, share) = measured.unwrap_or_else(|| Err(too_long(design, index)))?;
         refuse_infinite_part(&part)?;
         Ok((part, share))
     };

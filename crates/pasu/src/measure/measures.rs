@@ -113,7 +113,7 @@ answers! {
         pub capacity_reason: Option<String>,
         /// Why it is no pot, for whoever says it in another language: what would be refused; `None` where it is one.
         pub cause: Option<Cause>,
-        /// The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, or `dry` where no water stays in this position.
+        /// The same of why it holds nothing. Besides the codes of refusals it is `solid`, `no-foot`, `no-bottom` of a tube, `dry` where no water stays in this position, or `too-long` where nobody would wait for it.
         pub capacity_cause: Option<Cause>,
         /// The thickness of the wall along the normal.
         pub thickness: Option<ThicknessRange>,

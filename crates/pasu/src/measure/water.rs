@@ -1,6 +1,7 @@
 //! Water standing in a design, to be drawn.
 
 use super::accuracy::Accuracy;
+use super::capacity::{MOST_WORK, too_long};
 use super::design::above_spill;
 use super::dry::Dry;
 use super::pond::Pond;
@@ -10,6 +11,7 @@ use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::solid::Product;
 use crate::solution::Solution;
+use crate::watch;
 
 /// Water up to a level.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -112,12 +114,19 @@ fn standing(solution: &Solution, level: f64) -> Result<Water> {
             if !(level > pond.floor) {
                 continue;
             }
-            let edge = pond.level(level, COLUMNS.max(pond.inside.n_columns()));
-            let filling = edge.filling(&accuracy);
+            let drawn = watch::within(MOST_WORK, || {
+                let edge = pond.level(level, COLUMNS.max(pond.inside.n_columns()));
+                (edge.filling(&accuracy), Pool::new(&edge))
+            });
+            watch::go_on()?;
+            let Some((filling, pool)) = drawn else {
+                let dry = too_long();
+                let error = Error::new(Code::NoRoom, format!("parts[{index}]"), dry.message);
+                return Err(error.with("what", dry.cause.code));
+            };
             water.volume += filling.moments.volume.value;
             water.error += filling.moments.volume.error;
             water.area += filling.area.value;
-            let pool = Pool::new(&edge);
             pool.add(level, &mut water.positions, &mut water.indices);
         }
     }

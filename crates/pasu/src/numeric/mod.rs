@@ -17,5 +17,6 @@ pub(crate) mod integral;
 pub(crate) mod limit;
 pub(crate) mod minima;
 pub(crate) mod romberg;
+pub(crate) mod scattered;
 pub(crate) mod trapezoid;
 pub(crate) mod tridiagonal;

@@ -1,7 +1,7 @@
 //! The two sides of a wall: the design surface, and the surface at a distance from it.
 
 use core::f64::consts::TAU;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
@@ -10,6 +10,7 @@ use super::crease::{Crease, Foot};
 use super::offset::{SheetJet, offset};
 use super::skin::{Skin, SkinWalk};
 use super::thickness::{SplineRow, Thickness};
+use crate::numeric::scattered::Scatter;
 use crate::numeric::{bisection, illinois};
 use crate::patch::SurfaceJet;
 use crate::solution::{Columns, Stretch};
@@ -80,10 +81,12 @@ pub(crate) struct Sheet {
     trim: Trim,
     /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
     brackets: Vec<Option<usize>>,
+    /// Even columns that are above by more than neighbours differ: what is between two of them is all above, too.
+    clear: Vec<bool>,
     /// Where all columns begin, if they begin at the same place.
     common: Option<f64>,
     /// Columns that were asked for.
-    starts: Mutex<BTreeMap<u64, Start>>,
+    starts: Mutex<HashMap<u64, Start, Scatter>>,
     crossings: OnceLock<Vec<f64>>,
 }
 
@@ -99,6 +102,7 @@ impl Sheet {
             is_led: false,
             trim: Trim::Foot,
             brackets: Vec::new(),
+            clear: Vec::new(),
             common: Some(0.0),
             starts: Mutex::default(),
             crossings: OnceLock::new(),
@@ -130,11 +134,20 @@ impl Sheet {
         let all: Vec<[f64; 2]> = (0..columns.len()).map(|j| sheet.all(columns.v(j))).collect();
         // From the end down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
+        // How far each stays above, and how far neighbours are apart at most.
+        let (mut least, mut apart) = (vec![f64::INFINITY; columns.len()], 0.0f64);
         for i in (0..=ROWS).rev() {
+            let mut before: Option<(usize, f64)> = None;
             for (j, below) in below.iter_mut().enumerate().filter(|(_, below)| below.is_none()) {
-                if sheet.height(walk.position_at(sheet.row(i, all[j]), &columns, j)) < -slack {
+                let height = sheet.height(walk.position_at(sheet.row(i, all[j]), &columns, j));
+                if height < -slack {
                     *below = Some(i);
                 }
+                least[j] = least[j].min(height);
+                if let Some((_, beside)) = before.filter(|(left, _)| left + 1 == j) {
+                    apart = apart.max((height - beside).abs());
+                }
+                before = Some((j, height));
             }
         }
         drop(walk);
@@ -144,6 +157,7 @@ impl Sheet {
             return (sheet, if is_all { Trimmed::Away } else { Trimmed::Across(under) });
         }
         let (above, cut) = (column(&|row| row.is_none()), column(&|row| row.is_some()));
+        sheet.clear = below.iter().zip(least).map(|(below, least)| below.is_none() && least > apart).collect();
         sheet.brackets = below;
         let starts: Vec<f64> = sheet.skin.round().map(|v| sheet.start(v).s).collect();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
@@ -354,6 +368,10 @@ impl Sheet {
         let all = self.all(v);
         let at = v / TAU * n as f64;
         let (left, right) = (libm::floor(at) as usize % n, libm::ceil(at) as usize % n);
+        let is_clear = |j: usize| self.clear.get(j).copied().unwrap_or(false);
+        if is_clear(left) && is_clear(right) {
+            return None;
+        }
         let near = |j: usize| self.brackets.get(j).copied().flatten();
         if let (Some(a), Some(b)) = (near(left), near(right)) {
             let (low, high) = (a.min(b).saturating_sub(1), (a.max(b) + 2).min(ROWS));

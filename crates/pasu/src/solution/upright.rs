@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::columns::Columns;
 use super::placed::Placed;
+use crate::numeric::scattered::scattered;
 use crate::patch::{Patch, Row, Side, SurfaceJet};
 use crate::watch;
 
@@ -51,8 +52,41 @@ pub(crate) struct Walk<'a> {
     upright: &'a Upright,
     stretch: Stretch,
     row: Option<(f64, Box<dyn Row + 'a>)>,
-    /// The column of the place before, once it was asked for twice.
-    column: (f64, Option<Columns>),
+    columns: Seen,
+}
+
+/// Columns that were asked for: what a patch makes of one is worth keeping from the second time on.
+#[derive(Default)]
+struct Seen {
+    /// The last one and, once there were [`FEW`], each in the one place that is its own, where the next with that place takes over.
+    slots: Vec<(u64, Option<Columns>)>,
+    n_turns: usize,
+}
+
+/// A walk that goes to another column so many times keeps more than one.
+const FEW: usize = 64;
+
+/// How many it keeps then, a power of two.
+const MANY: usize = 1 << 11;
+
+impl Seen {
+    /// The place of a column, and whether it was asked for before.
+    fn place(&mut self, v: f64) -> (usize, bool) {
+        let bits = v.to_bits();
+        let mut place = scattered(bits) as usize & (self.slots.len().max(1) - 1);
+        if self.slots.get(place).is_some_and(|(known, _)| *known == bits) {
+            return (place, true);
+        }
+        self.n_turns += 1;
+        let n = if self.n_turns > FEW { MANY } else { 1 };
+        if self.slots.len() < n {
+            // No number has these bits but one that is none.
+            self.slots.resize_with(n, || (u64::MAX, None));
+            place = scattered(bits) as usize & (n - 1);
+        }
+        self.slots[place] = (bits, None);
+        (place, false)
+    }
 }
 
 impl Upright {
@@ -165,7 +199,7 @@ impl Upright {
 
     /// The same on what lies between two corners, and on its continuation beyond them.
     pub(crate) fn walk_on(&self, stretch: Stretch) -> Walk<'_> {
-        Walk { upright: self, stretch, row: None, column: (f64::NAN, None) }
+        Walk { upright: self, stretch, row: None, columns: Seen::default() }
     }
 
     /// Even columns of this surface.
@@ -187,13 +221,14 @@ impl Upright {
 impl<'a> Walk<'a> {
     fn jet(&mut self, s: f64, of: impl FnOnce(&dyn Row) -> SurfaceJet) -> SurfaceJet {
         watch::place();
-        let row = match self.row.take().filter(|row| row.0 == s) {
-            Some((_, row)) => row,
+        let (_, row) = match self.row.take().filter(|row| row.0 == s) {
+            Some(row) => row,
             None => match self.upright.patch() {
-                Some(patch) => match self.stretch.between {
-                    Some(between) => patch.row_along(self.upright.along(s), between),
-                    None => patch.row(self.upright.along(s)),
-                },
+                Some(patch) => {
+                    watch::row();
+                    let u = self.upright.along(s);
+                    (s, self.stretch.between.map_or_else(|| patch.row(u), |between| patch.row_along(u, between)))
+                }
                 None => return SurfaceJet::default(),
             },
         };
@@ -204,18 +239,46 @@ impl<'a> Walk<'a> {
 
     /// Position and derivatives up to the second.
     pub(crate) fn at(&mut self, s: f64, v: f64) -> SurfaceJet {
-        if self.column.0 != v {
-            self.column = (v, None);
+        let (place, is_known) = self.columns.place(v);
+        if !is_known {
             return self.jet(s, |row| row.jet(v / TAU));
         }
-        let columns = self.column.1.take().unwrap_or_else(|| self.upright.columns_at(vec![v]));
+        let kept = self.columns.slots[place].1.take();
+        let columns = kept.unwrap_or_else(|| self.upright.columns_at(vec![v]));
         let jet = self.at_column(s, &columns, 0);
-        self.column.1 = Some(columns);
+        self.columns.slots[place].1 = Some(columns);
         jet
     }
 
     /// The same at a column.
     pub(crate) fn at_column(&mut self, s: f64, columns: &Columns, column: usize) -> SurfaceJet {
         self.jet(s, |row| row.jet_at(columns.of_patch(), column))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+    use crate::solution::Solution;
+
+    #[test]
+    fn what_is_kept_of_rows_and_columns_changes_no_bit() {
+        let text = "#1/bloor-wilson?n1=5";
+        let solution = Solution::of(&Design::parse(text).unwrap());
+        let upright = Upright::new(solution.part(0).unwrap()).unwrap();
+        let mut walk = upright.walk();
+        // More columns than are kept, row by row, then column by column; each by a walk of its own besides.
+        let (few, many) = (7, 3 * MANY / 2);
+        let place = |i: usize, j: usize| (i as f64 / 6.0, TAU * j as f64 / many as f64);
+        let by_rows = (0..few).flat_map(|i| (0..many).map(move |j| (i, j)));
+        let by_columns = (0..many).step_by(9).flat_map(|j| (0..few).map(move |i| (i, j)));
+        for (i, j) in by_rows.chain(by_columns) {
+            let (s, v) = place(i, j);
+            let kept = walk.at(s, v);
+            if j % 37 == 0 {
+                assert_eq!(kept, upright.at(s, v), "{i} {j}");
+            }
+        }
     }
 }

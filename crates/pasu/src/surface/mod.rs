@@ -6,6 +6,7 @@ mod curves;
 mod ends;
 mod orientation;
 mod patch;
+mod recent;
 mod row;
 mod row_table;
 mod solve;

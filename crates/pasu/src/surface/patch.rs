@@ -1,11 +1,10 @@
 //! A two-sided surface as a patch: `v` runs once round it.
 
-use std::borrow::Cow;
-
 use glam::DVec3;
 
 use super::circle::of_turns;
 use super::circumference::length;
+use super::recent::KeptRow;
 use super::row_table::RowTable;
 use super::solve::Surface;
 use crate::patch::{Breaks, Cell, Columns, Patch, Row, Side, Spread, Suprema, SurfaceJet, normal_limit};
@@ -15,7 +14,7 @@ const POINT: f64 = 1e-12;
 
 /// A row of coefficients, asked by turns.
 struct SurfaceRow<'a> {
-    table: Cow<'a, RowTable<3>>,
+    table: KeptRow<'a>,
     surface: &'a Surface,
 }
 

@@ -1,11 +1,11 @@
 //! The closed form of a two-sided surface.
 
 use core::f64::consts::TAU;
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::circle;
 use super::ends::Ends;
+use super::recent::{KeptRow, Recent};
 use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
@@ -24,6 +24,7 @@ pub struct Surface {
     /// The different `n`, in the order of their first use.
     distinct: Vec<f64>,
     ends: Ends,
+    recent: Recent,
 }
 
 impl Span {
@@ -119,7 +120,14 @@ impl Surface {
                 distinct.push(term.n);
             }
         }
-        Ok(Surface { components, span: shape.span, rings: shape.rings.clone(), distinct, ends: Ends::default() })
+        Ok(Surface {
+            components,
+            span: shape.span,
+            rings: shape.rings.clone(),
+            distinct,
+            ends: Ends::default(),
+            recent: Recent::default(),
+        })
     }
 
     /// Solves the shape of part number `index` of a design.
@@ -187,19 +195,20 @@ impl Surface {
         &self.distinct
     }
 
-    /// The coefficients at `u`; at an end they are made once.
-    pub(super) fn row_table(&self, u: f64) -> Cow<'_, RowTable<3>> {
+    /// The coefficients at `u`; those at an end are made once, others again where they were not asked for lately.
+    pub(super) fn row_table(&self, u: f64) -> KeptRow<'_> {
         let make = || RowTable::at(&self.components, &self.distinct, u);
-        self.ends.at(u, make).map_or_else(|| Cow::Owned(make()), Cow::Borrowed)
+        let n_terms = || self.components.iter().map(Vec::len).sum();
+        self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.at(u, n_terms(), make)), KeptRow::End)
     }
 
     /// The coefficients at `u` by the closed form between two rings or ends, which goes on beyond them.
-    pub(super) fn row_table_along(&self, u: f64, [low, high]: [f64; 2]) -> Cow<'_, RowTable<3>> {
+    pub(super) fn row_table_along(&self, u: f64, [low, high]: [f64; 2]) -> KeptRow<'_> {
         let is_within = low <= u && (u < high || high == 1.0);
         if is_within && u <= 1.0 {
             return self.row_table(u);
         }
-        Cow::Owned(RowTable::along(&self.components, &self.distinct, u, [low, high]))
+        KeptRow::Recent(Arc::new(RowTable::along(&self.components, &self.distinct, u, [low, high])))
     }
 
     /// The modes of each component.

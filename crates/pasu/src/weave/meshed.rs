@@ -17,10 +17,13 @@ use crate::watch;
 const MOST_TRIANGLES: usize = 8_000_000;
 
 /// The most triangles of the surface at which a part is looked at once more before it is refused.
-const MOST_LOOKED_AT: usize = 600_000;
+const MOST_LOOKED_AT: usize = 300_000;
 
 /// How many times as finely as asked for a part is meshed, in turn, before it is refused.
 const FINENESS: [f64; 2] = [1.0, 3.0];
+
+/// What is said of triangles that lie so close together that nobody knows whether they cross: of a wall, and of a surface.
+const CLOSE: [&str; 2] = ["close", "surface-close"];
 
 /// A wall that is somewhere thinner than this part of what was asked for cannot be made if it was not meshed at once.
 const THINNEST: f64 = 0.05;
@@ -101,6 +104,10 @@ fn meshed(pot: &Pot, tolerance: Option<f64>, scale: f64) -> Result<(Topology, So
             Ok(made) => return Ok(made),
             // Looking more closely does not make a pot smaller.
             Err(error) if matches!(error.code(), Code::Overflow | Code::TooLarge | Code::ToleranceTooFine) => {
+                return Err(error);
+            }
+            // Nor does it make less lie in one place.
+            Err(error) if error.arg("what").is_some_and(|what| CLOSE.iter().any(|close| *what == (*close).into())) => {
                 return Err(error);
             }
             Err(error) => refusal = Some(error),

@@ -7,6 +7,7 @@ mod export;
 mod findings;
 mod fingerprint;
 mod finite;
+mod fit;
 mod fitted;
 mod flood;
 mod handles;

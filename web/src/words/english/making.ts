@@ -73,5 +73,6 @@ export const making = phrases("making", {
     "no-foot": "The shape has no foot and no rim, so it holds nothing.",
     "no-bottom": "A tube has no bottom to hold anything. A base closes it.",
     dry: "In this position no water stays in it.",
+    "too-long": "It takes too long to find out. Fewer or shallower waves or a thinner wall may do.",
   },
 });
