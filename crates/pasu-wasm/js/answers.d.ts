@@ -301,3 +301,11 @@ export interface Pulled {
   /** The distance between the point and where it was pulled: 0 but for rounding where the shape can follow. */
   readonly behind: number;
 }
+
+/** A design of rings that says what something else said. */
+export interface Ringed {
+  /** The design. */
+  readonly design: Design;
+  /** How far it is from what it stands for: the largest distance that was found between both. An estimate: it is looked for at samples. */
+  readonly distance: number;
+}
