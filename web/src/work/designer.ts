@@ -20,8 +20,8 @@ import type { Made } from "./made";
 import { Notices } from "./notices";
 import { Opening } from "./opening";
 import { Origin } from "./origin";
-import type { Pull } from "./pull";
 import { Pointed } from "./pointed";
+import type { Pull } from "./pull";
 import { Surface } from "./surface";
 
 export class Designer {
