@@ -45,7 +45,7 @@ test.each<[string, VisitOptions]>([
   const before = await pot.fingerprint();
   const check = async (where: string) => expect(await findings(pot), where).toEqual([]);
   await check("the page");
-  for (const name of ["Profile", "Order", "Look"] as const) {
+  for (const name of ["Profile", "Equation", "Look"] as const) {
     await pot.tab(name);
     await check(`the panel “${name}”`);
   }
@@ -101,6 +101,7 @@ test("free boundary data pass axe-core as well", async () => {
   const pot = await here.enter();
   const before = await pot.fingerprint();
   await pot.command("New");
+  await pot.page.locator("pasu-new summary").click();
   await pot.button(/^Free boundary data/).click();
   await pot.fingerprintOtherThan(before);
   expect(await findings(pot)).toEqual([]);

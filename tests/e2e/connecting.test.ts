@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { fineWall } from "../support/drag.ts";
 import { sight, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit } from "../support/visit.ts";
+import { CLEAR, type Visit } from "../support/visit.ts";
 
 const here = stay();
 const VASE = "#1/second-order";
@@ -61,7 +61,7 @@ test("a drag draws what it changes and nothing else", async ({ annotate }) => {
 });
 
 test("moved to another place of the page, the designer goes on with the same picture", async () => {
-  const pot = await here.enter({ ...SHARP, link: VASE });
+  const pot = await here.enter({ ...CLEAR, link: VASE });
   const before = await pot.fingerprint();
   await pot.page.getByRole("application", { name: "The pot" }).focus();
   await pot.page.keyboard.press("4");
@@ -89,7 +89,7 @@ test("moved to another place of the page, the designer goes on with the same pic
 });
 
 test("taken off the page it lets the graphics card go, and put back it shows the pot of the moment, once", async () => {
-  const pot = await here.enter({ ...SHARP, link: "#1/fourth-order" });
+  const pot = await here.enter({ ...CLEAR, link: "#1/fourth-order" });
   await pot.fingerprint();
   await pot.makePot();
   await pot.tab("Measures");

@@ -183,7 +183,7 @@ test("the profile's handles move the boundary by hand and by keys", async () => 
 test("a design goes from second to mixed to fourth order, and back by undo", async () => {
   const pot = await here.enter({ link: VASE });
   const before = await pot.fingerprint();
-  await pot.tab("Order");
+  await pot.tab("Equation");
   await pot.button("Show side by side with Mixed order").click();
   await pot.page.getByText("to compare").waitFor();
   expect(await pot.fingerprint()).toBe(before);

@@ -4,11 +4,12 @@
 
 import { expect, test } from "vitest";
 import { fineWall, movements, slowDown, walls, watchDrags } from "../support/drag.ts";
+import { ring, spotOf, takeUp } from "../support/pulling.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP } from "../support/visit.ts";
+import { COARSE, SHARP } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 const VASE = "#1/second-order";
 
 /** The value that most of these do not exceed. */
@@ -53,6 +54,29 @@ test("on a machine six times slower the pot stays within two frames of the point
   expect(Math.min(...best.slice(1))).toBeLessThanOrEqual(2);
   expect(inDrag).toBeLessThan(atRest);
   expect(await vertices()).toBe(atRest);
+});
+
+test("a pot that is pulled keeps up with the hand", async ({ annotate }) => {
+  const pot = await here.enter({ ...SHARP, link: "#1/rings", before: watchDrags });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  const from = await spotOf(ring(pot, 1));
+  const { mouse } = pot.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  // The first movement waits for what is fetched with the tool.
+  await mouse.move(from.x + 6, from.y);
+  await pot.page.locator("pasu-app[data-state=solving]").waitFor({ state: "attached" });
+  await movements(pot);
+  for (let step = 1; step <= 40; step += 1) await mouse.move(from.x + 6 + step, from.y);
+  await mouse.up();
+  await pot.fingerprintOtherThan(before);
+  const moved = await movements(pot);
+  const behind = moved.map((each) => each.behind);
+  await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}`);
+  expect(behind.length).toBeGreaterThan(5);
+  expect(percentile(behind, 0.5)).toBeLessThanOrEqual(2);
+  expect(Math.max(...moved.map((each) => each.older))).toBeLessThanOrEqual(2);
 });
 
 test("nothing jumps when the hand lets go", async ({ annotate }) => {

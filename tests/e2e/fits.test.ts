@@ -30,7 +30,7 @@ test.each(SIZES)("nothing is cut off or covered %s", { timeout: 400_000 }, async
     if (over > 0) problems.push(`${where}: ${over} pixels too much`);
     problems.push(...(await unreachable(pot, inside)).map((problem) => `${where}: ${problem}`));
   };
-  for (const tab of ["Shape", "Profile", "Order", "Look"] as const) {
+  for (const tab of ["Shape", "Profile", "Equation", "Look"] as const) {
     await pot.tab(tab);
     await check(tab);
   }

@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { colour, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit } from "../support/visit.ts";
+import { CLEAR, type Visit } from "../support/visit.ts";
 
 const here = stay();
 /** A straight cup: red clay, blue above the middle, white inside. */
@@ -22,7 +22,7 @@ async function seen(pot: Visit) {
 }
 
 test("a pot is glazed as its link says, with a wall and without, down to the line", async () => {
-  const pot = await here.enter({ ...SHARP, link: CUP });
+  const pot = await here.enter({ ...CLEAR, link: CUP });
   await pot.fingerprint();
   await pot.page.getByRole("application", { name: "The pot" }).focus();
   await pot.page.keyboard.press("1");

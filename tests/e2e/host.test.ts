@@ -6,9 +6,9 @@ import { join } from "node:path";
 import { expect, test } from "vitest";
 import { DIST } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
-import type { Visit } from "../support/visit.ts";
+import { COARSE, type Visit } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 
 /** Waits until the copy for later is complete and answers for this page. */
 async function copied(pot: Visit): Promise<void> {

@@ -2,8 +2,9 @@
 
 import { expect, test } from "vitest";
 import { stay } from "../support/stay.ts";
+import { COARSE } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 
 test("a reload brings everything back", async () => {
   const pot = await here.enter({ link: "#1/mixed-order" });

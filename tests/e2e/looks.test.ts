@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { stageOf } from "../support/on-stage.ts";
 import { brightness, colour, difference, sight, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit } from "../support/visit.ts";
+import { CLEAR, SHARP, type Visit } from "../support/visit.ts";
 
 const here = stay();
 const DINT = "#1/bloor-wilson?n1=5";
@@ -46,7 +46,7 @@ test("a wireframe that is seen from afar does not blacken the pot", async () => 
 });
 
 test("a wireframe keeps to the cut, and off it", async () => {
-  const pot = await here.enter(SHARP);
+  const pot = await here.enter(CLEAR);
   const first = await pot.fingerprint();
   // A thick cup: its base is seen as a broad piece of the cut.
   const cup = {
@@ -86,7 +86,7 @@ test("a wireframe keeps to the cut, and off it", async () => {
 });
 
 test("a cut takes the shadow with it, and a map is seen inside", async () => {
-  const pot = await here.enter(SHARP);
+  const pot = await here.enter(CLEAR);
   await pot.fingerprint();
   await pot.makePot();
   const whole = await stagePicture(pot);
@@ -112,7 +112,7 @@ test("a cut takes the shadow with it, and a map is seen inside", async () => {
 });
 
 test("the caption stays off a fitted pot, and how true the picture is stands with the measures", async () => {
-  const pot = await here.enter({ link: DINT, viewport: { width: 1100, height: 420 } });
+  const pot = await here.enter({ link: DINT, viewport: { width: 1100, height: 420 }, painted: true });
   await pot.fingerprint();
   const caption = pot.page.locator("pasu-stage #description");
   await expect.poll(() => caption.innerText()).toMatch(/waves in the rim\.$/);
@@ -137,7 +137,7 @@ test("the caption stays off a fitted pot, and how true the picture is stands wit
 });
 
 test("a context that does not come back leaves a still picture, says so, and can be asked for again", async () => {
-  const pot = await here.enter({ ...SHARP, link: DINT });
+  const pot = await here.enter({ ...CLEAR, link: DINT });
   const before = await pot.fingerprint();
   const canvas = pot.page.locator("pasu-stage .host canvas");
   await canvas.evaluate((element) =>

@@ -5,7 +5,7 @@
 import { expect, test } from "vitest";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit } from "../support/visit.ts";
+import { CLEAR, type Visit } from "../support/visit.ts";
 
 const here = stay();
 const JAR = "#1/fourth-order";
@@ -30,7 +30,7 @@ async function fromAbove(pot: Visit): Promise<Buffer> {
 }
 
 test("a wall makes a surface a pot, is seen, and is taken back step by step", async () => {
-  const pot = await here.enter({ ...SHARP, link: JAR });
+  const pot = await here.enter({ ...CLEAR, link: JAR });
   await pot.fingerprint();
   const bare = await fromAbove(pot);
   await pot.makePot();
@@ -58,7 +58,7 @@ test("a wall makes a surface a pot, is seen, and is taken back step by step", as
 });
 
 test("dragging the thickness moves the wall under the hand and is one step", async () => {
-  const pot = await here.enter({ ...SHARP, link: JAR });
+  const pot = await here.enter({ ...CLEAR, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   const before = await pot.field("Thickness").inputValue();
@@ -74,7 +74,7 @@ test("dragging the thickness moves the wall under the hand and is one step", asy
 });
 
 test("what cannot be a pot says why, and the surface stays", async () => {
-  const pot = await here.enter({ ...SHARP, link: JAR });
+  const pot = await here.enter({ ...CLEAR, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.type("Base", "9");
@@ -110,7 +110,7 @@ test("measures have units, follow the design, and tell their errors", async () =
 });
 
 test("water is poured in, follows the slider, the keys and the hand on the stage, and its volume with it", async () => {
-  const pot = await here.enter({ ...SHARP, link: JAR });
+  const pot = await here.enter({ ...CLEAR, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.tab("Measures");
@@ -148,7 +148,7 @@ test("water is poured in, follows the slider, the keys and the hand on the stage
 });
 
 test("colours show a map with its legend, and the glaze comes back", async () => {
-  const pot = await here.enter({ ...SHARP, link: JAR });
+  const pot = await here.enter({ ...CLEAR, link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.tab("Measures");
@@ -176,7 +176,7 @@ test("colours show a map with its legend, and the glaze comes back", async () =>
 });
 
 test("a ring that has no room is fitted, and a button says so in the document", async () => {
-  const pot = await here.enter({ ...SHARP, link: RINGED });
+  const pot = await here.enter({ ...CLEAR, link: RINGED });
   await pot.fingerprint();
   await pot.tab("Wall");
   // It is a pot all the same, and the panel says with which ring.

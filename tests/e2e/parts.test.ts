@@ -5,7 +5,7 @@ import { findings } from "../support/axe.ts";
 import { countUploads, type PartBehind, type StageBehind, stageOf, uploads } from "../support/on-stage.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit, type VisitOptions } from "../support/visit.ts";
+import { CLEAR, type Visit, type VisitOptions } from "../support/visit.ts";
 
 const here = stay();
 
@@ -266,7 +266,7 @@ test("of twenty parts the one whose slider is dragged travels to the graphics ca
 });
 
 test("the selected part is outlined on the stage, and not in pictures", async () => {
-  const { pot } = await three(SHARP);
+  const { pot } = await three(CLEAR);
   const stage = await stageOf(pot);
   const picture = async () =>
     await stage.evaluate(async (it) => {

@@ -13,7 +13,7 @@ test.each([390, 320])(
   async (width) => {
     const pot = await here.enter({ ...PHONE, viewport: { width, height: 844 }, link: "#1/fourth-order" });
     await pot.fingerprint();
-    for (const name of ["Profile", "Order", "Look", "Shape"] as const) {
+    for (const name of ["Profile", "Equation", "Look", "Shape"] as const) {
       await pot.tab(name);
       expect(await overhang(pot), name).toBeLessThanOrEqual(0);
       expect(await unreachable(pot), name).toEqual([]);

@@ -6,9 +6,9 @@ import { fineWall } from "../support/drag.ts";
 import { contexts, countUploads, type PartBehind, type StageBehind, stageOf, uploads } from "../support/on-stage.ts";
 import { difference } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import type { Visit } from "../support/visit.ts";
+import { COARSE, type Visit } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 const PARTS = 20;
 const LINK = "#1/second-order";
 

@@ -3,7 +3,7 @@
 import { expect, test } from "vitest";
 import { atRest, countDraws, sight, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { SHARP, type Visit } from "../support/visit.ts";
+import { CLEAR, type Visit } from "../support/visit.ts";
 
 const here = stay();
 const DINT = "#1/bloor-wilson?n1=5";
@@ -12,7 +12,7 @@ const POT = 400;
 
 /** Opens a pot with every drawing counted. */
 async function watched(): Promise<Visit> {
-  const pot = await here.enter(SHARP);
+  const pot = await here.enter(CLEAR);
   await pot.fingerprint();
   await countDraws(pot);
   await pot.page.goto("about:blank");
@@ -94,7 +94,7 @@ test("a lost graphics context comes back with the pot of the moment", async () =
 });
 
 test("the picture is saved in the size that was chosen", async () => {
-  const pot = await here.enter({ ...SHARP, link: DINT });
+  const pot = await here.enter({ ...CLEAR, link: DINT });
   await pot.fingerprint();
   await pot.command("Picture");
   await pot.page.getByRole("radio", { name: /My own/ }).check();

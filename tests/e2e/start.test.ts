@@ -3,9 +3,9 @@
 import { expect, test } from "vitest";
 import { serve } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
-import { type Visit, visit } from "../support/visit.ts";
+import { COARSE, type Visit, visit } from "../support/visit.ts";
 
-const here = stay();
+const here = stay({}, COARSE);
 
 /** Counts by name how the page makes WebAssembly modules. */
 async function countCompiling(pot: Visit): Promise<void> {

@@ -2,8 +2,9 @@
 
 import { expect, test } from "vitest";
 import { stay } from "../support/stay.ts";
+import { COARSE } from "../support/visit.ts";
 
-const here = stay({ webgl: false });
+const here = stay({ webgl: false }, COARSE);
 
 test("without WebGL2 there is a message and a picture that follows the parameters", async () => {
   const pot = await here.enter({ link: "#1/second-order" });

@@ -71,33 +71,6 @@ test("a field of a length takes inches and fractions", async () => {
   expect(await pot.field("Height").inputValue()).toBe("3.81");
 });
 
-test("a new pot is chosen by its picture, is as large as a hand, and can be made", { timeout: 300_000 }, async () => {
-  const pot = await here.enter();
-  let shown = await pot.fingerprint();
-  await pot.command("New");
-  const forms = pot.page.locator("pasu-new button[data-exhibit]");
-  await forms.first().waitFor();
-  const ids = await forms.evaluateAll((all) => all.map((each) => each.getAttribute("data-exhibit") ?? ""));
-  expect(ids.length).toBeGreaterThanOrEqual(8);
-  for (const id of ids) {
-    if ((await pot.page.locator("pasu-new").count()) === 0) await pot.command("New");
-    const form = pot.page.locator(`pasu-new button[data-exhibit="${id}"]`);
-    await form.scrollIntoViewIfNeeded();
-    await expect.poll(() => form.locator("canvas").getAttribute("data-drawn"), { timeout: 20_000 }).toBe("true");
-    await form.click();
-    shown = await pot.fingerprintOtherThan(shown);
-    const [, height] = /([\d.]+) cm high/.exec(await caption(pot)) ?? [];
-    expect(Number(height), id).toBeGreaterThan(6);
-    expect(Number(height), id).toBeLessThan(25);
-    await pot.tab("Wall");
-    await pot.button("Make it a pot").click();
-    await pot.tab("Measures");
-    await pot.page.getByText(/It stands: empty it tips/).waitFor();
-    await pot.page.getByText("The mesh is closed, every edge is shared").waitFor();
-    expect(await pot.page.getByText(/^(Error|Stop)/).count(), id).toBe(0);
-  }
-});
-
 test("a figure of a paper opens 20 cm high, or as it was printed", async () => {
   const pot = await here.enter();
   const jar = await pot.fingerprint();

@@ -76,7 +76,7 @@ test.each<[string, VisitOptions]>([
     await page.tab("Profile");
     await pot.page.locator("pasu-profile svg").waitFor();
     await page.check("the profile");
-    await page.tab("Order");
+    await page.tab("Equation");
     await page
       .button("Show side by side with Fourth order")
       .or(pot.button(/⟦Šĥöŵ šîðé/).first())
@@ -143,7 +143,12 @@ test.each<[string, VisitOptions]>([
         await page.check(`the format ${format}`);
       }
     });
-    for (const name of ["New", "Gallery", "My designs", "Picture", "Embed", "Help"]) {
+    await page.dialogue("New", async () => {
+      await pot.page.locator("pasu-new summary").click();
+      await pot.page.locator("pasu-new button[data-exhibit=new-free]").waitFor();
+      await page.check("the dialogue “New”, with the families of the equations");
+    });
+    for (const name of ["Gallery", "My designs", "Picture", "Embed", "Help"]) {
       await page.dialogue(name, () => page.check(`the dialogue “${name}”`));
     }
     await page.dialogue("My designs", async () => {
@@ -236,10 +241,22 @@ test("several parts, free boundary data and a pot that cannot be made are told f
   await page.check("a wall for which there is no room");
   await page.tab("Shape");
   await page.command("New");
+  await pot.page.locator("pasu-new summary").click();
   await pot.page.locator("pasu-new button[data-exhibit=new-free]").click();
   await pot.fingerprintOtherThan(scene);
   await pot.page.locator("pasu-modes").getByRole("combobox").first().waitFor();
   await page.check("free boundary data");
+});
+
+test("a pot of rings that is mixed with another is told from the catalogue", { timeout: 400_000 }, async () => {
+  const page = await enter("#1/rings?title=1");
+  const { pot } = page;
+  await page.button("Mix with…").click();
+  await pot.page.locator("pasu-mix-dialog button[data-exhibit=form-cup]").waitFor();
+  await page.check("what to mix with");
+  await pot.page.locator("pasu-mix-dialog button[data-exhibit=form-cup]").click();
+  await pot.field(marked("Share")).waitFor();
+  await page.check("the slider that mixes");
 });
 
 test("where there is no WebGL2 that is said from the catalogue", async () => {

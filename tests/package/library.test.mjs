@@ -188,6 +188,41 @@ test("a point that is pulled comes along, or tells how far it stayed behind", as
   });
 });
 
+test("what is no pot of rings becomes one: a vase of another kind, and a drawn line", async () => {
+  await inFreshProject((project) => {
+    const printed = run(
+      project,
+      "fit.mjs",
+      `
+      import assert from "node:assert/strict";
+      import init, * as pasu from "pasu";
+      await init();
+      const freed = pasu.free("#1/fourth-order", 0, { tolerance: 0.001 });
+      assert.equal(freed.design.parts[0].shape.kind, "rings");
+      assert.ok(freed.distance > 0 && freed.distance <= 0.001);
+      assert.deepEqual(pasu.parse(freed.design), freed.design);
+      const bottle = pasu.fit({ right: [4, 0, 5, 10, 2, 14, 2, 20] }, { tolerance: 0.01 });
+      const { rings } = bottle.design.parts[0].shape;
+      assert.deepEqual(rings.map(({ sharp }) => sharp ?? false), [false, true, true, false]);
+      assert.ok(bottle.distance <= 0.01);
+      const right = Float64Array.of(3, 0, 4, 10);
+      const leaning = pasu.fit({ right, left: [3, 0, 5, 12] }, { tolerance: 0.01 }).design;
+      const [x, , z] = pasu.evaluate(leaning, 0, [1, Math.PI]);
+      assert.ok(Math.abs(x + 5) < 0.01 && Math.abs(z - 12) < 0.01);
+      const refused = (call, code, path) => assert.throws(call, { name: "PasuError", code, path });
+      refused(() => pasu.free("#1/fourth-order", 0), "wrong-type", "options");
+      refused(() => pasu.free("#1/fourth-order", 1, { tolerance: 1 }), "no-such-point", "part");
+      refused(() => pasu.free("#1/fourth-order", 0, { tolerance: 0 }), "out-of-range", "tolerance");
+      refused(() => pasu.fit({ right: [1, 2] }, { tolerance: 1 }), "wrong-type", "right");
+      refused(() => pasu.fit({ right: [1, 2, 1, NaN] }, { tolerance: 1 }), "not-finite", "right[3]");
+      refused(() => pasu.fit({ tolerance: 1 }), "unknown-field", "tolerance");
+      console.log("fitted");
+      `,
+    );
+    assert.equal(printed, "fitted\n");
+  });
+});
+
 test("a refusal says where in space the pot went wrong", async () => {
   await inFreshProject(async (project) => {
     const pasu = await import(pathToFileURL(join(project, "node_modules/pasu/pasu.js")).href);

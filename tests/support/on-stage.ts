@@ -12,6 +12,8 @@ export interface StageBehind {
   view(name: string): void;
   fit(): void;
   whenIdle(): Promise<void>;
+  /** Curves that somebody points at. */
+  readonly overlay: { readonly hinted: readonly Float32Array[] };
   dispose(): void;
 }
 

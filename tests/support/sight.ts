@@ -12,6 +12,8 @@ export interface Sight {
 
 /** A picture of the 3D view alone, without what floats over it, once nothing moves any more. */
 export async function stagePicture(pot: Visit): Promise<Buffer> {
+  if (await pot.page.evaluate(() => "pasuUnpainted" in globalThis))
+    throw new Error("the stage is not painted on this visit: take CLEAR, SHARP or `painted: true`");
   await atRest(pot);
   const canvas = pot.page.locator("pasu-stage .host canvas");
   const box = await canvas.boundingBox();

@@ -4,17 +4,17 @@ import type { Browser } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
 import { launch } from "./browser.ts";
 import { type Site, serve } from "./server.ts";
-import { COARSE, type Visit, type VisitOptions, visit } from "./visit.ts";
+import { QUICK, type Visit, type VisitOptions, visit } from "./visit.ts";
 
 export interface Stay {
   readonly site: Site;
   readonly browser: Browser;
-  /** Opens the designer in a profile of its own, on a coarse screen unless another is asked for. After the test it is closed and must have had no trouble. */
+  /** Opens the designer in a profile of its own, as is usual in this file unless something else is asked for. After the test it is closed and must have had no trouble. */
   enter(options?: VisitOptions): Promise<Visit>;
 }
 
-/** `options` are those of {@link launch}. */
-export function stay(options: Parameters<typeof launch>[0] = {}): Stay {
+/** `options` are those of {@link launch}, `usual` those of visits: where nothing is said neither the picture nor the copy of the site for later can be looked at. */
+export function stay(options: Parameters<typeof launch>[0] = {}, usual: VisitOptions = QUICK): Stay {
   let site: Site | undefined;
   let browser: Browser | undefined;
   let visits: Visit[] = [];
@@ -44,7 +44,7 @@ export function stay(options: Parameters<typeof launch>[0] = {}): Stay {
       return present(browser);
     },
     async enter(visitOptions) {
-      const there = await visit(present(browser), present(site).url, { ...COARSE, ...visitOptions });
+      const there = await visit(present(browser), present(site).url, { ...usual, ...visitOptions });
       visits.push(there);
       return there;
     },

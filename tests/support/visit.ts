@@ -14,6 +14,8 @@ export interface VisitOptions extends BrowserContextOptions {
   readonly link?: string;
   /** Rows and columns of every mesh on the stage, in the place of those that the designer chooses; null leaves it the choice. */
   readonly grid?: GridSize | null;
+  /** Whether the colours of the stage's pixels are computed. All else of a frame is as ever where they are not. */
+  readonly painted?: boolean;
   /** Runs before the page opens: the place to count or to measure what it does from its first moment. */
   readonly before?: (there: Visit) => Promise<void>;
 }
@@ -22,10 +24,21 @@ export interface VisitOptions extends BrowserContextOptions {
 const DESKTOP: BrowserContextOptions = { viewport: { width: 1100, height: 600 }, reducedMotion: "reduce" };
 
 /** The picture as people have it, for tests that look at it: a pixel of the screen for each of the page's, and the designer's own grid. */
-export const SHARP: VisitOptions = { deviceScaleFactor: 1, grid: null };
+export const SHARP: VisitOptions = { deviceScaleFactor: 1, grid: null, painted: true };
 
-/** A picture that is quickly drawn in software, for all others: a quarter of the pixels, and a fourteenth of the vertices. */
+/** A picture that is quickly drawn in software: a quarter of the pixels, and a fourteenth of the vertices. */
 export const COARSE: VisitOptions = { deviceScaleFactor: 0.5, grid: { rows: 49, columns: 97 } };
+
+/** A picture with all of its pixels, on the vertices of a coarse one: for tests that compare pictures with each other. In software vertices cost most of a sharp picture. */
+export const CLEAR: VisitOptions = {
+  ...COARSE,
+  deviceScaleFactor: 1,
+  viewport: { width: 1100, height: 440 },
+  painted: true,
+};
+
+/** For tests that look at neither the picture nor the copy of the site for later: the stage is not painted, and no copy is made, as in a private window. */
+export const QUICK: VisitOptions = { ...COARSE, painted: false, serviceWorkers: "block" };
 
 /** Longer than anything takes on a busy machine, measuring a wall that had to be thinned all round among it; then the gesture that failed is named, not the test as a whole. */
 const PATIENCE = 120_000;
@@ -43,7 +56,7 @@ export const PHONE: BrowserContextOptions = {
 export async function visit(
   browser: Browser,
   url: string,
-  { link = "", grid = null, before, ...options }: VisitOptions = {},
+  { link = "", grid = null, painted = true, before, ...options }: VisitOptions = {},
 ): Promise<Visit> {
   const context = await browser.newContext({ ...DESKTOP, ...options });
   context.setDefaultTimeout(PATIENCE);
@@ -51,6 +64,7 @@ export async function visit(
   const there = new Visit(context, await context.newPage(), url);
   await there.listen();
   if (grid) await there.draw(grid);
+  if (!painted) await there.leaveUnpainted();
   await before?.(there);
   await there.page.goto(url + link);
   return there;
@@ -112,6 +126,29 @@ export class Visit {
       const { designer } = app as unknown as { designer: { surface: { grid: () => GridSize } } };
       designer.surface.grid = () => size;
     }, grid);
+  }
+
+  /**
+   * Has the stage's frames drawn to the last call, and leaves out what the graphics card would do then; to be called before the page opens. What is drawn at another size than
+   * the canvas's is painted all the same: pictures for files, thumbnails, the shadow, and the pixel that tells which part was clicked on.
+   */
+  async leaveUnpainted(): Promise<void> {
+    await this.context.addInitScript(() => {
+      Object.assign(globalThis, { pasuUnpainted: true });
+      const { prototype } = WebGL2RenderingContext;
+      const { viewport } = prototype;
+      let frame = false;
+      prototype.viewport = function (x, y, width, height) {
+        frame = width === this.canvas.width && height === this.canvas.height;
+        viewport.call(this, x, y, width, height);
+      };
+      for (const name of ["drawElements", "drawArrays", "drawArraysInstanced"] as const) {
+        const draw = prototype[name] as (...given: number[]) => void;
+        prototype[name] = function (this: WebGL2RenderingContext, ...given: number[]) {
+          if (!frame) draw.apply(this, given);
+        };
+      }
+    });
   }
 
   private offline = false;
@@ -207,13 +244,13 @@ export class Visit {
 
   /** A command of the bar, which narrow windows keep in a menu. */
   async command(
-    name: "Gallery" | "My designs" | "New" | "Open" | "Save" | "Export" | "Picture" | "Embed" | "Help",
+    name: "Gallery" | "Mix with…" | "My designs" | "New" | "Open" | "Save" | "Export" | "Picture" | "Embed" | "Help",
   ): Promise<void> {
     if (!(await this.button(name).isVisible())) await this.button("More").click();
     await this.button(name).click();
   }
 
-  async tab(name: "Shape" | "Profile" | "Order" | "Look" | "Wall" | "Measures"): Promise<void> {
+  async tab(name: "Shape" | "Profile" | "Equation" | "Look" | "Wall" | "Measures"): Promise<void> {
     await this.page.getByRole("tab", { name }).click();
   }
 

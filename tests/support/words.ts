@@ -39,7 +39,7 @@ export async function unmarked(pot: Visit): Promise<string[]> {
       element.closest("code") !== null ||
       // As `Intl` writes it, which does not speak the pseudo-language.
       element.closest("time") !== null ||
-      element.closest(".symbol") !== null ||
+      element.closest(".symbol, math") !== null ||
       /^[nstw]$/.test(element.textContent ?? "");
     const walk = (node: Node) => {
       if (node instanceof Text) {

@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Measures, Pulled, Report } from "./answers.js";
+import type { Measures, Pulled, Report, Ringed } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -332,6 +332,32 @@ export function pull(source: DesignSource, part: number, hand: Hand): Design;
 
 /** As {@link pull}, with how far the point stayed behind. */
 export function pulled(source: DesignSource, part: number, hand: Hand): Pulled;
+
+/** How near something has to come to what it stands for. */
+export interface FitOptions {
+  /** The largest distance, in the unit of the design or of what is drawn. */
+  tolerance: number;
+}
+
+/**
+ * The design with a part as a pot of `rings`, no further from what it was than a tolerance, as far as can be seen on a grid. Radius and height are read off by the angle round the axis: sections have to go
+ * round it once without turning back. Wall, placement and look stay; a pot of rings stays as it is.
+ */
+export function free(source: DesignSource, part: number, options: FitOptions): Ringed;
+
+/** A drawn profile: points as radius and height, in pairs, from one end to the other. */
+export interface Profile {
+  /** The right side: `[r, z, r, z, ..]`. */
+  right: Float64Array | readonly number[];
+  /** The left side, its radii positive as well; as the right one without it. */
+  left?: Float64Array | readonly number[] | undefined;
+}
+
+/**
+ * A pot of `rings` with a drawn profile: fitted by least squares, with as few rings as were found to be enough for the tolerance, sharp where the line turns by more than 35 degrees. The lower end of the line is the foot. With a
+ * left side of its own each ring has one wave of radius and height.
+ */
+export function fit(profile: Profile, options: FitOptions): Ringed;
 
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;

@@ -55,6 +55,8 @@ const sketch = (source, options) => {
 const paint = (source, map, options) => watched(options, (others, by) => by("paint", source, map, others));
 const pull = (source, part, hand) => call("pull", source, part, hand);
 const pulled = (source, part, hand) => call("pulled", source, part, hand);
+const free = (source, part, options) => call("free", source, part, options);
+const fit = (profile, options) => call("fit", profile, options);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -66,6 +68,8 @@ export {
   derivatives,
   evaluate,
   fingerprint,
+  fit,
+  free,
   handles,
   init as default,
   link,

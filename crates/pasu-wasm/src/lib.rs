@@ -11,6 +11,8 @@
 mod error;
 #[cfg(feature = "making")]
 mod fields;
+#[cfg(feature = "making")]
+mod fit;
 mod into;
 mod last;
 #[cfg(feature = "making")]
@@ -32,6 +34,8 @@ use js_sys::{Float64Array, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
+#[cfg(feature = "making")]
+pub use crate::fit::{fit, free};
 #[cfg(feature = "making")]
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
 #[cfg(feature = "making")]

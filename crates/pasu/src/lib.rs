@@ -34,6 +34,7 @@ mod evaluate;
 mod export;
 mod face;
 mod fingerprint;
+mod fit;
 mod make;
 mod measure;
 mod mesh;
@@ -62,6 +63,7 @@ pub use export::{
 };
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
+pub use fit::{Profile, Ringed, fit, free};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
 #[cfg(feature = "typescript")]

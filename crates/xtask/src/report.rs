@@ -98,13 +98,20 @@ impl Report {
             passed: sum.passed + step.count.passed,
             failed: sum.failed + step.count.failed,
         });
-        println!("\n{} passed, {} failed", total.passed, total.failed);
+        let seconds = self.steps.iter().map(|step| step.seconds).sum();
+        println!("\n{} passed, {} failed, in {}", total.passed, total.failed, minutes(seconds));
         let failed: Vec<&str> = self.steps.iter().filter(|step| step.count.failed > 0).map(|step| step.name).collect();
         if !failed.is_empty() {
             bail!("failed: {}", failed.join(", "));
         }
         Ok(())
     }
+}
+
+/// `9:07 min`.
+fn minutes(seconds: f64) -> String {
+    let whole = seconds.round() as u64;
+    format!("{}:{:02} min", whole / 60, whole % 60)
 }
 
 /// `test result: ok. 12 passed; 0 failed; ..`, once for every test program of cargo.
@@ -180,6 +187,11 @@ mod tests {
                       ❯ src/a.test.ts (12 tests | 1 failed) 40ms\n      Tests  1 failed | 11 passed (12)\n";
         let expected = [("../tests/e2e/host.test.ts", 23.456), ("src/a.test.ts", 0.04)];
         assert_eq!(vitest_files(output), expected.map(|(name, seconds)| (name.to_owned(), seconds)));
+    }
+
+    #[test]
+    fn a_time_is_written_in_minutes() {
+        assert_eq!([3.4, 59.6, 547.2].map(minutes), ["0:03 min", "1:00 min", "9:07 min"]);
     }
 
     #[test]

@@ -2,7 +2,9 @@
 
 export type Command =
   | "new"
+  | "surprise"
   | "gallery"
+  | "mix"
   | "shelf"
   | "open"
   | "save"

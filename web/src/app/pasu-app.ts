@@ -8,7 +8,9 @@ import { DesignerElement } from "../element/designer-element";
 import { VIEW_KEYS } from "../state/view-keys";
 import { icon } from "../ui/icons";
 import { fileName, pickFile, saveBlob } from "../work/files";
+import type { Surprises } from "../work/surprises";
 import type { Command, CommandEvent } from "./command";
+import type { MixEvent } from "./dialogs/mix-dialog";
 import type { PictureSize } from "./dialogs/picture-dialog";
 import "./side-panel";
 import "../element/stage-view";
@@ -30,6 +32,7 @@ const OFFER_MS = 30_000;
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
+  mix: () => import("./dialogs/mix-dialog"),
   shelf: () => import("./dialogs/shelf-dialog"),
   help: () => import("./dialogs/help-dialog"),
   picture: () => import("./dialogs/picture-dialog"),
@@ -53,6 +56,7 @@ export class PasuApp extends DesignerElement {
   @query("pasu-stage") private readonly stage!: PasuStage;
   @query("pasu-panel") private readonly panel!: PasuPanel;
   private leave: readonly (() => void)[] = [];
+  private surprises: Surprises | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -177,9 +181,11 @@ export class PasuApp extends DesignerElement {
       case "none":
         return nothing;
       case "new":
-        return html`<pasu-new .designer=${designer} @new-closed=${close}></pasu-new>`;
+        return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
+      case "mix":
+        return html`<pasu-mix-dialog .designer=${designer} @mix-chosen=${this.mixed} @mix-closed=${close}></pasu-mix-dialog>`;
       case "shelf":
         return html`<pasu-shelf .designer=${designer} @shelf-closed=${close}></pasu-shelf>`;
       case "help":
@@ -195,17 +201,23 @@ export class PasuApp extends DesignerElement {
     }
   }
 
+  private readonly mixed = ({ other }: MixEvent): void => this.panel.mix(other);
+
   private readonly commanded = (event: CommandEvent): void => void this.perform(event.command);
 
   private async perform(command: Command): Promise<void> {
     switch (command) {
       case "new":
       case "gallery":
+      case "mix":
       case "shelf":
       case "help":
       case "picture":
       case "export":
         await this.show(command);
+        return;
+      case "surprise":
+        await this.surprise();
         return;
       case "open": {
         const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
@@ -235,6 +247,18 @@ export class PasuApp extends DesignerElement {
     try {
       await DIALOGUES[dialogue]();
       this.dialog = dialogue;
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
+  }
+
+  /** Opens a pot that nobody has thought of. */
+  private async surprise(): Promise<void> {
+    try {
+      const { judgedBy, Surprises } = await import("../work/surprises");
+      this.surprises ??= new Surprises(judgedBy(async () => (await this.designer.openMade())?.maker ?? null));
+      const design = await this.surprises.next();
+      if (design) this.designer.opening.open(design);
     } catch {
       this.designer.notices.say(page.unfetched);
     }

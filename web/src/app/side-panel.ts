@@ -1,18 +1,21 @@
-/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the orders, the look, the wall and what it measures. */
+/** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the equation, the look, the wall and what it measures. */
 
 import { css, html, nothing } from "lit";
-import { customElement, query } from "lit/decorators.js";
+import { customElement, query, state } from "lit/decorators.js";
 import { DesignerElement } from "../element/designer-element";
 import { selectTab } from "../state/actions";
 import { TABS, type Tab } from "../state/session";
-import { base } from "../ui/styles";
+import { icon } from "../ui/icons";
+import { base, buttons } from "../ui/styles";
 import { page } from "../words/english/page";
+import { CommandEvent } from "./command";
+import type { Other } from "./panels/mix-panel";
 
 /** Each is fetched when it is first looked at, the one that opens the page too: the pot is drawn without waiting for it. */
 const PANELS: Readonly<Record<Tab, () => Promise<unknown>>> = {
   shape: () => import("./panels/parameters"),
   profile: () => import("./panels/profile-editor"),
-  order: () => import("./panels/orders-panel"),
+  equation: () => import("./panels/equation-panel"),
   look: () => import("./panels/look-panel"),
   wall: () => import("./panels/wall-panel"),
   measures: () => import("./panels/measures-panel"),
@@ -23,11 +26,18 @@ export class PasuPanel extends DesignerElement {
   @query("[aria-selected=true]") private readonly selected!: HTMLButtonElement;
   @query(".body") private readonly body!: HTMLElement;
 
+  /** What the pot is being mixed with. */
+  @state() private other: Other | null = null;
   private fetched: Tab | null = null;
   private listed = false;
 
   override focus(options?: FocusOptions): void {
     this.selected.focus(options);
+  }
+
+  /** Mixes the pot with another, until a person has had enough of it. What shows it came with the dialogue that chose. */
+  mix(other: Other): void {
+    this.other = other;
   }
 
   override willUpdate(): void {
@@ -63,7 +73,13 @@ export class PasuPanel extends DesignerElement {
       </div>
       <div class="body" id="body" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="-1">
         <h2 class="spoken">${page.tabs[tab]}</h2>
+        ${
+          this.other
+            ? html`<pasu-mix .designer=${this.designer} .other=${this.other} @mix-closed=${this.unmix}></pasu-mix>`
+            : nothing
+        }
         ${this.parts()}
+        ${tab === "shape" ? this.mixing() : nothing}
         ${this.content(tab)}
       </div>
     `;
@@ -76,8 +92,8 @@ export class PasuPanel extends DesignerElement {
         return html`<pasu-parameters .designer=${designer}></pasu-parameters>`;
       case "profile":
         return html`<pasu-profile .designer=${designer}></pasu-profile>`;
-      case "order":
-        return html`<pasu-orders .designer=${designer}></pasu-orders>`;
+      case "equation":
+        return html`<pasu-equation .designer=${designer}></pasu-equation>`;
       case "look":
         return html`<pasu-look .designer=${designer}></pasu-look>`;
       case "wall":
@@ -86,6 +102,21 @@ export class PasuPanel extends DesignerElement {
         return html`<pasu-measures .designer=${designer}></pasu-measures>`;
     }
   }
+
+  /** A pot of rings can be mixed with another. */
+  private mixing() {
+    const { parts } = this.designer.store.design;
+    if (this.other || parts.length !== 1 || parts[0]?.shape.kind !== "rings") return nothing;
+    return html`<button class="button outlined mixing" type="button" @click=${() => this.dispatchEvent(new CommandEvent("mix"))}>
+      ${icon("mix")}<span>${page.commands.mix}</span>
+    </button>`;
+  }
+
+  private readonly unmix = (): void => {
+    const left = this.shadowRoot?.activeElement?.localName === "pasu-mix";
+    this.other = null;
+    if (left) void this.updateComplete.then(() => this.focus());
+  };
 
   /** A list of one part would say nothing. */
   private parts() {
@@ -127,6 +158,7 @@ export class PasuPanel extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     css`
       :host {
         display: grid;
@@ -171,6 +203,9 @@ export class PasuPanel extends DesignerElement {
         overscroll-behavior: contain;
         scrollbar-gutter: stable;
         outline-offset: -3px;
+      }
+      .mixing {
+        margin-bottom: 8px;
       }
       @container (max-width: 23.6875rem) {
         .tabs {

@@ -13,7 +13,9 @@ import { page } from "../words/english/page";
 
 const ICONS: Readonly<Record<Command, IconName>> = {
   new: "add",
+  surprise: "chance",
   gallery: "gallery",
+  mix: "mix",
   shelf: "shelf",
   open: "open",
   save: "save",
@@ -70,11 +72,11 @@ export class PasuTopBar extends DesignerElement {
         ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
-        ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
+        ${this.bare("surprise")} ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
       </div>
       <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
         ${this.item("shelf")} ${FILES.map((command) => this.item(command))}
-        ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
+        ${this.item("surprise")} ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
         ${this.item("help")}
       </pasu-menu>
     `;

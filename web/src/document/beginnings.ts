@@ -1,7 +1,6 @@
-/** What a new design may begin as: plain forms at the size of a hand, in centimetres, of every kind of shape. */
+/** What a new design may begin as by its equation: plain forms at the size of a hand, in centimetres, of every family of numbers, and free boundary data. */
 
-import { type Exhibit, exhibits } from "./gallery/exhibit";
-import type { Design } from "./types";
+import { exhibits } from "./gallery/exhibit";
 
 export const BEGINNINGS = exhibits([
   {
@@ -115,8 +114,3 @@ export const BEGINNINGS = exhibits([
     look: { glaze: "bare", clay: "black" },
   },
 ]);
-
-/** The form as a document of its own; its title is left to the person. */
-export function beginningOf({ shape, look }: Exhibit): Design {
-  return { pasu: 1, parts: [{ shape, ...(look && { look }) }] };
-}

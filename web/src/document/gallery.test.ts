@@ -1,10 +1,12 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
+import { realMaker } from "../../testing/real-maker";
 import { exhibitWords } from "../words/gallery";
 import { SHELVES } from "./gallery";
 import { designOf } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
+import { RINGED } from "./gallery/rings";
 
 interface Case {
   readonly name: string;
@@ -25,12 +27,29 @@ test("the papers' figures are those of the reference, all of them", () => {
 
 test("every exhibit is on one shelf, under a title and a note of its own", () => {
   const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
-  expect(shown.length).toBe(PAPERS.length + OWN.length);
+  expect(shown.length).toBe(PAPERS.length + OWN.length + RINGED.length);
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
   const told = shown.map(({ id }) => exhibitWords(id));
   expect(new Set(told.map(({ title }) => title)).size).toBe(shown.length);
   for (const { note } of told) expect(note.length).toBeGreaterThan(10);
 });
+
+test.each(RINGED.map((exhibit) => [exhibit.id, exhibit] as const))(
+  "%s can be made with its wall, and stands",
+  async (_, exhibit) => {
+    expect(exhibit.shape.kind).toBe("rings");
+    const { maker } = realMaker({ free: true });
+    const design = designOf(exhibit);
+    const report = await maker.ask({ kind: "check", design, making: { craft: "clay" } });
+    if (report.state !== "done") throw new Error(JSON.stringify(report));
+    expect(report.value.ok).toBe(true);
+    expect(report.value.findings.filter(({ severity }) => severity !== "note")).toEqual([]);
+    const measured = await maker.ask({ kind: "measure", design, product: "pot", fill: null });
+    if (measured.state !== "done") throw new Error(JSON.stringify(measured));
+    expect(measured.value.tipping.empty?.degrees).toBeGreaterThan(15);
+    expect(measured.value.capacity?.brim.value).toBeGreaterThan(300);
+  },
+);
 
 test("an exhibit opens as a document of its own", () => {
   const [first] = PAPERS;

@@ -3,11 +3,12 @@
 import type { Exhibit } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
+import { RINGED } from "./gallery/rings";
 
-export type ExhibitId = (typeof OWN | typeof PAPERS)[number]["id"];
+export type ExhibitId = (typeof OWN | typeof PAPERS | typeof RINGED)[number]["id"];
 
 export interface Shelf {
-  readonly id: "own" | "zhang-you" | "ishak-ali";
+  readonly id: "own" | "rings" | "zhang-you" | "ishak-ali";
   readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
@@ -17,6 +18,10 @@ export const SHELVES: readonly Shelf[] = [
   {
     id: "own",
     exhibits: OWN,
+  },
+  {
+    id: "rings",
+    exhibits: RINGED,
   },
   {
     id: "zhang-you",

@@ -13,7 +13,12 @@ export function isFree(handle: Handle): boolean {
 }
 
 /** The shape after a handle moved by (`radial`, `axial`), in model units; the same shape when it cannot be moved so. */
-export function moveHandle(shape: Shape, handle: Handle, radial: number, axial: number): Shape {
+export function moveHandle(
+  shape: Shape,
+  handle: Pick<Handle, "radial" | "axial">,
+  radial: number,
+  axial: number,
+): Shape {
   let next = shape;
   const ways = [
     [handle.radial, radial],

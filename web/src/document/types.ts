@@ -15,6 +15,8 @@ export type BloorWilson = Frozen<pasu.BloorWilson>;
 
 export type Rings = Frozen<pasu.Rings>;
 export type Series = Frozen<pasu.Series>;
+export type Hoop = Frozen<pasu.Hoop>;
+export type Wave = Frozen<pasu.Wave>;
 
 /** The data of one harmonic while it is being edited: order 2 has no use for the slopes. */
 export type Datum = Frozen<pasu.FourthOrderDatum>;

@@ -3,7 +3,7 @@
 import { css, html } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Stage } from "../render/stage";
-import { toggleOverlay } from "../state/actions";
+import { toggleOverlay, togglePulling } from "../state/actions";
 import type { Overlays } from "../state/session";
 import { type IconName, icon } from "../ui/icons";
 import { DesignerElement } from "./designer-element";
@@ -31,6 +31,15 @@ export class PasuStageTools extends DesignerElement {
 
   override render() {
     return html`<div class="tools" role="toolbar" aria-label=${page.view}>
+      <button
+        class="button pull"
+        type="button"
+        aria-pressed=${this.designer.store.session.pulling ? "true" : "false"}
+        title=${page.keyed(page.pull, "P")}
+        @click=${() => this.designer.apply(togglePulling(this.designer.state))}
+      >
+        ${icon("pull")}<span>${page.pull}</span>
+      </button>
       <div class="views">${this.views("button")}</div>
       <div class="zooms">
         ${ZOOMS.map(
@@ -98,6 +107,10 @@ export class PasuStageTools extends DesignerElement {
         background: var(--sheet);
         box-shadow: 0 3px 14px var(--shadow);
         pointer-events: auto;
+      }
+      .pull {
+        padding: 0 10px;
+        font-size: 0.9rem;
       }
       .views {
         display: flex;

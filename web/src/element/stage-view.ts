@@ -5,6 +5,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
+import { togglePulling } from "../state/actions";
 import type { PartId } from "../state/parts";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
@@ -49,7 +50,8 @@ export class PasuStage extends DesignerElement {
   private compared: Compared | null = null;
   private made: StageMade | null = null;
   private making = false;
-  private leave: (() => void) | null = null;
+  private leave: (() => void)[] = [];
+  private hinting = false;
   private framed = -1;
   private wanted: Camera | null = null;
   private framedSize = 0;
@@ -61,14 +63,14 @@ export class PasuStage extends DesignerElement {
   override connectedCallback(): void {
     super.connectedCallback();
     // A new surface goes to the stage before the page writes about it.
-    this.leave = effect(() => this.display());
+    this.leave = [effect(() => this.display()), effect(() => void this.hint())];
     if (this.hasUpdated) void this.holder.open();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.leave?.();
-    this.leave = null;
+    for (const leave of this.leave) leave();
+    this.leave = [];
   }
 
   /** Nothing is drawn any more. */
@@ -130,8 +132,11 @@ export class PasuStage extends DesignerElement {
       const [left, top] = [each.left - frame.left, each.top - frame.top];
       return [{ left, top, right: left + each.width, bottom: top + each.height }];
     };
-    const [caption = null] = boxOf("#description:not(:empty)");
-    stage.furnish(caption, boxOf("pasu-stage-tools"));
+    // On a narrow screen the bar of the tool that pulls stands where the caption was.
+    const caption = this.renderRoot.querySelector("#description:not(:empty)");
+    const hidden = caption !== null && getComputedStyle(caption).visibility === "hidden";
+    const [box = null] = boxOf(hidden ? "pasu-pull-bar" : "#description:not(:empty)");
+    stage.furnish(box, boxOf("pasu-stage-tools"));
   }
 
   override render() {
@@ -149,6 +154,7 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
+      ${this.hand()}
       ${
         designer.comparison.shown
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
@@ -168,6 +174,15 @@ export class PasuStage extends DesignerElement {
   private get stands(): boolean {
     const { mode } = this.holder;
     return mode === "still" || mode === "gone";
+  }
+
+  /** What pulls at the pot, fetched when it is taken up. */
+  private hand() {
+    const { designer, stage } = this;
+    if (!designer.store.session.pulling || !stage || this.holder.mode !== "live") return nothing;
+    import("./pull/pull-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-pull .designer=${designer} .stage=${stage}></pasu-pull
+      ><pasu-pull-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-pull-bar>`;
   }
 
   private note() {
@@ -252,6 +267,23 @@ export class PasuStage extends DesignerElement {
     this.frame(shown, stage);
   }
 
+  /** Draws the curves whose numbers somebody points at. What they are is worked out by code that is fetched when somebody first does. */
+  private async hint(): Promise<void> {
+    const { designer } = this;
+    const { places } = designer.pointed;
+    // Elsewhere a field keeps the focus for long, and the pot is to be seen as it is.
+    if (places.length === 0 || designer.store.session.tab !== "equation") {
+      if (this.hinting) this.stage?.point([]);
+      this.hinting = false;
+      return;
+    }
+    const { design, part } = designer.state;
+    const { pointedCurves } = await import("./pointed-curves");
+    if (places !== designer.pointed.places) return;
+    this.hinting = true;
+    this.stage?.point(pointedCurves(design.parts[part], places));
+  }
+
   /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */
   private frame(shown: Shown, stage: Stage): void {
     const facts = shown.solved.facts;
@@ -302,7 +334,11 @@ export class PasuStage extends DesignerElement {
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (this.stage) stageKey(event, this.stage);
+    const { designer, stage } = this;
+    if (!stage || stageKey(event, stage)) return;
+    if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    designer.apply(togglePulling(designer.state));
   };
 
   static override readonly styles = [
@@ -387,8 +423,9 @@ export class PasuStage extends DesignerElement {
           line-height: 1.35;
           text-align: center;
         }
-        /* The captions stand in its place. */
-        pasu-captions ~ .foot #description {
+        /* The captions, or the bar of a tool, stand in its place. */
+        pasu-captions ~ .foot #description,
+        pasu-pull ~ .foot #description {
           visibility: hidden;
         }
         pasu-stage-tools {

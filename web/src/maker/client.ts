@@ -25,7 +25,18 @@ interface Job {
 const PATIENCE_MS = 1000;
 
 /** What a person looks at comes first. */
-const ORDER: readonly Kind[] = ["open", "write", "quick", "water", "solid", "paint", "lining", "measure", "check"];
+const ORDER: readonly Kind[] = [
+  "pull",
+  "open",
+  "write",
+  "quick",
+  "water",
+  "solid",
+  "paint",
+  "lining",
+  "measure",
+  "check",
+];
 
 const CRASHED: Refusal = { code: "maker-stopped", path: "", message: "" };
 
@@ -43,6 +54,11 @@ export class MakerClient {
   constructor(start: () => MakerPort, later: Later = timer) {
     this.#start = start;
     this.#later = later;
+  }
+
+  /** Starts the worker before it is first asked, so that it loads meanwhile. */
+  warm(): void {
+    this.#connect();
   }
 
   /** Whether anything is under way. */

@@ -1,7 +1,19 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { Brush } from "../document/brush";
 import type { Extents } from "../document/extents";
-import type { Design, Format, Making, MapName, Measures, Product, Provenance, Report } from "../document/types";
+import type {
+  Design,
+  Format,
+  Making,
+  MapName,
+  Measures,
+  Pair,
+  Product,
+  Provenance,
+  Report,
+  Shape,
+} from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
@@ -72,7 +84,34 @@ export interface Written {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
+/** How far a hand has moved a point: away from the axis, up, and round the axis in radians, before placement. */
+export interface Move {
+  readonly out: number;
+  readonly up: number;
+  readonly round: number;
+}
+
+/** A hand that took hold of a shape at `at`, (u, v), and moved it. */
+export interface PullAsk {
+  readonly kind: "pull";
+  readonly shape: Shape;
+  readonly at: Pair;
+  readonly by: Move;
+  readonly brush: Brush;
+  /** What stays as it is, by the names of the solver. */
+  readonly keep: readonly string[];
+}
+
+/** The shape that followed, and how far its point stayed behind the hand. */
+export interface PulledShape {
+  readonly shape: Shape;
+  /** The point that followed: a pull round the axis may move another one of the ring. */
+  readonly at: Pair;
+  readonly behind: number;
+}
+
 export type Ask =
+  | PullAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -104,6 +143,7 @@ export type Ask =
   | { readonly kind: "open"; readonly bytes: Uint8Array };
 
 export interface Answers {
+  readonly pull: PulledShape;
   readonly solid: Solid;
   readonly quick: Quick;
   readonly measure: Measures;

@@ -5,6 +5,7 @@ import type { MapName, Sent } from "../document/types";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, Solid } from "./messages";
 import { paintedOf } from "./painted";
+import { pulling } from "./pulling";
 import { solidOf } from "./solid";
 
 /** `tell` hears how far the work is that may take long: from 0 to 1. */
@@ -32,6 +33,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return { bytes: write(ask.design as Sent, ask.format, { ...ask.making, progress }) };
     case "open":
       return provenance(ask.bytes);
+    case "pull":
+      return pulling(ask);
   }
 }
 

@@ -52,6 +52,23 @@ export interface Place {
   readonly changed: () => void;
 }
 
+/** A tool that works on the pot, by code that is fetched when it is needed. Pictures have none of what it draws. */
+export interface Tool extends Tenant, Source {
+  visible: boolean;
+  /** Before every frame, on a screen of so many CSS pixels. */
+  prepare(camera: Camera, width: number, height: number): void;
+}
+
+/** What a tool works on. */
+export interface Bench extends Place {
+  readonly device: Device;
+  readonly camera: Camera;
+  /** The plane before which everything is cut away. */
+  readonly cut: () => readonly number[];
+  /** Brings all up to date for whoever asks what is seen at a point, on a screen of so many CSS pixels; null while nothing can be seen. */
+  readonly aim: () => readonly [width: number, height: number] | null;
+}
+
 /** Something that is drawn besides the pot, by code that is fetched when it is needed. */
 export interface Guest extends Tenant, Source {
   /** What of it belongs to parts, and the plane before which everything is cut away. */
@@ -122,6 +139,7 @@ export class Stage {
   private readonly listeners = new AbortController();
   private readonly settings = new Map<string, unknown>();
   private guest: Guest | null = null;
+  private readonly tools = new Set<Tool>();
   private selected: PartId | null = null;
 
   /** Whether the stage can work here: WebGL2 is present. */
@@ -221,9 +239,7 @@ export class Stage {
   /** The part that is seen at a point of the stage, in CSS pixels from its upper left; null where there is none, and while there is no context. */
   pick(x: number, y: number): PartId | null {
     const { width, height } = this.size;
-    if (this.device.lost || !(x >= 0 && y >= 0 && x < width && y < height)) return null;
-    this.prepare(this.camera, width / height);
-    this.guest?.prepare(this.camera, width, height);
+    if (!(x >= 0 && y >= 0 && x < width && y < height) || !this.aim()) return null;
     const own = this.tableau.main.parts.flatMap(({ drawable }, part): readonly Face[] =>
       drawable.visible ? [{ geometry: drawable.geometry, uniforms: drawable.uniforms ?? {}, part }] : [],
     );
@@ -231,6 +247,14 @@ export class Stage {
     const cut = this.guest?.cutPlane.value ?? null;
     const part = this.picker.pick(this.device, faces, cut, this.camera.view, { x, y, of: [width, height] });
     return part === null ? null : (this.model.parts[part]?.id ?? null);
+  }
+
+  private aim(): readonly [number, number] | null {
+    const { width, height } = this.size;
+    if (this.device.lost || width === 0 || height === 0) return null;
+    this.prepare(this.camera, width / height);
+    this.guest?.prepare(this.camera, width, height);
+    return [width, height];
   }
 
   /** Outlines a part among several, or none; not in pictures. */
@@ -267,6 +291,12 @@ export class Stage {
     this.changed();
   }
 
+  /** Curves that somebody points at, or none. */
+  point(lines: readonly Float32Array[]): void {
+    this.overlay.pointed = lines;
+    this.changed();
+  }
+
   /** Chooses what is drawn over the pot. */
   overlays(overlays: StageOverlays): void {
     if (!this.differs("overlays", JSON.stringify(overlays))) return;
@@ -293,6 +323,33 @@ export class Stage {
     this.guest = guest;
     overlay.coreOf = (place) => guest.coreOf(place);
     return guest;
+  }
+
+  /** Lets a tool work on the pot, until what comes back is called. */
+  lend<T extends Tool>(take: (bench: Bench) => T): { readonly tool: T; readonly giveBack: () => void } {
+    const { tableau, overlay, root, device, camera } = this;
+    const tool = take({
+      studio: tableau.studio,
+      pot: tableau.main,
+      overlay,
+      root,
+      device,
+      camera,
+      cut: () => this.guest?.cutPlane.value ?? WHOLE,
+      aim: () => this.aim(),
+      changed: () => this.changed(),
+    });
+    this.tools.add(tool);
+    tableau.scene.add(tool);
+    device.admit(tool);
+    this.changed();
+    const giveBack = () => {
+      if (!this.tools.delete(tool)) return;
+      tableau.scene.remove(tool);
+      device.dismiss(tool);
+      this.changed();
+    };
+    return { tool, giveBack };
   }
 
   /** What lies over the stage: a fitted pot stays clear of the caption, and labels of everything. */
@@ -418,10 +475,18 @@ export class Stage {
 
   /** What has something on the GPU. */
   private tenants(): readonly Tenant[] {
-    return [this.tableau, this.overlay, this.stopwatch, this.picker, ...(this.guest ? [this.guest] : [])];
+    return [
+      this.tableau,
+      this.overlay,
+      this.stopwatch,
+      this.picker,
+      ...this.tools,
+      ...(this.guest ? [this.guest] : []),
+    ];
   }
 
-  private turnByPixels(dx: number, dy: number): void {
+  /** Turns the pot by CSS pixels, right and down, as a drag does. */
+  turnByPixels(dx: number, dy: number): void {
     const rate = TURN_PER_HEIGHT / Math.max(this.size.height, 200);
     this.orbit(-dx * rate, -dy * rate);
   }
@@ -444,7 +509,8 @@ export class Stage {
     tableau.shade(this.device, this.guest?.cutPlane.value);
     const scale = height / Math.max(this.size.height, 1);
     tableau.cutOut = transparent;
-    this.mark.visible = false;
+    const shown = [this.mark, ...this.tools];
+    for (const each of shown) each.visible = false;
     try {
       const { drawables } = tableau.scene;
       const canvas = drawPicture(this.device, drawables, camera.view, width, height, (window) => {
@@ -456,7 +522,7 @@ export class Stage {
       return canvas;
     } finally {
       tableau.cutOut = false;
-      this.mark.visible = true;
+      for (const each of shown) each.visible = true;
       tableau.backdrop.window.value = [0, 0, 1, 1];
     }
   }
@@ -579,6 +645,7 @@ export class Stage {
     this.overlay.scale(columns, rows, fineness.ratio);
     this.overlay.label(this.camera.view, width, height);
     this.guest?.prepare(this.camera, width, height);
+    for (const tool of this.tools) tool.prepare(this.camera, width, height);
     this.overlay.cut.value = this.guest?.cutPlane.value ?? WHOLE;
     this.tableau.shade(this.device, this.guest?.cutPlane.value);
     this.pane.draw(columns, rows, fineness.samples, () =>

@@ -34,6 +34,7 @@ const scene = (name: string) => ({ design: design(name), ids: [0] });
 const titles = (port: FakePort) =>
   port.sent.map(({ ask }) => {
     if (ask.kind === "parts") return ask.parts.map(({ shape }) => (shape as unknown as { name: string }).name).join();
+    if (ask.kind === "read") return ask.kind;
     return ask.kind === "parse" ? ask.text : ask.order;
   });
 

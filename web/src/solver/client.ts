@@ -3,6 +3,7 @@
  * place of the waiting one, which then resolves as "superseded". A worker whose module trapped is replaced by a new one.
  */
 
+import type { Points } from "../document/mixing";
 import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
 import type { Outcome, Told } from "../worker/port";
 import { askOf, Desk, type Desktop, meshWanted, type Task } from "./desk";
@@ -98,6 +99,11 @@ export class SolverClient implements Desktop {
   /** A vase in another order. Requests of the same lane supersede each other. */
   convert(lane: string, shape: Shape, order: OrderKind): Promise<Outcome<Conversion>> {
     return this.#plain<Conversion>(`convert ${lane}`, { kind: "convert", shape, order });
+  }
+
+  /** Points of a shape at these `u, v` pairs, in double precision. Requests of the same lane supersede each other. */
+  read(lane: string, shape: Shape, at: Float64Array): Promise<Outcome<Points>> {
+    return this.#plain<Points>(`read ${lane}`, { kind: "read", shape, at });
   }
 
   dispose(): void {

@@ -1,6 +1,7 @@
 /** What the page and the solver's worker say to each other. Everything here survives structured cloning. */
 
 import type { Body } from "../document/body";
+import type { Points } from "../document/mixing";
 import type { Conversion, Design, Handles, OrderKind, Placement, Shape } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { PartId } from "../state/parts";
@@ -158,12 +159,14 @@ export interface PartsAsk {
 export type Ask =
   | PartsAsk
   | { readonly kind: "parse"; readonly text: string }
+  | { readonly kind: "read"; readonly shape: Shape; readonly at: Float64Array }
   | { readonly kind: "convert"; readonly shape: Shape; readonly order: OrderKind };
 
 /** What is sent for each. */
 export interface SentAnswers {
   readonly parts: SentParts;
   readonly parse: Parsed;
+  readonly read: Points;
   readonly convert: Conversion;
 }
 

@@ -54,6 +54,10 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
       const design = parse(ask.text);
       return { design, link: link(design) };
     }
+    case "read": {
+      const design = alone(ask.shape);
+      return { points: evaluate(design, 0, ask.at), du: derivatives(design, 0, ask.at).du };
+    }
     case "convert":
       return convert(ask.shape as SentShape, ask.order);
   }

@@ -79,6 +79,11 @@ export function toggleExplain(state: State): Change {
   return { undo: "none", session: { explain: !state.session.explain } };
 }
 
+/** Takes up the tool that pulls, or puts it down. */
+export function togglePulling(state: State): Change {
+  return { undo: "none", session: { pulling: !state.session.pulling } };
+}
+
 /** Remembers what was chosen for a file. */
 export function setExport(state: State, change: Partial<Session["export"]>): Change {
   const before = state.session.export;

@@ -3,8 +3,8 @@
 import type { Format, MapName, OrderKind } from "../document/types";
 import type { PartId } from "./parts";
 
-export type Tab = "shape" | "profile" | "order" | "look" | "wall" | "measures";
-export const TABS: readonly Tab[] = ["shape", "profile", "order", "look", "wall", "measures"];
+export type Tab = "shape" | "profile" | "equation" | "look" | "wall" | "measures";
+export const TABS: readonly Tab[] = ["shape", "profile", "equation", "look", "wall", "measures"];
 
 export type ThemeChoice = "auto" | "light" | "dark";
 export const THEMES: readonly ThemeChoice[] = ["auto", "light", "dark"];
@@ -39,6 +39,8 @@ export interface Session {
   readonly fill: number | null;
   /** What was last chosen for files: the clay stays the same from pot to pot. */
   readonly export: { readonly format: Format; readonly shrinkage: number };
+  /** Whether a hand on the stage pulls the pot, and does not turn it. */
+  readonly pulling: boolean;
   /** How much more clay is wedged than the pot has, for trimming and waste, in percent. */
   readonly allowance: number;
 }
@@ -55,5 +57,6 @@ export const NEW_SESSION: Session = {
   map: null,
   fill: null,
   export: { format: "3mf", shrinkage: 0 },
+  pulling: false,
   allowance: 20,
 };

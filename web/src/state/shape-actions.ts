@@ -54,7 +54,12 @@ export function editShape(state: State, edit: (shape: Shape) => Shape): Change {
 }
 
 /** Drags a handle of the profile. */
-export function dragHandle(state: State, handle: Handle, radial: number, axial: number): Change {
+export function dragHandle(
+  state: State,
+  handle: Pick<Handle, "radial" | "axial"> & { readonly id: string },
+  radial: number,
+  axial: number,
+): Change {
   return reshape(state, (shape) => moveHandle(shape, handle, radial, axial), {
     undo: "merge",
     key: `handle:${handle.id}`,

@@ -56,7 +56,7 @@ test("nonsense on the shelf is the default, field by field", () => {
     "pasu.settings",
     JSON.stringify({
       theme: "pink",
-      tab: "order",
+      tab: "equation",
       overlays: { axes: true, isoU: 7, cut: true },
       unlocked: [1, "t"],
       export: { format: "exe", shrinkage: 12.5 },
@@ -65,7 +65,7 @@ test("nonsense on the shelf is the default, field by field", () => {
   );
   expect(readSettings(place)).toEqual({
     ...NEW_SESSION,
-    tab: "order",
+    tab: "equation",
     overlays: { ...NEW_SESSION.overlays, axes: true },
     unlocked: ["t"],
     export: { format: "3mf", shrinkage: 12.5 },

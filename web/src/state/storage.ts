@@ -26,6 +26,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   map: "nowhere",
   fill: "nowhere",
   export: "browser",
+  pulling: "nowhere",
   allowance: "browser",
 };
 

@@ -20,12 +20,15 @@ import type { Made } from "./made";
 import { Notices } from "./notices";
 import { Opening } from "./opening";
 import { Origin } from "./origin";
+import { Pointed } from "./pointed";
+import type { Pull } from "./pull";
 import { Surface } from "./surface";
 
 export class Designer {
   readonly store: Store;
   readonly solver: SolverClient;
   readonly notices = new Notices();
+  readonly pointed = new Pointed();
   readonly surface: Surface;
   readonly origin: Origin;
   readonly comparison: Comparison;
@@ -37,6 +40,7 @@ export class Designer {
     const [{ shown }, extents] = [this.surface, this.extents];
     return shown?.solved.facts && extents ? describe(shown.solved.facts, unitOf(shown.design), extents) : "";
   });
+  readonly #pull = signal<Pull | null>(null);
   #fetching: Promise<Made | null> | null = null;
 
   constructor(solver: SolverClient, around: Surroundings) {
@@ -107,6 +111,22 @@ export class Designer {
       },
     );
     return this.#fetching;
+  }
+
+  /** What pulls at the pot; null before it was wanted. */
+  get pull(): Pull | null {
+    return this.#pull.value;
+  }
+
+  /** The same, fetched now if it was not yet; null without a network. */
+  async openPull(): Promise<Pull | null> {
+    try {
+      const { openPull } = await import("./open-pull");
+      this.#pull.value ??= openPull(this.store);
+    } catch {
+      this.notices.say(page.unfetched);
+    }
+    return this.#pull.value;
   }
 
   #measureExtents(): Extents | null {

@@ -3,6 +3,7 @@
 use super::remedy::Remedy;
 use super::report::{Finding, MeshReport, Report};
 use crate::answer::Answer;
+use crate::fit::Ringed;
 use crate::measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
     Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
@@ -42,6 +43,7 @@ pub fn typescript_of_answers() -> String {
         Remedy::declare,
         MeshReport::declare,
         Pulled::declare,
+        Ringed::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

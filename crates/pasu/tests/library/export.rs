@@ -1,4 +1,6 @@
 //! Files hold the checked mesh to the bit, say what they were made from, and are the same everywhere.
+//!
+//! What its time buys: every format is written and read again, of each kind of making.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;

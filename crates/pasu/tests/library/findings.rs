@@ -1,6 +1,8 @@
 //! The cases of `reference/findings.json`: designs that others found measured or judged wrongly, with what holds of them.
 //!
 //! Each has a test of its own here. That bodies agree with their triangles and water with a flood is asked in `one_body.rs` and `flood.rs`, of these designs among others.
+//!
+//! What its time buys: every design that was once told wrongly, at the tolerances of files.
 
 use pasu::{
     Craft, Design, Finding, Format, Making, MeasureOptions, Measures, Product, Quantity, Report, Severity, Side, Wall,

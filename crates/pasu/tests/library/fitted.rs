@@ -1,4 +1,6 @@
 //! Rings and drains for which there is no room: the pot is made with the nearest for which there is, the same whatever is asked of it, and never without a word.
+//!
+//! What its time buys: everything that can be asked of a pot is asked of the same few, by which it is known that all of it is of one body.
 
 use pasu::{
     Code, Design, Finding, Format, Making, Map, MeasureOptions, MeshOptions, Pot, Product, Severity, Size,

@@ -1,5 +1,7 @@
 //! Random pots in random attitudes, flooded from above: what stays in the triangles of `solid`, column by column of a fine grid, is what `measure` says they hold.
 //!
+//! What its time buys: a judge of capacities that knows nothing of levels and brims, on pots and attitudes that nobody has thought of.
+//!
 //! `FLOODS=2000 cargo test -p pasu --release --test library flood` floods as many.
 
 use std::cmp::Reverse;

@@ -9,8 +9,8 @@ use super::imports::Imports;
 const PAGE: House = House {
     rules: "tidy/page.rs",
     floors: &[
-        "language", "number", "document", "state", "words", "worker", "solver", "maker", "work", "render", "ui",
-        "element", "app", "sw", "main", "embed",
+        "language", "number", "document", "equation", "state", "words", "worker", "solver", "maker", "work", "render",
+        "ui", "element", "app", "sw", "main", "embed",
     ],
     // What draws knows neither documents nor a page, what a page is made of knows no pot but says what it says in the page's words, and what keeps a copy for later
     // knows no page.

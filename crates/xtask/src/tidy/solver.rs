@@ -23,6 +23,7 @@ const SOLVER: House = House {
         "solution",
         "evaluate",
         "pull",
+        "fit",
         "mesh",
         "fingerprint",
         "face",

@@ -1,13 +1,16 @@
-/** Choosing what a new design begins as, by its picture. */
+/** Choosing what a new design begins as, by its picture: a form, whatever chance draws, or a family of the equations. */
 
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
-import { BEGINNINGS, beginningOf } from "../../document/beginnings";
-import type { Exhibit } from "../../document/gallery/exhibit";
+import { BEGINNINGS } from "../../document/beginnings";
+import { FORMS } from "../../document/forms";
+import { designOf, type Exhibit } from "../../document/gallery/exhibit";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
-import { base } from "../../ui/styles";
+import { icon } from "../../ui/icons";
+import { base, buttons } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
+import { CommandEvent } from "../command";
 import { exhibitIn, Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
@@ -22,12 +25,26 @@ export class PasuNew extends DesignerElement {
 
   override render() {
     return html`<pasu-dialog wide heading=${beginnings.heading} @dialog-closed=${this.close}>
-      <p>${beginnings.lead}</p>
+      <div class="lead">
+        <p>${beginnings.lead}</p>
+        <button class="button outlined" type="button" title=${beginnings.surpriseNote} @click=${this.surprise}>
+          ${icon("chance")}<span>${beginnings.surprise}</span>
+        </button>
+      </div>
       ${tiles(
-        BEGINNINGS,
+        FORMS,
         (id) => beginnings.forms[id],
-        (beginning) => this.choose(beginning),
+        (form) => this.choose(form),
       )}
+      <details @toggle=${show}>
+        <summary>${beginnings.equations}</summary>
+        <p>${beginnings.equationsLead}</p>
+        ${tiles(
+          BEGINNINGS,
+          (id) => beginnings.families[id],
+          (beginning) => this.choose(beginning),
+        )}
+      </details>
     </pasu-dialog>`;
   }
 
@@ -42,14 +59,20 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, exhibitIn(BEGINNINGS));
+    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BEGINNINGS]));
     this.pictures.watch(this.renderRoot);
   }
 
+  /** The form as a document of its own; its title is left to the person. */
   private choose(beginning: Exhibit): void {
-    this.designer.opening.open(beginningOf(beginning));
+    this.designer.opening.open(designOf(beginning));
     this.close();
   }
+
+  private readonly surprise = (): void => {
+    this.dispatchEvent(new CommandEvent("surprise"));
+    this.close();
+  };
 
   private readonly close = (): void => {
     this.dispatchEvent(new Event("new-closed"));
@@ -57,14 +80,42 @@ export class PasuNew extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     tileStyles,
     css`
       p {
         color: var(--soft);
+      }
+      .lead {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 10px 18px;
+        padding-bottom: 14px;
+      }
+      .lead p {
+        flex: 1 1 16rem;
+      }
+      details {
+        margin-top: 18px;
+        border-top: 1px solid var(--line);
+      }
+      summary {
+        min-height: var(--touch);
+        padding: 12px 0;
+        font-weight: 600;
+        cursor: pointer;
+      }
+      details p {
         padding-bottom: 12px;
       }
     `,
   ];
+}
+
+/** What is unfolded at the end of a long dialogue is below its edge. */
+function show({ target }: Event): void {
+  if (target instanceof HTMLDetailsElement && target.open) target.scrollIntoView({ block: "start" });
 }
 
 declare global {

@@ -1,6 +1,7 @@
 /** Pictures of designs, drawn one after the other when they come into sight, and the tiles that they are shown on. */
 
 import { css, html } from "lit";
+import { floored } from "../../document/floored";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
 import type { Design } from "../../document/types";
 import { stageModel } from "../../element/stage-model";
@@ -55,8 +56,9 @@ export class Pictures {
 
   async #draw(id: string): Promise<void> {
     const canvas = canvasOf(id);
-    const design = this.#find(id);
-    if (canvas.dataset.drawn === "true" || this.#ended || !design) return;
+    const found = this.#find(id);
+    if (canvas.dataset.drawn === "true" || this.#ended || !found) return;
+    const design = floored(found);
     const { rows, columns } = thumbnailGrid(design.parts.length);
     const outcome = await this.#designer.solver.mesh(`thumbnail ${id}`, design, rows, columns);
     if (outcome.state !== "done" || this.#ended) return;

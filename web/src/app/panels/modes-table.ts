@@ -196,6 +196,7 @@ export class PasuModes extends DesignerElement {
     const { designer } = this;
     return html`<pasu-number
       compact
+      data-at=${pathText(path)}
       .label=${label}
       .value=${value}
       .step=${0.1}
@@ -224,6 +225,13 @@ export class PasuModes extends DesignerElement {
     buttons,
     fields,
     css`
+      pasu-number[data-pointed] {
+        border-radius: 8px;
+        background: var(--accent-wash);
+        box-shadow: 0 0 0 4px var(--accent-wash);
+        outline: 2px solid var(--accent);
+        outline-offset: 4px;
+      }
       :host {
         display: block;
       }

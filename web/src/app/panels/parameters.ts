@@ -1,7 +1,7 @@
 /** The parameters of the selected part, made from its family's schema and grouped as a potter thinks. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, property } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { unitOf } from "../../document/look";
 import { pathText } from "../../document/path";
@@ -11,6 +11,7 @@ import {
   familyOf,
   fieldValue,
   GROUPS,
+  type Group,
   type Row,
   rowsOf,
   sizeFactor,
@@ -31,33 +32,25 @@ const NEVER = 1e-12;
 
 @customElement("pasu-parameters")
 export class PasuParameters extends DesignerElement {
+  /** Those alone, without a word about the family; all of them, with it, where there is none. */
+  @property({ attribute: false }) groups: readonly Group[] | null = null;
   override render() {
     const { state } = this.designer;
     const part = state.design.parts[state.part];
     if (!part) return nothing;
     const family = familyOf(part.shape.kind);
     if (part.shape.kind === "rings") {
-      void import("./rings-table");
-      return html`<pasu-rings .designer=${this.designer}></pasu-rings>`;
+      void import("./ring-cards");
+      return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>`;
     }
     if (!family) {
       void import("./modes-table");
       return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;
     }
     return html`
-      <div class="intro">
-        <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
-        <button
-          class="button outlined"
-          type="button"
-          aria-pressed=${state.session.explain ? "true" : "false"}
-          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
-        >
-          ${parameters.explain}
-        </button>
-      </div>
-      ${this.openNote(part.shape)}
-      ${GROUPS.map((group) => {
+      ${this.groups ? nothing : this.intro(family)}
+      ${this.groups ? nothing : this.openNote(part.shape)}
+      ${(this.groups ?? GROUPS).map((group) => {
         const rows = rowsOf(family, group);
         if (rows.length === 0) return nothing;
         return html`<details open>
@@ -70,6 +63,21 @@ export class PasuParameters extends DesignerElement {
         </details>`;
       })}
     `;
+  }
+
+  private intro(family: Family) {
+    const { state } = this.designer;
+    return html`<div class="intro">
+        <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
+        <button
+          class="button outlined"
+          type="button"
+          aria-pressed=${state.session.explain ? "true" : "false"}
+          @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
+        >
+          ${parameters.explain}
+        </button>
+    </div>`;
   }
 
   private openNote(shape: Shape) {
@@ -115,6 +123,7 @@ export class PasuParameters extends DesignerElement {
     const symbol = fields.length > 1 ? (field.symbol.split("_")[0] ?? "") : field.symbol;
     return html`<pasu-number
       data-field=${field.key}
+      data-at=${fields.map(({ path }) => pathText(path)).join(" ")}
       .label=${name}
       .qualifier=${qualifier}
       .symbol=${symbol}
@@ -157,6 +166,13 @@ export class PasuParameters extends DesignerElement {
     base,
     buttons,
     css`
+      pasu-number[data-pointed] {
+        border-radius: 8px;
+        background: var(--accent-wash);
+        box-shadow: 0 0 0 4px var(--accent-wash);
+        outline: 2px solid var(--accent);
+        outline-offset: 4px;
+      }
       :host {
         display: block;
       }

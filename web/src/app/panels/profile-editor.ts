@@ -2,11 +2,14 @@
 
 import { css, html, nothing, svg } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { curveUnder, pointOn } from "../../document/curves";
 import { unitOf } from "../../document/look";
 import { isFree, sharesHandles } from "../../document/profile";
-import type { End, Handle, HandleId, Unit } from "../../document/types";
+import { nearestOn, type RingHandle, ringHandles } from "../../document/ring-handles";
+import type { End, Handle, HandleId, Shape, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import type { Section } from "../../solver/messages";
+import { removeRing } from "../../state/ring-actions";
 import { dragHandle } from "../../state/shape-actions";
 import { base } from "../../ui/styles";
 import { profile } from "../../words/english/profile";
@@ -22,6 +25,11 @@ const COARSE = 10;
 const REACH = 22;
 const LEAST_REACH = 9;
 const DUST = 1e-9;
+/** A double click within this of the wall puts a ring there, in the units of the drawing. */
+const NEAR_WALL = 24;
+
+/** What is dragged: a datum of an end, or a ring between the ends. */
+type Grip = Handle | RingHandle;
 
 interface Point {
   readonly x: number;
@@ -49,7 +57,7 @@ export class PasuProfile extends DesignerElement {
   private spoken = "";
   @query("svg") private readonly picture!: SVGSVGElement;
   /** What is under the hand, as it was when it was grabbed: its steps are good for the whole drag. */
-  private last: { readonly handle: Handle; readonly rim: End; readonly x: number; readonly y: number } | null = null;
+  private last: { readonly handle: Grip; readonly rim: End; readonly x: number; readonly y: number } | null = null;
 
   override render() {
     const { designer } = this;
@@ -61,20 +69,17 @@ export class PasuProfile extends DesignerElement {
     const all = section.handles.list;
     const marks = marksOf(section);
     // Of a pot that is not the one on the screen, and cannot be shown, there is nothing to drag.
-    const moving = sharesHandles(shown, shape) ? all.filter(isFree) : [];
-    const frame =
-      this.held ??
-      frameOf(
-        section,
-        moving.map((handle) => pointOf(handle.id, marks)),
-      );
+    const rings = sharesHandles(shown, shape) ? ringHandles(shown) : [];
+    const moving: readonly Grip[] = sharesHandles(shown, shape) ? [...all.filter(isFree), ...rings] : [];
+    const spots = moving.map((handle) => spotOf(handle, marks, shown));
+    const frame = this.held ?? frameOf(section, spots);
     const unit = unitOf(design);
     return html`
-      <p class="lead">${profile.lead}</p>
-      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label=${profile.section}>
+      <p class="lead">${profile.lead}${shape.kind === "rings" ? html` ${profile.rings}` : nothing}</p>
+      <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" aria-label=${profile.section} @dblclick=${(event: MouseEvent) => this.put(event, section, frame)}>
         ${this.drawing(section, frame)}
         ${this.slope(frame, marks.rim, marks.rimTip)} ${this.slope(frame, marks.foot, marks.footTip)}
-        ${moving.map((handle) => this.handle(handle, section, frame, marks))}
+        ${moving.map((handle, index) => this.handle(handle, index, spots, section, frame))}
       </svg>
       <p class="spoken" role="status">${this.spoken}</p>
       <dl>
@@ -85,6 +90,12 @@ export class PasuProfile extends DesignerElement {
               ${reading(handle.id, section, unit)}
               ${handle.restraints.length === 0 ? nothing : html`<span class="why">${whyHeld(handle.restraints)}</span>`}
             </dd>
+          </div>`,
+        )}
+        ${rings.map(
+          (handle) => html`<div>
+            <dt>${profile.ring(handle.index)}</dt>
+            <dd>${pointWords(spotOf(handle, marks, shown), section, unit)}</dd>
           </div>`,
         )}
       </dl>
@@ -109,12 +120,13 @@ export class PasuProfile extends DesignerElement {
     return svg`<line class="slope" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`;
   }
 
-  private handle(handle: Handle, section: Section, frame: Frame, marks: Marks) {
-    const at = toView(pointOf(handle.id, marks), frame);
+  private handle(handle: Grip, index: number, spots: readonly Point[], section: Section, frame: Frame) {
+    const at = toView(spots[index] ?? { x: 0, z: 0 }, frame);
     const ways = handle.axial.length === 0 ? "across" : handle.radial.length === 0 ? "along" : "move";
     const slope = handle.id.endsWith("slope");
-    const { rim, list } = section.handles;
-    const others = list.filter(({ id }) => id !== handle.id).map(({ id }) => toView(pointOf(id, marks), frame));
+    const { rim } = section.handles;
+    const name = isRing(handle) ? profile.ring(handle.index) : profile.handles[handle.id];
+    const others = spots.filter((_, other) => other !== index).map((spot) => toView(spot, frame));
     const nearest = Math.min(...others.map((other) => Math.hypot(other.x - at.x, other.y - at.y)));
     const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
     return svg`<g
@@ -122,7 +134,7 @@ export class PasuProfile extends DesignerElement {
       tabindex="0"
       role="button"
       aria-roledescription=${profile.handle}
-      aria-label=${profile.named(profile.handles[handle.id], profile.ways[ways])}
+      aria-label=${profile.named(name, profile.ways[ways])}
       data-handle=${handle.id}
       transform="translate(${at.x} ${at.y})"
       @pointerdown=${(event: PointerEvent) => this.grab(event, handle, rim, frame)}
@@ -139,7 +151,7 @@ export class PasuProfile extends DesignerElement {
     </g>`;
   }
 
-  private grab(event: PointerEvent, handle: Handle, rim: End, frame: Frame): void {
+  private grab(event: PointerEvent, handle: Grip, rim: End, frame: Frame): void {
     if (event.button !== 0) return;
     event.preventDefault();
     const target = event.currentTarget as SVGGElement;
@@ -165,26 +177,76 @@ export class PasuProfile extends DesignerElement {
   };
 
   /** Moves a handle by a distance in the section. */
-  private move(handle: Handle, rim: End, x: number, z: number): void {
-    const factor = handle.id.endsWith("slope") ? towards(handle.id, rim) / SLOPE_SHARE : 1;
+  private move(handle: Grip, rim: End, x: number, z: number): void {
+    const slope = !isRing(handle) && handle.id.endsWith("slope");
+    const factor = slope ? towards(handle.id, rim) / SLOPE_SHARE : 1;
     this.designer.apply(dragHandle(this.designer.state, handle, factor * x, factor * z));
   }
 
-  private key(event: KeyboardEvent, handle: Handle, rim: End, frame: Frame): void {
+  private key(event: KeyboardEvent, handle: Grip, rim: End, frame: Frame): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.ringKey(event.key, handle)) {
+      event.preventDefault();
+      return;
+    }
     const arrow = ARROWS[event.key];
-    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!arrow) return;
     event.preventDefault();
     const pixel = 1 / frame.scale;
     const step = 10 ** Math.floor(Math.log10(3 * pixel)) * (event.shiftKey ? COARSE : 1);
     this.move(handle, rim, arrow[0] * step, arrow[1] * step);
   }
 
+  /** Plus puts a ring above, Delete takes one away; whether the key meant that. */
+  private ringKey(key: string, handle: Grip): boolean {
+    const { designer } = this;
+    const shape = designer.state.design.parts[designer.state.part]?.shape;
+    if (shape?.kind !== "rings") return false;
+    const last = shape.rings.length - 1;
+    const index = isRing(handle) ? handle.index : handle.id === "foot" ? 0 : last;
+    if (key === "+" || key === "=") {
+      const above = Math.min(index, last - 1);
+      void this.add(((shape.rings[above]?.u ?? 0) + (shape.rings[above + 1]?.u ?? 1)) / 2);
+    } else if (key === "Delete" || key === "Backspace") designer.apply(removeRing(designer.state, index));
+    else return false;
+    return true;
+  }
+
+  /** Puts a ring where the wall is clicked on twice. */
+  private put(event: MouseEvent, section: Section, frame: Frame): void {
+    const box = this.picture.getBoundingClientRect();
+    const pixels = box.width / WIDTH;
+    const x = frame.x + ((event.clientX - box.left) / pixels - WIDTH / 2) / frame.scale;
+    const z = frame.z - ((event.clientY - box.top) / pixels - HEIGHT / 2) / frame.scale;
+    const { u, away } = [section.right, section.left]
+      .map((line) => nearestOn(line, x, z))
+      .reduce((best, each) => (each.away < best.away ? each : best));
+    if (away * frame.scale < NEAR_WALL) void this.add(u);
+  }
+
+  private async add(u: number): Promise<void> {
+    const { designer } = this;
+    const { design, part, ids } = designer.state;
+    const shape = design.parts[part]?.shape;
+    const id = ids[part];
+    if (shape?.kind !== "rings" || id === undefined || curveUnder(shape, u)) return;
+    await (await designer.openPull())?.putRing(id, Number(u.toPrecision(3)));
+  }
+
   /** What a screen reader says after a key moved the handle that has the focus. */
   override willUpdate(): void {
     const section = this.designer.surface.shown?.solved.section;
-    const active = this.shadowRoot?.activeElement?.getAttribute("data-handle") as HandleId | null | undefined;
+    const active = this.shadowRoot?.activeElement?.getAttribute("data-handle");
     if (!section || !active || this.last) return;
-    this.spoken = reading(active, section, unitOf(this.designer.state.design));
+    const { design, part } = this.designer.state;
+    const shown = this.designer.surface.shown?.design.parts[part]?.shape;
+    const ring = shown && ringHandles(shown).find(({ id }) => id === active);
+    const unit = unitOf(design);
+    this.spoken = ring
+      ? pointWords(ringPoint(shown, ring), section, unit)
+      : active in profile.handles
+        ? reading(active as HandleId, section, unit)
+        : "";
   }
 
   static override readonly styles = [
@@ -339,6 +401,26 @@ function pointOf(id: HandleId, marks: Marks): Point {
     case "foot-slope":
       return marks.footTip;
   }
+}
+
+function isRing(handle: Grip): handle is RingHandle {
+  return "index" in handle;
+}
+
+function spotOf(handle: Grip, marks: Marks, shown: Shape): Point {
+  return isRing(handle) ? ringPoint(shown, handle) : pointOf(handle.id, marks);
+}
+
+/** Where a ring is on the right of the section. */
+function ringPoint(shape: Shape, { index }: RingHandle): Point {
+  const [x, , z] = pointOn(shape, index, 0) ?? [0, 0, 0];
+  return { x, z };
+}
+
+function pointWords({ x, z }: Point, section: Section, unit: Unit): string {
+  const size = Math.hypot(...section.slopes);
+  const number = (value: number) => spokenLength(Math.abs(value) < DUST * size ? 0 : value, unit);
+  return profile.point(number(x), number(z));
 }
 
 function reading(id: HandleId, section: Section, unit: Unit): string {

@@ -3,16 +3,15 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { type Path, pathText } from "../../document/path";
-import type { Rings, Shape } from "../../document/types";
+import { type Hoop, withSharp } from "../../document/ring-numbers";
 import { DesignerElement } from "../../element/designer-element";
-import { editShape, setNumber } from "../../state/shape-actions";
+import { changeRing } from "../../state/ring-actions";
+import { setNumber } from "../../state/shape-actions";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base } from "../../ui/styles";
 import { rings as words } from "../../words/english/rings";
 import { whyWords } from "../../words/refusals";
-
-type Hoop = Rings["rings"][number];
 
 @customElement("pasu-rings")
 export class PasuRings extends DesignerElement {
@@ -21,7 +20,6 @@ export class PasuRings extends DesignerElement {
     const shape = design.parts[part]?.shape;
     if (shape?.kind !== "rings") return nothing;
     return html`
-      <p class="intro"><strong>${words.lead}</strong> ${words.about}</p>
       <span class="cell"
         ><span aria-hidden="true">${words.smoothing}</span>${this.number(words.smoothing, ["a"], shape.a ?? 1)}</span
       >
@@ -64,6 +62,7 @@ export class PasuRings extends DesignerElement {
     const { designer } = this;
     return html`<pasu-number
       compact
+      data-at=${pathText(path)}
       .label=${label}
       .value=${value}
       .step=${0.1}
@@ -71,6 +70,7 @@ export class PasuRings extends DesignerElement {
       @number-change=${(event: NumberChangeEvent) =>
         designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
       @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
     ></pasu-number>`;
   }
 
@@ -81,26 +81,21 @@ export class PasuRings extends DesignerElement {
   }
 
   private sharpen(index: number, sharp: boolean): void {
-    const change = (shape: Shape) => {
-      if (shape.kind !== "rings") return shape;
-      const rings = shape.rings.map((hoop, at) => (at === index ? withSharp(hoop, sharp) : hoop));
-      return { ...shape, rings };
-    };
-    this.designer.apply(editShape(this.designer.state, change));
+    this.designer.apply(changeRing(this.designer.state, index, (hoop) => withSharp(hoop, sharp)));
   }
 
   static override readonly styles = [
     base,
     css`
+      pasu-number[data-pointed] {
+        border-radius: 8px;
+        background: var(--accent-wash);
+        box-shadow: 0 0 0 4px var(--accent-wash);
+        outline: 2px solid var(--accent);
+        outline-offset: 4px;
+      }
       :host {
         display: block;
-      }
-      .intro {
-        padding-bottom: 8px;
-        color: var(--soft);
-      }
-      .intro strong {
-        color: var(--ink);
       }
       ol {
         display: grid;
@@ -148,10 +143,6 @@ export class PasuRings extends DesignerElement {
       }
     `,
   ];
-}
-
-function withSharp({ sharp: _sharp, ...hoop }: Hoop, sharp: boolean): Hoop {
-  return sharp ? { ...hoop, sharp } : hoop;
 }
 
 declare global {

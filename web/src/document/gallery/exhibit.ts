@@ -1,11 +1,12 @@
 /** A finished design to start from. */
 
-import type { Design, Look, Shape } from "../types";
+import type { Design, Look, Shape, Wall } from "../types";
 
 export interface Exhibit<Id extends string = string> {
   /** Stable and unique: what tests, thumbnails and the words of its title and note call it. */
   readonly id: Id;
   readonly shape: Shape;
+  readonly wall?: Wall;
   readonly look?: Look;
 }
 
@@ -15,10 +16,10 @@ export function exhibits<const Id extends string>(all: readonly Exhibit<Id>[]): 
 }
 
 /** The exhibit as a document of its own. */
-export function designOf(exhibit: Exhibit, title?: string): Design {
+export function designOf({ shape, wall, look }: Exhibit, title?: string): Design {
   return {
     pasu: 1,
     ...(title !== undefined && { title }),
-    parts: [{ shape: exhibit.shape, ...(exhibit.look && { look: exhibit.look }) }],
+    parts: [{ shape, ...(wall && { wall }), ...(look && { look }) }],
   };
 }

@@ -54,6 +54,7 @@ const STYLES = {
   foot: { width: 3.2, colour: [0, 0.55, 0.4], border: WHITE, borderWidth: 1.1, opacity: 1, hidden: 0.28 },
   tangents: { width: 2.4, colour: [0.75, 0.36, 0.62], border: WHITE, borderWidth: 1, opacity: 1, hidden: 0.28 },
   axes: { width: 1.6, colour: INK, border: WHITE, borderWidth: 0.6, opacity: 1, hidden: 0.3 },
+  pointed: { width: 4.2, colour: [0.95, 0.9, 0.26], border: INK, borderWidth: 1.2, opacity: 1, hidden: 0.4 },
 } as const satisfies Record<string, StrokeStyle>;
 
 /** Length of the arrows as a share of the radius of the pot. */
@@ -88,6 +89,7 @@ export class Overlays implements Tenant {
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
   private dimensions: Dimension[] = [];
   private size: Size | null = null;
+  private hinted: readonly Float32Array[] = [];
   private stale = true;
   /** Which sides of the pot face the eye: the dimension lines change their place with it. */
   private side = "";
@@ -112,6 +114,7 @@ export class Overlays implements Tenant {
       foot: stroke("foot", 42),
       tangents: stroke("tangents", 44),
       axes: stroke("axes", 50),
+      pointed: stroke("pointed", 48),
     };
     this.wireframe = new Wireframe(studio, this.cut, 10);
     this.sources.push(this.wireframe);
@@ -120,6 +123,12 @@ export class Overlays implements Tenant {
 
   set lines(lines: StageLines) {
     this.given = lines;
+    this.stale = true;
+  }
+
+  /** Curves that somebody points at. */
+  set pointed(lines: readonly Float32Array[]) {
+    this.hinted = lines;
     this.stale = true;
   }
 
@@ -161,12 +170,16 @@ export class Overlays implements Tenant {
     this.stale = false;
     const { shown, strokes, given } = this;
     for (const [name, stroke] of Object.entries(strokes) as [StrokeName, Stroke][]) {
-      stroke.visible =
-        bounds !== null && shown[name === "rim" || name === "foot" || name === "tangents" ? "boundary" : name];
+      const isSeen =
+        name === "pointed"
+          ? this.hinted.length > 0
+          : shown[name === "rim" || name === "foot" || name === "tangents" ? "boundary" : name];
+      stroke.visible = bounds !== null && isSeen;
     }
     this.wireframe.visible = bounds !== null && shown.wireframe;
     if (!bounds) return;
     if (shown.wireframe) this.wireframe.update(pot, this.coreOf);
+    if (this.hinted.length > 0) strokes.pointed.segments = ofPolylines(this.hinted);
     if (shown.isoU) strokes.isoU.segments = ofPolylines(given.iso_u);
     if (shown.isoV) strokes.isoV.segments = ofPolylines(given.iso_v);
     if (shown.boundary) {

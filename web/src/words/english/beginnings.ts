@@ -1,12 +1,36 @@
-/** What a new design may begin as. */
+/** What a new design may begin as: forms, and the families of the equations. */
 
 import type { BEGINNINGS } from "../../document/beginnings";
+import type { FORMS } from "../../document/forms";
 import { phrases } from "../../language";
+
+interface Told {
+  readonly title: string;
+  readonly note: string;
+}
 
 export const beginnings = phrases("beginnings", {
   heading: "New pot",
-  lead: "Your present pot stays within reach: undo brings it back.",
+  lead: "Choose a form to begin with. Your present pot stays within reach: undo brings it back.",
+  surprise: "Surprise me",
+  surpriseNote: "A pot that nobody has thought of, and that can be made.",
   forms: {
+    "form-cylinder": { title: "Cylinder", note: "A tall vase with an upright wall." },
+    "form-bowl": { title: "Bowl", note: "On a foot ring, wide open." },
+    "form-jar": { title: "Jar", note: "High shoulders and a rolled lip." },
+    "form-bottle": { title: "Bottle", note: "A low belly and a long neck." },
+    "form-vase": { title: "Vase", note: "Slender below, full at the shoulder." },
+    "form-teapot": { title: "Teapot body", note: "Round and low, for one litre." },
+    "form-planter": { title: "Planter", note: "A rim to lift it by, a hole to drain." },
+    "form-cup": { title: "Cup", note: "A third of a litre, without a handle." },
+    "form-plate": { title: "Plate", note: "Flat, with a wall that rises." },
+    "form-jug": { title: "Jug with a spout", note: "The lip is pulled on one side." },
+    "form-moon-jar": { title: "Moon jar", note: "Nearly a ball, and not quite even." },
+    "form-gourd": { title: "Gourd", note: "Two bellies and a waist." },
+  } satisfies Readonly<Record<(typeof FORMS)[number]["id"], Told>>,
+  equations: "By its equation",
+  equationsLead: "Families of pots as the papers have them, each with numbers of its own.",
+  families: {
     "new-vase": {
       title: "Vase",
       note: "Fourth order: the slopes at rim and foot are yours.",
@@ -43,5 +67,5 @@ export const beginnings = phrases("beginnings", {
       title: "Free boundary data",
       note: "Any edges, wave by wave. For those who like tables.",
     },
-  } satisfies Readonly<Record<(typeof BEGINNINGS)[number]["id"], { readonly title: string; readonly note: string }>>,
+  } satisfies Readonly<Record<(typeof BEGINNINGS)[number]["id"], Told>>,
 });

@@ -13,6 +13,7 @@ interface Told {
 export const gallery = phrases("gallery", {
   shelves: {
     own: { title: "Our own", source: "Designs that show what the equations can do" },
+    rings: { title: "Through rings", source: "Pulled, squeezed, turned and cut, each with its wall" },
     "zhang-you": {
       title: "Zhang and You",
       source: "Surface representation using second, fourth and mixed order partial differential equations, 2001",
@@ -88,6 +89,46 @@ export const gallery = phrases("gallery", {
     "own-plate": {
       title: "Petal plate",
       note: "Twelve shallow petals round a plate that leaves its foot almost level.",
+    },
+    "own-lipped-jug": {
+      title: "Lipped jug",
+      note: "A finger drew the lip out while the other hand held the throat; so the rim rises as it narrows.",
+    },
+    "own-squeezed-bottle": {
+      title: "Squeezed bottle",
+      note: "Pressed flat twice before it was dry: the belly from two sides, the neck from the two between.",
+    },
+    "own-twisted-gourd": {
+      title: "Twisted gourd",
+      note: "Five lobes climb through both bellies and have gone round by a fifth when they reach the mouth.",
+    },
+    "own-faceted-jar": {
+      title: "Faceted jar",
+      note: "Eight sides, as if cut from a thick wall with a wire, that end where the neck is round again.",
+    },
+    "own-trefoil-jug": {
+      title: "Trefoil jug",
+      note: "The wine jug of the Greeks: a round lip pinched in twice pours from any of three.",
+    },
+    "own-bamboo": {
+      title: "Bamboo vase",
+      note: "Three nodes that narrow as they climb, as a stem's do.",
+    },
+    "own-dancing-bottle": {
+      title: "Dancing bottle",
+      note: "Every ring stands beside the one below, first to one side, then to the other.",
+    },
+    "own-shell-bowl": {
+      title: "Shell bowl",
+      note: "Waves of 13, 14 and 15 meet in ribs on one side and leave the other smooth.",
+    },
+    "own-thumbed-cup": {
+      title: "Thumbed cup",
+      note: "Four dents at half its height, for a thumb and the fingers, under a rim that is round.",
+    },
+    "own-chevron-vase": {
+      title: "Chevron vase",
+      note: "Twelve flutes that turn one way up to the belly and the other way above it.",
     },
     "zhang-you-1a": {
       title: "Zhang and You 2001, figure 1a",

@@ -16,7 +16,16 @@ const pot: Keys = [
   ["Shift arrows", "Move"],
   ["+ −", "Zoom"],
   ["F", "Fit to view"],
+  ["P", "Pull at it, or turn it again"],
   ["1 to 5", "Three-quarter, front, side, top, below"],
+];
+const ring: Keys = [
+  ["Arrows", "Out and in, up and down"],
+  ["Shift arrows", "Ten times as far"],
+  ["Alt ← →", "Round the axis"],
+  ["+ −", "A wider or narrower pull"],
+  ["Delete", "Take the ring away"],
+  ["Escape", "Take back a pull under way"],
 ];
 const water: Keys = [
   ["Arrows", "Up and down by a hundredth"],
@@ -31,6 +40,11 @@ const list: Keys = [
   ["F2", "Name it"],
   ["Delete", "Take it away; undo brings it back"],
 ];
+const formula: Keys = [
+  ["Left, right", "From number to number"],
+  ["Home, End", "First and last number"],
+  ["Enter", "To its field"],
+];
 const number: Keys = [
   ["Arrows", "One step"],
   ["Shift arrows", "Ten steps"],
@@ -44,14 +58,16 @@ export const help = phrases("help", {
     "Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.",
     "A wall makes a surface a pot, which has a capacity, a weight and a foot to stand on: under Measures they are told, and Export saves a file for a printer, a CAD program or a potter's wheel. Every such file holds its link and opens again when it is dropped on this page, but for an STL, which has room for a very short link alone.",
     "Every tab of the browser keeps a pot of its own, and its undo, through a reload. My designs is a shelf in this browser, on this device: what you save there stays as it is until you change it there. What was left unsaved in a closed tab comes back with the next one, or is found on the shelf. Under Overlays there is a link that shows a pot from where you see it now, cut open and coloured as it is.",
-    "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. Files and links can be dropped on the page.",
+    "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. With Pull, the mouse or one finger pulls at the pot where it is: a ring follows, all round, at one side or as petals. Drag beside it, with the right button or with two fingers to turn it then; with Shift it goes up and down, with Alt round the axis, and the wheel with Shift makes the pull wider. Files and links can be dropped on the page.",
   ],
   keys: [
     { title: "Anywhere", keys: anywhere },
     { title: "On the pot", keys: pot },
+    { title: "On a ring, while pulling", keys: ring },
     { title: "On the water", keys: water },
     { title: "In the list of parts", keys: list },
     { title: "On a number", keys: number },
+    { title: "On a formula", keys: formula },
   ],
   /** `{0}` and `{1}` are the titles of the two papers. */
   sources: "After J. J. Zhang and L. You, {0} (2001), and S. N. Ishak and J. M. Ali, {1}.",

@@ -35,7 +35,9 @@ export const page = phrases("page", {
   editedMeans: "Changed since it was opened or saved",
   commands: {
     new: "New",
+    surprise: "Surprise me",
     gallery: "Gallery",
+    mix: "Mix with…",
     shelf: "My designs",
     open: "Open",
     save: "Save",
@@ -57,7 +59,7 @@ export const page = phrases("page", {
   tabs: {
     shape: "Shape",
     profile: "Profile",
-    order: "Order",
+    equation: "Equation",
     look: "Look",
     wall: "Wall",
     measures: "Measures",
@@ -75,6 +77,7 @@ export const page = phrases("page", {
   still: "This browser has no WebGL2, so the pot stands still. Everything else works: change it, save it, share it.",
   view: "View",
   views: { "three-quarter": "Three-quarter", front: "Front", side: "Side", top: "Top", below: "Below" },
+  pull: "Pull",
   zoomOut: "Zoom out",
   zoomIn: "Zoom in",
   fit: "Fit to view",

@@ -25,6 +25,10 @@ export const profile = phrases("profile", {
   } satisfies Readonly<Record<Restraint, string>>,
   coming: "The section appears with the pot.",
   lead: "The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.",
+  /** Of a pot of rings, behind the sentence above. */
+  rings:
+    "Double-click the wall to put a ring there, which changes nothing until it is moved. With keys, plus adds one above and Delete takes one away.",
+  ring: (number: number) => `Ring ${number}`,
   section: "Section through the axis",
   handle: "handle",
   /** Which ways a handle moves. */

@@ -1,0 +1,117 @@
+//! A drawn line, by how far along it a point is.
+
+use glam::DVec2;
+
+/// Points nearer each other than this part of the length are one.
+const SAME: f64 = 1e-12;
+
+/// A line turns sharply where it does by more than this, in radians: 35 degrees.
+const SHARP: f64 = 0.61;
+
+/// A line of straight pieces from the foot to the rim, as radius and height.
+#[derive(Debug, Clone)]
+pub(super) struct Line {
+    points: Vec<DVec2>,
+    /// How far along each point is, from 0 to 1.
+    along: Vec<f64>,
+    length: f64,
+}
+
+impl Line {
+    /// From its points in order; nothing where it has no length.
+    pub(super) fn of(points: impl IntoIterator<Item = DVec2>) -> Option<Line> {
+        let points: Vec<DVec2> = points.into_iter().collect();
+        let whole: f64 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        let mut line = Line { points: Vec::with_capacity(points.len()), along: Vec::new(), length: 0.0 };
+        for point in points {
+            let gap = line.points.last().map_or(0.0, |last| last.distance(point));
+            if line.points.is_empty() || gap > SAME * whole {
+                line.length += gap;
+                line.points.push(point);
+                line.along.push(line.length);
+            }
+        }
+        for along in &mut line.along {
+            *along /= line.length;
+        }
+        (line.points.len() > 1 && line.length.is_finite()).then_some(line)
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// The point there.
+    pub(super) fn at(&self, along: f64) -> DVec2 {
+        let next = self.along.partition_point(|known| *known <= along).clamp(1, self.points.len() - 1);
+        let [from, to] = [self.along[next - 1], self.along[next]];
+        self.points[next - 1].lerp(self.points[next], ((along - from) / (to - from)).clamp(0.0, 1.0))
+    }
+
+    /// How far away from it a point is.
+    pub(super) fn distance(&self, point: DVec2) -> f64 {
+        let squared = self.points.windows(2).map(|pair| {
+            let way = pair[1] - pair[0];
+            let part = ((point - pair[0]).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            (point - pair[0] - way * part).length_squared()
+        });
+        squared.fold(f64::INFINITY, f64::min).sqrt()
+    }
+
+    /// Where it turns sharply, seen over this length to either side.
+    pub(super) fn corners(&self, over: f64) -> Vec<f64> {
+        let reach = over / self.length;
+        let turn = |index: usize| {
+            let (here, along) = (self.points[index], self.along[index]);
+            let [before, after] = [here - self.at((along - reach).max(0.0)), self.at((along + reach).min(1.0)) - here];
+            libm::fabs(libm::atan2(before.perp_dot(after), before.dot(after)))
+        };
+        let turns: Vec<f64> = (1..self.points.len() - 1).map(turn).collect();
+        let mut corners: Vec<(f64, f64)> = Vec::new();
+        for (along, turn) in self.along[1..].iter().zip(turns).filter(|(_, turn)| *turn > SHARP) {
+            match corners.last_mut() {
+                // Of neighbours that see the same corner, the sharpest.
+                Some(last) if along - last.0 < reach => {
+                    if turn > last.1 {
+                        *last = (*along, turn);
+                    }
+                }
+                _ => corners.push((*along, turn)),
+            }
+        }
+        corners.into_iter().map(|(along, _)| along).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(points: &[[f64; 2]]) -> Line {
+        Line::of(points.iter().map(|point| DVec2::from(*point))).unwrap()
+    }
+
+    #[test]
+    fn it_is_run_through_evenly() {
+        let bent = line(&[[1.0, 0.0], [1.0, 0.0], [4.0, 0.0], [4.0, 9.0]]);
+        assert_eq!(bent.length(), 12.0);
+        assert_eq!(
+            [0.0, 0.125, 0.25, 0.5, 1.0].map(|along| bent.at(along).to_array()),
+            [[1.0, 0.0], [2.5, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 9.0]]
+        );
+        assert_eq!(bent.distance(DVec2::new(0.0, -1.0)), 2f64.sqrt());
+        assert_eq!(bent.distance(DVec2::new(6.0, 5.0)), 2.0);
+        assert!(Line::of([DVec2::ONE, DVec2::ONE]).is_none() && Line::of([]).is_none());
+    }
+
+    #[test]
+    fn corners_are_told_from_curves() {
+        assert_eq!(line(&[[1.0, 0.0], [4.0, 0.0], [4.0, 9.0]]).corners(0.1), [0.25]);
+        let round = (0..=90).map(|i| f64::from(i).to_radians()).map(|angle| DVec2::new(angle.cos(), angle.sin()));
+        assert!(Line::of(round.clone()).unwrap().corners(0.1).is_empty());
+        // A neck on a ball: one corner, whatever the points are.
+        let necked: Vec<DVec2> = round.take(60).chain([DVec2::new(0.5, 3.0)]).collect();
+        let corners = Line::of(necked).unwrap().corners(0.05);
+        assert!(corners.len() == 1 && (corners[0] - 1.03 / 3.16).abs() < 0.02, "{corners:?}");
+    }
+}

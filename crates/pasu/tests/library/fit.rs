@@ -1,0 +1,273 @@
+//! What is no pot of rings, as one: a pot of another kind, and a drawn line.
+
+use core::f64::consts::TAU;
+
+use pasu::{Code, Design, Profile, Rings, Shape, Surface, evaluate, fit, free};
+
+fn pot(design: &Design) -> &Rings {
+    match &design.parts()[0].shape {
+        Shape::Rings(pot) => pot,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn surface(design: &Design) -> Surface {
+    Surface::of_part(&design.parts()[0], 0).unwrap()
+}
+
+/// How far points of one surface are from the other at most, by walking down to the nearest point: independent of how both are run through.
+fn apart(from: &Design, to: &Design) -> f64 {
+    let (from, to) = (surface(from), surface(to));
+    let mut most = 0.0f64;
+    for i in 0..=7 {
+        for j in 0..11 {
+            let (u, turn) = (f64::from(i) / 7.0, f64::from(j) / 11.0);
+            let point = from.at(u, turn * from.span()).position;
+            let away = |u: f64, v: f64| to.at(u, v * to.span()).position.distance(point);
+            // The best of a grid, then ever smaller steps about it.
+            let grid = (0..=16).flat_map(|i| (0..48).map(move |j| (f64::from(i) / 16.0, f64::from(j) / 48.0)));
+            let (mut u, mut v) = grid.min_by(|a, b| away(a.0, a.1).total_cmp(&away(b.0, b.1))).unwrap();
+            let (mut best, mut step) = (away(u, v), 0.02);
+            while step > 1e-7 {
+                let tries = [(step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step)];
+                let better = tries.map(|(du, dv)| ((u + du).clamp(0.0, 1.0), v + dv));
+                match better.into_iter().find(|(u, v)| away(*u, *v) < best) {
+                    Some(found) => ((u, v), best) = (found, away(found.0, found.1)),
+                    None => step *= 0.5,
+                }
+            }
+            most = most.max(best);
+        }
+    }
+    most
+}
+
+#[test]
+fn every_family_becomes_rings_within_the_tolerance() {
+    for (link, most) in [
+        ("#1/fourth-order", [2, 2]),
+        ("#1/second-order", [8, 17]),
+        ("#1/mixed-order", [8, 17]),
+        ("#1/bloor-wilson", [2, 5]),
+        ("#1/bloor-wilson?a=1&n1=3", [2, 6]),
+        ("#1/second-order?r=1,0,.6,0", [3, 5]),
+    ] {
+        let vase = Design::parse(link).unwrap();
+        for (tolerance, most) in [0.03, 0.003].into_iter().zip(most) {
+            let freed = free(&vase, 0, tolerance).unwrap_or_else(|error| panic!("{link}: {error}"));
+            assert!(freed.distance <= tolerance, "{link}: {}", freed.distance);
+            assert!(pot(&freed.design).rings.len() <= most, "{link}: {} rings", pot(&freed.design).rings.len());
+            assert!(apart(&freed.design, &vase) <= tolerance * 1.02, "{link}");
+            if tolerance == 0.03 && link.contains("bloor") {
+                assert!(apart(&vase, &freed.design) <= tolerance * 1.02, "{link}");
+            }
+        }
+    }
+}
+
+/// The dint vase is made of the same equation and slopes: two rings say it, exactly but for the waves that are left out.
+#[test]
+fn a_dint_vase_takes_no_ring_between_its_ends() {
+    let vase = Design::parse("#1/bloor-wilson?a=1&n1=3&r=1,0,0,.8&R=-3,0,0,2").unwrap();
+    let freed = free(&vase, 0, 1e-6).unwrap();
+    assert_eq!(pot(&freed.design).rings.len(), 2);
+    assert!(freed.distance < 1e-6 && apart(&vase, &freed.design) < 1e-6, "{}", freed.distance);
+}
+
+#[test]
+fn rings_are_free_already() {
+    let bottle = Design::parse("#1/rings").unwrap();
+    let freed = free(&bottle, 0, 0.1).unwrap();
+    assert_eq!((freed.design, freed.distance), (bottle, 0.0));
+}
+
+#[test]
+fn what_is_round_a_part_stays() {
+    let vase = Design::parse(
+        r#"{"pasu":1,"title":"jar","unit":"mm","parts":[{"shape":{"kind":"second-order","r":[1,0.1,0.6,0.06]}},{"name":"b","object":1,"shape":{"kind":"second-order","r":[1,0,0.6,0]},
+        "place":{"shift":[1,2,3]},"wall":{"thickness":0.03,"base":0.04},"look":{"glaze":"cobalt"}}]}"#,
+    )
+    .unwrap();
+    let freed = free(&vase, 1, 0.001).unwrap().design;
+    assert_eq!(freed.parts()[0], vase.parts()[0]);
+    let (was, is) = (&vase.parts()[1], &freed.parts()[1]);
+    assert_eq!((&was.name, &was.wall, &was.place, &was.look), (&is.name, &is.wall, &is.place, &is.look));
+    assert!(matches!(is.shape, Shape::Rings(_)) && freed.to_json().contains(r#""title":"jar","unit":"mm""#));
+}
+
+/// Boundary data may have corners, a foot that is a point, and be upside down.
+#[test]
+fn corners_stay_corners_and_a_point_stays_a_point() {
+    let mode = |n: u32, axis: &str, [start, ring, end]: [f64; 3]| {
+        format!(r#"{{"n":{n},"{axis}":{{"start":{start},"rings":[{ring}],"end":{end}}}}}"#)
+    };
+    let component = |modes: String| format!(r#"{{"order":4,"s":1,"t":2,"w":1,"free":"both","modes":[{modes}]}}"#);
+    for [foot, rim] in [[0.0, 10.0], [10.0, 0.0]] {
+        let radii = [if foot == 0.0 { 0.0 } else { 2.0 }, 4.0, if foot == 0.0 { 2.0 } else { 0.0 }];
+        let x = component(mode(1, "cos", radii));
+        let y = component(mode(1, "sin", radii));
+        let z = component(mode(0, "cos", [foot, 5.0, rim]));
+        let shape = format!(
+            r#"{{"kind":"boundary-value","span":"2pi","rings":[{{"u":0.4,"sharp":true}}],"x":{x},"y":{y},"z":{z}}}"#
+        );
+        let vase = Design::parse(&format!(r#"{{"pasu":1,"parts":[{{"shape":{shape}}}]}}"#)).unwrap();
+        let freed = free(&vase, 0, 1e-4).unwrap();
+        assert!(freed.distance <= 1e-4 && apart(&vase, &freed.design) < 1.1e-4);
+        let pot = pot(&freed.design);
+        assert_eq!(pot.rings.iter().filter(|ring| ring.sharp).count(), 1);
+        assert!(pot.rings[0].r.mean == 0.0 && pot.rings[0].r.waves.is_empty() && pot.rings[0].z.mean == 0.0);
+    }
+}
+
+#[test]
+fn what_rings_cannot_say_is_refused() {
+    let refused = |link: &str, tolerance| {
+        let error = free(&Design::parse(link).unwrap(), 0, tolerance).unwrap_err();
+        (error.code(), error.path().to_owned())
+    };
+    assert_eq!(refused("#1/fourth-order", 0.0), (Code::OutOfRange, "tolerance".into()));
+    assert_eq!(refused("#1/fourth-order", f64::NAN), (Code::OutOfRange, "tolerance".into()));
+    assert_eq!(refused("#1/fourth-order", 1e-12), (Code::ToleranceTooFine, "tolerance".into()));
+    assert_eq!(refused("#1/second-order?n=1,8.5", 0.01), (Code::UnsupportedShape, "parts[0].shape".into()));
+    // Petals so deep that they turn back.
+    assert_eq!(refused("#1/second-order?r=1,.8,.6,.5", 0.01), (Code::UnsupportedShape, "parts[0].shape".into()));
+    let error = free(&Design::parse("#1/fourth-order").unwrap(), 3, 0.1).unwrap_err();
+    assert_eq!(error.code(), Code::NoSuchPoint);
+}
+
+/// A drawn line: points at these parts of the way.
+fn drawn(n: u32, at: impl Fn(f64) -> [f64; 2]) -> Vec<f64> {
+    (0..=n).flat_map(|i| at(f64::from(i) / f64::from(n))).collect()
+}
+
+/// How far a point is from a line of straight pieces.
+fn away(p: [f64; 2], line: &[[f64; 2]]) -> f64 {
+    let to_piece = |pair: &[[f64; 2]]| {
+        let ([ax, ay], [bx, by]) = (pair[0], pair[1]);
+        let (wx, wy) = (bx - ax, by - ay);
+        let part = (((p[0] - ax) * wx + (p[1] - ay) * wy) / (wx * wx + wy * wy)).clamp(0.0, 1.0);
+        (p[0] - ax - part * wx).hypot(p[1] - ay - part * wy)
+    };
+    line.windows(2).map(to_piece).fold(f64::INFINITY, f64::min)
+}
+
+/// How far the profile of a pot is from a line of straight pieces, and the other way: by points of both.
+fn off(design: &Design, v: f64, line: &[f64]) -> f64 {
+    let at: Vec<f64> = (0..=1000).flat_map(|i| [f64::from(i) / 1000.0, v]).collect();
+    let made: Vec<[f64; 2]> =
+        evaluate(design, 0, &at).unwrap().chunks_exact(3).map(|p| [p[0] * v.cos(), p[2]]).collect();
+    let line: Vec<[f64; 2]> = line.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
+    let between = |pair: &[[f64; 2]]| {
+        let [from, to] = [pair[0], pair[1]];
+        (0..8).map(move |i| [0, 1].map(|k| from[k] + (to[k] - from[k]) * f64::from(i) / 8.0)).collect::<Vec<_>>()
+    };
+    let dense = line.windows(2).flat_map(between).chain(line.last().copied());
+    let far = made.iter().map(|p| away(*p, &line)).fold(0.0, f64::max);
+    dense.map(|p| away(p, &made)).fold(far, f64::max)
+}
+
+#[test]
+fn a_drawn_line_is_met_within_the_tolerance_with_few_rings() {
+    let swung = drawn(100, |u| [5.0 + 2.0 * (6.0 * u).sin(), 20.0 * u]);
+    let ball = drawn(80, |u| [8.0 * (2.3 * u - 1.2).cos(), 8.0 + 8.0 * (2.3 * u - 1.2).sin()]);
+    let shaky =
+        drawn(200, |u| [5.0 + 2.0 * (6.0 * u).sin() + 0.02 * (977.0 * u).sin(), 20.0 * u + 0.02 * (1411.0 * u).cos()]);
+    for (line, tolerance, most) in [
+        (vec![3.0, 0.0, 4.0, 10.0], 0.01, 2),
+        (vec![4.0, 10.0, 3.0, 0.0], 0.01, 2),
+        (swung.clone(), 0.1, 4),
+        (swung, 0.01, 7),
+        (ball.clone(), 0.1, 2),
+        (ball, 0.01, 4),
+        // Finer than the hand shook: the rings do not follow the shaking.
+        (shaky, 0.1, 4),
+        (vec![0.0, 0.0, 8.0, 0.5, 12.0, 2.0], 0.1, 4),
+    ] {
+        let found = fit(&Profile::new(line.clone()), tolerance).unwrap();
+        let n = pot(&found.design).rings.len();
+        assert!(found.distance <= tolerance && n <= most, "{n} rings, {}", found.distance);
+        let off = off(&found.design, 0.0, &line);
+        assert!(off <= 1.05 * tolerance + 0.001, "{off} of {tolerance}");
+    }
+}
+
+#[test]
+fn sharp_turns_are_sharp_rings_and_what_is_straight_stays_so() {
+    let bottle = vec![4.0, 0.0, 5.0, 10.0, 2.0, 14.0, 2.0, 20.0];
+    for tolerance in [0.1, 0.001, 1e-6] {
+        let found = fit(&Profile::new(bottle.clone()), tolerance).unwrap();
+        let pot = pot(&found.design);
+        let sharp: Vec<[f64; 2]> =
+            pot.rings.iter().filter(|ring| ring.sharp).map(|ring| [ring.r.mean, ring.z.mean]).collect();
+        assert_eq!(sharp, [[5.0, 10.0], [2.0, 14.0]]);
+        assert_eq!(pot.rings.len(), 4);
+        assert!(found.distance <= tolerance && off(&found.design, 0.0, &bottle) <= tolerance + 0.01);
+        assert!(found.design.link().len() < 200, "{}", found.design.link());
+    }
+}
+
+#[test]
+fn both_sides_may_differ() {
+    let right = drawn(100, |u| [5.0 + 2.0 * (6.0 * u).sin(), 20.0 * u]);
+    let left = drawn(100, |u| [5.0 + (6.0 * u).sin() + u, 22.0 * u]);
+    let mut profile = Profile::new(right.clone());
+    profile.left = Some(left.clone());
+    let found = fit(&profile, 0.02).unwrap();
+    assert!(found.distance <= 0.02);
+    assert!(off(&found.design, 0.0, &right) < 0.026 && off(&found.design, 0.5 * TAU, &left) < 0.026);
+    // The same on both sides is a round pot.
+    profile.left = Some(right);
+    let round = fit(&profile, 0.02).unwrap();
+    assert!(pot(&round.design).rings.iter().all(|ring| ring.r.waves.is_empty() && ring.z.waves.is_empty()));
+}
+
+/// Round pots of rings, drawn by chance, are found again from points of their own.
+#[test]
+fn a_pot_is_found_again_from_its_own_profile() {
+    let mut seed = 7u64;
+    let mut chance = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 40) as f64 / (1u64 << 24) as f64
+    };
+    for _ in 0..15 {
+        let n = 3 + (chance() * 4.0) as usize;
+        let radii: Vec<String> = (0..n).map(|_| format!("{:.2}", 2.0 + 6.0 * chance())).collect();
+        let heights: Vec<String> =
+            (0..n).map(|i| format!("{:.2}", 20.0 * (i as f64 + 0.3 * chance()) / (n - 1) as f64)).collect();
+        let link = format!("#1/rings?r={}&z={}", radii.join(","), heights.join(","));
+        let drawn_by_chance = Design::parse(&link).unwrap();
+        let at: Vec<f64> = (0..=300).flat_map(|i| [f64::from(i) / 300.0, 0.0]).collect();
+        let line: Vec<f64> =
+            evaluate(&drawn_by_chance, 0, &at).unwrap().chunks_exact(3).flat_map(|p| [p[0], p[2]]).collect();
+        if line.iter().step_by(2).any(|r| *r < 0.0) {
+            continue;
+        }
+        let found = fit(&Profile::new(line.clone()), 0.02).unwrap_or_else(|error| panic!("{link}: {error}"));
+        let off = off(&found.design, 0.0, &line);
+        assert!(found.distance <= 0.02 && off <= 0.022, "{link}: {} {off}", found.distance);
+        assert!(pot(&found.design).rings.len() <= 4 * n, "{link}: {}", pot(&found.design).rings.len());
+    }
+}
+
+#[test]
+fn what_is_no_line_is_refused() {
+    let refused = |right: Vec<f64>, tolerance: f64| {
+        let error = fit(&Profile::new(right), tolerance).unwrap_err();
+        (error.code(), error.path().to_owned())
+    };
+    let cone = || vec![3.0, 0.0, 4.0, 10.0];
+    assert_eq!(refused(cone(), 0.0), (Code::OutOfRange, "tolerance".into()));
+    assert_eq!(refused(vec![], 0.1), (Code::WrongType, "right".into()));
+    assert_eq!(refused(vec![1.0, 0.0, 1.0], 0.1), (Code::WrongType, "right".into()));
+    assert_eq!(refused(vec![1.0, 0.0, 1.0, f64::NAN], 0.1), (Code::NotFinite, "right[3]".into()));
+    assert_eq!(refused(vec![1.0, 0.0, -1.0, 2.0], 0.1), (Code::OutOfRange, "right[2]".into()));
+    assert_eq!(refused(vec![1.0, 2.0, 1.0, 2.0], 0.1), (Code::OutOfRange, "right".into()));
+    assert_eq!(refused(vec![1e300, 0.0, 1.0, 1e308], 0.1).0, Code::OutOfRange);
+    assert_eq!(refused(vec![1.0; 50_000], 0.1), (Code::TooLarge, "right".into()));
+    let mut profile = Profile::new(cone());
+    profile.left = Some(vec![1.0]);
+    assert_eq!(fit(&profile, 0.1).unwrap_err().path(), "left");
+    // A hand that shakes more than the tolerance allows, for longer than 66 rings can follow.
+    let shaky = drawn(2000, |u| [5.0 + 0.1 * (997.0 * u).sin(), 20.0 * u]);
+    assert_eq!(refused(shaky, 0.001), (Code::ToleranceTooFine, "tolerance".into()));
+}

@@ -1,0 +1,237 @@
+// Hands on the stage: the pot is pulled by mouse, by touch and by keys, follows, and is one step of undo each time.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { fineWall } from "../support/drag.ts";
+import { dragFrom, fingers, onStage, ring, ringsOf, spotOf, takeUp } from "../support/pulling.ts";
+import { overhang, unreachable } from "../support/reach.ts";
+import { stagePicture } from "../support/sight.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, type VisitOptions } from "../support/visit.ts";
+import { PSEUDO, unmarked } from "../support/words.ts";
+
+const here = stay();
+const BOTTLE = "#1/rings";
+const VASE = "#1/second-order";
+
+test("a ring is pulled by the mouse, in one step of undo, and Escape takes back what was not meant", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  expect(await ringsOf(pot)).toBe(4);
+  const spot = await spotOf(ring(pot, 1));
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  await dragFrom(pot, spot, { x: 40, y: 0 });
+  const wide = await pot.fingerprintOtherThan(before);
+  expect((await spotOf(ring(pot, 1))).x).toBeGreaterThan(spot.x + 30);
+  expect(await ringsOf(pot)).toBe(4);
+  await pot.undo();
+  await pot.shows(before);
+  expect(await pot.history("Undo").isEnabled()).toBe(false);
+  await pot.redo();
+  await pot.shows(wide);
+  await dragFrom(pot, await spotOf(ring(pot, 1)), { x: -40, y: 0 }, { held: () => pot.page.keyboard.press("Escape") });
+  await pot.shows(wide);
+  // Between rings one is put where the hand is, and what is pulled with shift goes up.
+  const middle = await onStage(pot, 0.5, 0.55);
+  await pot.page.mouse.move(middle.x, middle.y);
+  await pot.page.locator("pasu-pull .surface.over").waitFor();
+  // Two clicks put one there and leave the pot as it is.
+  await pot.page.mouse.dblclick(middle.x, middle.y);
+  await expect.poll(() => ringsOf(pot)).toBe(5);
+  await pot.undo();
+  await pot.shows(wide);
+  await pot.page.keyboard.down("Shift");
+  await dragFrom(pot, middle, { x: 0, y: -25 });
+  await pot.page.keyboard.up("Shift");
+  await pot.fingerprintOtherThan(wide);
+  expect(await ringsOf(pot)).toBe(5);
+  expect((await pot.address()).length).toBeLessThan(200);
+});
+
+test("beside the pot, with the second button and by the wheel the picture turns and grows, and the pot stays", async () => {
+  const pot = await here.enter({ link: BOTTLE, painted: true });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  const [corner, middle] = [await onStage(pot, 0.06, 0.4), await onStage(pot, 0.5, 0.6)];
+  let seen = await stagePicture(pot);
+  const differs = async (gesture: () => Promise<unknown>) => {
+    await gesture();
+    await expect.poll(async () => (await stagePicture(pot)).equals(seen)).toBe(false);
+    seen = await stagePicture(pot);
+  };
+  await differs(() => dragFrom(pot, corner, { x: 60, y: 20 }));
+  await differs(() => dragFrom(pot, middle, { x: 60, y: 20 }, { button: "right" }));
+  await differs(() => pot.page.mouse.wheel(0, -200));
+  // With shift it is the width of the brush.
+  const width = pot.slider("Width");
+  const narrow = Number(await width.inputValue());
+  await pot.page.keyboard.down("Shift");
+  await pot.page.mouse.wheel(0, -200);
+  await pot.page.keyboard.up("Shift");
+  await expect.poll(async () => Number(await width.inputValue())).toBeGreaterThan(narrow);
+  expect(await pot.fingerprint()).toBe(before);
+  expect(await pot.history("Undo").isEnabled()).toBe(false);
+});
+
+test("by keys a ring is found, moved, pulled wider, taken away, and the tool put down", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  const { keyboard } = pot.page;
+  await pot.page.getByRole("application", { name: "The pot" }).focus();
+  await keyboard.press("p");
+  await pot.page.locator("pasu-pull-bar .bar").waitFor();
+  await keyboard.press("Tab");
+  await keyboard.press("Tab");
+  const belly = ring(pot, 1);
+  expect(await belly.evaluate((element: HTMLElement) => element.matches(":focus"))).toBe(true);
+  expect(await belly.getAttribute("aria-label")).toBe("Ring 1: radius 6 cm, height 6 cm");
+  const width = pot.slider("Width");
+  const narrow = Number(await width.inputValue());
+  await keyboard.press("+");
+  await expect.poll(async () => Number(await width.inputValue())).toBeGreaterThan(narrow);
+  await keyboard.press("-");
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  await belly.focus();
+  for (const key of ["ArrowRight", "ArrowRight", "ArrowUp"]) await keyboard.press(key);
+  await pot.fingerprintOtherThan(before);
+  await expect.poll(() => belly.getAttribute("aria-label")).toMatch(/^Ring 1: radius 6\.\d+ cm, height 6\.\d+ cm$/);
+  await keyboard.press("Delete");
+  await expect.poll(() => ringsOf(pot)).toBe(3);
+  expect(await ring(pot, 0).evaluate((element: HTMLElement) => element.matches(":focus"))).toBe(true);
+  // Ends stay.
+  await keyboard.press("Delete");
+  for (let step = 0; step < 4; step += 1) await pot.undo();
+  await pot.shows(before);
+  await pot.button("Pull").click();
+  await pot.page.locator("pasu-pull").waitFor({ state: "detached" });
+});
+
+test("on a phone one finger pulls, two turn, and nothing in the way is too small", async () => {
+  const pot = await here.enter({ ...PHONE, link: BOTTLE, painted: true });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  const middle = await onStage(pot, 0.5, 0.6);
+  await pot.page.getByRole("combobox", { name: "Which way" }).selectOption("up");
+  await fingers(pot, [{ from: middle, to: { x: middle.x, y: middle.y - 20 } }]);
+  const pulled = await pot.fingerprintOtherThan(before);
+  const seen = await stagePicture(pot);
+  await fingers(pot, [
+    { from: { x: middle.x - 30, y: middle.y }, to: { x: middle.x - 60, y: middle.y + 10 } },
+    { from: { x: middle.x + 30, y: middle.y }, to: { x: middle.x + 60, y: middle.y + 10 } },
+  ]);
+  await expect.poll(async () => (await stagePicture(pot)).equals(seen)).toBe(false);
+  expect(await pot.fingerprint()).toBe(pulled);
+});
+
+test("a named vase follows with its numbers, and says where it cannot", async () => {
+  const pot = await here.enter({ link: VASE });
+  const before = await pot.fingerprint();
+  const belly = await pot.field("Rim radius").inputValue();
+  await takeUp(pot);
+  expect(await ringsOf(pot)).toBe(0);
+  expect(await pot.page.getByRole("radio", { name: "All round" }).count()).toBe(0);
+  await pot.page.getByRole("radio", { name: "Free" }).check();
+  await dragFrom(pot, await onStage(pot, 0.5, 0.5), { x: 30, y: -30 });
+  await pot.fingerprintOtherThan(before);
+  expect(await pot.field("Rim radius").inputValue()).not.toBe(belly);
+  expect((await pot.address()).startsWith(VASE)).toBe(true);
+});
+
+/** Two bottles, the second lying on its side, stretched and in a mirror. */
+const PAIR = {
+  pasu: 1,
+  unit: "in",
+  parts: [
+    { shape: { kind: "rings", rings: bottleRings() } },
+    {
+      shape: { kind: "rings", rings: bottleRings() },
+      place: { scale: [1, -1, 1.2], axis: [0, 1, 0], angle: 1.2, shift: [14, 0, 4] },
+    },
+  ],
+};
+
+function bottleRings() {
+  return [3, 6, 1.6, 2.2].map((mean, i) => ({ u: [0, 0.35, 0.7, 1][i], r: { mean }, z: { mean: [0, 6, 15, 20][i] } }));
+}
+
+test("of several parts the one under the hand is pulled, wherever it stands", async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  await pot.dropFile("pair.json", JSON.stringify(PAIR));
+  const before = await pot.fingerprintOtherThan(first);
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  const radii = () =>
+    pot.page.evaluate(() => {
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: { store: { design: { parts: { shape: { rings: { r: { mean: number } }[] } }[] } } };
+      };
+      return designer.store.design.parts.map(({ shape }) => shape.rings.map(({ r }) => r.mean));
+    });
+  await pot.page.getByRole("option").nth(1).click();
+  const belly = await spotOf(ring(pot, 1));
+  const middle = await spotOf(ring(pot, 3));
+  // Away from where its axis is seen.
+  const by = { x: 0, y: Math.sign(belly.y - middle.y || 1) * 30 };
+  await dragFrom(pot, belly, by);
+  await pot.fingerprintOtherThan(before);
+  const [one, other] = await radii();
+  expect(one).toEqual([3, 6, 1.6, 2.2]);
+  expect(other).toHaveLength(4);
+  expect(Math.abs((other?.[1] ?? 0) - 6)).toBeGreaterThan(0.3);
+  await pot.undo();
+  await pot.shows(before);
+});
+
+test("what is pulled keeps its wall and its water", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  await pot.makePot();
+  await fineWall(pot);
+  await pot.tab("Measures");
+  await pot.button("Fill it").click();
+  const water = pot.page.locator("pasu-water [data-volume]");
+  await water.waitFor();
+  const volume = await water.innerText();
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  await dragFrom(
+    pot,
+    await spotOf(ring(pot, 1)),
+    { x: 30, y: 0 },
+    {
+      held: () => pot.page.locator('pasu-stage[data-wall="quick"]').waitFor({ state: "attached" }),
+    },
+  );
+  await pot.fingerprintOtherThan(before);
+  await fineWall(pot);
+  await expect.poll(() => water.innerText()).not.toBe(volume);
+});
+
+test.each<[string, VisitOptions]>([
+  ["on a phone", PHONE],
+  // A window of 1280 by 800 whose page is enlarged to 200 %.
+  ["at 200 %", { viewport: { width: 640, height: 400 } }],
+])("the bar is within reach %s", async (_, options) => {
+  const pot = await here.enter({ ...options, link: BOTTLE });
+  await pot.fingerprint();
+  await takeUp(pot);
+  expect(await overhang(pot)).toBe(0);
+  for (const spread of ["all", "side", "petals"]) {
+    await pot.page.getByRole("combobox", { name: "Where" }).selectOption(spread);
+    expect(await unreachable(pot, ".bar")).toEqual([]);
+  }
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("the tool is clean to axe, and says nothing that is not from the catalogue", async () => {
+  for (const colorScheme of ["light", "dark"] as const) {
+    const pot = await here.enter({ link: PSEUDO + BOTTLE, colorScheme });
+    await pot.fingerprint();
+    await pot.page.locator("pasu-stage-tools .pull").click();
+    await pot.page.locator("pasu-pull-bar .bar").waitFor();
+    expect(await findings(pot)).toEqual([]);
+    expect(await unmarked(pot)).toEqual([]);
+  }
+});

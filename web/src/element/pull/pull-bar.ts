@@ -1,0 +1,242 @@
+/** The small bar over the stage: which way a hand pulls, where, and how wide. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { type Brush, PETALS, SPREADS, takesRings, WAYS, WIDTHS, within } from "../../document/brush";
+import { formatNumber } from "../../number";
+import { icon } from "../../ui/icons";
+import { base, buttons, fields } from "../../ui/styles";
+import { pull as words } from "../../words/english/pull";
+import { whyWords } from "../../words/refusals";
+import { DesignerElement } from "../designer-element";
+
+/** A point that stays so far behind, as a share of the pot, is seen to. */
+const BEHIND = 0.02;
+
+@customElement("pasu-pull-bar")
+export class PasuPullBar extends DesignerElement {
+  override render() {
+    const { pull } = this.designer;
+    if (!pull) return nothing;
+    const { brush } = pull;
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    // A family of numbers follows as a whole.
+    const whole = shape !== undefined && !takesRings(shape);
+    const { refusal, behind } = pull.followed;
+    const note = refusal ? whyWords(refusal) : pull.grip && behind > BEHIND ? words.behind : "";
+    return html`
+      <div class="bar" role="group" aria-label=${words.tool}>
+        ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
+        ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
+        ${whole ? nothing : this.detail(brush)}
+      </div>
+      <p class="note" role="status" ?hidden=${note === ""}>${note}</p>
+    `;
+  }
+
+  /** The pot under the bar stays clear of it. */
+  override updated(): void {
+    this.dispatchEvent(new Event("bar-shown"));
+  }
+
+  private detail(brush: Brush) {
+    switch (brush.spread) {
+      case "all":
+        return nothing;
+      case "side":
+        return html`<label class="width" title=${words.widthHelp}>
+          <span>${words.width}</span>
+          <input
+            type="range"
+            min=${WIDTHS.least}
+            max=${WIDTHS.most}
+            step="any"
+            .value=${String(brush.width)}
+            aria-valuetext=${words.degrees(formatNumber(brush.width, 3))}
+            @input=${(event: Event) => this.change({ width: Math.round((event.target as HTMLInputElement).valueAsNumber) })}
+          />
+        </label>`;
+      case "petals":
+        return html`<span class="petals" role="group" aria-label=${words.petals}>
+          <button class="button bare" type="button" aria-label=${words.fewer} @click=${() => this.count(-1)}>${icon("less")}</button>
+          <output>${formatNumber(brush.petals)}</output>
+          <button class="button bare" type="button" aria-label=${words.more} @click=${() => this.count(1)}>${icon("add")}</button>
+        </span>`;
+    }
+  }
+
+  private count(by: number): void {
+    const { pull } = this.designer;
+    if (pull) this.change({ petals: within(pull.brush.petals + by, PETALS.least, PETALS.most) });
+  }
+
+  private change(change: Partial<Brush>): void {
+    const { pull } = this.designer;
+    if (pull) pull.brush = { ...pull.brush, ...change };
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    css`
+      :host {
+        position: absolute;
+        z-index: 3;
+        inset: 12px 12px auto;
+        display: grid;
+        justify-items: center;
+        gap: 6px;
+        pointer-events: none;
+      }
+      .bar {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        justify-content: center;
+        gap: 4px 10px;
+        padding: 4px 8px;
+        border: 1px solid var(--line);
+        border-radius: 13px;
+        background: var(--sheet);
+        box-shadow: 0 3px 14px var(--shadow);
+        font-size: 0.9rem;
+        pointer-events: auto;
+      }
+      fieldset {
+        display: flex;
+        margin: 0;
+        padding: 0;
+        border: 0;
+        border-radius: 9px;
+        background: var(--well);
+      }
+      fieldset label {
+        position: relative;
+        display: grid;
+        place-items: center;
+        min-width: 40px;
+        min-height: 34px;
+        padding: 0 10px;
+        border-radius: 9px;
+        white-space: nowrap;
+        cursor: pointer;
+      }
+      fieldset label:has(:checked) {
+        background: var(--accent-wash);
+        color: var(--accent-strong);
+        box-shadow: inset 0 0 0 1px var(--accent);
+      }
+      fieldset label:has(:focus-visible) {
+        outline: 2.5px solid var(--accent);
+        outline-offset: 2px;
+      }
+      fieldset input {
+        position: absolute;
+        inset: 0;
+        margin: 0;
+        opacity: 0;
+        cursor: pointer;
+      }
+      select {
+        display: none;
+      }
+      .width {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-height: 34px;
+      }
+      .width input {
+        width: 108px;
+        accent-color: var(--accent);
+      }
+      .petals {
+        display: flex;
+        align-items: center;
+      }
+      .petals .button {
+        min-width: 34px;
+        min-height: 34px;
+      }
+      output {
+        min-width: 1.6em;
+        text-align: center;
+        font-variant-numeric: tabular-nums;
+      }
+      .note {
+        max-width: 52ch;
+        padding: 5px 11px;
+        border-radius: 9px;
+        background: var(--sheet);
+        font-size: 0.88rem;
+      }
+      @media (pointer: coarse) {
+        fieldset label,
+        .width,
+        .petals .button {
+          min-height: var(--touch);
+        }
+        .petals .button {
+          min-width: var(--touch);
+        }
+      }
+      @media (max-width: 53.6875em) {
+        :host {
+          inset: 4px 6px auto;
+        }
+        .bar {
+          flex-wrap: nowrap;
+          gap: 6px;
+          padding: 3px 5px;
+        }
+        fieldset {
+          display: none;
+        }
+        select {
+          display: block;
+        }
+        .width span {
+          position: absolute;
+          clip-path: inset(50%);
+        }
+      }
+    `,
+  ];
+}
+
+/** A few choices beside each other in one piece, or where there is no room for that in a list. */
+function segments<T extends string>(
+  legend: string,
+  name: string,
+  all: readonly T[],
+  chosen: T,
+  labels: Readonly<Record<T, string>>,
+  help: Readonly<Record<T, string>> | null,
+  choose: (value: T) => void,
+) {
+  return html`<fieldset>
+      <legend class="spoken">${legend}</legend>
+      ${all.map(
+        (value) => html`<label title=${help?.[value] ?? nothing}>
+          <input type="radio" name=${name} .checked=${value === chosen} @change=${() => choose(value)} />
+          <span>${labels[value]}</span>
+        </label>`,
+      )}
+    </fieldset>
+    <select
+      class="field"
+      aria-label=${legend}
+      .value=${chosen}
+      @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}
+    >
+      ${all.map((value) => html`<option value=${value} ?selected=${value === chosen}>${labels[value]}</option>`)}
+    </select>`;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-pull-bar": PasuPullBar;
+  }
+}

@@ -1,0 +1,116 @@
+import { readFile } from "node:fs/promises";
+import init, { evaluate, link } from "pasu";
+import { beforeAll, expect, test } from "vitest";
+import { BOTTLE, WRITTEN } from "../../testing/bottle";
+import { type Brush, bumpOf, NEW_BRUSH, SPREADS, WIDTHS } from "../document/brush";
+import { curvesOf, spanOf } from "../document/curves";
+import { SHELVES } from "../document/gallery";
+import { wavesOf } from "../document/radial-pull";
+import type { BoundaryValue, Rings, Sent, Shape } from "../document/types";
+import type { Move } from "./messages";
+import { pulling } from "./pulling";
+
+beforeAll(async () => {
+  await init(
+    await WebAssembly.compile(await readFile(new URL("../../../crates/pasu-wasm/pkg/pasu_bg.wasm", import.meta.url))),
+  );
+});
+
+const SIDE: Brush = { ...NEW_BRUSH, spread: "side", width: 60 };
+const ALL: Brush = { ...NEW_BRUSH, spread: "all" };
+const PETALS: Brush = { ...NEW_BRUSH, spread: "petals", petals: 5 };
+const STILL: Move = { out: 0, up: 0, round: 0 };
+
+const designOf = (shape: Shape) => ({ pasu: 1, parts: [{ shape }] }) as unknown as Sent;
+const point = (shape: Shape, at: readonly number[]) =>
+  [...evaluate(designOf(shape), 0, at)] as [number, number, number];
+const away = (a: readonly number[], b: readonly number[]) => Math.hypot(...a.map((x, i) => x - (b[i] ?? 0)));
+const pulled = (shape: Shape, at: readonly [number, number], by: Partial<Move>, brush: Brush) =>
+  pulling({ kind: "pull", shape, at, by: { ...STILL, ...by }, brush, keep: [] });
+
+test("of every exhibit of the gallery a point comes out by as much as the hand, at one side, all round and at petals", () => {
+  for (const { id, shape } of SHELVES.flatMap(({ exhibits }) => exhibits)) {
+    const at = [0.4, 0.3 * spanOf(shape)] as const;
+    const before = point(shape, at);
+    const radius = Math.hypot(before[0], before[1]);
+    const out = 0.1 * radius;
+    for (const spread of SPREADS) {
+      const { shape: after, at: there, behind } = pulled(shape, at, { out }, { ...NEW_BRUSH, spread });
+      const factor = (radius + out) / radius;
+      const wanted = [before[0] * factor, before[1] * factor, before[2]];
+      expect(away(point(after, there), wanted), `${id} ${spread}`).toBeLessThan(behind + 1e-4 * radius);
+      if (shape.kind === "rings" || shape.kind === "boundary-value") {
+        expect(behind, `${id} ${spread}`).toBeLessThan(1e-4 * radius);
+        expect(curvesOf(after)).toHaveLength(curvesOf(shape).length + 1);
+      }
+    }
+  }
+});
+
+test("what is drawn of a bump is what the solver adds", () => {
+  for (const brush of [
+    SIDE,
+    { ...SIDE, width: WIDTHS.least },
+    { ...SIDE, width: 140 },
+    PETALS,
+    { ...PETALS, petals: 12 },
+    ALL,
+  ]) {
+    const round: Rings = {
+      ...BOTTLE,
+      rings: BOTTLE.rings.map(({ u, r, z }) => ({ u, r: { mean: r.mean }, z: { mean: z.mean } })),
+    };
+    const { shape } = pulled(round, [0.35, 0], { out: 1 }, brush);
+    const ring = (shape as Rings).rings[1];
+    const waves = wavesOf(bumpOf(brush));
+    expect(ring?.r.mean).toBeCloseTo(6 + (waves[0]?.amplitude ?? 0), 4);
+    // What is smaller than the digits that are kept is left out.
+    const rest = waves.slice(1).filter(({ amplitude }) => amplitude > 1e-5);
+    expect((ring?.r.waves ?? []).slice(0, rest.length).map(({ n }) => n)).toEqual(rest.map(({ n }) => n));
+    expect(ring?.r.waves?.length ?? 0).toBeLessThanOrEqual(waves.length - 1);
+    for (const [i, { amplitude }] of rest.entries()) expect(ring?.r.waves?.[i]?.cos).toBeCloseTo(amplitude, 4);
+  }
+});
+
+test("all round and at petals, boundary data that are written out move away from the axis", () => {
+  const radii = (shape: Shape) => [0, 1, 2, 3, 4, 5].map((k) => Math.hypot(...point(shape, [0.35, k]).slice(0, 2)));
+  for (const r of radii(pulled(WRITTEN, [0.35, 1], { out: 0.5 }, ALL).shape)) expect(r).toBeCloseTo(6.5, 10);
+  const petals = pulled(WRITTEN, [0.35, 1], { out: 0.5, up: 0.25 }, PETALS).shape;
+  for (let petal = 0; petal < 5; petal += 1) {
+    const v = 1 + (petal * 2 * Math.PI) / 5;
+    const [x, y, z] = point(petals, [0.35, v]);
+    expect(Math.hypot(x, y)).toBeCloseTo(6.5, 10);
+    expect(z).toBeCloseTo(6.25, 10);
+    const [a, b] = point(petals, [0.35, v + Math.PI / 5]);
+    expect(Math.hypot(a, b)).toBeCloseTo(6, 10);
+  }
+  // Where there is no ring yet one is put where the surface is.
+  const between = pulled(WRITTEN, [0.5, 0], { out: 0.5 }, ALL).shape as BoundaryValue;
+  expect(between.rings?.map(({ u }) => u)).toEqual([0.35, 0.5, 0.7]);
+  expect(away(point(between, [0.35, 1]), point(WRITTEN, [0.35, 1]))).toBeLessThan(1e-10);
+});
+
+test("all other rings keep their numbers, and a pull keeps the link short", () => {
+  const { shape } = pulled(BOTTLE, [0.7, 2], { out: 0.8 }, SIDE);
+  const rings = (shape as Rings).rings;
+  for (const index of [0, 1, 3]) expect(rings[index]).toEqual(BOTTLE.rings[index]);
+  expect(link(designOf(shape)).length).toBeLessThan(300);
+});
+
+test("a ring as a whole is turned against its neighbours, with all its waves", () => {
+  const { shape, at } = pulled(BOTTLE, [0.35, 0], { round: 0.3 }, ALL);
+  expect(at).toEqual([0.35, 0.3]);
+  for (const v of [0, 1, 4]) {
+    const [x, y] = point(shape, [0.35, v + 0.3]);
+    const [a, b] = point(BOTTLE, [0.35, v]);
+    expect(Math.hypot(x, y)).toBeCloseTo(Math.hypot(a, b), 5);
+  }
+});
+
+test("up moves up, and round the axis moves what is pulled", () => {
+  const up = pulled(BOTTLE, [1, 0], { up: -1.5 }, ALL);
+  expect((up.shape as Rings).rings[3]?.z.mean).toBeCloseTo(18.5, 5);
+  const turned = pulled(WRITTEN, [0.7, 0], { round: 0.2 }, SIDE);
+  const [x, y] = point(turned.shape, turned.at);
+  expect(Math.atan2(y, x)).toBeCloseTo(0.2, 6);
+});

@@ -1,0 +1,34 @@
+/** A hand on the pot: the tool that pulls, and the rings that it takes hold of. */
+
+import type { Spread, Way } from "../../document/brush";
+import { phrases } from "../../language";
+
+export const pull = phrases("pull", {
+  tool: "Pull",
+  way: "Which way",
+  ways: { out: "Out", up: "Up", round: "Round", free: "Free" } satisfies Readonly<Record<Way, string>>,
+  wayHelp: {
+    out: "Away from the axis and towards it",
+    up: "Up and down (Shift)",
+    round: "Round the axis (Alt)",
+    free: "As the hand goes",
+  } satisfies Readonly<Record<Way, string>>,
+  spread: "Where",
+  spreads: { all: "All round", side: "One side", petals: "Petals" } satisfies Readonly<Record<Spread, string>>,
+  width: "Width",
+  widthHelp: "Width (wheel with Shift)",
+  degrees: (width: string) => `${width}°`,
+  petals: "Number of petals",
+  fewer: "Fewer petals",
+  more: "More petals",
+  rings: "Rings",
+  handle: "handle",
+  foot: "Foot",
+  rim: "Rim",
+  ring: (number: number) => `Ring ${number}`,
+  end: (number: number) => `End ${number}`,
+  keys: "Arrow keys move the ring, plus and minus set the width of the pull, Delete removes the ring.",
+  at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
+  removed: (name: string) => `${name} is gone.`,
+  behind: "This form cannot follow any further with the numbers that it has.",
+});
