@@ -65,7 +65,7 @@ impl Boxes {
     /// Calls with the numbers of every two triangles whose boxes touch, the lower first, once each, until it says that this is enough. Boxes are held against boxes, so that what is
     /// far from each other is told apart by the thousand.
     pub(super) fn pairs(&self, mut visit: impl FnMut(u32, u32) -> ControlFlow<()>) {
-        let mut open: Vec<(u32, u32)> = if self.nodes.is_empty() { Vec::new() } else { vec![(0, 0)] };
+        let mut open: Vec<(u32, u32)> = if self.triangles.is_empty() { Vec::new() } else { vec![(0, 0)] };
         let mut n_seen = 0;
         while let Some((one, other)) = open.pop() {
             n_seen += 1;

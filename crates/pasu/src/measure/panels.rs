@@ -13,7 +13,7 @@ use crate::watch;
 const TURN: f64 = 0.6;
 
 /// The most places of a wall's side at which an integrand is taken, and as much time on any other face. Where there are more at first, several cells are one panel however rough they are, and the rules differ by what they miss of that.
-const MOST_PLACES: usize = 1_000_000;
+const MOST_PLACES: usize = 3_000_000;
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
@@ -149,22 +149,8 @@ fn is_patient(accuracy: &Accuracy) -> bool {
 /// A place of a column that is sought by itself takes so many times as long as one of a row,
 const ALONE: usize = 2;
 
-/// and to find where such a column begins and is wet takes as long as so many: hardly one of its rows is another column's.
-const BEGINNING: usize = 400;
-
-/// The most of all that, on columns that are sought by themselves.
-const MOST_ALONE: usize = 3_000_000;
-
-/// How many gaps round are one at first, a power of two, where so many of them by themselves, each with columns of so many rows, would be too many.
-fn gaps_together(n_gaps: usize, n_rows: usize, accuracy: &Accuracy) -> usize {
-    let columns: usize = rules(accuracy).iter().map(|rule| rule.len()).sum();
-    let mut together = 1usize;
-    let cost = |together: usize| (n_gaps / together).saturating_mul(columns * (ALONE * n_rows / together + BEGINNING));
-    while !is_patient(accuracy) && cost(together) > MOST_ALONE && together < n_gaps {
-        together *= 2;
-    }
-    together
-}
+/// and to find where such a column begins takes as long as so many.
+const BEGINNING: usize = 40;
 
 /// How many cells each way are one panel at first, a power of two, where all of them by themselves would be too many.
 fn together_at_first(n_panels: usize, accuracy: &Accuracy, cost: usize) -> usize {
@@ -316,15 +302,15 @@ pub(crate) fn over_columns<const N: usize>(
             .collect()
     };
     let first = first_level(breaks, accuracy).max(0);
-    let together = gaps_together(breaks.len() << first, n_rows, accuracy).ilog2() as Level;
+    let cost = ALONE * n_rows + BEGINNING;
+    let n_panels = breaks.len().saturating_mul(cost) << first;
+    let together = together_at_first(n_panels, accuracy, 1).ilog2() as Level;
     let places = at_level(breaks, first - together);
     let ends: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
     let mut gaps = over(&ends, -together);
     // Both the halves and the places in them are counted.
     let (mut n_taken, mut n_places) = (0, 0usize);
-    let n_columns: usize = rules.iter().map(|rule| rule.len()).sum();
-    let places_of_a_gap =
-        |level: Level| (libm::exp2(f64::from(level)) * (ALONE * n_rows) as f64 + BEGINNING as f64) * n_columns as f64;
+    let places_of_a_row = |level: Level| libm::exp2(f64::from(level)) * (cost * places_of_a_panel(&rules)) as f64;
     loop {
         let mut total = Integral::<N>::default();
         // By how much the two rules differ, and the root of the sum of its squares gap by gap: what cancels once round may do so by chance.
@@ -340,7 +326,7 @@ pub(crate) fn over_columns<const N: usize>(
             core::array::from_fn(|i| above_rounding(difference[i].abs().max(libm::sqrt(squares[i])), total.size[i]));
         let allowed: [f64; N] = core::array::from_fn(|i| accuracy.seamed * total.size[i].max(at_least[i]));
         let is_done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        if is_done || n_taken > MOST_COLUMNS || n_places > MOST_ALONE || watch::is_stopped() {
+        if is_done || n_taken > MOST_COLUMNS || n_places > MOST_PLACES || watch::is_stopped() {
             for (error, of_rule) in total.error.iter_mut().zip(of_rule) {
                 *error += of_rule;
             }
@@ -382,7 +368,7 @@ pub(crate) fn over_columns<const N: usize>(
             n_taken += ends.len();
             let share = if is_along { 1 } else { 2 };
             let level = if is_along && level < FINEST { level + 1 } else { level };
-            n_places = n_places.saturating_add((ends.len() as f64 * places_of_a_gap(level)) as usize);
+            n_places = n_places.saturating_add((ends.len() as f64 * places_of_a_row(level)) as usize);
             let mut found = over(&ends, level).into_iter();
             for before in group {
                 let parts: Vec<Gap<N>> = found.by_ref().take(share).collect();

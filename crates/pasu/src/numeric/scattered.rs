@@ -2,10 +2,11 @@
 
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// Bits of which all go by all of those given (D. E. Knuth, *The Art of Computer Programming*, section 6.4: multiplication by the golden section).
+/// Bits of which all go by all of those given (G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*, 2014): those of even places differ in a few high ones only.
 pub(crate) fn scattered(bits: u64) -> u64 {
-    let product = bits.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    product ^ (product >> 32)
+    let mut mixed = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed ^ (mixed >> 31)
 }
 
 /// For maps whose keys are the bits of numbers: keys that nobody chooses to be in each other's way.
