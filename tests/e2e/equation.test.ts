@@ -81,9 +81,8 @@ test("a press on a number leads to its field, and what is typed there is in ever
   const pot = await enter(VASE);
   const before = await pot.fingerprint();
   await numbers(pot, "At u = 0", "3.6").click();
-  await expect.poll(() => pot.field("Height").evaluate((field) => field.matches(":focus"))).toBe(true);
-  await pot.page.keyboard.type("4.25");
-  await pot.page.keyboard.press("Enter");
+  await expect.poll(() => pot.slider("Height").evaluate((slider) => slider.matches(":focus"))).toBe(true);
+  await pot.type("Height", "4.25");
   await pot.fingerprintOtherThan(before);
   await expect.poll(() => numbers(pot, "At u = 0", "4.25").count()).toBe(1);
   expect(await numbers(pot, "Function q 3", "4.25").count()).toBe(1);
@@ -100,7 +99,7 @@ test("with the keyboard alone", async () => {
   await expect.poll(() => told(pot).innerText()).toMatch(/^Height = 3.6: /);
   await keyboard.press("Home");
   await keyboard.press("Enter");
-  await expect.poll(() => pot.field("Rim radius").evaluate((field) => field.matches(":focus"))).toBe(true);
+  await expect.poll(() => pot.slider("Rim radius").evaluate((slider) => slider.matches(":focus"))).toBe(true);
   // The field has the focus: what stands for it is marked.
   await expect.poll(() => pointed(pot)).toEqual(["r1", "1", "r1", "1", "1"]);
   await keyboard.press("ArrowUp");
@@ -212,7 +211,7 @@ test("with a finger", async () => {
   const pot = await enter(VASE, PHONE);
   await numbers(pot, "At u = 0", "0.1").first().scrollIntoViewIfNeeded();
   await numbers(pot, "At u = 0", "0.1").first().tap();
-  await expect.poll(() => pot.field("Rim petal depth").evaluate((field) => field.matches(":focus"))).toBe(true);
+  await expect.poll(() => pot.slider("Rim petal depth").evaluate((slider) => slider.matches(":focus"))).toBe(true);
   await expect.poll(() => pointed(pot)).toEqual(["r2", "0.1", "r2", "0.1", "0.1"]);
   expect(await told(pot).innerText()).toMatch(/^Rim petal depth = 0.1: /);
 });

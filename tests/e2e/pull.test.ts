@@ -50,7 +50,7 @@ test("a ring is pulled by the mouse, in one step of undo, and Escape takes back 
 });
 
 test("beside the pot, with the second button and by the wheel the picture turns and grows, and the pot stays", async () => {
-  const pot = await here.enter({ link: BOTTLE });
+  const pot = await here.enter({ link: BOTTLE, painted: true });
   const before = await pot.fingerprint();
   await takeUp(pot);
   const [corner, middle] = [await onStage(pot, 0.06, 0.4), await onStage(pot, 0.5, 0.6)];
@@ -108,7 +108,7 @@ test("by keys a ring is found, moved, pulled wider, taken away, and the tool put
 });
 
 test("on a phone one finger pulls, two turn, and nothing in the way is too small", async () => {
-  const pot = await here.enter({ ...PHONE, link: BOTTLE });
+  const pot = await here.enter({ ...PHONE, link: BOTTLE, painted: true });
   const before = await pot.fingerprint();
   await takeUp(pot);
   const middle = await onStage(pot, 0.5, 0.6);

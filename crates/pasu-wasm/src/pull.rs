@@ -47,7 +47,7 @@ pub fn pull(source: &JsValue, part: &JsValue, hand: &JsValue) -> core::result::R
     plain_object(&pulled_by(source, part, hand).map_err(|error| thrown(&error))?.design)
 }
 
-/// The same, and how far the point stayed behind: `{ design, behind }`.
+/// The same, the point that arrived, and how far it stayed behind: `{ design, at, behind }`.
 ///
 /// # Errors
 /// As [`pull`].

@@ -100,6 +100,19 @@ pub(crate) fn hard() -> Result<Vec<Specimen>> {
     let wall = json!({ "thickness": 0.4, "base": 0 });
     add("tube", json!([{ "shape": jar, "wall": wall }]), "cm", coarse(0.04))?;
 
+    // Mitred at the shoulder and rounded at the neck, and mitred where the profile turns inwards here and outwards there.
+    let petals = json!({ "kind": "rings", "rings": [{ "u": 0, "r": { "mean": 3 }, "z": { "mean": 0 } },
+        { "u": 0.35, "sharp": true, "r": { "mean": 6, "waves": [{ "n": 6, "cos": 0.4 }] }, "z": { "mean": 6 } },
+        { "u": 0.7, "sharp": true, "r": { "mean": 2.6 }, "z": { "mean": 13 } }, { "u": 1, "r": { "mean": 3.2 }, "z": { "mean": 17 } }] });
+    let wall = json!({ "thickness": 0.3, "base": 0.4 });
+    add("sharp-petals", json!([{ "shape": petals, "wall": wall }]), "cm", coarse(0.04))?;
+
+    let turning = json!({ "kind": "rings", "rings": [{ "u": 0, "r": { "mean": 4 }, "z": { "mean": 0 } },
+        { "u": 0.5, "sharp": true, "r": { "mean": 4.6, "waves": [{ "n": 5, "cos": 0.8, "sin": 0.3 }] }, "z": { "mean": 6, "waves": [{ "n": 3, "cos": 0.5 }] } },
+        { "u": 1, "r": { "mean": 5 }, "z": { "mean": 12 } }] });
+    let wall = json!({ "thickness": 0.3, "base": 0.4, "side": "outside", "rim": "rounded" });
+    add("sharp-both-ways", json!([{ "shape": turning, "wall": wall }]), "cm", coarse(0.04))?;
+
     let wall = json!({ "thickness": 3, "base": 2 });
     add("thinned", json!([{ "shape": square, "wall": wall }]), "cm", coarse(0.04))?;
 

@@ -43,6 +43,8 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "middle-outside",
     "drain-too-wide",
     "bends-too-sharply",
+    "sharp-ring",
+    "ends-in-ring",
     "crossing",
     "close",
   ],

@@ -82,6 +82,8 @@ function noRoomFor(refusal: Refusal, unit: Unit | null): string | null {
     "drain-too-wide": () =>
       length("drain", (drain) => length("room", (room) => said.drainTooWide(drain, room)) ?? drain),
     "bends-too-sharply": () => length("thickness", said.bendsTooSharply),
+    "sharp-ring": () => length("thickness", said.sharpRing),
+    "ends-in-ring": () => said.endsInRing,
     crossing: () =>
       refusal.args?.face === refusal.args?.other
         ? ofFace(refusal, "face", said.crossingItself)

@@ -463,19 +463,31 @@ pub(crate) fn over_seamed<const N: usize>(
     integrand: impl Fn(&FaceJet) -> [f64; N],
 ) -> Integral<N> {
     let breaks = all_breaks(seams);
-    let (mut least, mut most) = (1.0f64, 0.0f64);
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for v in &breaks {
-        let begin = begins(face, *v);
-        (least, most) = (least.min(begin), most.max(begin));
+        let (begin, end) = (begins(face, *v), ends(face, *v));
+        (least, most, low, high) = (least.min(begin), most.max(begin), low.min(end), high.max(end));
     }
-    let Some(first) = first_row(seams, least, most) else { return Integral::default() };
-    let mut total = between_rows(face, seams, (first, 1.0), accuracy, &integrand);
-    if least < first {
+    let rows = first_row(seams, least, most).zip(last_row(seams, low, high)).filter(|(first, last)| first < last);
+    // Without rows that all columns have, every column by itself from the middle.
+    let (first, last) = rows.unwrap_or((0.5 * (most + low), 0.5 * (most + low)));
+    let mut total =
+        if first < last { between_rows(face, seams, (first, last), accuracy, &integrand) } else { Integral::default() };
+    if least < first || last < high {
         let at_least = total.size;
-        let n_rows = cells_between(seams, least, first);
+        let n_rows = cells_between(seams, least, first).max(cells_between(seams, last, high));
         total.add(&over_columns(&breaks, accuracy, at_least, n_rows, |places, cut| {
             let mut walk = face.straight_walk();
-            let mut along = |v: f64| column(seams, (begins(face, v), first), cut, |s| integrand(&walk.jet(s, v)));
+            let mut along = |v: f64| {
+                let mut sum = Integral::default();
+                for stretch in
+                    [(begins(face, v), first), (last, ends(face, v))].into_iter().filter(|(from, to)| from != to)
+                {
+                    sum.add(&column(seams, stretch, cut, |s| integrand(&walk.jet(s, v))));
+                }
+                sum
+            };
             places.iter().map(|v| along(*v)).collect()
         }));
     }
@@ -485,6 +497,11 @@ pub(crate) fn over_seamed<const N: usize>(
 /// The least `s` of a column.
 fn begins(face: &dyn Face, v: f64) -> f64 {
     face.straight(0.0, v).min(face.straight(1.0, v))
+}
+
+/// The greatest.
+fn ends(face: &dyn Face, v: f64) -> f64 {
+    face.straight(0.0, v).max(face.straight(1.0, v))
 }
 
 /// All places round a face at which derivatives jump.
@@ -498,6 +515,11 @@ const SAME: f64 = 1e-11;
 /// The row from which all columns are there: the first seam above where the last begins, or that place itself where all begin together.
 fn first_row(seams: &Seams, least: f64, most: f64) -> Option<f64> {
     if most - least <= SAME { Some(least) } else { seams.along.iter().copied().find(|s| *s >= most) }
+}
+
+/// The last seam beneath where the first column ends, or that place itself where all end together.
+fn last_row(seams: &Seams, low: f64, high: f64) -> Option<f64> {
+    if high - low <= SAME { Some(high) } else { seams.along.iter().rev().copied().find(|s| *s <= low) }
 }
 
 /// How many cells a column goes through between two places.

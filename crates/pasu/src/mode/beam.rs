@@ -3,6 +3,8 @@
 //! Between two rings it is the mode problem of [`Equation`], on an interval whose length shortens the rates. The slopes at smooth rings and at free ends are what makes `q''` continuous there, or 0: one system
 //! with three diagonals for the rings between two corners. In the language of approximation this is an interpolating L-spline of the operator (M. H. Schultz and R. S. Varga, *L-splines*, 1967); a cubic spline where all rates are 0.
 
+use std::sync::Arc;
+
 use super::equation::Equation;
 use super::expansion::Expansion;
 use super::force;
@@ -16,6 +18,9 @@ use crate::numeric::tridiagonal::Tridiagonal;
 
 /// Rings nearer each other than this are refused: a slope, a value over a gap, would have fewer digits than a mesh shows.
 pub(crate) const CLOSEST: f64 = 1e-6;
+
+/// Lengths that differ by no more than this differ by the rounding of where rings are.
+const SAME: f64 = 2.0 * f64::EPSILON;
 
 /// How much the slopes of a beam that can swing may answer to what holds it: beyond this they cannot be told to the promised digits.
 const RESONANCE: f64 = 1e5;
@@ -34,8 +39,8 @@ struct Bay {
     from: f64,
     to: f64,
     length: f64,
-    /// In `(u - from) / length`.
-    equation: Equation,
+    /// In `(u - from) / length`; the same for all of one length.
+    equation: Arc<Equation>,
 }
 
 /// Bays that are joined smoothly.
@@ -92,9 +97,9 @@ impl Beam {
                 return Err(broken(Unsolvable::Crowded));
             }
             // Rings are often evenly spaced.
-            let equation = match bays.last().filter(|bay| bay.length == length) {
-                Some(bay) => bay.equation.clone(),
-                None => Equation::on(order, s, b, c, length).map_err(broken)?,
+            let equation = match bays.last().filter(|bay| (bay.length - length).abs() <= SAME) {
+                Some(bay) => Arc::clone(&bay.equation),
+                None => Arc::new(Equation::on(order, s, b, c, length).map_err(broken)?),
             };
             bays.push(Bay { from, to, length, equation });
         }
@@ -114,7 +119,11 @@ impl Beam {
     #[inline(never)]
     fn add_chain(&mut self, between: [usize; 2], is_free: [bool; 2]) -> Result<(), Broken> {
         let bays = &self.bays[between[0]..between[1]];
-        let stiffnesses: Vec<Stiffness> = bays.iter().map(|bay| Stiffness::of(&bay.equation)).collect();
+        let mut stiffnesses: Vec<Stiffness> = Vec::with_capacity(bays.len());
+        for (index, bay) in bays.iter().enumerate() {
+            let before = index.checked_sub(1).filter(|before| Arc::ptr_eq(&bays[*before].equation, &bay.equation));
+            stiffnesses.push(before.map_or_else(|| Stiffness::of(&bay.equation), |before| stiffnesses[before]));
+        }
         let (mut rows, mut scales) = (vec![[0.0; 3]; bays.len() + 1], vec![0.0; bays.len() + 1]);
         for (index, (bay, stiffness)) in bays.iter().zip(&stiffnesses).enumerate() {
             let [near, far] = stiffness.near_and_far().map(|part| part / bay.length);
@@ -210,9 +219,25 @@ impl Beam {
         self.jets_in(self.bay_at(u), of, u)
     }
 
+    /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
+    pub(crate) fn jets_along<const N: usize, const M: usize>(
+        &self,
+        of: [&Deflection; M],
+        u: f64,
+        [low, high]: [f64; 2],
+    ) -> [[f64; N]; M] {
+        let index = self.bay_at(u.min(high.next_down()).max(low));
+        let x = self.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
+        self.jets_of(index, of, x)
+    }
+
     fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
+        let x = self.bays.get(index).map_or(0.0, |bay| bay.within(u));
+        self.jets_of(index, of, x)
+    }
+
+    fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
         let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let x = bay.within(u);
         let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| &deflection.pieces[index]), x);
         if self.bays.len() == 1 && self.chains.is_empty() {
             return jets;
@@ -283,7 +308,12 @@ impl Beam {
 impl Bay {
     /// Where `u` is between its ends, from 0 to 1.
     fn within(&self, u: f64) -> f64 {
-        ((u - self.from) / self.length).clamp(0.0, 1.0)
+        self.beyond(u).clamp(0.0, 1.0)
+    }
+
+    /// The same for any `u`.
+    fn beyond(&self, u: f64) -> f64 {
+        if u == self.to { 1.0 } else { (u - self.from) / self.length }
     }
 
     /// Derivatives in `u` from those in what runs from 0 to 1.

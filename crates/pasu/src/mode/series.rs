@@ -8,12 +8,17 @@ const NEGLIGIBLE: f64 = 1e-19;
 /// More than any series here needs beyond its force: 4^m / m! < 1e-19 from m = 32 on, and powers above the rate die away faster.
 const MAX_TERMS: usize = 400;
 
+/// As many as a rate of 4 takes.
+const USUAL_TERMS: usize = 36;
+
 /// Solves `q^(order) = sum_j feedback_j q^(j) + force` for the power series of `q` from its first `order` coefficients.
 ///
 /// `feedback` holds pairs `(j, factor)` with `j < order`. Stops when the terms at `|x| = 1/2` have become negligible against the largest.
 pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &[f64]) -> Vec<f64> {
     let order = start.len();
-    let mut terms = start.to_vec();
+    // As many as most take, so that they are moved once at most.
+    let mut terms = Vec::with_capacity(order + force.len() + USUAL_TERMS);
+    terms.extend_from_slice(start);
     let mut largest = terms.iter().enumerate().fold(0.0f64, |m, (i, a)| m.max(a.abs() * power_of_half(i)));
     let mut quiet = 0;
     while terms.len() < force.len() + MAX_TERMS && !(quiet >= order && terms.len() >= force.len() + order) {

@@ -21,6 +21,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
         Box::new(Pointwise { patch: self, u })
     }
 
+    /// The same of what is smooth between two knots of constant `u`, creases or ends: at the second of them the side of smaller `u`, and where the patch has a closed form, its continuation beyond both.
+    fn row_along(&self, u: f64, [low, high]: [f64; 2]) -> Box<dyn Row + '_> {
+        self.row(u.min(high.next_down()).max(low))
+    }
+
     /// Values of `v` for any number of rows, with what the jets there have in common.
     fn columns(&self, spread: Spread) -> Columns {
         Columns::plain(spread)

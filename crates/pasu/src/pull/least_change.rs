@@ -12,8 +12,8 @@ const MOST_HALVINGS: i32 = 24;
 /// A direction in which the point moves by less than this part of that in which it moves most is one in which it cannot be moved.
 const UNMOVED: f64 = 1e-6;
 
-/// A step may leave the point behind by this part of the way that it had to go.
-const NEARER: f64 = 1e-10;
+/// A step towards the least change may lead the point astray by this part of the way that it had to go.
+const ASTRAY: f64 = 1e-10;
 
 /// The change is the least when a step is this part of it: Gauss-Newton steps shrink by a factor each, and the last brings the point there to rounding.
 const SHORTEST: f64 = 1e-12;
@@ -34,7 +34,7 @@ pub(super) trait Mover {
 pub(super) fn least_change(mover: &impl Mover, n: usize, to: DVec3) -> Option<Vec<f64>> {
     let mut changes = vec![0.0; n];
     let mut behind = to - mover.point(&changes)?;
-    let allowed = NEARER * behind.length();
+    let allowed = ASTRAY * behind.length();
     for _ in 0..MOST_STEPS {
         let slopes = mover.slopes(&changes)?;
         let (mut moved, mut square) = (behind, Matrix3::zeros());

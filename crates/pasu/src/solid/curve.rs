@@ -54,8 +54,9 @@ impl Curve {
                 (jet.position, jet.dv + jet.ds * start.dv)
             }
             Curve::End(sheet) => {
-                let jet = sheet.jet(1.0, v);
-                (jet.position, jet.dv)
+                let end = sheet.end(v);
+                let jet = sheet.jet(end.s, v);
+                (jet.position, if end.dv == 0.0 { jet.dv } else { jet.dv + jet.ds * end.dv })
             }
             Curve::Beside { sheet } => {
                 let (p, dp) = Curve::Start(Arc::clone(sheet)).at(v);

@@ -1,8 +1,11 @@
 //! A placed surface and its wall, as smooth faces.
 
 mod ball;
+mod crease;
 mod curve;
+mod flank;
 mod frame;
+mod offset;
 mod outline;
 mod piece;
 mod pot;
@@ -16,6 +19,6 @@ pub(crate) use piece::Form;
 pub use piece::Piece;
 pub use pot::Pot;
 pub use product::Product;
-pub(crate) use sheet::Sheet;
+pub(crate) use sheet::{Sheet, SheetWalk};
 pub(crate) use skin::Skin;
 pub(crate) use told::{place, short, significant};

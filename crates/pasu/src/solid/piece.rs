@@ -6,8 +6,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::crease::{Crease, Shoulder};
 use super::curve::Curve;
-use super::sheet::{Sheet, SheetJet, SheetWalk, Start, WallSide};
+use super::offset::SheetJet;
+use super::sheet::{Sheet, SheetWalk, Start, WallSide};
 use super::skin::Skin;
 use super::thickness::Thickness;
 use crate::face::{Face, FaceJet, FaceKind, FaceWalk, Sealed, Seams};
@@ -27,12 +29,14 @@ pub struct Piece {
 /// What a face is made of.
 #[derive(Debug, Clone)]
 pub(crate) enum Form {
-    /// A side of the wall from where it begins to the rim, or back.
+    /// A side of the wall from where it begins to the rim or the next corner, or back.
     Sheet { sheet: Arc<Sheet>, is_back: bool },
     /// Straight lines from one curve to another.
     Ruled { from: Curve, to: Curve },
     /// Half circles over the strip from one end of two sheets to the other.
     Bead(Bead),
+    /// Arcs round a corner of the profile, from the side below it to that above, or back.
+    Shoulder { crease: Arc<Crease>, is_back: bool },
 }
 
 /// Into how many pieces a half circle is cut for rules of a few points.
@@ -54,6 +58,8 @@ enum Across {
     Ruled { from: (DVec3, DVec3), to: (DVec3, DVec3) },
     /// A half circle: its middle, the arm to where it begins and the outward bulge, each with its derivative.
     Bead { middle: DVec3, arm: DVec3, out: DVec3, dmiddle: DVec3, darm: DVec3, dout: DVec3 },
+    /// An arc, or one that is run through backwards.
+    Shoulder { shoulder: Shoulder, is_back: bool },
 }
 
 impl Across {
@@ -69,6 +75,11 @@ impl Across {
                     da: (out * c - arm * s) * PI,
                     dv: dmiddle + darm * c + dout * s,
                 }
+            }
+            Across::Shoulder { shoulder, is_back: false } => shoulder.jet(a),
+            Across::Shoulder { shoulder, is_back: true } => {
+                let jet = shoulder.jet(1.0 - a);
+                FaceJet { da: -jet.da, ..jet }
             }
         }
     }
@@ -105,6 +116,9 @@ impl Form {
             Form::Sheet { .. } => None,
             Form::Ruled { from, to } => Some(Across::Ruled { from: from.at(v), to: to.at(v) }),
             Form::Bead(bead) => Some(bead.across(v)),
+            Form::Shoulder { crease, is_back } => {
+                Some(Across::Shoulder { shoulder: crease.shoulder(v), is_back: *is_back })
+            }
         }
     }
 }
@@ -219,13 +233,17 @@ impl Face for Piece {
                 let (_, round) = from.knots().or_else(|| to.knots())?;
                 Some(Seams::across(BEAD_PIECES, round))
             }
+            Form::Shoulder { crease, .. } => {
+                let (_, round) = crease.knots()?;
+                Some(Seams::across(BEAD_PIECES, round))
+            }
         }
     }
 
     fn straight(&self, a: f64, v: f64) -> f64 {
         let Form::Sheet { sheet, is_back } = &self.form else { return a };
-        let (start, share) = (sheet.start(v).s, if *is_back { 1.0 - a } else { a });
-        if share == 1.0 { 1.0 } else { start + share * (1.0 - start) }
+        let (start, end, share) = (sheet.start(v).s, sheet.end(v).s, if *is_back { 1.0 - a } else { a });
+        if share == 1.0 { end } else { start + share * (end - start) }
     }
 
     fn straight_walk(&self) -> Box<dyn FaceWalk + '_> {
@@ -247,14 +265,18 @@ impl Face for Piece {
     }
 }
 
-/// The jet of the face that is a sheet from where it begins to the rim, or back.
+/// The jet of the face that is a sheet from where it begins to where it ends, or back.
 fn on_sheet(sheet: &Sheet, is_back: bool, a: f64, v: f64, jet: impl FnOnce(f64, f64) -> SheetJet) -> FaceJet {
-    let Start { s: start, dv } = sheet.start(v);
+    let (Start { s: start, dv }, Start { s: end, dv: end_dv }) = (sheet.start(v), sheet.end(v));
     let share = if is_back { 1.0 - a } else { a };
-    let length = 1.0 - start;
-    let jet = jet(if share == 1.0 { 1.0 } else { start + share * length }, v);
+    let length = end - start;
+    let jet = jet(if share == 1.0 { end } else { start + share * length }, v);
     let along = if is_back { -length } else { length };
-    FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * ((1.0 - share) * dv) }
+    let mut turned = (1.0 - share) * dv;
+    if end_dv != 0.0 {
+        turned += share * end_dv;
+    }
+    FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * turned }
 }
 
 /// A sheet in the coordinates of the whole.

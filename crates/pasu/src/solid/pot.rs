@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
+use super::flank::{Flank, Untrimmed};
 use super::outline::Outline;
 use super::piece::{Bead, Form, Piece};
 use super::product::Product;
@@ -43,6 +44,7 @@ const POINT: f64 = 1e-6;
 ///
 /// - **Wall.** The surface `P`, and `P - t N` (side inside) or `P + t N` (outside). `t` is the thickness asked for, or less where that would fold the clay: at most 0.8 of the largest ball
 ///   that touches the surface at `P` on that side and holds no other point of it.
+/// - **Sharp rings.** Round a corner of the profile the other side of the wall is mitred where it turns inwards, and rounded where it turns outwards by more than a little: nowhere thinner than asked for, and never folded.
 /// - **Base.** Inside: a level floor, `base` above the highest point of the foot or of the recess, down to which the lining is trimmed; where the lining begins above it, it is led straight down. Outside: the
 ///   foot of the surface bounds the floor, and the outside is trimmed or led down to a level `base` below the lowest point of the floor; where the wall leans inwards at the foot, and so begins above it, by way of the place beside the foot. A `base` of 0 makes a tube with two rims.
 /// - **Round bottom.** Where the foot is a point, the level is `base` from that point. Where the other side of the wall is beyond it there is no floor, only the wall.
@@ -295,16 +297,26 @@ impl Builder<'_> {
         Arc::new(Sheet::whole(self.skin, self.thickness, face))
     }
 
-    fn sheet(&self, face: WallSide, trim: Trim) -> Option<Arc<Sheet>> {
-        if trim == Trim::Foot {
-            Some(self.whole(face))
-        } else {
-            Sheet::new(self.skin, self.thickness, face, trim).map(Arc::new)
-        }
-    }
-
     fn push(&mut self, kind: FaceKind, form: Form, is_level: bool, is_exact: bool) {
         self.pieces.push(Piece { kind, form, outward: self.skin.outward(), is_level, is_exact });
+    }
+
+    /// The faces of one side of the wall, from foot to rim or back.
+    fn flank(&mut self, kind: FaceKind, flank: &Flank, is_back: bool) {
+        let mut forms = Vec::with_capacity(2 * flank.sheets.len());
+        for (number, sheet) in flank.sheets.iter().enumerate() {
+            if let Some(crease) =
+                number.checked_sub(1).and_then(|below| flank.creases.get(below)).filter(|crease| crease.is_rounded())
+            {
+                forms.push(Form::Shoulder { crease: Arc::clone(crease), is_back });
+            }
+            forms.push(Form::Sheet { sheet: Arc::clone(sheet), is_back });
+        }
+        if is_back {
+            forms.reverse();
+        }
+        let is_exact = flank.first().is_exact();
+        forms.into_iter().for_each(|form| self.push(kind, form, false, is_exact));
     }
 
     fn ruled(&mut self, kind: FaceKind, from: &Curve, to: &Curve, is_level: bool, is_exact: bool) {
@@ -340,7 +352,7 @@ impl Builder<'_> {
                 self.ruled(FaceKind::Outer, &led[0], &ends[0], false, true);
             }
         }
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&sheet), is_back: false }, false, true);
+        self.flank(FaceKind::Outer, &Flank::design(self.skin, self.thickness), false);
         if let Some(middle) = rim {
             if !outlines[1].is_level {
                 self.ruled(FaceKind::Lid, &ends[1], &led[1], false, true);
@@ -392,30 +404,33 @@ impl Builder<'_> {
             }
         }
         let [outer, lining] = self.sides(wall, Trim::Foot, Trim::Foot)?;
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&outer), is_back: false }, false, outer.is_exact());
-        self.rim(wall, &outer, &lining, 1.0);
-        self.push(
-            FaceKind::Lining,
-            Form::Sheet { sheet: Arc::clone(&lining), is_back: true },
-            false,
-            lining.is_exact(),
-        );
-        self.rim(wall, &lining, &outer, 0.0);
-        let lowest = [&outer, &lining].map(|sheet| Outline::of(&Curve::Start(Arc::clone(sheet)), self.skin).lowest);
+        self.flank(FaceKind::Outer, &outer, false);
+        self.rim(wall, outer.last(), lining.last(), 1.0);
+        self.flank(FaceKind::Lining, &lining, true);
+        self.rim(wall, lining.first(), outer.first(), 0.0);
+        let lowest =
+            [&outer, &lining].map(|flank| Outline::of(&Curve::Start(Arc::clone(flank.first())), self.skin).lowest);
         Ok((self.pieces, true, lowest[0].min(lowest[1])))
     }
 
-    /// The sheets outside and inside; the trims are those of the design's surface and of the other.
-    fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Arc<Sheet>; 2]> {
-        let no_room = |field: &str| {
-            let message = "the rim is lower than what is to lie within it: expected less".to_owned();
-            self.error(Code::NoRoom, field, message).with("what", "above-rim")
+    /// The sides outside and inside; the trims are those of the design's surface and of the other.
+    fn sides(&self, wall: &Wall, design: Trim, offset: Trim) -> Result<[Flank; 2]> {
+        let untrimmed = |why: Untrimmed, field: &str| match why {
+            Untrimmed::NoRoom => {
+                let message = "the rim is lower than what is to lie within it: expected less".to_owned();
+                self.error(Code::NoRoom, field, message).with("what", "above-rim")
+            }
+            Untrimmed::Refused(error) => error,
         };
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
-        let design = self.sheet(WallSide::Design, design).ok_or_else(|| no_room("wall.drain"))?;
+        let (skin, thickness) = (self.skin, self.thickness);
+        let trimmed = |flank: Flank, face: WallSide, trim: Trim| flank.trimmed(skin, thickness, face, trim);
+        let surface = trimmed(Flank::design(skin, thickness), WallSide::Design, design);
+        let surface = surface.map_err(|why| untrimmed(why, "wall.drain"))?;
         let field = if matches!(offset, Trim::Cylinder(_)) { "wall.drain" } else { "wall.base" };
-        let offset = self.sheet(WallSide::Offset { direction }, offset).ok_or_else(|| no_room(field))?;
-        Ok(if wall.side == Side::Inside { [design, offset] } else { [offset, design] })
+        let other = Flank::offset(skin, thickness, wall, direction)?;
+        let other = trimmed(other, WallSide::Offset { direction }, offset).map_err(|why| untrimmed(why, field))?;
+        Ok(if wall.side == Side::Inside { [surface, other] } else { [other, surface] })
     }
 
     fn rim(&mut self, wall: &Wall, from: &Arc<Sheet>, to: &Arc<Sheet>, at: f64) {
@@ -455,7 +470,7 @@ impl Builder<'_> {
         // Without a base a round bottom is all wall.
         let offset_trim = if is_pole && wall.base == 0.0 { Trim::Foot } else { Trim::Level(cut) };
         let [mut outer, mut lining] = self.sides(wall, design_trim, offset_trim)?;
-        let offset = if inside { &lining } else { &outer };
+        let offset = if inside { lining.first() } else { outer.first() };
         // A round bottom may be all wall; over a tip the other side of the wall does not close.
         let (is_cut, is_above) = (offset.has_column_cut(), offset.has_column_above());
         let is_tip = is_pole && !is_cut && {
@@ -475,7 +490,7 @@ impl Builder<'_> {
         if is_pole && !has_level && radius > 0.0 {
             [outer, lining] = self.sides(wall, design_trim, Trim::Cylinder(radius))?;
         }
-        let offset = Arc::clone(if inside { &lining } else { &outer });
+        let offset = Arc::clone(if inside { lining.first() } else { outer.first() });
         let is_exact = offset.is_exact();
         let is_led = has_level && (is_above || is_tip);
 
@@ -499,7 +514,7 @@ impl Builder<'_> {
         // The hole.
         let hole = (radius > 0.0).then(|| {
             let near = Arc::new(if is_pole {
-                Curve::Start(Arc::clone(if inside { &outer } else { &lining }))
+                Curve::Start(Arc::clone(if inside { outer.first() } else { lining.first() }))
             } else if outline.is_star {
                 Curve::Cylinder { curve: Arc::clone(&foot), sheet: Arc::clone(&surface), centre: middle, radius }
             } else {
@@ -543,14 +558,9 @@ impl Builder<'_> {
             self.ruled(FaceKind::Outer, &level_edge, &beside, false, is_exact);
             self.ruled(FaceKind::Outer, &beside, &edge, false, is_exact);
         }
-        self.push(FaceKind::Outer, Form::Sheet { sheet: Arc::clone(&outer), is_back: false }, false, outer.is_exact());
-        self.rim(wall, &outer, &lining, 1.0);
-        self.push(
-            FaceKind::Lining,
-            Form::Sheet { sheet: Arc::clone(&lining), is_back: true },
-            false,
-            lining.is_exact(),
-        );
+        self.flank(FaceKind::Outer, &outer, false);
+        self.rim(wall, outer.last(), lining.last(), 1.0);
+        self.flank(FaceKind::Lining, &lining, true);
         if inside && is_led {
             self.ruled(FaceKind::Lining, &edge, &level_edge, false, is_exact);
         }

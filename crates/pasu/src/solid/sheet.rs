@@ -6,12 +6,14 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::DVec3;
 
-use super::skin::{Skin, SkinJet, SkinWalk};
+use super::crease::{Crease, Foot};
+use super::offset::{SheetJet, offset};
+use super::skin::{Skin, SkinWalk};
 use super::thickness::{SplineRow, Thickness};
 use crate::numeric::scattered::Scatter;
 use crate::numeric::{bisection, illinois};
 use crate::patch::SurfaceJet;
-use crate::solution::Columns;
+use crate::solution::{Columns, Stretch};
 
 /// The most columns whose beginning is remembered.
 const REMEMBERED: usize = 1 << 16;
@@ -27,14 +29,6 @@ const HALVINGS: usize = 20;
 
 /// The most such places.
 const MOST_CROSSINGS: usize = 1 << 14;
-
-/// Position and first derivatives of a sheet.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct SheetJet {
-    pub(crate) position: DVec3,
-    pub(crate) ds: DVec3,
-    pub(crate) dv: DVec3,
-}
 
 /// Jets of one place of a sheet after the other, which share what depends on `s` alone.
 pub(crate) struct SheetWalk<'a> {
@@ -63,7 +57,7 @@ pub(crate) enum Trim {
     Cylinder(f64),
 }
 
-/// Where a column begins.
+/// Where a column begins, or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Start {
     pub(crate) s: f64,
@@ -71,12 +65,19 @@ pub(crate) struct Start {
     pub(crate) dv: f64,
 }
 
-/// One side of a wall: `S(s, v)` from where its columns begin to `s = 1`.
+/// One side of a wall between two corners of the profile or ends: `S(s, v)` from where its columns begin to where they end.
+///
+/// At a corner that is [mitred](Crease) a column of the other side of the wall is led a little beside itself, in proportion to the way from one end to the other, so that it meets that of the neighbour.
 #[derive(Debug)]
 pub(crate) struct Sheet {
     skin: Arc<Skin>,
     thickness: Arc<Thickness>,
     face: WallSide,
+    stretch: Stretch,
+    /// The corners at which it begins and ends.
+    creases: [Option<Arc<Crease>>; 2],
+    /// Whether columns are led beside themselves.
+    is_led: bool,
     trim: Trim,
     /// For even columns the numbers of the rows between which they begin; none for a column that is all above.
     brackets: Vec<Option<usize>>,
@@ -90,12 +91,15 @@ pub(crate) struct Sheet {
 }
 
 impl Sheet {
-    /// All of a side, from foot to rim.
+    /// All of a side, from foot to rim, whatever corners it has.
     pub(crate) fn whole(skin: &Arc<Skin>, thickness: &Arc<Thickness>, face: WallSide) -> Sheet {
         Sheet {
             skin: Arc::clone(skin),
             thickness: Arc::clone(thickness),
             face,
+            stretch: Stretch::WHOLE,
+            creases: [None, None],
+            is_led: false,
             trim: Trim::Foot,
             brackets: Vec::new(),
             clear: Vec::new(),
@@ -105,21 +109,38 @@ impl Sheet {
         }
     }
 
-    /// `None` where a column ends before it can begin: its rim is below the level or inside the cylinder.
-    pub(crate) fn new(skin: &Arc<Skin>, thickness: &Arc<Thickness>, face: WallSide, trim: Trim) -> Option<Sheet> {
-        let mut sheet = Sheet { trim, common: None, ..Sheet::whole(skin, thickness, face) };
-        let columns = skin.columns(skin.round().count());
+    /// What of a side lies between two corners or ends.
+    pub(super) fn between(
+        skin: &Arc<Skin>,
+        thickness: &Arc<Thickness>,
+        face: WallSide,
+        stretch: Stretch,
+        creases: [Option<Arc<Crease>>; 2],
+    ) -> Sheet {
+        let is_led = creases.iter().flatten().any(|crease| !crease.is_even());
+        let common = match &creases[0] {
+            Some(crease) if crease.is_even() => Some(crease.foot(1, 0.0).s),
+            Some(_) => None,
+            None => Some(stretch.from),
+        };
+        Sheet { stretch, creases, is_led, common, ..Sheet::whole(skin, thickness, face) }
+    }
+
+    /// The same from where its columns rise, for the last time, above a level or out of a cylinder; what is below by no more than `slack` is not.
+    pub(super) fn trimmed(self, trim: Trim, slack: f64) -> (Sheet, Trimmed) {
+        let mut sheet = Sheet { trim, common: None, ..self };
+        let columns = sheet.skin.columns(sheet.skin.round().count());
         let mut walk = sheet.walk();
-        // From the rim down, row by row: the first row at which a column is below.
+        let all: Vec<[f64; 2]> = (0..columns.len()).map(|j| sheet.all(columns.v(j))).collect();
+        // From the end down, row by row: the first row at which a column is below.
         let mut below = vec![None; columns.len()];
         // How far each stays above, and how far neighbours are apart at most.
         let (mut least, mut apart) = (vec![f64::INFINITY; columns.len()], 0.0f64);
         for i in (0..=ROWS).rev() {
-            let s = i as f64 / ROWS as f64;
             let mut before: Option<(usize, f64)> = None;
             for (j, below) in below.iter_mut().enumerate().filter(|(_, below)| below.is_none()) {
-                let height = sheet.height(walk.position_at(s, &columns, j));
-                if height < 0.0 {
+                let height = sheet.height(walk.position_at(sheet.row(i, all[j]), &columns, j));
+                if height < -slack {
                     *below = Some(i);
                 }
                 least[j] = least[j].min(height);
@@ -130,17 +151,50 @@ impl Sheet {
             }
         }
         drop(walk);
-        if below.contains(&Some(ROWS)) {
-            return None;
+        let column = |is_meant: &dyn Fn(&Option<usize>) -> bool| below.iter().position(is_meant).map(|j| columns.v(j));
+        if let Some(under) = column(&|row| *row == Some(ROWS)) {
+            let is_all = below.iter().all(|row| *row == Some(ROWS));
+            return (sheet, if is_all { Trimmed::Away } else { Trimmed::Across(under) });
         }
+        let (above, cut) = (column(&|row| row.is_none()), column(&|row| row.is_some()));
         sheet.clear = below.iter().zip(least).map(|(below, least)| below.is_none() && least > apart).collect();
         sheet.brackets = below;
-        let starts: Vec<f64> = skin.round().map(|v| sheet.start(v).s).collect();
+        let starts: Vec<f64> = sheet.skin.round().map(|v| sheet.start(v).s).collect();
         let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
         if most - least <= COMMON {
             sheet.common = Some(0.5 * (least + most));
         }
-        Some(sheet)
+        (sheet, Trimmed::There { above, cut })
+    }
+
+    /// From where to where a column goes that is not trimmed.
+    fn all(&self, v: f64) -> [f64; 2] {
+        self.feet(v).map(|foot| foot.s)
+    }
+
+    /// The place of one of so many rows of a column between two places.
+    fn row(&self, index: usize, [from, to]: [f64; 2]) -> f64 {
+        from + (to - from) * (index as f64 / ROWS as f64)
+    }
+
+    /// The corners or ends between which it lies, at one column.
+    fn feet(&self, v: f64) -> [Foot; 2] {
+        let [start, end] = &self.creases;
+        [
+            start.as_ref().map_or(Foot::at(self.stretch.from), |crease| crease.foot(1, v)),
+            end.as_ref().map_or(Foot::at(self.stretch.to), |crease| crease.foot(0, v)),
+        ]
+    }
+
+    /// Where the column at `v` ends.
+    pub(crate) fn end(&self, v: f64) -> Start {
+        let Foot { s, s_v: dv, .. } = self.feet(v)[1];
+        Start { s, dv }
+    }
+
+    /// Where columns begin at the earliest, and end at the latest, where nothing is cut off.
+    pub(crate) fn stretch(&self) -> Stretch {
+        self.stretch
     }
 
     pub(crate) fn skin(&self) -> &Skin {
@@ -152,7 +206,7 @@ impl Sheet {
         self.face == WallSide::Design || self.thickness.is_even()
     }
 
-    /// Whether this is the surface of the design from foot to rim.
+    /// Whether this is the surface of the design from one corner or end to the next.
     pub(crate) fn is_whole_design(&self) -> bool {
         self.face == WallSide::Design && self.trim == Trim::Foot
     }
@@ -179,15 +233,7 @@ impl Sheet {
 
     /// One place after the other.
     pub(crate) fn walk(&self) -> SheetWalk<'_> {
-        SheetWalk { sheet: self, walk: self.skin.walk(), row: None }
-    }
-
-    fn offset(&self, jet: &SkinJet, [t, t_s, t_v]: [f64; 3]) -> SheetJet {
-        SheetJet {
-            position: jet.position + jet.normal * t,
-            ds: jet.ds + jet.normal_s * t + jet.normal * t_s,
-            dv: jet.dv + jet.normal_v * t + jet.normal * t_v,
-        }
+        SheetWalk { sheet: self, walk: self.skin.walk_on(self.stretch), row: None }
     }
 
     /// The knots of a thickness that is interpolated: along, from 0 to 1, and round.
@@ -203,7 +249,8 @@ impl Sheet {
     /// The values of `v` at which the beginning of a column passes a knot, in ascending order; none where all begin together or there are no knots.
     pub(crate) fn crossings(&self) -> &[f64] {
         self.crossings.get_or_init(|| {
-            let Some((along, round)) = self.knots().filter(|_| self.common.is_none()) else { return Vec::new() };
+            let is_trimmed = self.common.is_none() && self.trim != Trim::Foot;
+            let Some((along, round)) = self.knots().filter(|_| is_trimmed) else { return Vec::new() };
             let before = |v: f64| {
                 let start = self.start(v).s;
                 along.partition_point(|knot| *knot < start)
@@ -269,13 +316,18 @@ impl Sheet {
 
     /// The derivative of `S_v` with respect to `v` at the foot of the design surface, which is known; elsewhere it is not.
     pub(crate) fn second_round(&self, v: f64) -> Option<DVec3> {
-        (self.face == WallSide::Design && self.trim == Trim::Foot).then(|| self.skin.second(0.0, v).dvv)
+        let is_foot = self.trim == Trim::Foot && self.stretch.from == 0.0;
+        (self.face == WallSide::Design && is_foot).then(|| self.skin.second(0.0, v).dvv)
     }
 
     /// Where the column at `v` begins.
     pub(crate) fn start(&self, v: f64) -> Start {
         if let Some(s) = self.common {
             return Start { s, dv: 0.0 };
+        }
+        if self.trim == Trim::Foot {
+            let Foot { s, s_v: dv, .. } = self.feet(v)[0];
+            return Start { s, dv };
         }
         let key = v.to_bits();
         // What a thread left that panicked holds whole entries only.
@@ -293,7 +345,7 @@ impl Sheet {
 
     fn find(&self, v: f64) -> Start {
         let mut walk = self.walk();
-        let Some((low, high)) = self.bracket(&mut walk, v) else { return Start::default() };
+        let Some((low, high)) = self.bracket(&mut walk, v) else { return Start { s: self.all(v)[0], dv: 0.0 } };
         let s = illinois::rise(low, high, |s| self.above(&mut walk, s, v));
         // The root is where g = 0: by implicit differentiation s' = -g_v / g_s.
         let jet = self.jet(s, v);
@@ -313,6 +365,7 @@ impl Sheet {
     /// Between which `s` the column at `v` begins; `None` where it is all above.
     fn bracket(&self, walk: &mut SheetWalk, v: f64) -> Option<(f64, f64)> {
         let n = self.brackets.len();
+        let all = self.all(v);
         let at = v / TAU * n as f64;
         let (left, right) = (libm::floor(at) as usize % n, libm::ceil(at) as usize % n);
         let is_clear = |j: usize| self.clear.get(j).copied().unwrap_or(false);
@@ -325,15 +378,15 @@ impl Sheet {
             // Near a bracket there is no other crossing above: the rows of both neighbours are above there.
             let mut row = high;
             while row > low {
-                let (below, above) = ((row - 1) as f64 / ROWS as f64, row as f64 / ROWS as f64);
+                let (below, above) = (self.row(row - 1, all), self.row(row, all));
                 if self.above(walk, below, v) < 0.0 && self.above(walk, above, v) >= 0.0 {
                     return Some((below, above));
                 }
                 row -= 1;
             }
         }
-        let row = (0..=ROWS).rev().find(|&i| self.above(walk, i as f64 / ROWS as f64, v) < 0.0)?;
-        Some((row as f64 / ROWS as f64, (row + 1).min(ROWS) as f64 / ROWS as f64))
+        let row = (0..=ROWS).rev().find(|&i| self.above(walk, self.row(i, all), v) < 0.0)?;
+        Some((self.row(row, all), self.row((row + 1).min(ROWS), all)))
     }
 
     /// How far a point is above the level, or outside the cylinder.
@@ -356,8 +409,11 @@ impl SheetWalk<'_> {
         let WallSide::Offset { direction } = self.sheet.face else {
             return whole(&self.walk.second(s, v));
         };
+        if self.sheet.is_led {
+            return self.led(direction, s, v);
+        }
         let thickness = self.sheet.thickness.on_row(&mut self.row, s, v).map(|t| t * direction);
-        self.sheet.offset(&self.walk.jet(s, v), thickness)
+        offset(&self.walk.jet(s, v), thickness)
     }
 
     /// As [`Sheet::jet`], at a column.
@@ -365,8 +421,11 @@ impl SheetWalk<'_> {
         let WallSide::Offset { direction } = self.sheet.face else {
             return whole(&self.walk.second_at(s, columns, column));
         };
+        if self.sheet.is_led {
+            return self.led(direction, s, columns.v(column));
+        }
         let thickness = self.sheet.thickness.on_row(&mut self.row, s, columns.v(column)).map(|t| t * direction);
-        self.sheet.offset(&self.walk.jet_at(s, columns, column), thickness)
+        offset(&self.walk.jet_at(s, columns, column), thickness)
     }
 
     /// The position at a column.
@@ -374,10 +433,38 @@ impl SheetWalk<'_> {
         let WallSide::Offset { direction } = self.sheet.face else {
             return self.walk.second_at(s, columns, column).position;
         };
+        if self.sheet.is_led {
+            return self.led(direction, s, columns.v(column)).position;
+        }
         let jet = self.walk.jet_at(s, columns, column);
         let [t, ..] = self.sheet.thickness.on_row(&mut self.row, s, columns.v(column));
         jet.position + jet.normal * (t * direction)
     }
+
+    /// The jet of a column that is led from one end to the other.
+    fn led(&mut self, direction: f64, s: f64, v: f64) -> SheetJet {
+        let [start, end] = self.sheet.feet(v);
+        let (length, length_v) = (end.s - start.s, end.s_v - start.s_v);
+        let (apart, apart_v) = (end.shift - start.shift, end.shift_v - start.shift_v);
+        let share = (s - start.s) / length;
+        let share_v = -(start.s_v + share * length_v) / length;
+        let beside = v + start.shift + share * apart;
+        let thickness = self.sheet.thickness.on_row(&mut self.row, s, beside).map(|t| t * direction);
+        let jet = offset(&self.walk.jet(s, beside), thickness);
+        let turned = 1.0 + start.shift_v + share * apart_v + share_v * apart;
+        SheetJet { position: jet.position, ds: jet.ds + jet.dv * (apart / length), dv: jet.dv * turned }
+    }
+}
+
+/// What became of a side of a wall that was trimmed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Trimmed {
+    /// Something is left of every column: of one all, and one that is cut, if there are such.
+    There { above: Option<f64>, cut: Option<f64> },
+    /// Nothing is left.
+    Away,
+    /// Of this column nothing is left, but of others.
+    Across(f64),
 }
 
 /// The jet of the surface of the design itself.

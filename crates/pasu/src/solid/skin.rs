@@ -11,7 +11,7 @@ use crate::design::plain;
 use crate::error::{Code, Error, Result};
 use crate::numeric::golden_section;
 use crate::patch::SurfaceJet;
-use crate::solution::{Columns, Placed, Upright, Walk};
+use crate::solution::{Columns, Placed, Stretch, Upright, Walk};
 
 /// An end no wider than this part of the size is a point.
 const POLE: f64 = 1e-6;
@@ -46,6 +46,8 @@ pub(crate) struct Skin {
     /// 1 where the foot goes round anti-clockwise seen from the rim, otherwise -1.
     turn: f64,
     n_columns: usize,
+    /// What lies between the corners of the profile, from foot to rim.
+    stretches: Vec<Stretch>,
 }
 
 /// Jets of one place of a skin after the other, which share what depends on `s` alone.
@@ -80,13 +82,6 @@ impl Skin {
                 "the shape has no foot and no rim, so there is no wall to stand on one: expected a surface between two curves",
             );
         };
-        if let Some(ring) = upright.crease() {
-            let message = format!(
-                "the profile has a corner at the ring u = {}, round which no wall can be made yet: expected a smooth ring, in components of order 4",
-                plain(ring)
-            );
-            return Err(Error::new(Code::UnsupportedShape, placed.path("shape"), message).with("found", ring));
-        }
         if !upright.is_closed() {
             return open(
                 "not-closed",
@@ -95,7 +90,8 @@ impl Skin {
         }
         let n_columns = (4.0 * upright.waves()).clamp(COLUMNS.0 as f64, COLUMNS.1 as f64) as usize | 1;
         let frame = Frame::new(DVec3::ZERO, placed.axis());
-        let mut skin = Skin { upright, size: 0.0, poles: [false; 2], frame, turn: 1.0, n_columns };
+        let stretches = upright.stretches();
+        let mut skin = Skin { upright, size: 0.0, poles: [false; 2], frame, turn: 1.0, n_columns, stretches };
         skin.measure()?;
         skin.frame = Frame::new(skin.middle(0.0), placed.axis());
         let mut walk = skin.walk();
@@ -216,6 +212,16 @@ impl Skin {
     /// Jets of one place after the other.
     pub(crate) fn walk(&self) -> SkinWalk<'_> {
         SkinWalk { skin: self, walk: self.upright.walk() }
+    }
+
+    /// What lies between the corners of the profile, from foot to rim: all of it in one where there are none.
+    pub(crate) fn stretches(&self) -> &[Stretch] {
+        &self.stretches
+    }
+
+    /// As [`Skin::walk`], on one of them and on its continuation beyond its ends.
+    pub(crate) fn walk_on(&self, stretch: Stretch) -> SkinWalk<'_> {
+        SkinWalk { skin: self, walk: self.upright.walk_on(stretch) }
     }
 
     /// Position and derivatives up to the second, placed.

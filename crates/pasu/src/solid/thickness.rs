@@ -10,7 +10,7 @@ use core::f64::consts::TAU;
 use glam::DVec3;
 
 use super::ball::Crowd;
-use super::skin::{Skin, SkinJet};
+use super::skin::{Skin, SkinJet, SkinWalk};
 use crate::design::Wall;
 use crate::error::Result;
 use crate::mesh::places;
@@ -39,6 +39,9 @@ const ROUNDING: f64 = 1e-12;
 
 /// The thickness is looked into at the places of a mesh that keeps this part of the size.
 const FINENESS: f64 = 1.0 / 600.0;
+
+/// Rows no further apart than this are the two of a corner.
+const APART: f64 = 1e-12;
 
 /// The most places of such a mesh.
 const MOST_PLACES: usize = 100_000;
@@ -82,6 +85,8 @@ pub(crate) struct Sought {
     rows: Vec<f64>,
     /// Without one that repeats the first.
     pub(crate) columns: usize,
+    /// Of each row the stretch of the surface that it is of: at a corner there are two.
+    stretches: Vec<usize>,
     /// Row by row.
     samples: Vec<Sample>,
     /// 1 for a wall outwards, -1 for one inwards.
@@ -118,22 +123,43 @@ impl Thickness {
         closer: Option<(usize, &Sought)>,
     ) -> Result<(Thickness, Sought)> {
         let (rows, columns) = rows_and_columns(skin, closer.map_or(1, |(factor, _)| factor))?;
-        let samples = samples(skin, &rows, columns, direction);
+        let (rows, stretches): (Vec<f64>, Vec<usize>) = rows.into_iter().unzip();
+        let samples = samples(skin, (&rows, &stretches), columns, direction);
         watch::go_on()?;
         let asked = wall.thickness;
-        let most = asked / SHARE;
-        let points = closer.map_or(&samples, |(_, before)| &before.samples);
-        let crowd = Crowd::new(points.iter().map(|sample| sample.position).collect());
-        let mut touched = None;
+        let (points, of_points) =
+            closer.map_or((&samples, &stretches), |(_, before)| (&before.samples, &before.stretches));
+        let n_around = closer.map_or(columns, |(_, before)| before.columns);
+        let mut crowds: Vec<(Crowd, Option<DVec3>)> = (0..skin.stretches().len())
+            .map(|stretch| {
+                let rows = points.chunks(n_around).zip(of_points).filter(|(_, of)| **of == stretch);
+                (Crowd::new(rows.flat_map(|(row, _)| row).map(|sample| sample.position).collect()), None)
+            })
+            .collect();
         let mut values = Vec::with_capacity(samples.len());
-        for row in samples.chunks(columns) {
+        // By what is next round a corner.
+        let mut beside: Vec<[f64; 2]> = Vec::new();
+        for (row, stretch) in samples.chunks(columns).zip(&stretches) {
             watch::go_on()?;
-            values.extend(row.iter().map(|sample| {
-                let most = most.min(sample.bend);
-                asked.min(SHARE * crowd.ball(sample.position, sample.inward, most, &mut touched))
-            }));
+            for sample in row {
+                let most = (asked / SHARE).min(sample.bend);
+                let mut by = [most; 2];
+                let mut ball = most;
+                for (number, (crowd, touched)) in crowds.iter_mut().enumerate() {
+                    let radius = crowd.ball(sample.position, sample.inward, most, touched);
+                    match stretch.abs_diff(number) {
+                        1 => by[usize::from(number > *stretch)] = radius,
+                        _ => ball = ball.min(radius),
+                    }
+                }
+                values.push(asked.min(SHARE * ball));
+                beside.push(by);
+            }
         }
-        let sought = |rows: Vec<f64>| Sought { rows, columns, samples, direction };
+        if crowds.len() > 1 {
+            thin_beside_corners(&mut values, &beside, &stretches, columns, asked);
+        }
+        let sought = |rows: Vec<f64>| Sought { rows, columns, stretches, samples, direction };
         let mut values = least_nearby(&values, columns);
         // What is thinner by rounding alone is not thinned.
         values.iter_mut().filter(|t| **t > asked * (1.0 - ROUNDING)).for_each(|t| *t = asked);
@@ -172,12 +198,13 @@ impl Thickness {
     /// Whether the wall takes up more than a share of the radius at which the surface bends, looked at between the places at which it was sought: it does nowhere where these are close enough
     /// together, and where the share is 1 its other side folds. Columns of the wall begin at `starts`.
     pub(crate) fn is_crowded(&self, skin: &Skin, sought: &Sought, starts: &[f64], limit: f64) -> bool {
-        let Sought { rows, columns, samples, direction } = sought;
+        let Sought { rows, columns, samples, direction, stretches } = sought;
         let (n, thickest) = (*columns, self.thickest());
         let is_near = |k: usize| samples.get(k).is_some_and(|sample| thickest > NEAR * sample.bend);
-        let mut walk = skin.walk();
+        let mut walks: Vec<SkinWalk> = skin.stretches().iter().map(|stretch| skin.walk_on(*stretch)).collect();
         let shares: Vec<f64> = (0..=CLOSER).map(|i| i as f64 / CLOSER as f64).collect();
         for (i, pair) in rows.windows(2).enumerate().take_while(|_| !watch::is_stopped()) {
+            let Some(walk) = walks.get_mut(stretches[i]).filter(|_| stretches[i] == stretches[i + 1]) else { continue };
             let row = |i: usize, j: usize| i * n + j % n;
             let exists = |j: usize| pair[1] >= starts[j % n].min(starts[(j + 1) % n]);
             let corners = |j: usize| [row(i, j), row(i, j + 1), row(i + 1, j), row(i + 1, j + 1)];
@@ -411,8 +438,31 @@ fn least_nearby(values: &[f64], columns: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The rows and columns of a mesh of the part, and as many more as it takes.
-fn rows_and_columns(skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
+/// Thins what is too close to its neighbour round a corner, but not what lies next to the corner itself: there the wall is mitred, and what would be too close is cut away.
+fn thin_beside_corners(values: &mut [f64], beside: &[[f64; 2]], stretches: &[usize], columns: usize, asked: f64) {
+    let n_rows = stretches.len();
+    for side in [0, 1] {
+        for column in 0..columns {
+            // Away from the corner.
+            let mut is_cut = false;
+            let mut before = None;
+            for step in 0..n_rows {
+                let row = if side == 0 { step } else { n_rows - 1 - step };
+                is_cut |= before != Some(stretches[row]);
+                before = Some(stretches[row]);
+                let place = row * columns + column;
+                let radius = SHARE * beside[place][side];
+                is_cut &= radius < asked;
+                if !is_cut {
+                    values[place] = values[place].min(radius);
+                }
+            }
+        }
+    }
+}
+
+/// The rows, each with the stretch that it is of, and columns of a mesh of the part, and as many more as it takes.
+fn rows_and_columns(skin: &Skin, fineness: usize) -> Result<(Vec<(f64, usize)>, usize)> {
     let mut tolerance = FINENESS * skin.size();
     let (placed, columns) = loop {
         let (placed, columns, _) = places(skin.placed(), Some(tolerance))?;
@@ -421,22 +471,31 @@ fn rows_and_columns(skin: &Skin, fineness: usize) -> Result<(Vec<f64>, usize)> {
         }
         tolerance *= 2.0;
     };
-    let mut rows = vec![0.0];
-    for pair in placed.windows(2) {
-        let n = (libm::ceil((pair[1] - pair[0]) / WIDEST) as usize).max(1) * fineness;
-        rows.extend((1..=n).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / n as f64));
+    let (is_upward, n_stretches) = (skin.is_upward(), skin.stretches().len());
+    let mut rows = Vec::with_capacity(placed.len());
+    for index in 0..n_stretches {
+        let number = if is_upward { index } else { n_stretches - 1 - index };
+        let [low, high] = [!is_upward, is_upward].map(|is_end| skin.stretches()[number].corner(is_end, is_upward));
+        let within = placed.iter().copied().filter(|u| *u - low > APART && high - *u > APART);
+        let ends: Vec<f64> = [low].into_iter().chain(within).chain([high]).collect();
+        rows.push((low, number));
+        for pair in ends.windows(2) {
+            let n = (libm::ceil((pair[1] - pair[0]) / WIDEST) as usize).max(1) * fineness;
+            rows.extend((1..=n).map(|i| (pair[0] + (pair[1] - pair[0]) * i as f64 / n as f64, number)));
+        }
     }
-    if !skin.is_upward() {
-        rows = rows.iter().rev().map(|u| 1.0 - u).collect();
+    if !is_upward {
+        rows = rows.into_iter().rev().map(|(u, number)| (1.0 - u, number)).collect();
     }
     Ok((rows, (columns - 1).max(COLUMNS) * fineness))
 }
 
-fn samples(skin: &Skin, rows: &[f64], columns: usize, direction: f64) -> Vec<Sample> {
+fn samples(skin: &Skin, (rows, stretches): (&[f64], &[usize]), columns: usize, direction: f64) -> Vec<Sample> {
     let mut samples = Vec::with_capacity(rows.len() * columns);
     let even = skin.columns(columns);
-    let mut walk = skin.walk();
-    for &s in rows {
+    let mut walks: Vec<SkinWalk> = skin.stretches().iter().map(|stretch| skin.walk_on(*stretch)).collect();
+    for (&s, &stretch) in rows.iter().zip(stretches) {
+        let walk = &mut walks[stretch];
         for j in 0..columns {
             let jet = walk.jet_at(s, &even, j);
             let inward = jet.normal * direction;

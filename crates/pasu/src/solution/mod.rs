@@ -13,5 +13,5 @@ pub(crate) use kept::Kept;
 pub(crate) use placed::Placed;
 #[cfg(test)]
 pub(crate) use solved::Solved;
-pub(crate) use upright::{Upright, Walk};
+pub(crate) use upright::{Stretch, Upright, Walk};
 pub use whole::Solution;

@@ -26,9 +26,31 @@ pub(crate) struct Upright {
     is_closed: bool,
 }
 
+/// What of a surface lies between two corners of its profile, or its ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stretch {
+    /// Where it begins and ends along `s`.
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    /// The same along `u`, in ascending order; `None` where it is all of the surface.
+    between: Option<[f64; 2]>,
+}
+
+impl Stretch {
+    /// All of a surface.
+    pub(crate) const WHOLE: Stretch = Stretch { from: 0.0, to: 1.0, between: None };
+
+    /// The `u` of the corner at which it ends, or begins.
+    pub(crate) fn corner(&self, is_end: bool, is_upward: bool) -> f64 {
+        let [low, high] = self.between.unwrap_or([0.0, 1.0]);
+        if is_end == is_upward { high } else { low }
+    }
+}
+
 /// Jets of one place after the other: shares with the place before what depends on `s` alone, or on `v` alone.
 pub(crate) struct Walk<'a> {
     upright: &'a Upright,
+    stretch: Stretch,
     row: Option<(f64, Box<dyn Row + 'a>)>,
     columns: Seen,
 }
@@ -124,10 +146,24 @@ impl Upright {
         self.rate
     }
 
-    /// The first `u` at which the profile has a corner.
-    pub(crate) fn crease(&self) -> Option<f64> {
-        let surface = self.placed.solved().fourier()?;
-        surface.rings().find(|(_, is_corner)| *is_corner).map(|(u, _)| u)
+    /// What lies between the corners of the profile, from foot to rim.
+    pub(crate) fn stretches(&self) -> Vec<Stretch> {
+        let surface = self.placed.solved().fourier();
+        let rings = surface.iter().flat_map(|surface| surface.rings());
+        let corners: Vec<f64> = rings.filter(|(_, is_corner)| *is_corner).map(|(u, _)| u).collect();
+        if corners.is_empty() {
+            return vec![Stretch::WHOLE];
+        }
+        let places: Vec<f64> = [0.0].into_iter().chain(corners).chain([1.0]).collect();
+        let stretch = |&[low, high]: &[f64; 2]| {
+            let ends = [low, high].map(|u| self.along(u));
+            Stretch { from: ends[0].min(ends[1]), to: ends[0].max(ends[1]), between: Some([low, high]) }
+        };
+        let mut stretches: Vec<Stretch> = places.array_windows().map(stretch).collect();
+        if !self.is_upward {
+            stretches.reverse();
+        }
+        stretches
     }
 
     /// Where derivatives jump along `s`, in ascending order.
@@ -158,7 +194,12 @@ impl Upright {
 
     /// One place after the other.
     pub(crate) fn walk(&self) -> Walk<'_> {
-        Walk { upright: self, row: None, columns: Seen::default() }
+        self.walk_on(Stretch::WHOLE)
+    }
+
+    /// The same on what lies between two corners, and on its continuation beyond them.
+    pub(crate) fn walk_on(&self, stretch: Stretch) -> Walk<'_> {
+        Walk { upright: self, stretch, row: None, columns: Seen::default() }
     }
 
     /// Even columns of this surface.
@@ -185,7 +226,8 @@ impl<'a> Walk<'a> {
             None => match self.upright.patch() {
                 Some(patch) => {
                     watch::row();
-                    (s, patch.row(self.upright.along(s)))
+                    let u = self.upright.along(s);
+                    (s, self.stretch.between.map_or_else(|| patch.row(u), |between| patch.row_along(u, between)))
                 }
                 None => return SurfaceJet::default(),
             },

@@ -43,6 +43,10 @@ impl Patch for Surface {
         Box::new(SurfaceRow { table: self.row_table(u), surface: self })
     }
 
+    fn row_along(&self, u: f64, between: [f64; 2]) -> Box<dyn Row + '_> {
+        Box::new(SurfaceRow { table: self.row_table_along(u, between), surface: self })
+    }
+
     fn columns(&self, spread: Spread) -> Columns {
         let circle = |n: f64, j: usize| match spread {
             Spread::Even(parts) => of_turns(libm::fmod(n * j as f64, parts as f64) / parts as f64),

@@ -29,12 +29,23 @@ impl<const N: usize> RowTable<N> {
         table
     }
 
+    /// As [`RowTable::at`], by the closed form between two rings or ends, which goes on beyond them.
+    pub(crate) fn along(terms: &[Vec<Term>; 3], distinct: &[f64], u: f64, between: [f64; 2]) -> Self {
+        let mut table = RowTable::default();
+        table.take_by(terms, distinct, |term| term.beam.jets_along::<N, 2>([&term.cos, &term.sin], u, between));
+        table
+    }
+
     /// Takes the coefficients at another `u`.
     pub(crate) fn take(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], u: f64) {
+        self.take_by(terms, distinct, |term| term.beam.jets::<N, 2>([&term.cos, &term.sin], u));
+    }
+
+    fn take_by(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], jets: impl Fn(&Term) -> [[f64; N]; 2]) {
         for (row, terms) in self.components.iter_mut().zip(terms) {
             row.clear();
             row.extend(terms.iter().map(|term| {
-                let [cos, sin] = term.beam.jets::<N, 2>([&term.cos, &term.sin], u);
+                let [cos, sin] = jets(term);
                 let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
                 RowTerm { column, k: term.k, cos, sin }
             }));

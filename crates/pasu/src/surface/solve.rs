@@ -1,6 +1,7 @@
 //! The closed form of a two-sided surface.
 
 use core::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::circle;
 use super::ends::Ends;
@@ -9,7 +10,7 @@ use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
-use crate::mode::{Beam, Broken, CLOSEST, Held, ModeData, Ring, Unsolvable};
+use crate::mode::{Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
 use crate::patch::SurfaceJet;
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
@@ -49,6 +50,12 @@ impl Span {
     }
 }
 
+/// A beam that was factored, and the equation that it is of.
+struct Known {
+    equation: (Order, [u64; 4], Free),
+    beam: Arc<Beam>,
+}
+
 impl<'a> From<&'a Datum> for Held<'a> {
     fn from(datum: &'a Datum) -> Self {
         let &Datum { start, end, start_u, end_u, ref rings, ref force } = datum;
@@ -78,21 +85,23 @@ impl Surface {
     pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
         #[cfg(test)]
         SOLVED.set(SOLVED.get() + 1);
-        // What x has solved: y nearly always, and z often, have the same equations.
-        let mut beams: Vec<Beam> = Vec::with_capacity(shape.x.modes.len());
+        // What was factored for one component: y nearly always, and z often, have the same equations.
+        let mut known: Vec<Known> = Vec::with_capacity(shape.x.modes.len());
         let mut component = |axis: Axis, component: &Component| {
             let Component { order, s, t, w, free, .. } = *component;
-            let is_as_x = (order, s, t, w, free) == (shape.x.order, shape.x.s, shape.x.t, shape.x.w, shape.x.free);
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let known = beams.get(index).filter(|_| is_as_x && shape.x.modes[index].n == mode.n);
-                let beam =
-                    known.map_or_else(|| Beam::new(order, [s, t, w], k, &shape.rings, free), |known| Ok(known.clone()));
+                let equation = (order, [s, t, w, mode.n].map(f64::to_bits), free);
+                let beam = match known.iter().find(|known| known.equation == equation) {
+                    Some(known) => Ok(Arc::clone(&known.beam)),
+                    None => Beam::new(order, [s, t, w], k, &shape.rings, free).map(|beam| {
+                        let beam = Arc::new(beam);
+                        known.push(Known { equation, beam: Arc::clone(&beam) });
+                        beam
+                    }),
+                };
                 let solved = beam.and_then(|beam| {
-                    if axis == Axis::X {
-                        beams.push(beam.clone());
-                    }
                     let cos = beam.solve(&Held::from(&mode.cos))?;
                     let sin = beam.solve(&Held::from(&mode.sin))?;
                     Ok(Term { n: mode.n, k, beam, cos, sin })
@@ -191,6 +200,15 @@ impl Surface {
         let make = || RowTable::at(&self.components, &self.distinct, u);
         let n_terms = || self.components.iter().map(Vec::len).sum();
         self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.at(u, n_terms(), make)), KeptRow::End)
+    }
+
+    /// The coefficients at `u` by the closed form between two rings or ends, which goes on beyond them.
+    pub(super) fn row_table_along(&self, u: f64, [low, high]: [f64; 2]) -> KeptRow<'_> {
+        let is_within = low <= u && (u < high || high == 1.0);
+        if is_within && u <= 1.0 {
+            return self.row_table(u);
+        }
+        KeptRow::Recent(Arc::new(RowTable::along(&self.components, &self.distinct, u, [low, high])))
     }
 
     /// The modes of each component.

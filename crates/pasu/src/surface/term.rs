@@ -1,5 +1,7 @@
 //! One mode of one component, solved.
 
+use std::sync::Arc;
+
 use crate::mode::{Beam, Deflection};
 
 /// One `n` of one component.
@@ -7,7 +9,8 @@ use crate::mode::{Beam, Deflection};
 pub(crate) struct Term {
     pub(crate) n: f64,
     pub(super) k: f64,
-    pub(crate) beam: Beam,
+    /// Shared by all components and modes with the same equation.
+    pub(crate) beam: Arc<Beam>,
     pub(super) cos: Deflection,
     pub(super) sin: Deflection,
 }

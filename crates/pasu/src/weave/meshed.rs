@@ -37,6 +37,9 @@ pub(crate) const COARSE: f64 = 1.0 / 250.0;
 /// The part of the size at which a mesh that is only [`glimpsed`] aims.
 pub(crate) const GLIMPSE: f64 = 1.0 / 150.0;
 
+/// Rows no further apart than this are the two of a corner.
+const CORNER: f64 = 1e-12;
+
 /// The most crossings that are looked at for a reason.
 const CROSSINGS: usize = 200;
 
@@ -216,7 +219,11 @@ pub(crate) fn refuse_crossing(skin: &Arc<Skin>, tolerance: Option<f64>, scale: f
 pub(crate) fn grid(skin: &Skin, asked: Option<f64>, promised: Option<f64>) -> Result<Grid> {
     let (rows, columns, bound) = places(skin.placed(), asked)?;
     let bound = bound.unwrap_or_else(|| asked.unwrap_or(skin.size()));
-    let rows = if skin.is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
+    let mut rows: Vec<f64> = if skin.is_upward() { rows } else { rows.iter().rev().map(|u| 1.0 - u).collect() };
+    // The two of a corner are where two faces meet.
+    if skin.stretches().len() > 1 {
+        rows.dedup_by(|next, kept| *next - *kept < CORNER);
+    }
     let grid = Grid { rows, columns: columns - 1, tolerance: promised.unwrap_or(bound), bound };
     if grid.n_triangles() > MOST_TRIANGLES {
         let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use super::disc;
 use crate::error::{Code, Error, Result};
 use crate::face::{Face, FaceKind};
-use crate::solid::{Form, Piece, Pot, Sheet, Skin, place};
+use crate::solid::{Form, Piece, Pot, Sheet, SheetWalk, Skin, place};
 use crate::solution::Columns;
 use crate::watch;
 
@@ -240,6 +240,10 @@ impl Weaver<'_> {
                 let n = libm::ceil(PI / (2.0 * libm::acos(1.0 - 2.0 * share))).clamp(4.0, 64.0) as usize;
                 (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()
             }
+            Form::Shoulder { crease, .. } => {
+                let n = self.chords(crease.radius(), crease.greatest_turn());
+                (1..n).map(|i| self.curve(piece, i as f64 / n as f64)).collect()
+            }
             Form::Sheet { sheet, is_back } => {
                 let mut rings = self.sheet(sheet);
                 if *is_back {
@@ -250,29 +254,57 @@ impl Weaver<'_> {
         }
     }
 
-    /// The rings of a sheet above where it begins: rows of constant `s`, and below them what leads over from its edge.
+    /// How many chords of an arc keep the tolerance.
+    fn chords(&self, radius: f64, angle: f64) -> usize {
+        let share = (self.grid.tolerance / radius.max(f64::MIN_POSITIVE)).min(0.5);
+        let n = libm::ceil(angle / (2.0 * libm::acos(1.0 - share)));
+        if n.is_finite() { n.clamp(2.0, 64.0) as usize } else { 2 }
+    }
+
+    /// The rings of a sheet between its ends: rows of constant `s`, and before and behind them what leads over from its edges.
     fn sheet(&self, sheet: &Sheet) -> Vec<Vec<DVec3>> {
         let starts: Vec<f64> = (0..self.grid.columns).map(|j| sheet.start(self.v(j)).s).collect();
+        let ends: Vec<f64> = (0..self.grid.columns).map(|j| sheet.end(self.v(j)).s).collect();
         let mut walk = sheet.walk();
-        let (least, most) = starts.iter().fold((1.0f64, 0.0f64), |(least, most), s| (least.min(*s), most.max(*s)));
+        let range = |all: &[f64]| {
+            all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), s| (least.min(*s), most.max(*s)))
+        };
+        let ((least, most), (low, high)) = (range(&starts), range(&ends));
         let rows = &self.grid.rows;
-        let is_inside = |i: usize| rows[i] > most && rows[i] - most >= CLEARANCE * (rows[i] - rows[i - 1]);
-        let first = (1..rows.len() - 1).find(|i| is_inside(*i)).unwrap_or(rows.len() - 1);
-        let lowest = rows[first];
+        let is_inside = |i: usize| {
+            rows[i] > most
+                && rows[i] - most >= CLEARANCE * (rows[i] - rows[i - 1])
+                && rows[i] < low
+                && (high == 1.0 || low - rows[i] >= CLEARANCE * (rows[i + 1] - rows[i]))
+        };
+        let inside: Vec<usize> = (1..rows.len() - 1).filter(|i| is_inside(*i)).collect();
         let mut rings = Vec::new();
-        if most > least {
-            // As many as there would be rows.
-            let skipped = rows.iter().filter(|row| **row > least && **row < lowest).count();
+        // Of two curves across the columns as many in between as there would be rows.
+        let lead = |walk: &mut SheetWalk, from: &dyn Fn(usize) -> f64, to: &dyn Fn(usize) -> f64, range: (f64, f64)| {
+            let skipped = rows.iter().filter(|row| **row > range.0 && **row < range.1).count();
             let n = (skipped + 1).min(MOST_BETWEEN);
-            for i in 1..n {
+            let between = |share: f64, j: usize| from(j) + share * (to(j) - from(j));
+            let mut ring = |i: usize| -> Vec<DVec3> {
                 let share = i as f64 / n as f64;
-                let between = |s: f64| s + share * (lowest - s);
-                let ring = starts.iter().enumerate().map(|(j, s)| walk.position_at(between(*s), &self.columns, j));
-                rings.push(ring.collect());
+                (0..self.grid.columns).map(|j| walk.position_at(between(share, j), &self.columns, j)).collect()
+            };
+            (1..n).map(&mut ring).collect::<Vec<_>>()
+        };
+        let (start, end) = (|j: usize| starts[j], |j: usize| ends[j]);
+        let (Some(&first), Some(&last)) = (inside.first(), inside.last()) else {
+            if most > least || high > low {
+                rings = lead(&mut walk, &start, &end, (least, high));
             }
+            return rings;
+        };
+        if most > least {
+            rings = lead(&mut walk, &start, &|_| rows[first], (least, rows[first]));
         }
-        for s in rows[first..rows.len() - 1].iter().take_while(|_| !watch::is_stopped()) {
+        for s in rows[first..=last].iter().take_while(|_| !watch::is_stopped()) {
             rings.push((0..self.grid.columns).map(|j| walk.position_at(*s, &self.columns, j)).collect());
+        }
+        if high > low {
+            rings.extend(lead(&mut walk, &|_| rows[last], &end, (rows[last], high)));
         }
         rings
     }

@@ -24,6 +24,7 @@ mod pull;
 mod random_pots;
 mod refusals;
 mod rings;
+mod sharp_walls;
 mod single_precision;
 mod sketch;
 mod solid;

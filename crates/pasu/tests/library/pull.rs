@@ -84,6 +84,58 @@ fn how_far_a_point_stays_behind_is_told() {
     assert!((pulled.behind - 0.25).abs() < 1e-9, "{}", pulled.behind);
 }
 
+/// A vase of the fourth order by its numbers: lengths, then those of the equation, which are the same for `x` and `y`.
+fn fourth_order([r0, r1, rm, h1, eta, other_eta, dz, other_dz, s, t, w]: [f64; 11]) -> Design {
+    let shape = format!(
+        r#""kind": "fourth-order", "r0": {r0}, "r1": {r1}, "rm": {rm}, "h1": {h1}, "eta": [{eta}, {other_eta}], "dz": [{dz}, {other_dz}], "s": [{s}, {s}], "t": [{t}, {t}], "w": [{w}, {w}]"#
+    );
+    Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {{ {shape} }} }}] }}"#)).unwrap()
+}
+
+/// The change is the least in the sum of squares, in the units of docs/rings.md: there is no part of it that leaves the point where it is, to first order from where it arrived.
+#[test]
+fn the_change_of_a_family_is_the_least() {
+    let vase = family(2);
+    let numbers = |design: &Design| {
+        let Shape::FourthOrder(vase) = &design.parts()[0].shape else { panic!("another family") };
+        let [s, t, w] = [vase.s, vase.t, vase.w].map(|[x, y]| {
+            assert_eq!(x, y);
+            x
+        });
+        [vase.r0, vase.r1, vase.rm, vase.h1, vase.eta[0], vase.eta[1], vase.dz[0], vase.dz[1], s, t, w]
+    };
+    let before = numbers(&vase);
+    let size = before[..4].iter().chain(&before[6..8]).fold(0.0f64, |size, length| size.max(length.abs()));
+    let units: [f64; 11] = std::array::from_fn(|i| if i < 4 || i == 6 || i == 7 { size } else { before[i].abs() });
+    for (u, out, up) in [(0.4, 0.2, -0.1), (0.7, -0.15, 0.3), (0.15, 0.05, 0.02), (0.5, 0.6, 0.0)] {
+        let from = evaluate(&vase, 0, &[u, 0.0]).unwrap();
+        let pulled = pull(&vase, 0, &Hand::new([u, 0.0], [from[0] + out, 0.0, from[2] + up])).unwrap();
+        assert!(pulled.behind < 1e-9);
+        let after = numbers(&pulled.design);
+        let change: [f64; 11] = std::array::from_fn(|i| (after[i] - before[i]) / units[i]);
+        // Slopes of the point by each number, by differences of the fourth order.
+        let slope = |i: usize, axis: usize| {
+            let at = |by: f64| {
+                let mut moved = after;
+                moved[i] += by * units[i];
+                evaluate(&fourth_order(moved), 0, &[u, 0.0]).unwrap()[axis]
+            };
+            let step = 1e-3;
+            (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step)
+        };
+        let [x, z]: [[f64; 11]; 2] = [0, 2].map(|axis| std::array::from_fn(|i| slope(i, axis)));
+        let dot = |a: &[f64; 11], b: &[f64; 11]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        // What of the change is a sum of both rows of slopes.
+        let (xx, xz, zz) = (dot(&x, &x), dot(&x, &z), dot(&z, &z));
+        let (cx, cz) = (dot(&x, &change), dot(&z, &change));
+        let determinant = xx * zz - xz * xz;
+        let [along_x, along_z] = [(cx * zz - cz * xz) / determinant, (cz * xx - cx * xz) / determinant];
+        let rest: [f64; 11] = std::array::from_fn(|i| change[i] - along_x * x[i] - along_z * z[i]);
+        let [rest, all] = [rest, change].map(|numbers| dot(&numbers, &numbers).sqrt());
+        assert!(rest < 1e-6 * all, "at {u}: {rest} of {all}");
+    }
+}
+
 /// A hand that does not move changes nothing.
 #[test]
 fn a_pull_to_where_the_point_is_changes_nothing() {

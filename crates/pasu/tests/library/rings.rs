@@ -770,14 +770,3 @@ fn a_bottle_of_rings_is_made() {
         assert!(!write(&design, format, &Making::default()).unwrap().is_empty(), "{format:?}");
     }
 }
-
-#[test]
-fn a_wall_round_a_corner_is_refused_in_words() {
-    let design = design_with(CORNERED, r#", "wall": { "thickness": 0.3, "base": 0.4 }"#);
-    let error = solid(&design, &Making::default()).unwrap_err();
-    assert_eq!((error.code(), error.path()), (Code::UnsupportedShape, "parts[0].shape"));
-    assert!(error.message().contains("corner at the ring u = 0.3"), "{error}");
-    // What it measures without its wall, and its picture, are there all the same.
-    assert!(measure(&design, &MeasureOptions::default()).is_ok());
-    assert!(mesh(&design, &MeshOptions::default()).is_ok());
-}

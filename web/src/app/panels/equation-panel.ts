@@ -24,6 +24,7 @@ import { whyWords } from "../../words/refusals";
 import { type FormulaChooseEvent, type FormulaPointEvent, PasuFormula } from "./formula";
 import "./orders-panel";
 import "./parameters";
+import "./rings-table";
 
 const DIGITS = 5;
 /** Of many waves and rings so many are written until somebody asks for all. */
@@ -95,7 +96,7 @@ export class PasuEquation extends DesignerElement {
           <p class="note">${equation.edgesLead}${problem.rings.length === 0 ? nothing : html` ${equation.ringsLead}`}</p>
           ${given.map((edge) => this.edge(problem, edge))}
           ${this.more(problem.rings.length + 2 - given.length, problem.rings.length)}
-          ${familyOf(shape.kind) ? this.numbers(shape, OF_EDGES) : this.table()}
+          ${familyOf(shape.kind) ? this.numbers(shape, OF_EDGES) : this.table(shape)}
         </section>
         <section aria-labelledby="closed">
           <h3 id="closed">${equation.closed}</h3>
@@ -125,10 +126,12 @@ export class PasuEquation extends DesignerElement {
     return html`<pasu-parameters .designer=${this.designer} .groups=${groups}></pasu-parameters>`;
   }
 
-  private table() {
+  /** The numbers of rings and of modes as they stand in the formulas; what a potter calls them is elsewhere. */
+  private table({ kind }: Shape) {
+    const { designer } = this;
     return html`<details open>
       <summary>${equation.numbers}</summary>
-      <pasu-parameters .designer=${this.designer}></pasu-parameters>
+      ${kind === "rings" ? html`<pasu-rings .designer=${designer}></pasu-rings>` : html`<pasu-parameters .designer=${designer}></pasu-parameters>`}
     </details>`;
   }
 
@@ -232,7 +235,7 @@ export class PasuEquation extends DesignerElement {
   }
 
   private get fields(): HTMLElement[] {
-    return [...this.renderRoot.querySelectorAll("pasu-parameters")].flatMap((table) => fieldsIn(table));
+    return [...this.renderRoot.querySelectorAll("pasu-parameters, pasu-rings")].flatMap((table) => fieldsIn(table));
   }
 
   override updated(): void {
@@ -385,7 +388,7 @@ function fieldsIn(element: Element): HTMLElement[] {
   const root = element.shadowRoot;
   if (!root) return [];
   const own = [...root.querySelectorAll<HTMLElement>("[data-at]")];
-  return [...own, ...[...root.querySelectorAll("pasu-rings, pasu-modes")].flatMap(fieldsIn)];
+  return [...own, ...[...root.querySelectorAll("pasu-modes")].flatMap(fieldsIn)];
 }
 
 declare global {

@@ -56,6 +56,9 @@ export const making = phrases("making", {
       `A drain of ${drain} has no room in the base, which is only ${room} wide there.`,
     bendsTooSharply: (thickness: string) =>
       `The surface bends so sharply, or comes so close to itself, that the wall would be only ${thickness} thick.`,
+    sharpRing: (thickness: string) =>
+      `A wall ${thickness} thick has no room round a sharp ring. A thinner wall may do, or a ring that turns less or is further from the next.`,
+    endsInRing: "The base or the drain ends in a sharp ring. One that ends above or below it may do.",
     crossing: (face: string, other: string) => `The ${face} has no room: it runs through the ${other}.`,
     crossingItself: (face: string) => `The ${face} has no room: it runs through itself.`,
     close: (face: string) =>
