@@ -63,6 +63,11 @@ export class PasuNumber extends LitElement {
   /** What the slider reaches: from `min` to `max`, and to every number that there was outside of them. */
   private range: Range = { low: 0, high: 1 };
 
+  /** The slider where there is one: a field would bring up the keys of a phone. */
+  override focus(options?: FocusOptions): void {
+    (this.slider ?? this.field).focus(options);
+  }
+
   override willUpdate(changed: Map<PropertyKey, unknown>): void {
     const kept = changed.has("min") || changed.has("max") ? { low: this.min, high: this.max } : this.range;
     this.range = reaching(kept, this.value);

@@ -50,11 +50,16 @@ fn check_if_any(json: &str, rows: usize, columns: usize) {
 #[test]
 fn figures_and_gallery_keep_the_promise() {
     let figures = corpus().into_iter().map(|case| (case.name.clone(), design_of_case(&case)));
-    let exhibits = gallery().into_iter().map(|exhibit| (exhibit.name.clone(), exhibit.design()));
+    let figures = figures.map(|(name, design)| (name, design, 0));
+    let exhibits = gallery().into_iter().map(|exhibit| (exhibit.name.clone(), exhibit.design(), exhibit.rings().len()));
     let mut worst = (0.0f64, 0.0f64);
-    for (name, design) in figures.chain(exhibits) {
+    for (name, design, rings) in figures.chain(exhibits) {
         // Quartered, mirrored and too few to be folded; rows by expansions and by themselves.
         for (rows, columns) in [(65, 129), (64, 128), (7, 9), (2, 4), (33, 14), (257, 61)] {
+            // Fewer rows than rings are even, and nothing is promised of them.
+            if rows < rings {
+                continue;
+            }
             check(&name, &design, rows, columns);
             let (position, normal) = errors(&design, rows, columns);
             worst = (worst.0.max(position), worst.1.max(normal));

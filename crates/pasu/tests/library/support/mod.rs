@@ -101,4 +101,10 @@ impl Exhibit {
     pub(crate) fn design(&self) -> Design {
         design_of(&serde_json::to_string(&self.shape).expect("a value is JSON"))
     }
+
+    /// Where its rings are along the profile, both ends among them; empty where it has none.
+    pub(crate) fn rings(&self) -> Vec<f64> {
+        let rings = self.shape["rings"].as_array();
+        rings.into_iter().flatten().map(|ring| ring["u"].as_f64().expect("a number")).collect()
+    }
 }
