@@ -1,5 +1,6 @@
 /** The panel beside (on a phone: below) the stage: tabs over the parameters, the profile, the equation, the look, the wall and what it measures. */
 
+import { computed } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { DesignerElement } from "../element/designer-element";
@@ -28,6 +29,11 @@ export class PasuPanel extends DesignerElement {
 
   /** What the pot is being mixed with. */
   @state() private other: Other | null = null;
+  /** Apart from what else changes of the design, so that a drag does not draw the panel. */
+  readonly #isOneOfRings = computed(() => {
+    const { parts } = this.designer.store.design;
+    return parts.length === 1 && parts[0]?.shape.kind === "rings";
+  });
   private fetched: Tab | null = null;
   private listed = false;
 
@@ -105,8 +111,7 @@ export class PasuPanel extends DesignerElement {
 
   /** A pot of rings can be mixed with another. */
   private mixing() {
-    const { parts } = this.designer.store.design;
-    if (this.other || parts.length !== 1 || parts[0]?.shape.kind !== "rings") return nothing;
+    if (this.other || !this.#isOneOfRings.value) return nothing;
     return html`<button class="button outlined mixing" type="button" @click=${() => this.dispatchEvent(new CommandEvent("mix"))}>
       ${icon("mix")}<span>${page.commands.mix}</span>
     </button>`;

@@ -35,13 +35,15 @@ test("of every exhibit of the gallery a point comes out by as much as the hand, 
     const radius = Math.hypot(before[0], before[1]);
     const out = 0.1 * radius;
     for (const spread of SPREADS) {
-      const { shape: after, at: there, behind } = pulled(shape, at, { out }, { ...NEW_BRUSH, spread });
+      const { shape: after, at: arrived, behind } = pulled(shape, at, { out }, { ...NEW_BRUSH, spread });
       const factor = (radius + out) / radius;
       const wanted = [before[0] * factor, before[1] * factor, before[2]];
-      expect(away(point(after, there), wanted), `${id} ${spread}`).toBeLessThan(behind + 1e-4 * radius);
+      expect(away(point(after, arrived), wanted), `${id} ${spread}`).toBeLessThan(behind + 1e-4 * radius);
       if (shape.kind === "rings" || shape.kind === "boundary-value") {
         expect(behind, `${id} ${spread}`).toBeLessThan(1e-4 * radius);
-        expect(curvesOf(after)).toHaveLength(curvesOf(shape).length + 1);
+        // A ring under the hand is taken; where there is none, one is put.
+        const added = curvesOf(shape).some(({ u }) => Math.abs(u - at[0]) <= 1 / 64) ? 0 : 1;
+        expect(curvesOf(after)).toHaveLength(curvesOf(shape).length + added);
       }
     }
   }
