@@ -3,6 +3,8 @@
 export type Command =
   | "new"
   | "surprise"
+  | "draw"
+  | "redraw"
   | "gallery"
   | "mix"
   | "shelf"
@@ -14,6 +16,9 @@ export type Command =
   | "embed"
   | "picture"
   | "help";
+
+/** What the bar across the top has a button for. */
+export type BarCommand = Exclude<Command, "draw" | "redraw">;
 
 export class CommandEvent extends Event {
   readonly command: Command;

@@ -31,6 +31,7 @@ const OFFER_MS = 30_000;
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
+  draw: () => import("./dialogs/draw-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
   mix: () => import("./dialogs/mix-dialog"),
   shelf: () => import("./dialogs/shelf-dialog"),
@@ -49,6 +50,8 @@ const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
+  /** Whether what is drawn takes the place of the selected part's shape. */
+  @state() private redraws = false;
   @state() private address = "";
   @state() private viewed = "";
   @state() private dropping = false;
@@ -182,6 +185,8 @@ export class PasuApp extends DesignerElement {
         return nothing;
       case "new":
         return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
+      case "draw":
+        return html`<pasu-draw .designer=${designer} ?redraws=${this.redraws} @draw-closed=${close}></pasu-draw>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
       case "mix":
@@ -215,6 +220,11 @@ export class PasuApp extends DesignerElement {
       case "picture":
       case "export":
         await this.show(command);
+        return;
+      case "draw":
+      case "redraw":
+        this.redraws = command === "redraw";
+        await this.show("draw");
         return;
       case "surprise":
         await this.surprise();

@@ -27,6 +27,8 @@ const PATIENCE_MS = 1000;
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = [
   "pull",
+  "free",
+  "fit",
   "open",
   "write",
   "quick",

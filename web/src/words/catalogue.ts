@@ -6,9 +6,11 @@
 import type { beginnings } from "./english/beginnings";
 import type { controls } from "./english/controls";
 import type { description } from "./english/description";
+import type { drawing } from "./english/drawing";
 import type { embed } from "./english/embed";
 import type { equation } from "./english/equation";
 import type { exporting } from "./english/export";
+import type { freeing } from "./english/freeing";
 import type { gallery } from "./english/gallery";
 import type { help } from "./english/help";
 import type { link } from "./english/link";
@@ -39,9 +41,11 @@ export interface Catalogue {
   readonly beginnings: typeof beginnings;
   readonly controls: typeof controls;
   readonly description: typeof description;
+  readonly drawing: typeof drawing;
   readonly embed: typeof embed;
   readonly equation: typeof equation;
   readonly exporting: typeof exporting;
+  readonly freeing: typeof freeing;
   readonly gallery: typeof gallery;
   readonly help: typeof help;
   readonly link: typeof link;

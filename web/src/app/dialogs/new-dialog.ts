@@ -30,6 +30,7 @@ export class PasuNew extends DesignerElement {
         <button class="button outlined" type="button" title=${beginnings.surpriseNote} @click=${this.surprise}>
           ${icon("chance")}<span>${beginnings.surprise}</span>
         </button>
+        <button class="button outlined" type="button" @click=${this.draw}>${icon("paper")}<span>${beginnings.draw}</span></button>
       </div>
       ${tiles(
         FORMS,
@@ -68,6 +69,11 @@ export class PasuNew extends DesignerElement {
     this.designer.opening.open(designOf(beginning));
     this.close();
   }
+
+  private readonly draw = (): void => {
+    this.close();
+    this.dispatchEvent(new CommandEvent("draw"));
+  };
 
   private readonly surprise = (): void => {
     this.dispatchEvent(new CommandEvent("surprise"));

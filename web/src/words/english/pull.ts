@@ -31,4 +31,5 @@ export const pull = phrases("pull", {
   at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
   removed: (name: string) => `${name} is gone.`,
   behind: "This form cannot follow any further with the numbers that it has.",
+  free: "Make it rings",
 });
