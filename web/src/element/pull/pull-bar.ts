@@ -3,6 +3,8 @@
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { type Brush, PETALS, SPREADS, takesRings, WAYS, WIDTHS, within } from "../../document/brush";
+import { locksOf, withLock } from "../../document/locks";
+import type { Shape } from "../../document/types";
 import { formatNumber } from "../../number";
 import type { PartId } from "../../state/parts";
 import { icon } from "../../ui/icons";
@@ -57,7 +59,7 @@ export class PasuPullBar extends DesignerElement {
       <div class="bar" role="group" aria-label=${words.tool}>
         ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
         ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
-        ${whole ? nothing : this.detail(brush)}
+        ${whole ? this.locks(shape) : this.detail(brush)}
       </div>
       <div class="note" ?hidden=${note === ""}>
         <p role="status">${this.cannot === "" ? note : this.cannot}</p>
@@ -78,6 +80,27 @@ export class PasuPullBar extends DesignerElement {
   /** The pot under the bar stays clear of it. */
   override updated(): void {
     this.dispatchEvent(new Event("bar-shown"));
+  }
+
+  /** What of a family stays. */
+  private locks(shape: Shape) {
+    const { pull } = this.designer;
+    if (!pull) return nothing;
+    return html`<span class="locks" role="group" aria-label=${words.keep} title=${words.keepHelp}>
+      <span aria-hidden="true">${words.keep}</span>
+      ${locksOf(shape).map(
+        (lock) => html`<label>
+          <input
+            type="checkbox"
+            .checked=${pull.locked.includes(lock)}
+            @change=${(event: Event) => {
+              pull.locked = withLock(pull.locked, lock, (event.target as HTMLInputElement).checked);
+            }}
+          />
+          ${words.locks[lock]}
+        </label>`,
+      )}
+    </span>`;
   }
 
   private detail(brush: Brush) {
@@ -207,6 +230,28 @@ export class PasuPullBar extends DesignerElement {
         width: 108px;
         accent-color: var(--accent);
       }
+      .locks,
+      .locks label {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        min-height: 34px;
+      }
+      .locks {
+        gap: 10px;
+      }
+      .locks > span {
+        color: var(--soft);
+      }
+      .locks label {
+        cursor: pointer;
+      }
+      .locks input {
+        width: 1.05rem;
+        height: 1.05rem;
+        margin: 0;
+        accent-color: var(--accent);
+      }
       .petals {
         display: flex;
         align-items: center;
@@ -243,6 +288,7 @@ export class PasuPullBar extends DesignerElement {
           min-height: var(--touch);
         }
         fieldset label,
+        .locks label,
         .width,
         .petals .button {
           min-height: var(--touch);
