@@ -22,11 +22,12 @@ import {
   withSides,
   withSymmetry,
 } from "../../document/drawn/sheet";
-import { mirrored, type Sides, sidesOf } from "../../document/drawn/sides";
+import { boxOf, mirrored, type Sides, sidesOf } from "../../document/drawn/sides";
 import { alike, silhouetteOf } from "../../document/drawn/silhouette";
 import { knotsOf, type Smoothing } from "../../document/drawn/stroke";
 import { unitOf } from "../../document/look";
 import { DesignerElement } from "../../element/designer-element";
+import type { Section } from "../../solver/messages";
 import { checks } from "../../ui/checks";
 import "../../ui/dialog";
 import { icon } from "../../ui/icons";
@@ -73,7 +74,8 @@ export class PasuDraw extends DesignerElement {
   /** Whether it takes the place of the selected part's shape; a new pot otherwise. */
   @property({ type: Boolean }) redraws = false;
   @state() private sheet: Sheet = { right: [], left: null, axis: SHEET / 2, height: 0 };
-  @state() private tolerance = 0;
+  /** How far off rings may be; what suits the height where nobody has said so. */
+  @state() private typed: number | null = null;
   /** What was found last, and for which sheet; null before anything was. */
   @state() private found: Found | null = null;
   /** Whether something newer is being looked for. */
@@ -84,14 +86,21 @@ export class PasuDraw extends DesignerElement {
   @state() private lines: readonly SvgLine[] = [];
   @state() private chosen = 0;
   @state() private listed = false;
+  /** The pot as it is, where it is drawn anew. */
+  private present: readonly (readonly Spot[])[] = [];
   private readonly past: Sheet[] = [];
   /** The last one that the hand had let go of. */
   private settled: Sheet | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private asked: Sheet | null = null;
 
+  private get tolerance(): number {
+    return this.typed ?? FINE * finenessOf({ height: this.sheet.height, greatest: { direction: 0, low: 0, width: 0 } });
+  }
+
   override connectedCallback(): void {
     super.connectedCallback();
+    this.addEventListener("keydown", this.key);
     this.addEventListener("dragover", keepToItself);
     this.addEventListener("drop", this.dropped);
     if (this.hasUpdated) return;
@@ -100,11 +109,12 @@ export class PasuDraw extends DesignerElement {
     const high = this.redraws && extents ? Number(extents.height.toPrecision(3)) : HEIGHTS[unit];
     this.sheet = { ...this.sheet, height: high };
     this.settled = this.sheet;
-    this.tolerance = FINE * finenessOf({ height: high, greatest: { direction: 0, low: 0, width: 0 } });
+    if (this.redraws) this.present = presentLines(this.designer.surface.shown?.solved.section ?? null, this.sheet.axis);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.removeEventListener("keydown", this.key);
     this.removeEventListener("dragover", keepToItself);
     this.removeEventListener("drop", this.dropped);
     clearTimeout(this.timer);
@@ -122,7 +132,7 @@ export class PasuDraw extends DesignerElement {
           <pasu-drawing-board
             .sheet=${sheet}
             .photo=${this.photo?.canvas ?? null}
-            .ghosts=${this.lines.length > 1 ? this.lines.map(({ points }) => points) : []}
+            .ghosts=${this.ghosts()}
             .overlay=${this.overlay()}
             .unit=${unit}
             @sheet-changed=${this.changed}
@@ -149,7 +159,7 @@ export class PasuDraw extends DesignerElement {
             <span>${words.alike} <small>${words.alikeAbout}</small></span>
           </label>
           ${this.number(words.tolerance, words.toleranceHelp, this.tolerance, sheet.height / 50, (tolerance) => {
-            this.tolerance = tolerance;
+            this.typed = tolerance;
             // Another question about the same sheet.
             this.sheet = { ...this.sheet };
             this.seekSoon();
@@ -162,6 +172,12 @@ export class PasuDraw extends DesignerElement {
         ${words.use}
       </button>
     </pasu-dialog>`;
+  }
+
+  /** What there is to trace beside a photograph. */
+  private ghosts(): readonly (readonly Spot[])[] {
+    if (this.lines.length > 1) return this.lines.map(({ points }) => points);
+    return this.lines.length === 0 && !this.photo ? this.present : [];
   }
 
   private number(label: string, help: string, value: number, max: number, set: (value: number) => void) {
@@ -325,6 +341,14 @@ export class PasuDraw extends DesignerElement {
     this.trouble = "";
     this.seekSoon();
     this.requestUpdate();
+  };
+
+  private readonly key = (event: KeyboardEvent): void => {
+    const [from] = event.composedPath();
+    const typing = from instanceof HTMLInputElement && from.type === "text";
+    if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || event.shiftKey || typing) return;
+    event.preventDefault();
+    this.back();
   };
 
   private readonly clear = (): void => {
@@ -616,6 +640,21 @@ export class PasuDraw extends DesignerElement {
       }
     `,
   ];
+}
+
+/** Both sides of the pot as it is, as large as the sheet allows. */
+function presentLines(section: Section | null, axis: number): readonly (readonly Spot[])[] {
+  if (!section) return [];
+  const lines = [section.right, section.left].map((pairs) =>
+    Array.from({ length: pairs.length >> 1 }, (_, i) => ({ x: pairs[2 * i] ?? 0, y: -(pairs[2 * i + 1] ?? 0) })),
+  );
+  const { top, bottom } = boxOf(lines.flat());
+  const wide = Math.max(...lines.flat().map(({ x }) => Math.abs(x)));
+  const scale = Math.min((SHEET - 2 * MARGIN) / (bottom - top), (SHEET / 2 - MARGIN / 2) / wide);
+  const middle = (SHEET - scale * (top + bottom)) / 2;
+  return Number.isFinite(scale)
+    ? lines.map((line) => line.map(({ x, y }) => ({ x: axis + scale * x, y: middle + scale * y })))
+    : [];
 }
 
 function keepToItself(event: Event): void {

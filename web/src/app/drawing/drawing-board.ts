@@ -69,7 +69,7 @@ interface Held {
 export class PasuDrawingBoard extends LitElement {
   @property({ attribute: false }) sheet!: Sheet;
   @property({ attribute: false }) photo: HTMLCanvasElement | null = null;
-  /** Other lines of the file. */
+  /** What else there is to trace: other lines of the file, the pot as it is. */
   @property({ attribute: false }) ghosts: readonly (readonly Spot[])[] = [];
   @property({ attribute: false }) overlay: Overlay | null = null;
   @property() unit: Unit = "cm";
@@ -98,6 +98,7 @@ export class PasuDrawingBoard extends LitElement {
           @pointermove=${this.draw}
           @pointerup=${this.end}
           @pointercancel=${this.cancel}
+          @lostpointercapture=${this.end}
           @dblclick=${this.put}
         >
           ${this.ghosts.map((line) => svg`<path class="ghost" d=${pathOf(line)} />`)}
@@ -182,7 +183,7 @@ export class PasuDrawingBoard extends LitElement {
   // Strokes
 
   private readonly begin = (event: PointerEvent): void => {
-    if (event.button !== 0 || this.pointer !== null) return;
+    if (event.button !== 0 || this.pointer !== null || this.held) return;
     event.preventDefault();
     this.pointer = event.pointerId;
     this.picture.setPointerCapture(event.pointerId);
