@@ -5,6 +5,7 @@ export type Command =
   | "surprise"
   | "draw"
   | "redraw"
+  | "scan"
   | "gallery"
   | "mix"
   | "shelf"
@@ -18,7 +19,7 @@ export type Command =
   | "help";
 
 /** What the bar across the top has a button for. */
-export type BarCommand = Exclude<Command, "draw" | "redraw">;
+export type BarCommand = Exclude<Command, "draw" | "redraw" | "scan">;
 
 export class CommandEvent extends Event {
   readonly command: Command;

@@ -32,6 +32,7 @@ const OFFER_MS = 30_000;
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
   draw: () => import("./dialogs/draw-dialog"),
+  scan: () => import("./dialogs/scan-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
   mix: () => import("./dialogs/mix-dialog"),
   shelf: () => import("./dialogs/shelf-dialog"),
@@ -187,6 +188,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
       case "draw":
         return html`<pasu-draw .designer=${designer} ?redraws=${this.redraws} @draw-closed=${close}></pasu-draw>`;
+      case "scan":
+        return html`<pasu-scan .designer=${designer} @scan-closed=${close}></pasu-scan>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
       case "mix":
@@ -214,6 +217,7 @@ export class PasuApp extends DesignerElement {
     switch (command) {
       case "new":
       case "gallery":
+      case "scan":
       case "mix":
       case "shelf":
       case "help":

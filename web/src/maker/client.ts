@@ -29,6 +29,7 @@ const ORDER: readonly Kind[] = [
   "pull",
   "free",
   "fit",
+  "levels",
   "open",
   "write",
   "quick",

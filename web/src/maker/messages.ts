@@ -3,6 +3,7 @@
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
+import type { Levels } from "../document/scanned/levels";
 import type {
   Design,
   Format,
@@ -150,7 +151,9 @@ export type Ask =
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array }
   | { readonly kind: "free"; readonly design: Design; readonly part: number; readonly tolerance: number }
-  | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number };
+  | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number }
+  /** Triangles of a scan, nine numbers each. */
+  | { readonly kind: "levels"; readonly positions: Float32Array };
 
 export interface Answers {
   readonly pull: PulledShape;
@@ -166,6 +169,8 @@ export interface Answers {
   readonly open: Provenance | null;
   readonly free: RingedShape;
   readonly fit: RingedShape;
+  /** Null where the triangles are no pot. */
+  readonly levels: Levels | null;
 }
 
 export type Kind = Ask["kind"];

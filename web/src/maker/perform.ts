@@ -2,6 +2,7 @@
 
 import type { Ringed } from "pasu";
 import { check, fit as fitted, free, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
+import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
@@ -40,6 +41,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
     case "fit":
       return ringed(fitted(ask.profile, { tolerance: ask.tolerance }), 0);
+    case "levels":
+      return levelsOf(ask.positions);
   }
 }
 

@@ -31,6 +31,7 @@ import type { quantities } from "./english/quantities";
 import type { refusals } from "./english/refusals";
 import type { report } from "./english/report";
 import type { rings } from "./english/rings";
+import type { scan } from "./english/scan";
 import type { shelf } from "./english/shelf";
 import type { size } from "./english/size";
 import type { wall } from "./english/wall";
@@ -66,6 +67,7 @@ export interface Catalogue {
   readonly refusals: typeof refusals;
   readonly report: typeof report;
   readonly rings: typeof rings;
+  readonly scan: typeof scan;
   readonly shelf: typeof shelf;
   readonly size: typeof size;
   readonly wall: typeof wall;

@@ -31,6 +31,7 @@ export class PasuNew extends DesignerElement {
           ${icon("chance")}<span>${beginnings.surprise}</span>
         </button>
         <button class="button outlined" type="button" @click=${this.draw}>${icon("paper")}<span>${beginnings.draw}</span></button>
+        <button class="button outlined" type="button" @click=${this.scan}>${icon("layers")}<span>${beginnings.scan}</span></button>
       </div>
       ${tiles(
         FORMS,
@@ -73,6 +74,11 @@ export class PasuNew extends DesignerElement {
   private readonly draw = (): void => {
     this.close();
     this.dispatchEvent(new CommandEvent("draw"));
+  };
+
+  private readonly scan = (): void => {
+    this.close();
+    this.dispatchEvent(new CommandEvent("scan"));
   };
 
   private readonly surprise = (): void => {
