@@ -23,6 +23,7 @@ export const profile = phrases("profile", {
     "free-end": "This end is free: the wall leaves it as it likes.",
     "rise-order": "The rise needs z of order 4.",
   } satisfies Readonly<Record<Restraint, string>>,
+  draw: "Draw or trace it…",
   coming: "The section appears with the pot.",
   lead: "The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.",
   /** Of a pot of rings, behind the sentence above. */
