@@ -27,6 +27,7 @@ mod readme {}
 mod answer;
 #[cfg(test)]
 mod any_patch;
+mod blend;
 mod check;
 mod design;
 mod error;

@@ -1,5 +1,6 @@
 //! The design document: what a person has chosen, as data.
 
+mod blend;
 mod boundary_value;
 mod ceramics;
 mod conversion;
@@ -40,6 +41,9 @@ mod unit;
 mod value;
 mod wall;
 
+#[cfg(test)]
+pub(crate) use blend::of_json as blend_of_json;
+pub use blend::{Blend, Form, Harmonic, Method, Section};
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};

@@ -1,0 +1,7 @@
+//! The inside of a solid as cells for analysis: hexahedra, or tetrahedra for programs that need them.
+
+mod cells;
+mod plan;
+mod quality;
+
+pub use cells::{CellShape, Cells, CellsOptions, cells};
