@@ -18,6 +18,7 @@
 //!
 //! - **ZY01** J. J. Zhang, L. You, *Surface representation using second, fourth and mixed order partial differential equations*, 2001.
 //! - **IA** S. N. Ishak, J. M. Ali, *Parametric surface generation using partial differential equation based approach*.
+//! - **W22** S. Wang, Y. Xia, L. You, H. Ugail, A. Carriazo, A. Iglesias, J. Zhang, *Interactive PDE patch-based surface modeling from vertex-frames*, 2022.
 //! - **ASB88** J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, *Constrained constructive solid geometry: a unique representation of scenes*, 1988.
 
 #[cfg(doctest)]
@@ -36,6 +37,7 @@ mod export;
 mod face;
 mod fingerprint;
 mod fit;
+mod frame;
 mod make;
 mod measure;
 mod mesh;
@@ -51,9 +53,10 @@ mod weave;
 
 pub use design::read;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
-    Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement,
-    Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
+    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design, End,
+    Falloff, Force, FourthOrder, FramePatch, FrameRule, Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss,
+    MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side,
+    Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};

@@ -39,6 +39,7 @@ mod text;
 mod typescript;
 mod unit;
 mod value;
+mod vertex_frame;
 mod wall;
 
 #[cfg(test)]
@@ -47,6 +48,7 @@ pub use blend::{Blend, Form, Harmonic, Method, Section};
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};
+pub(crate) use described::Address;
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub(crate) use fields::Dimension;
@@ -68,4 +70,5 @@ pub(crate) use text::write as to_json;
 pub use typescript::typescript;
 pub use unit::Unit;
 pub(crate) use value::Value;
+pub use vertex_frame::{Continuity, Falloff, Force, FramePatch, FrameRule, VertexFrame};
 pub use wall::{RimForm, Side, Wall};

@@ -12,6 +12,7 @@ mod patches;
 mod profile;
 mod promise;
 mod sample;
+mod seams;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};

@@ -8,6 +8,7 @@ use xxhash_rust::xxh64::Xxh64;
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::grid::append_triangles;
 use super::normal::cofactors;
+use super::seams::{Seams, along_side};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
@@ -39,7 +40,7 @@ impl<'a> PatchGrids<'a> {
         let rounding = (size + placed.shift().length()) * f64::from(f32::EPSILON);
         let too_fine = |message: String| Error::new(Code::ToleranceTooFine, "tolerance", message);
         let lines = match (options.rows, options.columns) {
-            (Some(rows), Some(columns)) => vec![Lines::even(rows, columns); patches.len()],
+            (Some(rows), Some(columns)) => Lines::even_of(&patches, rows, columns),
             (rows, columns) => {
                 let tolerance = options.tolerance.unwrap_or(DEFAULT_FINENESS * size + rounding);
                 if !(tolerance > rounding) {
@@ -64,6 +65,8 @@ impl<'a> PatchGrids<'a> {
                         lines.v = even.v;
                     }
                 }
+                // What is given in one direction meets what was chosen in the other.
+                Lines::share(&patches, &mut lines);
                 lines
             }
         };
@@ -79,6 +82,11 @@ impl<'a> PatchGrids<'a> {
         Ok(PatchGrids { placed, lines, bound: bound.filter(|bound| bound.is_finite()) })
     }
 
+    /// Cut into so many pieces between their knots, both ways.
+    pub(super) fn pieces(placed: &'a Placed, pieces: usize) -> PatchGrids<'a> {
+        PatchGrids { placed, lines: Lines::pieces_of(&placed.solved().patches(), pieces), bound: None }
+    }
+
     /// For each patch the lines of its grid.
     pub(super) fn lines(&self) -> &[Lines] {
         &self.lines
@@ -90,8 +98,8 @@ impl<'a> PatchGrids<'a> {
 
     /// Names the grids and their winding.
     pub(super) fn append_topology(&self, topology: &mut String) {
-        let winding = if self.placed.is_forwards() { '+' } else { '-' };
-        for Lines { u, v } in &self.lines {
+        for (patch, Lines { u, v }) in self.lines.iter().enumerate() {
+            let winding = if self.placed.is_forwards(patch) { '+' } else { '-' };
             let mut hash = Xxh64::new(0);
             u.iter().chain(v).for_each(|place| hash.update(&place.to_le_bytes()));
             // A String takes whatever is written to it.
@@ -102,13 +110,14 @@ impl<'a> PatchGrids<'a> {
     /// Appends what depends on the grids alone, and room for positions and normals.
     pub(super) fn append_to(&self, mesh: &mut Mesh) {
         let first = mesh.indices.len() as u32;
-        for Lines { u, v } in &self.lines {
+        for (patch, Lines { u, v }) in self.lines.iter().enumerate() {
             let base = mesh.n_vertices() as u32;
             let n = u.len() * v.len();
             mesh.positions.resize(mesh.positions.len() + 3 * n, 0.0);
             mesh.normals.resize(mesh.normals.len() + 3 * n, 0.0);
             mesh.uvs.extend(u.iter().flat_map(|u| v.iter().flat_map(|v| [*u as f32, *v as f32])));
-            append_triangles(&mut mesh.indices, base, u.len() as u32, v.len() as u32, self.placed.is_forwards());
+            let is_forwards = self.placed.is_forwards(patch);
+            append_triangles(&mut mesh.indices, base, u.len() as u32, v.len() as u32, is_forwards);
         }
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
     }
@@ -128,29 +137,18 @@ impl<'a> PatchGrids<'a> {
                 Some(*first - lines.n_vertices())
             })
             .collect();
-        let outward = cofactors(self.placed.matrix()) * if self.placed.is_forwards() { 1.0 } else { -1.0 };
-        for ((patch, lines), first) in patches.iter().zip(&self.lines).zip(&firsts) {
+        let outward = cofactors(self.placed.matrix());
+        for (index, ((patch, lines), first)) in patches.iter().zip(&self.lines).zip(&firsts).enumerate() {
             let range = *first..first + lines.n_vertices();
+            let outward = outward * if self.placed.is_forwards(index) { 1.0 } else { -1.0 };
             if let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range)) {
                 self.fill_patch(*patch, lines, outward, positions, normals)?;
             }
         }
-        for (index, (patch, lines)) in patches.iter().zip(&self.lines).enumerate() {
-            for (side, met) in patch.sides().into_iter().enumerate() {
-                let Side::Shared { patch: other, side: others, is_reversed } = met else { continue };
-                // The first of the two has it.
-                if (other, others) < (index, side)
-                    && let (Some(theirs), Some(start)) = (self.lines.get(other), firsts.get(other))
-                {
-                    let mut from: Vec<usize> = along_side(theirs, others).map(|vertex| start + vertex).collect();
-                    if is_reversed {
-                        from.reverse();
-                    }
-                    for (to, from) in along_side(lines, side).zip(from) {
-                        positions[firsts[index] + to] = positions[from];
-                    }
-                }
-            }
+        let seams = Seams { patches: &patches, lines: &self.lines, firsts: &firsts };
+        seams.close(positions);
+        if let Some(crease) = self.placed.solved().crease() {
+            seams.smooth(normals, crease);
         }
         Ok(())
     }
@@ -208,16 +206,4 @@ fn direction(patch: &dyn Patch, (u, v): (f64, f64), du: DVec3, dv: DVec3) -> DVe
         return normal.normalize_or(DVec3::Z);
     }
     patch.normal_limit(u, v).unwrap_or(DVec3::Z)
-}
-
-/// The vertices of one side of a grid, in the order of the parameter that runs along it.
-fn along_side(lines: &Lines, side: usize) -> impl Iterator<Item = usize> + use<> {
-    let (rows, columns) = (lines.u.len(), lines.v.len());
-    let (first, step, n) = match side {
-        0 => (0, 1, columns),
-        1 => ((rows - 1) * columns, 1, columns),
-        2 => (0, columns, rows),
-        _ => (columns - 1, columns, rows),
-    };
-    (0..n).map(move |i| first + i * step)
 }

@@ -1,5 +1,6 @@
 //! Where the grid lines of patches are.
 
+use super::breaks::Breaks;
 use super::cell::Cell;
 use super::contract::Patch;
 use super::side::Side;
@@ -22,6 +23,32 @@ impl Lines {
     pub(crate) fn even(rows: usize, columns: usize) -> Lines {
         let even = |n: usize| (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
         Lines { u: even(rows), v: even(columns) }
+    }
+
+    /// Even lines of patches of one shape, and across each side those of its neighbour.
+    pub(crate) fn even_of(patches: &[&dyn Patch], rows: usize, columns: usize) -> Vec<Lines> {
+        let mut lines = vec![Lines::even(rows, columns); patches.len()];
+        Lines::share(patches, &mut lines);
+        lines
+    }
+
+    /// The lines of patches of one shape that cut what lies between two knots into so many pieces.
+    pub(crate) fn pieces_of(patches: &[&dyn Patch], pieces: usize) -> Vec<Lines> {
+        let cut = |breaks: &Breaks| {
+            let places = breaks.with_ends();
+            let between = |pair: &[f64]| {
+                let (from, step) = (pair[0], (pair[1] - pair[0]) / pieces as f64);
+                (0..pieces).map(|i| from + i as f64 * step).collect::<Vec<f64>>()
+            };
+            places.windows(2).flat_map(between).chain([1.0]).collect()
+        };
+        let of = |patch: &&dyn Patch| {
+            let [along, round] = patch.breaks();
+            Lines { u: cut(&along), v: cut(&round) }
+        };
+        let mut lines: Vec<Lines> = patches.iter().map(of).collect();
+        Lines::share(patches, &mut lines);
+        lines
     }
 
     /// The fewest lines of patches of one shape, with which a closed one is not flat.

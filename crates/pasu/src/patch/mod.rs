@@ -4,6 +4,7 @@ mod breaks;
 mod cell;
 mod columns;
 mod contract;
+mod corners;
 #[cfg(test)]
 pub(crate) mod examples;
 mod jet;
@@ -16,6 +17,7 @@ pub(crate) use breaks::Breaks;
 pub(crate) use cell::{Cell, Suprema};
 pub(crate) use columns::{Columns, Spread};
 pub(crate) use contract::Patch;
+pub(crate) use corners::{ENDS, first_corners};
 pub use jet::SurfaceJet;
 pub(crate) use lines::{Lines, deviation_of, lines_within};
 pub(crate) use normal_limit::normal_limit;

@@ -10,6 +10,7 @@ mod finite;
 mod fit;
 mod fitted;
 mod flood;
+mod frames;
 mod handles;
 mod hostile;
 mod interface;
