@@ -83,6 +83,10 @@ impl Solution {
             Address::Patches(_) => at.chunks_exact(3).for_each(|point| {
                 visit(&placed.solved().patch(point[0] as usize).jet(point[1], point[2]));
             }),
+            Address::Volume => {
+                let Some(volume) = placed.solved().volume() else { return Ok(()) };
+                volume.visit(at, visit);
+            }
         }
         Ok(())
     }
@@ -97,6 +101,7 @@ impl Solution {
         let (n, words) = match address {
             Address::Surface => (2, "pairs (u, v)"),
             Address::Patches(_) => (3, "triples (patch, u, v)"),
+            Address::Volume => (3, "triples (u, v, w)"),
         };
         if !at.len().is_multiple_of(n) {
             let message = format!("expected {words}, found {} numbers", at.len());
@@ -122,6 +127,11 @@ impl Solution {
                     }
                     within_one("u", *u, n * i + 1)?;
                     within_one("v", *v, n * i + 2)?;
+                }
+                (Address::Volume, [u, v, w]) => {
+                    for (place, (name, found)) in [("u", *u), ("v", *v), ("w", *w)].into_iter().enumerate() {
+                        within_one(name, found, n * i + place)?;
+                    }
                 }
                 _ => {}
             }

@@ -38,6 +38,7 @@ mod face;
 mod fingerprint;
 mod fit;
 mod frame;
+mod interior;
 mod make;
 mod measure;
 mod mesh;
@@ -53,23 +54,25 @@ mod weave;
 
 pub use design::read;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design, End,
-    Falloff, Force, FourthOrder, FramePatch, FrameRule, Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss,
-    MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side,
-    Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
+    Axis, Blend, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design,
+    End, Falloff, Force, Form, FourthOrder, FramePatch, FrameRule, Free, Glaze, Handle, HandleId, Handles, Harmonic,
+    Hoop, Look, Loss, Method, MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm, Ring, Rings,
+    SecondOrder, Section, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{
-    Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, drawn, obj_materials, open, provenance, sketch, write,
+    CellsFormat, Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, cells_file, drawn, obj_materials, open,
+    provenance, sketch, write,
 };
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 pub use fit::{Profile, Ringed, fit, free};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
+pub use interior::{CellShape, Cells, CellsOptions, cells};
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;
 pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};

@@ -109,7 +109,9 @@ impl Function {
     /// How many waves there are from 0 to 1, half the degree of a polynomial, and how fast it may change next to its ends.
     pub(super) fn waves(&self) -> (f64, f64) {
         match self {
-            Function::Cubic(coefficients) => (0.5 * coefficients.iter().rposition(|c| *c != 0.0).unwrap_or(0) as f64, 0.0),
+            Function::Cubic(coefficients) => {
+                (0.5 * coefficients.iter().rposition(|c| *c != 0.0).unwrap_or(0) as f64, 0.0)
+            }
             Function::Cosine(m) | Function::Sine(m) => (0.5 * m.abs(), 0.0),
             Function::HalfRound => (0.5, 0.0),
             Function::Mode(equation, _) => (1.0, equation.largest_rate()),
@@ -209,7 +211,9 @@ mod tests {
     fn constants_and_zeros_are_known() {
         let [one, none] = [Function::ONE, Function::Cubic([0.0; 4])];
         assert!(one.is_constant() && !one.is_zero() && none.is_zero() && none.is_constant());
-        assert!(!Function::X.is_constant() && !Function::HalfRound.is_constant() && !Function::Cosine(2.0).is_constant());
+        assert!(
+            !Function::X.is_constant() && !Function::HalfRound.is_constant() && !Function::Cosine(2.0).is_constant()
+        );
         assert!(Function::Sine(0.0).is_zero() && Function::Cosine(0.0).is_constant());
     }
 }

@@ -5,12 +5,15 @@
 
 mod cubic;
 mod function;
+mod outline;
 mod residual;
 mod ripple;
 mod section;
 mod sheet;
 mod sines;
 mod skin;
+mod solved;
 mod volume;
 
-pub(crate) use volume::{Layer, Place, Volume, VolumeJet};
+pub(crate) use solved::Blended;
+pub(crate) use volume::Volume;

@@ -68,9 +68,8 @@ impl Asked<'_> {
         let mut modes = Vec::with_capacity(starts.len());
         for ((stiffness, start), end) in self.stiffnesses(n).zip(starts).zip(ends) {
             let equation = Equation::new(Order::Fourth, self.weights[2], 0.0, stiffness, 1.0)?;
-            let solved = |force: &[f64]| {
-                equation.solve(&ModeData { start: 0.0, end: 0.0, start_u: 0.0, end_u: 0.0, force })
-            };
+            let solved =
+                |force: &[f64]| equation.solve(&ModeData { start: 0.0, end: 0.0, start_u: 0.0, end_u: 0.0, force });
             let solutions = [solved(&forces[0])?, solved(&forces[1])?];
             modes.push(Modal { by: [start, end], equation, solutions });
         }
@@ -113,10 +112,8 @@ fn transformed(products: &[Product], [a, b, _]: [f64; 3], sines: &[Sines; 2]) ->
     let [along, across] = sines;
     let mut grid = vec![DVec2::ZERO; along.len() * across.len()];
     for product in products {
-        let [us, vs]: [Vec<[f64; 5]>; 2] = [
-            along.points().map(|u| product.u.jet(u)).collect(),
-            across.points().map(|v| product.v.jet(v)).collect(),
-        ];
+        let [us, vs]: [Vec<[f64; 5]>; 2] =
+            [along.points().map(|u| product.u.jet(u)).collect(), across.points().map(|v| product.v.jet(v)).collect()];
         for (row, u) in grid.chunks_exact_mut(vs.len()).zip(&us) {
             for (value, v) in row.iter_mut().zip(&vs) {
                 *value += product.by * (a * u[4] * v[0] + b * u[0] * v[4]);

@@ -29,7 +29,9 @@ pub(super) fn products(form: &Form) -> Vec<Product> {
         ],
         Form::Outline { x, y } => {
             let axes = [(DVec2::X, x), (DVec2::Y, y)];
-            axes.into_iter().flat_map(|(axis, series)| series.iter().flat_map(move |wave| harmonic(axis, wave))).collect()
+            axes.into_iter()
+                .flat_map(|(axis, series)| series.iter().flat_map(move |wave| harmonic(axis, wave)))
+                .collect()
         }
     }
 }

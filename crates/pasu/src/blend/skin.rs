@@ -72,7 +72,8 @@ pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
     // What the sines of the other methods leave on the border is the cubic.
     let w = if blend.method() == Method::Exact { b } else { 0.0 };
     let both = [&blend.start, &blend.end];
-    let component = |modes: Vec<Mode>| Component { order: Order::Fourth, s: c, t: 0.0, w, free: Free::default(), modes };
+    let component =
+        |modes: Vec<Mode>| Component { order: Order::Fourth, s: c, t: 0.0, w, free: Free::default(), modes };
     let across = |axis: usize| {
         let mut modes: Vec<Mode> = Vec::new();
         for (index, section) in both.into_iter().enumerate() {
@@ -107,7 +108,13 @@ pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
 /// The Fourier series of one coordinate of a closed section.
 fn series(section: &Section, axis: usize) -> Vec<Harmonic> {
     match &section.form {
-        Form::Outline { x, y } => if axis == 0 { x.clone() } else { y.clone() },
+        Form::Outline { x, y } => {
+            if axis == 0 {
+                x.clone()
+            } else {
+                y.clone()
+            }
+        }
         Form::Disc([x, y]) => match axis {
             0 => vec![Harmonic { n: 1.0, cos: 0.0, sin: *x }],
             _ => vec![Harmonic { n: 1.0, cos: *y, sin: 0.0 }],
@@ -125,7 +132,10 @@ impl Skin {
             cap(volume, end, false).between([Side::Pole, met, Side::Joined, Side::Joined])
         });
         let [start, end] = caps;
-        Skin { patches: vec![Box::new(start), Box::new(Flank(flank)), Box::new(end)], is_outward: vec![false, false, true] }
+        Skin {
+            patches: vec![Box::new(start), Box::new(Flank(flank)), Box::new(end)],
+            is_outward: vec![false, false, true],
+        }
     }
 
     /// The six sides of the cube: `u = 0`, `u = 1`, `v = 0`, `v = 1`, `w = 0`, `w = 1`, but for those that are no wider than a line. Each runs over the two other parameters in their order.
@@ -154,7 +164,11 @@ impl Skin {
                     // Beyond a line lies what is on its other side.
                     (line, theirs) => {
                         let (other, theirs) = met(line, theirs ^ 1);
-                        number(other).map_or(Side::Free, |patch| Side::Shared { patch, side: theirs, is_reversed: false })
+                        number(other).map_or(Side::Free, |patch| Side::Shared {
+                            patch,
+                            side: theirs,
+                            is_reversed: false,
+                        })
                     }
                 }
             })
@@ -173,7 +187,15 @@ impl Skin {
 /// The side of the cube beyond a side of one of its sides, and which side of that it is.
 fn met(face: usize, side: usize) -> (usize, usize) {
     let (axis, end) = (face / 2, face % 2);
-    let axes = |axis: usize| if axis == 0 { [1, 2] } else if axis == 1 { [0, 2] } else { [0, 1] };
+    let axes = |axis: usize| {
+        if axis == 0 {
+            [1, 2]
+        } else if axis == 1 {
+            [0, 2]
+        } else {
+            [0, 1]
+        }
+    };
     let beyond = axes(axis)[side / 2];
     let place = axes(beyond).iter().position(|other| *other == axis).unwrap_or(0);
     (2 * beyond + side % 2, 2 * place + end)
@@ -182,7 +204,9 @@ fn met(face: usize, side: usize) -> (usize, usize) {
 /// A function of `u` in the parameter that is smooth for a disc in a square: `u = (1 - cos pi s) / 2`.
 fn smooth(function: &Function, is_half_round: bool) -> Vec<(f64, Function)> {
     match function {
-        Function::Cubic([a, b, ..]) if is_half_round => vec![(a + 0.5 * b, Function::ONE), (-0.5 * b, Function::Cosine(1.0))],
+        Function::Cubic([a, b, ..]) if is_half_round => {
+            vec![(a + 0.5 * b, Function::ONE), (-0.5 * b, Function::Cosine(1.0))]
+        }
         Function::HalfRound => vec![(1.0, Function::Sine(1.0))],
         other => vec![(1.0, other.clone())],
     }

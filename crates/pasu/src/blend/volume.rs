@@ -12,6 +12,7 @@ use super::sines;
 use crate::design::{Blend, Method, Section};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Equation, ModeData, Order, Unsolvable};
+use crate::patch::SurfaceJet;
 
 /// `x(u, v, w)` over the unit cube, with `w` from one section to the other (ZY04): `a x_uuuu + b x_vvvv + c x_wwww = 0` with positions and tangents given at `w = 0` and `w = 1`.
 ///
@@ -105,7 +106,11 @@ impl Volume {
     }
 
     /// Each product of a section solved as the mode problem that it is: the fourth derivative along `u` vanishes, and that round `v` is `k^4` times it.
-    fn with_modes(mut self, both: [&Section; 2], sections: &[Vec<Product>; 2]) -> core::result::Result<Volume, Inexact> {
+    fn with_modes(
+        mut self,
+        both: [&Section; 2],
+        sections: &[Vec<Product>; 2],
+    ) -> core::result::Result<Volume, Inexact> {
         let [_, b, c] = self.weights;
         // Which frequency has which equation, and which function of w for either section.
         let mut known: Vec<(u64, Arc<Equation>, [Option<usize>; 2])> = Vec::new();
@@ -205,6 +210,26 @@ impl Volume {
         self.layer(w).jet(&self.place(0, u), &self.place(1, v))
     }
 
+    /// The jets in `u` and `v` at triples `(u, v, w)`, those of one `w` together.
+    pub(crate) fn visit(&self, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) {
+        let mut layer: Option<(f64, Layer)> = None;
+        for point in at.as_chunks::<3>().0 {
+            let [u, v, w] = *point;
+            let (_, here) = match layer.take().filter(|(known, _)| *known == w) {
+                Some(known) => layer.insert(known),
+                None => layer.insert((w, self.layer(w))),
+            };
+            let (along, across) = (self.place(0, u), self.place(1, v));
+            let partial = |orders: [usize; 3]| here.partial(&along, &across, orders);
+            visit(&SurfaceJet {
+                position: partial([0, 0, 0]),
+                du: partial([1, 0, 0]),
+                dv: partial([0, 1, 0]),
+                ..SurfaceJet::default()
+            });
+        }
+    }
+
     /// Position at one point.
     pub(crate) fn position(&self, u: f64, v: f64, w: f64) -> DVec3 {
         self.layer(w).partial(&self.place(0, u), &self.place(1, v), [0, 0, 0])
@@ -275,7 +300,8 @@ fn unsolvable(why: Unsolvable, path: &str) -> Error {
             Error::new(Code::Overflow, path, message)
         }
         _ => {
-            let message = "the equations of these terms do not decide the solid; change the number of terms or the weights";
+            let message =
+                "the equations of these terms do not decide the solid; change the number of terms or the weights";
             Error::new(Code::ResonantProblem, path, message)
         }
     }

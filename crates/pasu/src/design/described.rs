@@ -94,6 +94,8 @@ pub(crate) enum Address {
     Surface,
     /// `(patch, u, v)`: one of so many patches, `u` and `v` in [0, 1].
     Patches(usize),
+    /// `(u, v, w)` within a solid, each in [0, 1].
+    Volume,
 }
 
 /// The parameters of a named family, and what a link of it starts from: the numbers of each.

@@ -42,8 +42,6 @@ mod value;
 mod vertex_frame;
 mod wall;
 
-#[cfg(test)]
-pub(crate) use blend::of_json as blend_of_json;
 pub use blend::{Blend, Form, Harmonic, Method, Section};
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub(crate) use ceramics::Layer;

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::blend::Blend;
 use super::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use super::described::Family;
@@ -167,6 +168,8 @@ shapes! {
     Rings = "rings",
     /// `vertex-frame`: four-sided patches through a network of points, W22.
     VertexFrame = "vertex-frame",
+    /// `blend`: a solid that flows from one section into another, ZY04.
+    Blend = "blend",
 }
 
 /// A kind of shape.

@@ -63,10 +63,10 @@ mod tests {
     use crate::design::ring::Ring;
     use crate::design::rings::{Hoop, Rings, Series, Slopes, Wave};
     use crate::design::tables::{
-        BOUNDARY_VALUE, Entry, FORCE, FOURTH, FRAME_PATCH, HOOP, RING, RINGS_KIND, SECOND, SERIES, SLOPES,
-        VERTEX_FRAME, WAVE,
+        BLEND, BOUNDARY_VALUE, Entry, FORCE, FOURTH, FRAME_PATCH, HARMONIC, HOOP, OUTLINE_SECTION, RING, RINGS_KIND,
+        SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
     };
-    use crate::design::{Force, FramePatch, Look, Part, Value, VertexFrame, Wall, reader};
+    use crate::design::{Blend, Force, FramePatch, Harmonic, Look, Part, Section, Value, VertexFrame, Wall, reader};
 
     /// The fields that a type is read from, as its refusal of another says.
     fn fields<T: DeserializeOwned>(tag: Option<(&str, Value)>) -> String {
@@ -96,6 +96,10 @@ mod tests {
         check::<VertexFrame>(&VERTEX_FRAME[1..], None);
         check::<FramePatch>(FRAME_PATCH, None);
         check::<Force>(FORCE, None);
+        check::<Blend>(&BLEND[1..], None);
+        check::<Harmonic>(HARMONIC, None);
+        check::<Section>(SECTION, Some(("form", Value::Text("disc".into()))));
+        check::<Section>(OUTLINE_SECTION, Some(("form", Value::Text("outline".into()))));
         check::<Component>(SECOND, Some(("order", Value::Number(2.0))));
         check::<Component>(FOURTH, Some(("order", Value::Number(4.0))));
     }

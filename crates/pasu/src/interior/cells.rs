@@ -178,7 +178,10 @@ impl Solution {
         let (_, described) = self.existing(part)?;
         let path = format!("parts[{part}].shape");
         let Shape::Blend(blend) = &described.shape else {
-            let message = format!("expected a blend, found a shape of the kind {:?}: it has no inside that is known", described.shape.kind());
+            let message = format!(
+                "expected a blend, found a shape of the kind {:?}: it has no inside that is known",
+                described.shape.kind()
+            );
             return Err(Error::new(Code::UnsupportedShape, path, message).with("what", "no-inside"));
         };
         if described.wall.is_some() {
@@ -187,7 +190,8 @@ impl Solution {
         }
         let forms = [&blend.start.form, &blend.end.form];
         if forms.iter().all(|form| matches!(form, Form::DiscInSquare(_))) {
-            let message = "the cells of two discs in squares have no volume where u is 0 or 1: expected discs or outlines";
+            let message =
+                "the cells of two discs in squares have no volume where u is 0 or 1: expected discs or outlines";
             return Err(Error::new(Code::UnsupportedShape, path, message).with("what", "collapsed"));
         }
         let plan = planned(options, forms.iter().all(|form| form.is_closed()))?;
@@ -218,7 +222,8 @@ impl Solution {
 fn planned(options: &CellsOptions, is_round: bool) -> Result<Plan> {
     let [n_u, n_v, n_w] = options.counts;
     if options.counts.contains(&0) {
-        return Err(Error::new(Code::OutOfRange, "counts", "expected at least one cell along each direction, found 0").with("least", 1.0));
+        return Err(Error::new(Code::OutOfRange, "counts", "expected at least one cell along each direction, found 0")
+            .with("least", 1.0));
     }
     let per_layer = if is_round {
         let n = n_v.div_ceil(4) as f64;

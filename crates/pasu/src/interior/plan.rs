@@ -76,7 +76,8 @@ impl Plan {
             _ => (first + (step - 1) * border.len() + k % border.len()) as u32,
         };
         for step in 0..n_u {
-            let quads = (0..border.len()).map(|k| [ring(step, k), ring(step + 1, k), ring(step + 1, k + 1), ring(step, k + 1)]);
+            let quads =
+                (0..border.len()).map(|k| [ring(step, k), ring(step + 1, k), ring(step + 1, k + 1), ring(step, k + 1)]);
             plan.quads.extend(quads);
         }
         plan

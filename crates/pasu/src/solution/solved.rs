@@ -1,5 +1,6 @@
 //! The shape of one part, solved.
 
+use crate::blend::{Blended, Volume};
 use crate::design::{Part, Shape};
 use crate::error::Result;
 use crate::frame::Frame;
@@ -15,6 +16,8 @@ pub(crate) enum Solved {
     TwoSided(Box<Surface>),
     /// A network of vertex-frames.
     Frame(Frame),
+    /// A solid between two sections, or what goes round one.
+    Blend(Box<Blended>),
     /// Patches that stand for a kind yet to come: what the contract is tested with.
     #[cfg(test)]
     Patches(Vec<Box<dyn Patch>>),
@@ -24,10 +27,14 @@ impl Solved {
     /// Solves the shape of part number `index` of a design.
     ///
     /// # Errors
-    /// As [`Surface::of_part`] and [`Frame::solve`].
+    /// As [`Surface::of_part`], [`Frame::solve`] and [`Blended::solve`].
     pub(crate) fn of(part: &Part, index: usize) -> Result<Solved> {
         match &part.shape {
             Shape::VertexFrame(network) => Frame::solve(network, &format!("parts[{index}].shape")).map(Solved::Frame),
+            Shape::Blend(blend) => {
+                let path = format!("parts[{index}].shape");
+                Blended::solve(blend, part.wall.is_some(), &path).map(Box::new).map(Solved::Blend)
+            }
             _ => Surface::of_part(part, index).map(Box::new).map(Solved::TwoSided),
         }
     }
@@ -42,6 +49,7 @@ impl Solved {
         match self {
             Solved::TwoSided(surface) => &**surface,
             Solved::Frame(frame) => frame.patch(index),
+            Solved::Blend(blend) => blend.patch(index),
             #[cfg(test)]
             Solved::Patches(patches) => &**patches.get(index).unwrap_or(&patches[0]),
         }
@@ -52,6 +60,7 @@ impl Solved {
         match self {
             Solved::TwoSided(_) => 1,
             Solved::Frame(frame) => frame.n_patches(),
+            Solved::Blend(blend) => blend.n_patches(),
             #[cfg(test)]
             Solved::Patches(patches) => patches.len(),
         }
@@ -62,6 +71,7 @@ impl Solved {
         match self {
             Solved::TwoSided(_) => false,
             Solved::Frame(frame) => frame.is_closed(),
+            Solved::Blend(blend) => blend.vessel().is_none(),
             #[cfg(test)]
             Solved::Patches(patches) => {
                 patches.iter().all(|patch| patch.sides().iter().all(|side| *side != Side::Free))
@@ -74,6 +84,7 @@ impl Solved {
         match self {
             Solved::TwoSided(surface) => vec![crate::surface::points_outward(surface)],
             Solved::Frame(frame) => frame.is_outward().to_vec(),
+            Solved::Blend(blend) => blend.is_outward(),
             #[cfg(test)]
             Solved::Patches(patches) => vec![encloses(patches); patches.len()],
         }
@@ -91,6 +102,7 @@ impl Solved {
     pub(crate) fn wall(&self) -> Option<&dyn Patch> {
         match self {
             Solved::TwoSided(surface) => Some(&**surface),
+            Solved::Blend(blend) => blend.vessel().map(|surface| surface as &dyn Patch),
             _ => None,
         }
     }
@@ -99,6 +111,15 @@ impl Solved {
     pub(crate) fn fourier(&self) -> Option<&Surface> {
         match self {
             Solved::TwoSided(surface) => Some(&**surface),
+            Solved::Blend(blend) => blend.vessel(),
+            _ => None,
+        }
+    }
+
+    /// The closed form of its inside, if that is known.
+    pub(crate) fn volume(&self) -> Option<&Volume> {
+        match self {
+            Solved::Blend(blend) => Some(blend.volume()),
             _ => None,
         }
     }

@@ -1,7 +1,15 @@
 use core::f64::consts::PI;
 
 use super::*;
-use crate::design::blend_of_json;
+use crate::design::Shape;
+
+fn blend_of_json(text: &str) -> Result<Blend> {
+    let text = text.replacen('{', r#"{"kind": "blend", "#, 1);
+    match Shape::parse(&text)? {
+        Shape::Blend(blend) => Ok(blend),
+        other => panic!("{other:?}"),
+    }
+}
 
 fn solved(text: &str) -> Volume {
     Volume::solve(&blend_of_json(text).unwrap_or_else(|error| panic!("{error}: {text}")), "shape").unwrap()
@@ -49,7 +57,7 @@ fn positions_are_those_of_the_reference() {
     let mut checked = 0;
     for case in cases.as_array().unwrap() {
         let mut shape = case["shape"].clone();
-        shape.as_object_mut().unwrap().remove("kind");
+        assert_eq!(shape.as_object_mut().unwrap().remove("kind"), Some("blend".into()));
         let within = if shape["method"] == "exact" { 1e-12 } else { 1e-9 };
         let volume = solved(&shape.to_string());
         for point in case["points"].as_array().unwrap() {
@@ -74,11 +82,13 @@ fn derivatives_are_those_of_positions() {
         for [u, v, w] in [[0.3, 0.4, 0.2], [0.75, 0.15, 0.6]] {
             let jet = volume.jet(u, v, w);
             let at = |du: f64, dv: f64, dw: f64| volume.jet(u + du, v + dv, w + dw);
-            let [us, vs, ws] = [[at(h, 0.0, 0.0), at(-h, 0.0, 0.0)], [at(0.0, h, 0.0), at(0.0, -h, 0.0)], [
-                at(0.0, 0.0, h),
-                at(0.0, 0.0, -h),
-            ]];
-            let slope = |[after, before]: [VolumeJet; 2], of: fn(&VolumeJet) -> DVec3| (of(&after) - of(&before)) / (2.0 * h);
+            let [us, vs, ws] = [
+                [at(h, 0.0, 0.0), at(-h, 0.0, 0.0)],
+                [at(0.0, h, 0.0), at(0.0, -h, 0.0)],
+                [at(0.0, 0.0, h), at(0.0, 0.0, -h)],
+            ];
+            let slope =
+                |[after, before]: [VolumeJet; 2], of: fn(&VolumeJet) -> DVec3| (of(&after) - of(&before)) / (2.0 * h);
             for (found, expected) in [
                 (jet.du, slope(us, |jet| jet.position)),
                 (jet.dv, slope(vs, |jet| jet.position)),
@@ -256,8 +266,7 @@ fn collocation_is_what_the_dense_system_gives() {
                     - 8.0 * c * nf.powi(4) * (2.0 * nf * PI * w).cos();
                 matrix[(row, column)] = PI.powi(4) * (lf * PI * u).sin() * (mf * PI * v).sin() * operator;
             }
-            let left: DVec2 =
-                (0..2).map(|index| fourth(both[index], u, v) * cubic(index, both[index].taper, w)).sum();
+            let left: DVec2 = (0..2).map(|index| fourth(both[index], u, v) * cubic(index, both[index].taper, w)).sum();
             (sides[0][row], sides[1][row]) = (-left.x, -left.y);
         }
         let factors = matrix.lu();
@@ -359,7 +368,12 @@ fn a_blend_of_stretched_sections_is_the_blend_stretched() {
 #[test]
 fn what_has_no_closed_form_is_refused_with_its_path() {
     let text = all(r#""method": "exact""#).into_iter().find(|text| !is_exact_possible(text)).unwrap();
-    let error = Volume::solve(&blend_of_json(&text).unwrap(), "parts[0].shape").unwrap_err();
+    let error = blend_of_json(&text).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::OutOfRange, "method"));
+    // Were it not refused when it is read, it would be here.
+    let mut blend = blend_of_json(&text.replace("exact", "modal")).unwrap();
+    blend.method = Some(Method::Exact);
+    let error = Volume::solve(&blend, "parts[0].shape").unwrap_err();
     assert_eq!((error.code(), error.path()), (Code::OutOfRange, "parts[0].shape.method"));
 }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::fields::{Blend, Form, Harmonic, Method, Section, TERMS};
 use crate::design::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
-use crate::design::declarations::interface;
+use crate::design::declarations::{interface, union};
 #[cfg(feature = "typescript")]
 use crate::design::described::Family;
 use crate::design::described::{Address, Described, Spelling};
@@ -89,6 +89,7 @@ impl Described for Blend {
         interface(text, "FormedSection", "A section of one of the forms of ZY04.", SECTION);
         interface(text, "OutlineSection", "A section within a closed curve.", OUTLINE_SECTION);
         interface(text, "Harmonic", "One harmonic of a closed curve.", HARMONIC);
+        union(text, "Method", "How the equation of a blend is solved.", Method::NAMES);
     }
 }
 

@@ -187,7 +187,12 @@ struct Outlined {
 
 impl From<Given> for Section {
     fn from(given: Given) -> Self {
-        let of = |form: fn([f64; 2]) -> Form, WithRadius { radius, z, taper, dz }| Section { form: form(radius), z, taper, dz };
+        let of = |form: fn([f64; 2]) -> Form, WithRadius { radius, z, taper, dz }| Section {
+            form: form(radius),
+            z,
+            taper,
+            dz,
+        };
         match given {
             Given::Rectangle(section) => of(Form::Rectangle, section),
             Given::RectangleReversed(section) => of(Form::RectangleReversed, section),

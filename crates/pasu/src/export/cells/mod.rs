@@ -114,11 +114,20 @@ mod tests {
         for shape in [CellShape::Hexahedron, CellShape::Tetrahedron] {
             let n = shape.n_corners();
             let (cells, text) = file(shape, CellsFormat::Vtu);
-            assert!(text.contains(&format!("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", cells.n_points(), cells.n_cells())));
+            assert!(text.contains(&format!(
+                "NumberOfPoints=\"{}\" NumberOfCells=\"{}\"",
+                cells.n_points(),
+                cells.n_cells()
+            )));
             let array = |name: &str| {
                 let from = text.split(&format!("Name=\"{name}\"")).nth(1).unwrap();
                 let from = from.split_once('>').unwrap().1;
-                from.split("</DataArray>").next().unwrap().split_whitespace().map(|x| x.parse().unwrap()).collect::<Vec<f64>>()
+                from.split("</DataArray>")
+                    .next()
+                    .unwrap()
+                    .split_whitespace()
+                    .map(|x| x.parse().unwrap())
+                    .collect::<Vec<f64>>()
             };
             let expected: Vec<f64> = cells.positions.iter().map(|x| 10.0 * x).collect();
             assert_eq!(array("points"), expected);
