@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::calls::CALLS;
 
+const BLENDS: &str = include_str!("../../../tests/reference/blends.json");
 const GALLERY: &str = include_str!("../../../tests/reference/gallery.json");
 const HOSTILE: &str = include_str!("../../../tests/reference/hostile.json");
 const RINGS: &str = include_str!("../../../tests/reference/rings.json");
@@ -38,7 +39,7 @@ fn designs() -> Vec<String> {
         }
         designs.push(json!({ "pasu": 1, "parts": [part] }));
     }
-    for case in read(SURFACES).into_iter().chain(read(RINGS)) {
+    for case in read(SURFACES).into_iter().chain(read(RINGS)).chain(read(BLENDS)) {
         let shape = if case["family"].is_null() { &case["shape"] } else { &case["family"] };
         designs.push(json!({ "pasu": 1, "unit": "mm", "parts": [{ "shape": shape }] }));
     }

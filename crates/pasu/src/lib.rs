@@ -52,6 +52,7 @@ mod surface;
 mod watch;
 mod weave;
 
+pub use blend::{Inside, InsideMap};
 pub use design::read;
 pub use design::{
     Axis, Blend, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design,
@@ -72,7 +73,7 @@ pub use fingerprint::fingerprint;
 pub use fit::{Profile, Ringed, fit, free};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
-pub use interior::{CellShape, Cells, CellsOptions, cells};
+pub use interior::{CellShape, Cells, CellsOptions, cells, inside, inside_values};
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;
 pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::mode::{Equation, ModeSolution};
-use crate::numeric::horner;
+use crate::numeric::{horner, taylor};
 use crate::surface::of_turns;
 
 /// A function of one parameter in [0, 1] that knows its derivatives.
@@ -80,8 +80,11 @@ impl Function {
             Function::Cosine(m) | Function::Sine(m) => wave((PI * m).abs(), [1.0; 4]),
             Function::HalfRound => core::array::from_fn(|order| if order == 0 { 1.0 } else { f64::INFINITY }),
             Function::Mode(equation, solution) => {
-                let [suprema] = equation.suprema::<N, 1>([solution], from, to);
-                suprema
+                let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+                let [mut suprema] = equation.suprema::<5, 1>([solution], from, to);
+                let [jet] = equation.jets::<5, 1>([solution], middle);
+                taylor::tighten(&mut suprema, &jet, half);
+                core::array::from_fn(|order| suprema.get(order).copied().unwrap_or(f64::INFINITY))
             }
         }
     }

@@ -5,8 +5,8 @@
 
 mod cubic;
 mod function;
+mod inside;
 mod outline;
-mod residual;
 mod ripple;
 mod section;
 mod sheet;
@@ -15,5 +15,6 @@ mod skin;
 mod solved;
 mod volume;
 
+pub use inside::{Inside, InsideMap};
 pub(crate) use solved::Blended;
 pub(crate) use volume::Volume;

@@ -12,6 +12,9 @@ use crate::error::{Code, Error, Result};
 const PER_WAVE: f64 = 12.0;
 const POINTS: (f64, f64) = (96.0, 8192.0);
 
+/// Where the first point lies between two of equal spacing: symmetrical outlines would else run through themselves at points, where nothing crosses.
+const OFFSET: f64 = 0.382;
+
 /// An area counts as none when it is this small beside the square of the extent.
 const NO_AREA: f64 = 1e-12;
 
@@ -33,7 +36,7 @@ impl Polygon {
             products.iter().map(|p| p.by * (p.u.jet::<1>(u)[0] * p.v.jet::<1>(v)[0])).sum()
         };
         let points = match form {
-            Form::Disc(_) | Form::Outline { .. } => (0..n).map(|i| at(1.0, i as f64 / n as f64)).collect(),
+            Form::Disc(_) | Form::Outline { .. } => (0..n).map(|i| at(1.0, (i as f64 + OFFSET) / n as f64)).collect(),
             // Once round the square.
             _ => {
                 let side = n / 4;

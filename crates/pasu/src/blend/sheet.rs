@@ -11,12 +11,15 @@ pub(super) struct Sheet {
     terms: Vec<(DVec3, [usize; 2])>,
     functions: [Vec<Function>; 2],
     sides: [Side; 4],
+    /// Whether all of it lies in one plane.
+    is_level: bool,
 }
 
 impl Sheet {
     /// The sum of these. Polynomials of one axis that are multiplied by the same are added up first: what cancels between the sections would else count twice in every bound.
     pub(super) fn new(sum: impl IntoIterator<Item = (DVec3, [Function; 2])>) -> Sheet {
-        let mut sheet = Sheet { terms: Vec::new(), functions: Default::default(), sides: [Side::Free; 4] };
+        let mut sheet =
+            Sheet { terms: Vec::new(), functions: Default::default(), sides: [Side::Free; 4], is_level: false };
         let terms: Vec<(DVec3, [Function; 2])> = sum.into_iter().collect();
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             let of_axis = terms.iter().map(|(by, functions)| (by.dot(axis), functions.clone()));
@@ -42,6 +45,23 @@ impl Sheet {
     /// The same with what its sides meet.
     pub(super) fn between(self, sides: [Side; 4]) -> Sheet {
         Sheet { sides, ..self }
+    }
+
+    /// The same as one that lies in a plane.
+    pub(super) fn level(self) -> Sheet {
+        Sheet { is_level: true, ..self }
+    }
+
+    /// Whether the corners of a cell, seen along the axis, go round a convex quadrilateral; some of them may be one point.
+    fn is_convex(&self, Cell { u, v }: Cell) -> bool {
+        let corners = [(u[0], v[0]), (u[1], v[0]), (u[1], v[1]), (u[0], v[1])];
+        let corners = corners.map(|(u, v)| self.jet(u, v).position.truncate());
+        let turn = |i: usize| {
+            let [from, at, to] = [0, 1, 2].map(|step| corners[(i + step) % 4]);
+            (at - from).perp_dot(to - at)
+        };
+        let turns = [0, 1, 2, 3].map(turn);
+        turns.iter().all(|turn| *turn >= 0.0) || turns.iter().all(|turn| *turn <= 0.0)
     }
 
     /// The largest coordinate that the terms can add up to.
@@ -156,6 +176,17 @@ impl Patch for Sheet {
         let stretch = DVec3::from_array(stretch);
         let [size, uu, uv, vv] = sums.map(|sum| (sum * stretch).length());
         Suprema { size, uu, uv, vv }
+    }
+
+    /// In a plane the two triangles of a cell are all of the quadrilateral of its corners, if that is convex, and so are the chords of one parameter for every value of the other, in which the sheet is straight: what matters is how far
+    /// arcs are from these, not where on a chord a point is.
+    fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
+        let suprema = self.suprema(cell, stretch);
+        let is_straight = suprema.uu == 0.0 || suprema.vv == 0.0;
+        if !(self.is_level && is_straight && self.is_convex(cell)) {
+            return suprema.deviation(cell.lengths());
+        }
+        Suprema { uv: 0.0, ..suprema }.deviation(cell.lengths())
     }
 
     fn breaks(&self) -> [Breaks; 2] {

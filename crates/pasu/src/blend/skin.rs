@@ -237,5 +237,5 @@ fn cap(volume: &Volume, end: usize, is_half_round: bool) -> Sheet {
         runs.map(move |(by, function)| (term.by.extend(0.0) * by, [function, vs[g].clone()]))
     });
     let [level] = volume.z.jet::<1>(end as f64);
-    Sheet::new(products.chain([(DVec3::Z * level, [Function::ONE, Function::ONE])]))
+    Sheet::new(products.chain([(DVec3::Z * level, [Function::ONE, Function::ONE])])).level()
 }

@@ -36,28 +36,6 @@ pub(super) struct Term {
     pub(super) end: usize,
 }
 
-/// Position and first and second derivatives of `x(u, v, w)`, before placement.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct VolumeJet {
-    pub(crate) position: DVec3,
-    pub(crate) du: DVec3,
-    pub(crate) dv: DVec3,
-    pub(crate) dw: DVec3,
-    pub(crate) duu: DVec3,
-    pub(crate) duv: DVec3,
-    pub(crate) duw: DVec3,
-    pub(crate) dvv: DVec3,
-    pub(crate) dvw: DVec3,
-    pub(crate) dww: DVec3,
-}
-
-impl VolumeJet {
-    /// The determinant of the first derivatives: how much room a bit of the cube takes, negative where it is turned inside out.
-    pub(crate) fn jacobian(&self) -> f64 {
-        self.du.cross(self.dv).dot(self.dw)
-    }
-}
-
 /// What a volume has at one `w`.
 pub(crate) struct Layer<'a> {
     volume: &'a Volume,
@@ -200,16 +178,6 @@ impl Volume {
         }
     }
 
-    /// The weights of the three directions.
-    pub(super) fn weights(&self) -> [f64; 3] {
-        self.weights
-    }
-
-    /// Position and derivatives at one point.
-    pub(crate) fn jet(&self, u: f64, v: f64, w: f64) -> VolumeJet {
-        self.layer(w).jet(&self.place(0, u), &self.place(1, v))
-    }
-
     /// The jets in `u` and `v` at triples `(u, v, w)`, those of one `w` together.
     pub(crate) fn visit(&self, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) {
         let mut layer: Option<(f64, Layer)> = None;
@@ -228,11 +196,6 @@ impl Volume {
                 ..SurfaceJet::default()
             });
         }
-    }
-
-    /// Position at one point.
-    pub(crate) fn position(&self, u: f64, v: f64, w: f64) -> DVec3 {
-        self.layer(w).partial(&self.place(0, u), &self.place(1, v), [0, 0, 0])
     }
 }
 
@@ -253,21 +216,10 @@ impl Layer<'_> {
         sum.extend(if i + j == 0 { self.z[k] } else { 0.0 })
     }
 
-    /// Position and derivatives.
-    pub(crate) fn jet(&self, along: &Place, across: &Place) -> VolumeJet {
+    /// The determinant of the first derivatives: how much room a bit of the cube takes, negative where it is turned inside out.
+    pub(crate) fn jacobian(&self, along: &Place, across: &Place) -> f64 {
         let at = |orders: [usize; 3]| self.partial(along, across, orders);
-        VolumeJet {
-            position: at([0, 0, 0]),
-            du: at([1, 0, 0]),
-            dv: at([0, 1, 0]),
-            dw: at([0, 0, 1]),
-            duu: at([2, 0, 0]),
-            duv: at([1, 1, 0]),
-            duw: at([1, 0, 1]),
-            dvv: at([0, 2, 0]),
-            dvw: at([0, 1, 1]),
-            dww: at([0, 0, 2]),
-        }
+        at([1, 0, 0]).cross(at([0, 1, 0])).dot(at([0, 0, 1]))
     }
 
     /// What the equation leaves: `a x_uuuu + b x_vvvv + c x_wwww`.

@@ -70,9 +70,8 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     let mut made = Vec::with_capacity(solution.n_parts());
     let wanted = solution.parts_of(making.product);
     for (index, &part) in wanted.iter().enumerate() {
-        // A shape without foot and rim has no wall; STEP takes its patches as they are where they are no body.
-        let solved = solution.part(part)?.solved();
-        if format != Format::Step || solved.wall().is_some() || solved.is_closed() {
+        // A shape without foot and rim has no wall; STEP takes its patches as they are.
+        if format != Format::Step || solution.part(part)?.solved().wall().is_some() {
             let one = || make(solution, part, making, millimetres);
             made.push(watch::between(0.0, MAKING, || watch::share(index, wanted.len(), one))?);
         }
@@ -108,13 +107,10 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
             for &part in &wanted {
                 let placed = solution.part(part)?;
                 let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
-                    Some((made, body)) => match made.body.pot() {
-                        Some(pot) => {
-                            let faces = pot.faces().iter().map(|face| face as &dyn Face);
-                            (step::Boundary::Faces(faces.collect()), size(body))
-                        }
-                        None => (step::Boundary::Patches(placed), size(body)),
-                    },
+                    Some((Made { pot, .. }, body)) => {
+                        let faces = pot.faces().iter().map(|face| face as &dyn Face);
+                        (step::Boundary::Faces(faces.collect()), size(body))
+                    }
                     None => (step::Boundary::Patches(placed), millimetres * extent(placed)),
                 };
                 parts.push(step::Part {
@@ -135,15 +131,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
 
 /// A template of what was made.
 fn drawing(notes: &Notes, bodies: &[Body], made: &[Made], paper: Option<Paper>) -> Result<Vec<u8>> {
-    let stood = |made: &Made| match made.body.pot() {
-        Some(pot) => Ok(stand(pot, notes.millimetres)),
-        None => {
-            let message = "a template is of a pot that stands from a foot to a rim, and this shape has neither";
-            let error = Error::new(Code::OpenSurface, made.body.placed().path("shape"), message);
-            Err(error.with("what", "no-template"))
-        }
-    };
-    let stands: Vec<Stand> = made.iter().map(stood).collect::<Result<_>>()?;
+    let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, notes.millimetres)).collect();
     for ((body, stand), made) in bodies.iter().zip(&stands).zip(made) {
         on_paper(&notes.making, made.mesh.part, template::reach(body, stand))?;
     }

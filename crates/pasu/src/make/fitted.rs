@@ -9,13 +9,13 @@ use crate::weave::Made;
 
 /// What of a wall was fitted to what there is room for, with the wall that says so.
 pub(super) fn findings(made: &Made, design: &Design) -> Vec<Finding> {
-    let part = made.body.part();
+    let part = made.pot.part();
     let asked = design.parts().get(part).and_then(|part| part.wall);
-    let Some((asked, wall)) = asked.zip(made.body.wall()) else { return Vec::new() };
-    let path = made.body.placed().path("wall");
+    let Some((asked, wall)) = asked.zip(made.pot.wall()) else { return Vec::new() };
+    let path = made.pot.skin().placed().path("wall");
     let found = |code, field, message, args| {
         let path = Some(format!("{path}.{field}"));
-        let remedy = Some(Remedy::of(made.body.placed().path("wall"), &asked, wall));
+        let remedy = Some(Remedy::of(made.pot.skin().placed().path("wall"), &asked, wall));
         Finding { code, severity: Severity::Warning, part, path, message, args, at: None, remedy }
     };
     let ring = asked.foot.zip(wall.foot).filter(|(asked, made)| asked != made).map(|(asked, made)| {

@@ -53,13 +53,12 @@ impl Solution {
         parts.iter().enumerate().map(made).collect()
     }
 
-    /// The parts that a product is made of: all, but for pots those with a wall, and what is solid by itself, if any has one.
+    /// The parts that a product is made of: all, but for pots those with a wall if any has one.
     pub(crate) fn parts_of(&self, product: Product) -> Vec<usize> {
         let all = 0..self.n_parts();
         let has_wall = |part: &usize| self.design().parts().get(*part).is_some_and(|part| part.wall.is_some());
-        let is_solid = |part: usize| self.part(part).is_ok_and(|placed| placed.solved().is_closed());
         if product == Product::Pot && all.clone().any(|part| has_wall(&part)) {
-            all.filter(|part| has_wall(part) || is_solid(*part)).collect()
+            all.filter(has_wall).collect()
         } else {
             all.collect()
         }
@@ -71,16 +70,11 @@ impl Solution {
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Made> {
-    let placed = solution.workable(part)?;
-    let has_wall = making.product == Product::Pot && solution.existing(part)?.1.wall.is_some();
-    if placed.solved().is_closed() && !has_wall {
-        return Made::of_patches(placed, making.tolerance, scale);
-    }
-    let skin = Arc::new(Skin::new(placed)?);
+    let skin = Arc::new(Skin::new(solution.workable(part)?)?);
     let usual = grid(&skin, None, None)?.bound;
     if making.tolerance.is_some_and(|asked| asked > usual) {
         refuse_crossing(&skin, None, scale)?;
     }
     refuse_crossing(&skin, making.tolerance, scale)?;
-    solution.settled(part, making.product)?.made(making.tolerance, scale).map(Made::from)
+    solution.settled(part, making.product)?.made(making.tolerance, scale)
 }

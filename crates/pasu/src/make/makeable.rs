@@ -37,12 +37,15 @@ pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> V
 }
 
 fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
-    let thinnest = made.body.thickness()?.0 * millimetres;
+    if !made.pot.has_wall() {
+        return None;
+    }
+    let thinnest = made.pot.thickness().0 * millimetres;
     let [least, safe] = craft.thinnest();
     if !(thinnest < safe) {
         return None;
     }
-    let at = made.body.thinned().map(|(_, at)| at);
+    let at = made.pot.thinned().map(|(_, at)| at);
     let somewhere = at.map_or(String::new(), |at| format!(" at {}", place(at)));
     let why = match (craft, thinnest < least) {
         (Craft::Print, true) => {
@@ -54,14 +57,14 @@ fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Opti
     };
     let severity = severity(is_asked && thinnest < least);
     let message = format!("the wall is only {} mm thick{somewhere}: {why}", short(thinnest));
-    let (part, path) = (made.body.part(), path(made, "wall.thickness"));
+    let (part, path) = (made.pot.part(), path(made, "wall.thickness"));
     let args = thin_args(craft, thinnest, [least, safe]);
     let at = at.map(|at| at.to_array());
     Some(Finding { code: "too-thin", severity, part, path, message, args, at, remedy: None })
 }
 
 fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
-    let thickness = made.body.base()? * millimetres;
+    let thickness = made.pot.base()? * millimetres;
     let [least, safe] = craft.thinnest_base();
     if !(thickness < safe) {
         return None;
@@ -74,7 +77,7 @@ fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) ->
     };
     let severity = severity(is_asked && thickness < least);
     let message = format!("the base is only {} mm thick: {why}", short(thickness));
-    let (part, path) = (made.body.part(), path(made, "wall.base"));
+    let (part, path) = (made.pot.part(), path(made, "wall.base"));
     let args = thin_args(craft, thickness, [least, safe]);
     Some(Finding { code: "thin-base", severity, part, path, message, args, at: None, remedy: None })
 }
@@ -92,7 +95,7 @@ fn thin_args(craft: Craft, thickness: f64, [least, safe]: [f64; 2]) -> Args {
 }
 
 fn path(made: &Made, field: &str) -> Option<String> {
-    Some(made.body.placed().path(field))
+    Some(made.pot.skin().placed().path(field))
 }
 
 fn severity(is_impossible: bool) -> Severity {
@@ -141,7 +144,7 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
         place(at)
     );
     let args = Args::from([("what", side.into()), ("degrees", degrees.into()), ("greatest", SUPPORTED.into())]);
-    let (part, severity, at) = (made.body.part(), Severity::Note, Some(at.to_array()));
+    let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
     Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, args, at, remedy: None })
 }
 
@@ -172,7 +175,7 @@ fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
         args.extend([("what", "underside".into())]);
         (message, highest, "place")
     };
-    let (part, severity, at) = (made.body.part(), Severity::Note, Some((at / millimetres).to_array()));
+    let (part, severity, at) = (made.pot.part(), Severity::Note, Some((at / millimetres).to_array()));
     Some(Finding { code: "ceiling", severity, part, path: path(made, field), message, args, at, remedy: None })
 }
 

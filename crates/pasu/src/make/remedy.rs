@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::solid::{Pot, Skin, short, significant};
 use crate::solution::Solution;
 use crate::watch;
-use crate::weave::{COARSE, MadePot, grid, meshed_once};
+use crate::weave::{COARSE, Made, grid, meshed_once};
 
 answers! {
     /// The nearest wall that was found to make a pot of a part that is refused.
@@ -67,7 +67,7 @@ fn sought(solution: &Solution, part: usize, making: &Making, scale: f64, error: 
         Some(())
     };
     let mut trials = Trials { skin: Arc::clone(&skin), scale, plain: Vec::new() };
-    let made = |wall: Wall| MadePot::of(Pot::of(&skin, Some(wall))?, making.tolerance, scale);
+    let made = |wall: Wall| Made::of(Pot::of(&skin, Some(wall))?, making.tolerance, scale);
     let mut found = None;
     for wall in tried(&asked, field) {
         spend(coarse)?;

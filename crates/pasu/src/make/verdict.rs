@@ -106,7 +106,7 @@ pub(crate) fn verdict(
     Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
 }
 
-fn counted(Made { mesh, body, topology, .. }: &Made) -> MeshReport {
+fn counted(Made { mesh, pot, topology, .. }: &Made) -> MeshReport {
     MeshReport {
         part: mesh.part,
         vertices: mesh.n_vertices(),
@@ -116,13 +116,13 @@ fn counted(Made { mesh, body, topology, .. }: &Made) -> MeshReport {
         degenerate: 0,
         crossings: 0,
         bound: mesh.bound,
-        thinned: body.thinned().map_or(0.0, |(share, _)| share),
-        thinnest: body.thickness().map(|(thinnest, _)| thinnest),
+        thinned: pot.thinned().map_or(0.0, |(share, _)| share),
+        thinnest: pot.has_wall().then(|| pot.thickness().0),
     }
 }
 
 fn thinned(made: &Made) -> Option<Finding> {
-    let pot = made.body.pot()?;
+    let pot = &made.pot;
     let (share, at) = pot.thinned()?;
     let message = format!(
         "the wall had to be thinned to {} at {}, where the surface bends more tightly or comes closer to itself than the wall is thick; {} % of it is thinner than asked for",
@@ -146,5 +146,5 @@ fn unkept(made: &Made) -> Option<Finding> {
     );
     let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
     let args = Args::from([("what", "unkept".into()), ("bound", made.mesh.bound.into()), ("asked", asked.into())]);
-    Some(Finding { code, severity, part: made.body.part(), path, message, args, at: None, remedy: None })
+    Some(Finding { code, severity, part: made.pot.part(), path, message, args, at: None, remedy: None })
 }

@@ -18,4 +18,4 @@ mod tolerance;
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 pub(crate) use grids::Places;
 pub use sample::{Sampler, bound, mesh};
-pub(crate) use sample::{exact_mesh, grid_places, part_mesh, places};
+pub(crate) use sample::{exact_mesh, grid_places, places};

@@ -211,18 +211,6 @@ pub(crate) fn places(placed: &Placed, tolerance: Option<f64>) -> Result<(Vec<f64
     Ok(grid.places())
 }
 
-/// The mesh of one part by itself, with the bound that it keeps.
-///
-/// # Errors
-/// As [`mesh`].
-pub(crate) fn part_mesh(placed: &Placed, tolerance: Option<f64>) -> Result<Mesh> {
-    let options = MeshOptions { tolerance, ..MeshOptions::default() };
-    check(&options)?;
-    let mut sampler = Sampler::new();
-    sampler.fill(&[Grids::choose(placed, &options, true, &mut Vec::new())?])?;
-    Ok(sampler.mesh)
-}
-
 /// The largest bound of all parts, if every part has one.
 fn largest_bound(grids: &[Grids]) -> Option<f64> {
     grids.iter().try_fold(0.0f64, |largest, grid| grid.bound().map(|bound| largest.max(bound)))

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::meshed::{GLIMPSE, MadePot, glimpsed};
+use super::meshed::{GLIMPSE, Made, glimpsed};
 use crate::design::Wall;
 use crate::error::Error;
 use crate::face::FaceKind;
@@ -41,7 +41,7 @@ pub(super) fn may_be_at_fault(wall: &Wall, error: &Error) -> bool {
 /// as it is asked for, if it has faces, and `scale` from model units to millimetres.
 ///
 /// A ring gives way before a drain does, and neither is left out. A coarse mesh decides which is worth one that keeps the tolerance, and what one ring is refused for rules out others.
-pub(super) fn fitted(skin: &Arc<Skin>, asked: &Wall, refused: Option<&Pot>, scale: f64) -> Option<MadePot> {
+pub(super) fn fitted(skin: &Arc<Skin>, asked: &Wall, refused: Option<&Pot>, scale: f64) -> Option<Made> {
     // A tube has no base under which a ring could stand or through which a drain could go, and a round bottom no edge for a ring.
     if !(asked.base > 0.0) || (skin.poles()[0] && asked.foot.is_some()) {
         return None;
@@ -80,7 +80,7 @@ struct Trials {
 
 impl Trials {
     /// The pot with the nearest ring; `with_asked` where the very one that is asked for is among those that are tried.
-    fn ringed(&mut self, bare: &Wall, asked: [f64; 2], largest: f64, with_asked: bool) -> Option<MadePot> {
+    fn ringed(&mut self, bare: &Wall, asked: [f64; 2], largest: f64, with_asked: bool) -> Option<Made> {
         let mut ruled_out: Vec<Bounds> = Vec::new();
         for ring in nearest(asked, largest) {
             if (ring == asked && !with_asked) || ruled_out.iter().any(|bounds| bounds.hold(ring)) {
@@ -96,14 +96,14 @@ impl Trials {
     }
 
     /// A wall that passes on a coarse mesh and at the usual tolerance; what it is refused for, or nothing where no trial is left.
-    fn made(&mut self, wall: Wall) -> Result<MadePot, Option<Error>> {
+    fn made(&mut self, wall: Wall) -> Result<Made, Option<Error>> {
         self.tried(wall)?;
         if self.left[1] == 0 {
             return Err(None);
         }
         self.left[1] -= 1;
         let pot = Pot::of(self.plain.shared_skin(), Some(wall))?;
-        MadePot::at_once(pot, self.scale).map_err(|refused| Some(refused.1))
+        Made::at_once(pot, self.scale).map_err(|refused| Some(refused.1))
     }
 
     /// Whether a wall passes on a coarse mesh.

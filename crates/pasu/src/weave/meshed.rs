@@ -46,8 +46,8 @@ const CROSSINGS: usize = 200;
 /// A mesh is made finer by no more than this factor at a time.
 const LEAST_STEP: f64 = 0.4;
 
-/// A pot and its mesh.
-pub(crate) struct MadePot {
+/// What was made of one part.
+pub(crate) struct Made {
     pub(crate) mesh: SolidMesh,
     pub(crate) pot: Pot,
     pub(crate) topology: Topology,
@@ -55,14 +55,14 @@ pub(crate) struct MadePot {
     pub(crate) unkept: Option<f64>,
 }
 
-impl MadePot {
+impl Made {
     /// The mesh of a pot on a surface that does not cross itself; `scale` is from model units to millimetres.
     ///
     /// A coarse mesh may step over what a finer one runs into: what is made more coarsely than without a tolerance has to be made without one too, and what is refused only because it is finer says so.
     ///
     /// # Errors
     /// As [`solid`](crate::solid()).
-    pub(crate) fn of(pot: Pot, tolerance: Option<f64>, scale: f64) -> Result<MadePot> {
+    pub(crate) fn of(pot: Pot, tolerance: Option<f64>, scale: f64) -> Result<Made> {
         let usual = grid(pot.skin(), None, None)?.bound;
         if tolerance.is_some_and(|asked| asked > usual) {
             meshed(&pot, None, scale)?;
@@ -77,16 +77,16 @@ impl MadePot {
             }
             _ => error,
         });
-        made.map(|(topology, mesh, unkept)| MadePot { mesh, pot, topology, unkept })
+        made.map(|(topology, mesh, unkept)| Made { mesh, pot, topology, unkept })
     }
 
     /// A mesh within the usual tolerance, looked at once and no more closely.
     ///
     /// # Errors
-    /// As [`MadePot::of`].
-    pub(super) fn at_once(pot: Pot, scale: f64) -> core::result::Result<MadePot, Box<(Pot, Error)>> {
+    /// As [`Made::of`].
+    pub(super) fn at_once(pot: Pot, scale: f64) -> core::result::Result<Made, Box<(Pot, Error)>> {
         match meshed_once(&pot, None, 1.0, scale) {
-            Ok((topology, mesh, unkept)) => Ok(MadePot { mesh, pot, topology, unkept }),
+            Ok((topology, mesh, unkept)) => Ok(Made { mesh, pot, topology, unkept }),
             Err(error) => Err(Box::new((pot, error))),
         }
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::fit::{can_give_way, fitted, may_be_at_fault};
-use super::meshed::{MadePot, grid};
+use super::meshed::{Made, grid};
 use crate::design::{Design, Wall};
 use crate::error::{Error, Result};
 use crate::solid::{Pot, Product, Skin};
@@ -18,7 +18,7 @@ pub(crate) enum Settled {
     /// Its faces.
     Faces(Pot),
     /// The mesh by which it was judged besides, and how many millimetres a model unit has there.
-    Meshed(Box<MadePot>, f64),
+    Meshed(Box<Made>, f64),
 }
 
 impl Settled {
@@ -41,10 +41,10 @@ impl Settled {
     ///
     /// # Errors
     /// As [`solid`](crate::solid()).
-    pub(crate) fn made(self, tolerance: Option<f64>, scale: f64) -> Result<MadePot> {
+    pub(crate) fn made(self, tolerance: Option<f64>, scale: f64) -> Result<Made> {
         match self {
             Settled::Meshed(made, judged) if tolerance.is_none() && judged == scale => Ok(*made),
-            _ => MadePot::of(self.into_pot(), tolerance, scale),
+            _ => Made::of(self.into_pot(), tolerance, scale),
         }
     }
 }
@@ -141,7 +141,7 @@ fn settle(skin: &Arc<Skin>, asked: Wall, scale: f64) -> Result<Settled> {
     if !grid(skin, None, None).is_ok_and(|grid| grid.n_triangles() <= MOST_JUDGED) {
         return pot.map(Settled::Faces);
     }
-    let (pot, error) = match pot.map(|pot| MadePot::at_once(pot, scale)) {
+    let (pot, error) = match pot.map(|pot| Made::at_once(pot, scale)) {
         Ok(Ok(made)) => return Ok(Settled::Meshed(Box::new(made), scale)),
         Ok(Err(refused)) => {
             let (pot, error) = *refused;
