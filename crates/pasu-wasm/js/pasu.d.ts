@@ -283,7 +283,7 @@ export function bound(source: DesignSource, options?: MeshOptions): number;
 
 /**
  * Exact positions of a part before placement, xyz triples.
- * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface.
+ * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface; of a network of patches (patch, u, v) triples, `u` and `v` from 0 to 1.
  */
 export function evaluate(source: DesignSource, part: number, at: Float64Array | readonly number[]): Float64Array;
 

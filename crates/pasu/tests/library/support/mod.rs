@@ -51,12 +51,12 @@ pub(crate) fn shape(value: &Value) -> Shape {
 }
 
 /// The boundary-value problem of a surface between two ends.
-pub(crate) fn problem(value: &Value) -> BoundaryValue {
+pub(crate) fn problem_of(value: &Value) -> BoundaryValue {
     shape(value).boundary_value().expect("it has two ends")
 }
 
 pub(crate) fn surface(value: &Value) -> Surface {
-    Surface::solve(&problem(value), "shape").unwrap_or_else(|e| panic!("{e}"))
+    Surface::solve(&problem_of(value), "shape").unwrap_or_else(|e| panic!("{e}"))
 }
 
 pub(crate) fn surface_of(json: &str) -> Surface {
