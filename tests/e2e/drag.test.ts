@@ -58,34 +58,30 @@ test("on a machine six times slower the pot stays within two frames of the point
 
 test("a pot that is pulled keeps up with the hand", async ({ annotate }) => {
   const pot = await here.enter({ ...SHARP, link: "#1/rings", before: watchDrags });
-  const before = await pot.fingerprint();
+  let before = await pot.fingerprint();
   await takeUp(pot);
-  const from = await spotOf(ring(pot, 1));
   const { mouse } = pot.page;
-  await mouse.move(from.x, from.y);
-  await mouse.down();
-  // The first movement waits for what is fetched with the tool.
-  await mouse.move(from.x + 6, from.y);
-  await pot.page.locator("pasu-app[data-state=solving]").waitFor({ state: "attached" });
-  await movements(pot);
   let older = 0;
   let best = Number.POSITIVE_INFINITY;
-  // Out and in again, further only where other programs take the machine's time.
-  for (const way of [1, -1, 1, -1]) {
-    for (let step = 1; step <= 40; step += 1) {
-      await mouse.move(from.x + (way > 0 ? 6 + step : 46 - step), from.y);
-    }
-    await pot.page.locator("pasu-app[data-state=solving]").waitFor({ state: "detached" });
+  // More pulls than one only where other programs take the machine's time.
+  for (let pull = 0; pull < 4 && !(best <= 2); pull += 1) {
+    const from = await spotOf(ring(pot, 1));
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    // The first movement waits for what is fetched with the tool.
+    await mouse.move(from.x + 6, from.y);
+    await pot.page.locator("pasu-app[data-state=solving]").waitFor({ state: "attached" });
+    await movements(pot);
+    for (let step = 1; step <= 40; step += 1) await mouse.move(from.x + 6 + step, from.y);
+    await mouse.up();
+    before = await pot.fingerprintOtherThan(before);
     const moved = await movements(pot);
     const behind = moved.map((each) => each.behind);
     older = Math.max(older, ...moved.map((each) => each.older));
     await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; at most ${older} older`);
     expect(behind.length).toBeGreaterThan(5);
     best = Math.min(best, percentile(behind, 0.5));
-    if (best <= 2) break;
   }
-  await mouse.up();
-  await pot.fingerprintOtherThan(before);
   // A movement goes to the pulling worker and what it answers to the solving one. Each has at most one under way when
   // it arrives and takes the latest next, so that the stage draws at most two older changes for either.
   expect(older).toBeLessThanOrEqual(4);

@@ -32,7 +32,7 @@ export interface Part {
 export type Unit = "cm" | "mm" | "in";
 
 /** A surface. */
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings | VertexFrame;
 
 /** The vase of ZY01 equations 1 to 8. */
 export interface SecondOrder {
@@ -254,6 +254,49 @@ export interface Wave {
   /** How far as sin(n v); 0 when left out. */
   readonly sin?: number;
 }
+
+/** Four-sided patches through a network of points. */
+export interface VertexFrame {
+  /** Four-sided patches through a network of points. */
+  readonly kind: "vertex-frame";
+  /** The points, at most 800,000. */
+  readonly vertices: readonly (readonly [number, number, number])[];
+  /** 1 to 100,000 patches. */
+  readonly patches: readonly FramePatch[];
+  /** How the cubic terms of the edges are decided: by all patches of a strip, or by the first from a patch on; global when left out. */
+  readonly rule?: "global" | { readonly seed: number };
+  /** How smoothly patches meet; C0 when left out. */
+  readonly continuity?: "C0";
+  /** Edges at which the surface turns by less than this angle are drawn as if it were smooth, in radians; 0.5 when left out. Not less than 0. */
+  readonly crease?: number;
+}
+
+/** One patch of a network. */
+export interface FramePatch {
+  /** The numbers of eight vertices: corners and middles of the edges in turn, from (u, v) = (0, 0) by way of (1, 0). */
+  readonly frame: readonly [number, number, number, number, number, number, number, number];
+  /** Shape control parameters of X_uu; 1 when left out. */
+  readonly a1?: readonly [number, number, number];
+  /** Shape control parameters of X_vv; 1 when left out. */
+  readonly a2?: readonly [number, number, number];
+  /** Sculpting forces, which add up; at most 64. */
+  readonly forces?: readonly Force[];
+}
+
+/** A sculpting force on a patch. */
+export interface Force {
+  /** How strong it is. */
+  readonly f0: readonly [number, number, number];
+  /** From where to where along u, ascending; 0 to 1 when left out. */
+  readonly u?: readonly [number, number];
+  /** From where to where along v, ascending; 0 to 1 when left out. */
+  readonly v?: readonly [number, number];
+  /** How it falls off towards the rim of that rectangle; sine when left out. */
+  readonly falloff?: Falloff;
+}
+
+/** How a force falls off. */
+export type Falloff = "sine" | "smooth";
 
 /** Scaled, then turned, then moved. */
 export interface Placement {

@@ -159,8 +159,12 @@ export class PasuTopBar extends DesignerElement {
         opacity: 1;
       }
       .unsaved {
+        min-width: 0;
+        overflow: hidden;
         color: var(--soft);
         font-size: 0.86rem;
+        text-overflow: ellipsis;
+        white-space: nowrap;
       }
       .history,
       .files,
@@ -180,9 +184,15 @@ export class PasuTopBar extends DesignerElement {
       pasu-menu .item {
         justify-content: flex-start;
         gap: 12px;
+        padding: 0 10px;
       }
       .narrow {
         display: none;
+      }
+      @media (max-width: 78em) {
+        .item {
+          padding: 0 5px;
+        }
       }
       @media (max-width: 67.4375em) {
         .wide {

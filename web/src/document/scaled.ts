@@ -8,7 +8,7 @@ import type { Field } from "./field";
 import { filled } from "./kinds";
 import { getPath, numberAt, setPath } from "./path";
 import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
-import type { Component, Design, Mode, Part, Placement, Rings, Series, Shape, Unit, Wall } from "./types";
+import type { Component, Design, Mode, Part, Placement, Rings, Series, Shape, Unit, VertexFrame, Wall } from "./types";
 
 /** Digits that a number of a document keeps: those of canonical form. */
 const DIGITS = 12;
@@ -48,6 +48,7 @@ function all<T extends readonly number[]>(values: T, factor: number): T {
 
 export function shapeBy(shape: Shape, factor: number): Shape {
   if (shape.kind === "rings") return ringsBy(shape, factor);
+  if (shape.kind === "vertex-frame") return networkBy(shape, factor);
   if (shape.kind !== "boundary-value") return familyBy(shape, FAMILIES[shape.kind].fields, factor);
   return {
     ...shape,
@@ -85,6 +86,15 @@ function ringsBy(shape: Rings, factor: number): Rings {
     ...(foot && { foot: grown(foot) }),
     ...(rim && { rim: grown(rim) }),
   };
+}
+
+/** Points move, and forces are what they move the surface by; the parameters of a patch are shares of it. */
+function networkBy(shape: VertexFrame, factor: number): VertexFrame {
+  const patches = shape.patches.map(({ forces, ...patch }) => ({
+    ...patch,
+    ...(forces && { forces: forces.map((force) => ({ ...force, f0: all(force.f0, factor) })) }),
+  }));
+  return { ...shape, vertices: shape.vertices.map((at) => all(at, factor)), patches };
 }
 
 function seriesBy({ mean, waves }: Series, factor: number): Series {

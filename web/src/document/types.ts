@@ -38,7 +38,11 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
   readonly z: Component;
 }
 
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+/** A surface between two ends. */
+export type TwoSided = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+/** Patches through a network of points. */
+export type VertexFrame = Frozen<pasu.VertexFrame>;
+export type Shape = TwoSided | VertexFrame;
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */

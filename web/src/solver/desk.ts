@@ -26,6 +26,8 @@ interface Kept extends PartAnswer {
   readonly shape: Shape;
   readonly turn: Placement | undefined;
   readonly exact: boolean;
+  /** The rows and columns that were asked for. */
+  readonly grid: GridSize;
   readonly section: Section | null;
 }
 
@@ -95,11 +97,10 @@ export class Desk {
   #serves(kept: Kept, { place }: Part, { settle }: SolveOptions, wanted: NonNullable<PartAsk["mesh"]>): boolean {
     if (wanted.lines && !kept.lines) return false;
     if (!settle) return true;
-    const { positions, ware } = kept.mesh;
-    const size = wanted.rows * wanted.columns;
+    const { ware } = kept.mesh;
     return (
       kept.exact &&
-      positions.length === 3 * size &&
+      sameGrid(kept.grid, wanted) &&
       sameGrid(ware, wanted.ware) &&
       // How its glaze runs, and what is said of it, goes by how it stands.
       turnsAlike(kept.turn, turnOf(place))
@@ -117,8 +118,8 @@ export class Desk {
       if (!ask) continue;
       const { shape, turn } = ask;
       const old = this.#kept.get(id);
-      if (mesh && told) {
-        const { exact } = ask.mesh ?? { exact: false };
+      if (mesh && told && ask.mesh) {
+        const { exact, rows, columns } = ask.mesh;
         const had = old?.shape === shape ? old.section : null;
         this.#kept.set(id, {
           id,
@@ -129,6 +130,7 @@ export class Desk {
           shape,
           turn,
           exact,
+          grid: { rows, columns },
           section: section ?? had,
         });
       } else if (old && section) this.#kept.set(id, { ...old, section });

@@ -37,6 +37,8 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     const said: Readonly<Record<string, string>> = {
       "no-foot": making.openSurface.noFoot,
       "not-closed": making.openSurface.notClosed,
+      "free-edge": making.openSurface.freeEdge,
+      "one-sided": making.openSurface.oneSided,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },
@@ -45,6 +47,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "no-area": () => ofFace(refusal, "end", making.pinched.noArea),
       waist: () => making.pinched.waist,
       shrinks: () => ofFace(refusal, "face", making.pinched.shrinks),
+      corners: () => making.pinched.corners,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -54,10 +57,13 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "surface-close": () => making.crosses.surfaceClose,
       outline: () => ofFace(refusal, "face", making.crosses.outline),
       "does-not-close": () => making.crosses.doesNotClose,
+      edge: () => making.crosses.edge,
+      region: () => making.crosses.region,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
   "no-opening": () => making.noOpening,
+  "unsupported-shape": (refusal) => (textOf(refusal, "what") === "no-ends" ? making.noEnds : null),
   "no-room": (refusal, unit) => steppedOver(refusal, unit, noRoomFor(refusal, unit)),
 };
 

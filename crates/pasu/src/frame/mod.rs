@@ -1,8 +1,10 @@
 //! Networks of vertex-frames: from their description to patches (W22, with a closed form of its own; `docs/frames.md`).
 
+mod bump;
 mod four_sided;
 mod network;
 mod orientation;
+mod region;
 mod solve;
 mod strips;
 

@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::four_sided::FourSided;
-use super::network::along;
 use crate::numeric::gauss_legendre::FOUR;
 use crate::numeric::signed_sets::SignedSets;
 use crate::patch::{Patch, Side};
@@ -51,7 +50,7 @@ pub(super) fn orientation(patches: &[FourSided]) -> Orientation {
 
 /// Whether whoever goes round the unit square anticlockwise passes a side in the sense of its parameter.
 fn is_forwards(side: usize) -> bool {
-    (along(side) == 0) == (side == 2)
+    matches!(side, 1 | 2)
 }
 
 /// The flux of `X - middle` along `X_u x X_v`, nearly.

@@ -1,14 +1,21 @@
 //! The closed form of a network of vertex-frames.
 
+use core::f64::consts::PI;
+
 use glam::DVec3;
 
+use super::bump::Bump;
 use super::four_sided::{FourSided, mixed};
 use super::network::{refuse_coincident_corners, sides};
 use super::orientation::{Orientation, orientation};
+use super::region::pieces;
 use super::strips::cubic;
-use crate::design::VertexFrame;
+use crate::design::{Force, FramePatch, VertexFrame, plain};
 use crate::error::{Code, Error, Result};
 use crate::patch::{Patch, Side};
+
+/// The most pieces of forces that one network may have.
+const MOST_PIECES: usize = 100_000;
 
 /// A network of vertex-frames, solved: polynomial patches that have their edges in common.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +30,7 @@ impl Frame {
     ///
     /// # Errors
     /// `pinched-surface` for a patch two corners of which are the same; `crosses-itself` for an edge of three patches; `out-of-range` where a parameter is 0 that a strip needs; `overflow` where coefficients leave the range of
-    /// doubles.
+    /// doubles. Of a force: `out-of-range` where `a1 + a2` is 0, or its rectangle does not meet its patch, `crosses-itself` where that cannot lie flat on the patches that it goes on to.
     pub(crate) fn solve(shape: &VertexFrame, path: &str) -> Result<Frame> {
         let inside = |error: Error| {
             let error = error.inside_field("patches");
@@ -37,22 +44,13 @@ impl Frame {
         let mixed: Vec<[DVec3; 2]> = points.iter().map(mixed).collect();
         let cubic = cubic(&shape.patches, &sides, &mixed, shape.rule).map_err(inside)?;
         let mut patches = Vec::with_capacity(points.len());
-        for (index, ((points, cubic), sides)) in points.into_iter().zip(cubic).zip(sides).enumerate() {
-            if let Some(place) = shape.patches[index].forces.first().map(|_| 0) {
-                let message = "this version of Pasu cannot sculpt patches yet; expected no forces";
-                return Err(inside(
-                    Error::new(Code::UnsupportedShape, "", message)
-                        .inside_item(place)
-                        .inside_field("forces")
-                        .inside_item(index),
-                ));
-            }
-            let patch = FourSided::new(points, cubic, sides);
-            if !patch.is_finite() {
-                let message = "these numbers are so large, or so small, that the patch cannot be computed";
-                return Err(inside(Error::new(Code::Overflow, "", message).inside_item(index)));
-            }
-            patches.push(patch);
+        for ((points, cubic), sides) in points.into_iter().zip(cubic).zip(sides.iter().copied()) {
+            patches.push(FourSided::new(points, cubic, sides));
+        }
+        sculpt(&shape.patches, &sides, &mut patches).map_err(inside)?;
+        if let Some(index) = patches.iter().position(|patch| !patch.is_finite()) {
+            let message = "these numbers are so large, or so small, that the patch cannot be computed";
+            return Err(inside(Error::new(Code::Overflow, "", message).inside_item(index)));
         }
         let orientation = orientation(&patches);
         Ok(Frame { patches, orientation, crease: shape.crease })
@@ -83,4 +81,45 @@ impl Frame {
     pub(crate) fn crease(&self) -> f64 {
         self.crease
     }
+}
+
+/// Adds to every patch what forces do there.
+fn sculpt(given: &[FramePatch], sides: &[[Side; 4]], patches: &mut [FourSided]) -> Result<()> {
+    let mut n_pieces = 0;
+    for (index, FramePatch { a1, a2, forces, .. }) in given.iter().enumerate() {
+        let inside = |place: usize, error: Error| error.inside_item(place).inside_field("forces").inside_item(index);
+        for (place, Force { f0, u, v, falloff }) in forces.iter().enumerate() {
+            let mut amplitude = DVec3::ZERO;
+            for component in (0..3).filter(|component| f0[*component] != 0.0) {
+                let sum = a1[component] + a2[component];
+                if sum == 0.0 {
+                    let axis = ["x", "y", "z"][component];
+                    let message = format!(
+                        "a force on {axis} acts on the sum of a1 and a2, which is 0 here: expected another number than {}, found {}",
+                        plain(-a1[component]),
+                        plain(a2[component])
+                    );
+                    let error = Error::new(Code::OutOfRange, "", message)
+                        .inside_item(component)
+                        .inside_field("a2")
+                        .inside_item(index);
+                    return Err(error.with("component", axis).with("not", -a1[component]).with("found", a2[component]));
+                }
+                amplitude[component] = -f0[component] / (PI * PI * sum);
+            }
+            let pieces = pieces(index, [*u, *v], sides).map_err(|error| inside(place, error))?;
+            n_pieces += pieces.len();
+            if n_pieces > MOST_PIECES {
+                let message =
+                    format!("expected forces over at most {MOST_PIECES} patches in all; this one exceeds them");
+                return Err(inside(place, Error::new(Code::TooLarge, "", message).with("greatest", MOST_PIECES)));
+            }
+            for piece in pieces {
+                if let Some(patch) = patches.get_mut(piece.patch) {
+                    patch.add(Bump { amplitude, sides: piece.sides, falloff: *falloff });
+                }
+            }
+        }
+    }
+    Ok(())
 }

@@ -14,8 +14,8 @@ mod typescript;
 mod verdict;
 
 pub use craft::Craft;
-pub(crate) use made::make;
 pub use made::solid;
+pub(crate) use made::{Finished, make};
 pub use making::{Making, Scale, Size};
 pub use remedy::Remedy;
 pub use report::{Finding, MeshReport, Report, Severity};

@@ -63,8 +63,8 @@ const TAKING: f64 = 0.3;
 /// and up to this one parts are measured.
 const TOGETHER: f64 = 0.9;
 
-/// The most work on measuring one part, in the units of [`watch::work`]: about two seconds.
-const MOST_WORK: u64 = 180_000_000;
+/// The most work on measuring one part, in the units of [`watch::work`]: two seconds or somewhat more.
+const MOST_WORK: u64 = 260_000_000;
 
 /// The refusal of a part on which more of it would have to be done.
 fn too_long(design: &Design, index: usize) -> Error {

@@ -9,7 +9,7 @@ pub const VERTEX_LIMIT: usize = 16_000_000;
 /// `v_j = j span / (columns - 1)`. Where the number of rows is given, `u_i = i / (rows - 1)`; where it is chosen, rows are also placed, from 0 to 1, closer where the surface bends more along
 /// `u`, and `uvs` tell where they are. The last column of a closed surface repeats the first, bit for bit in position and normal, so that `uvs` can run from 0 to 1.
 ///
-/// A part that is a network of patches is such a grid for each of them, patch by patch. Patches have the same lines across a side that they share and the same bits along it, so that each has the lines of its neighbours besides its own.
+/// A part that is a network of patches is such a grid for each of them, patch by patch; where rows and columns are given, each has its share of their product, as many rows as columns and at least 3. Patches have the same lines across a side that they share and the same bits along it, so that each has the lines of its neighbours besides its own.
 ///
 /// - `positions`: `x, y, z` per vertex; with [`MeshOptions::tolerance`] the exact solution in `f64`, rounded once. Otherwise summed in `f32` where 2.5 standard deviations of what that rounds
 ///   are within 5e-7 of the largest coordinate, and in `f64` where many harmonics cancel. The deviation is that of all terms at their amplitudes at once, twice what it is at a vertex in the mean. This is an estimate

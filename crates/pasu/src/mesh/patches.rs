@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 use xxhash_rust::xxh64::Xxh64;
 
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
-use super::grid::append_triangles;
+use super::grid::append_patch;
 use super::normal::cofactors;
 use super::seams::{Seams, along_side};
 use super::tolerance::DEFAULT_FINENESS;
@@ -39,7 +39,12 @@ impl<'a> PatchGrids<'a> {
         // Half a unit in the last place in each of three directions.
         let rounding = (size + placed.shift().length()) * f64::from(f32::EPSILON);
         let too_fine = |message: String| Error::new(Code::ToleranceTooFine, "tolerance", message);
-        let lines = match (options.rows, options.columns) {
+        let beyond = || {
+            let message = format!("more than {VERTEX_LIMIT} vertices are needed for it; ask for a coarser tolerance");
+            Error::new(Code::TooLarge, placed.own_path(), message).with("greatest", VERTEX_LIMIT)
+        };
+        let [rows, columns] = share_of(options, patches.len()).ok_or_else(beyond)?;
+        let lines = match (rows, columns) {
             (Some(rows), Some(columns)) => Lines::even_of(&patches, rows, columns),
             (rows, columns) => {
                 let tolerance = options.tolerance.unwrap_or(DEFAULT_FINENESS * size + rounding);
@@ -51,11 +56,7 @@ impl<'a> PatchGrids<'a> {
                     )));
                 }
                 let found = lines_within(&patches, stretch, tolerance - rounding, VERTEX_LIMIT);
-                let Some(mut lines) = found else {
-                    let message =
-                        format!("more than {VERTEX_LIMIT} vertices are needed for it; ask for a coarser tolerance");
-                    return Err(Error::new(Code::TooLarge, placed.own_path(), message));
-                };
+                let mut lines = found.ok_or_else(beyond)?;
                 for lines in &mut lines {
                     let even = Lines::even(rows.unwrap_or(lines.u.len()), columns.unwrap_or(lines.v.len()));
                     if rows.is_some() {
@@ -117,9 +118,19 @@ impl<'a> PatchGrids<'a> {
             mesh.normals.resize(mesh.normals.len() + 3 * n, 0.0);
             mesh.uvs.extend(u.iter().flat_map(|u| v.iter().flat_map(|v| [*u as f32, *v as f32])));
             let is_forwards = self.placed.is_forwards(patch);
-            append_triangles(&mut mesh.indices, base, u.len() as u32, v.len() as u32, is_forwards);
+            append_patch(&mut mesh.indices, base, u.len() as u32, v.len() as u32, is_forwards);
         }
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
+    }
+
+    /// The first vertex of each grid.
+    fn firsts(&self) -> Vec<usize> {
+        let mut next = 0;
+        let first = |lines: &Lines| {
+            next += lines.n_vertices();
+            next - lines.n_vertices()
+        };
+        self.lines.iter().map(first).collect()
     }
 
     /// Fills positions and normals.
@@ -129,14 +140,7 @@ impl<'a> PatchGrids<'a> {
     pub(super) fn fill(&self, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
         let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
         let patches = self.placed.solved().patches();
-        let firsts: Vec<usize> = self
-            .lines
-            .iter()
-            .scan(0, |first, lines| {
-                *first += lines.n_vertices();
-                Some(*first - lines.n_vertices())
-            })
-            .collect();
+        let firsts = self.firsts();
         let outward = cofactors(self.placed.matrix());
         for (index, ((patch, lines), first)) in patches.iter().zip(&self.lines).zip(&firsts).enumerate() {
             let range = *first..first + lines.n_vertices();
@@ -206,4 +210,54 @@ fn direction(patch: &dyn Patch, (u, v): (f64, f64), du: DVec3, dv: DVec3) -> DVe
         return normal.normalize_or(DVec3::Z);
     }
     patch.normal_limit(u, v).unwrap_or(DVec3::Z)
+}
+
+/// The least that each patch of several has in either direction: its corners and the middles of its edges.
+const FEWEST: usize = 3;
+
+/// Rows and columns of each of so many patches. Several have as many rows as columns, because their sides meet in any direction, and together about as many vertices as one grid of the rows and columns that are asked for.
+/// `None` beyond the limit.
+fn share_of(options: &MeshOptions, n_patches: usize) -> Option<[Option<usize>; 2]> {
+    let each = match [options.rows, options.columns] {
+        [Some(rows), Some(columns)] if n_patches > 1 => {
+            let even = libm::sqrt(rows as f64 * columns as f64 / n_patches as f64) as usize;
+            [Some(even.max(FEWEST)); 2]
+        }
+        given => given,
+    };
+    let n = each.iter().fold(n_patches as f64, |n, lines| n * lines.map_or(2.0, |lines| lines as f64));
+    (n <= VERTEX_LIMIT as f64).then_some(each)
+}
+
+/// Triangles that share their vertices, in model units after placement.
+pub(crate) struct Welded {
+    /// By vertex number; some are of no triangle.
+    pub(crate) positions: Vec<DVec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// How far they are from the patches at most, rounding to single precision included.
+    pub(crate) bound: f64,
+}
+
+/// The patches of a part within a tolerance, or within the usual one, with one vertex for each point.
+///
+/// # Errors
+/// `tolerance-too-fine`, `too-large`.
+pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> {
+    let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
+    let (patches, firsts) = (placed.solved().patches(), grids.firsts());
+    let number = Seams { patches: &patches, lines: &grids.lines, firsts: &firsts }.numbers();
+    let (mut positions, mut triangles) = (Vec::with_capacity(number.len()), Vec::new());
+    for (index, (patch, Lines { u, v })) in patches.iter().zip(&grids.lines).enumerate() {
+        for u in u {
+            let row = patch.row(*u);
+            positions.extend(v.iter().map(|v| placed.place(&row.jet(*v)).position));
+        }
+        let mut indices = Vec::new();
+        append_patch(&mut indices, firsts[index] as u32, u.len() as u32, v.len() as u32, placed.is_forwards(index));
+        let corners = indices.as_chunks::<3>().0.iter().map(|corners| corners.map(|vertex| number[vertex as usize]));
+        // Along a pole every other triangle has no width.
+        triangles.extend(corners.filter(|[a, b, c]| a != b && b != c && c != a));
+    }
+    let bound = grids.bound.unwrap_or(f64::INFINITY);
+    Ok(Welded { positions, triangles, bound })
 }

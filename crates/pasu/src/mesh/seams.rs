@@ -58,6 +58,33 @@ impl Seams<'_> {
         }
     }
 
+    /// For every vertex the one that stands for all that are the same point.
+    pub(super) fn numbers(&self) -> Vec<u32> {
+        let n: usize = self.lines.iter().map(Lines::n_vertices).sum();
+        let mut numbers: Vec<u32> = (0..n as u32).collect();
+        let own = self.patches.iter().enumerate().flat_map(|(patch, of)| {
+            let sides = of.sides().into_iter().enumerate();
+            sides.filter_map(move |(side, met)| match met {
+                Side::Pole => self
+                    .vertices(patch, side)
+                    .first()
+                    .map(|first| [vec![*first; self.vertices(patch, side).len()], self.vertices(patch, side)]),
+                // The opposite side has it.
+                Side::Joined if side % 2 == 1 => Some([self.vertices(patch, side - 1), self.vertices(patch, side)]),
+                _ => None,
+            })
+        });
+        for [from, to] in own.chain(self.shared()) {
+            for (to, from) in to.into_iter().zip(from) {
+                numbers[to] = from as u32;
+            }
+        }
+        for (corner, first) in first_corners(self.patches).into_iter().enumerate() {
+            numbers[self.corner(corner)] = self.corner(first) as u32;
+        }
+        numbers
+    }
+
     /// Takes the mean of normals on either side of an edge that turn by less than an angle. At a corner all are taken together that lead to each other by such edges.
     pub(super) fn smooth(&self, normals: &mut [[f32; 3]], crease: f64) {
         let least = libm::cos(crease.min(core::f64::consts::PI));

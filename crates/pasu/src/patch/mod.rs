@@ -12,6 +12,7 @@ mod lines;
 mod normal_limit;
 mod row;
 mod side;
+mod strips;
 
 pub(crate) use breaks::Breaks;
 pub(crate) use cell::{Cell, Suprema};
@@ -23,3 +24,4 @@ pub(crate) use lines::{Lines, deviation_of, lines_within};
 pub(crate) use normal_limit::normal_limit;
 pub(crate) use row::Row;
 pub(crate) use side::Side;
+pub(crate) use strips::SAME_LINE;

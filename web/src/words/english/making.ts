@@ -25,17 +25,24 @@ export const making = phrases("making", {
   openSurface: {
     noFoot: "The shape has no foot and no rim, so there is nothing for a wall to stand on.",
     notClosed: "The surface does not meet itself after one turn. It does with whole numbers of waves.",
+    freeEdge: "A patch has a free edge, so that nothing is enclosed. Patches that close are a solid as they are.",
+    oneSided: "The surface has one side only, so that it has no inside.",
   },
+  /** Of what has no foot and no rim. */
+  noEnds: "A network of patches has no foot and no rim, so this cannot be done with it, and it carries no wall.",
   pinched: {
     noArea: (end: string) => `The ${end} encloses no area. A pot needs an outline with an inside there.`,
     waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",
     shrinks: (face: string) => `The ${face} shrinks to nothing, so that the numbers of a file cannot hold it.`,
+    corners: "Two corners of a patch are the same point. A patch needs four.",
   },
   crosses: {
     surface: "The surface runs through itself.",
     surfaceClose: "So much of the surface lies close to itself that nobody can tell whether it runs through itself.",
     outline: (face: string) => `The outline of the ${face} crosses itself.`,
     doesNotClose: "The sides of the pot do not close.",
+    edge: "Three patches have an edge in common. No more than two can meet along one.",
+    region: "What is sculpted goes round a corner at which not four patches meet, so that it cannot lie flat there.",
     /** The sentence, and how fine triangles may be that do not show it. */
     steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
   },

@@ -67,9 +67,9 @@ impl Described for VertexFrame {
             }
             for (place, force) in patch.forces.iter().enumerate() {
                 for (name, [from, to]) in [("u", force.u), ("v", force.v)] {
-                    if !(from < to) {
+                    if !(to - from >= NARROWEST) {
                         let message = format!(
-                            "expected a second number above the first, found {} and {}",
+                            "expected a second number above the first by a thousandth or more, found {} and {}",
                             plain(from),
                             plain(to)
                         );
@@ -96,6 +96,9 @@ impl Described for VertexFrame {
         union(text, "Falloff", "How a force falls off.", Falloff::NAMES);
     }
 }
+
+/// The narrowest rectangle of a force, as a part of its patch.
+const NARROWEST: f64 = 1e-3;
 
 /// A number of something of which there are only so many.
 fn beyond(what: &str, found: u32, n: usize) -> Error {
