@@ -435,7 +435,12 @@ export interface Inside {
 export function cells(source: DesignSource, part: number, options?: CellsOptions): Cells;
 
 /** The same as the text of a file in millimetres: VTK, Gmsh or Abaqus. */
-export function cellsFile(source: DesignSource, part: number, format: "vtu" | "msh" | "inp", options?: CellsOptions): Uint8Array;
+export function cellsFile(
+  source: DesignSource,
+  part: number,
+  format: "vtu" | "msh" | "inp",
+  options?: CellsOptions,
+): Uint8Array;
 
 /** How well the inside of a blend solves its equation, and whether it is folded. */
 export function inside(source: DesignSource, part: number): Inside;

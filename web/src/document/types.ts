@@ -42,7 +42,10 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
 export type TwoSided = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
 /** Patches through a network of points. */
 export type VertexFrame = Frozen<pasu.VertexFrame>;
-export type Shape = TwoSided | VertexFrame;
+/** A solid between two sections. */
+export type Blend = Frozen<pasu.Blend>;
+export type Section = Frozen<pasu.Section>;
+export type Shape = TwoSided | VertexFrame | Blend;
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */

@@ -110,7 +110,7 @@ function alone(shape: Shape): Sent {
 function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
   const { id, shape } = part;
   const design = alone(shape);
-  if (shape.kind === "vertex-frame") {
+  if (shape.kind === "vertex-frame" || shape.kind === "blend") {
     const made = part.mesh && patched(design, part.mesh, here, spent);
     return { id, mesh: made?.mesh ?? null, told: made?.told ?? null, lines: made?.lines ?? null, section: null };
   }
@@ -172,7 +172,7 @@ function meshed(
   };
 }
 
-/** A network of patches. It has no grid of its own: what goes by rows from foot to rim is not there. */
+/** A network of patches, or what goes round a solid. It has no grid of its own: what goes by rows from foot to rim is not there. */
 function patched(design: Sent, { rows, columns, ware: size }: MeshWanted, here: Set<string>, spent: Spent) {
   const begun = now();
   const guess = [...here].at(-1);

@@ -29,9 +29,9 @@ const ARGS = {
 /** By code, the words by which several things with one code are told apart. */
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
-  "unsupported-shape": ["no-ends"],
-  "pinched-surface": ["no-area", "waist", "shrinks", "corners"],
-  "crosses-itself": ["surface", "surface-close", "outline", "does-not-close", "edge", "region"],
+  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed"],
+  "pinched-surface": ["no-area", "waist", "shrinks", "section", "corners"],
+  "crosses-itself": ["surface", "surface-close", "outline", "does-not-close", "section", "sections", "edge", "region"],
   "no-room": [
     "no-disc",
     "no-base",

@@ -48,6 +48,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       waist: () => making.pinched.waist,
       shrinks: () => ofFace(refusal, "face", making.pinched.shrinks),
       corners: () => making.pinched.corners,
+      section: () => making.pinched.section,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -57,13 +58,25 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "surface-close": () => making.crosses.surfaceClose,
       outline: () => ofFace(refusal, "face", making.crosses.outline),
       "does-not-close": () => making.crosses.doesNotClose,
+      section: () => making.crosses.section,
+      sections: () => making.crosses.sections,
       edge: () => making.crosses.edge,
       region: () => making.crosses.region,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
+  folded: () => making.folded,
   "no-opening": () => making.noOpening,
-  "unsupported-shape": (refusal) => (textOf(refusal, "what") === "no-ends" ? making.noEnds : null),
+  "unsupported-shape": (refusal) => {
+    const said: Readonly<Record<string, string>> = {
+      "no-ends": making.noEnds,
+      "open-sections": making.openSections,
+      "no-inside": making.noInside,
+      hollow: making.hollow,
+      collapsed: making.collapsed,
+    };
+    return said[textOf(refusal, "what") ?? ""] ?? null;
+  },
   "no-room": (refusal, unit) => steppedOver(refusal, unit, noRoomFor(refusal, unit)),
 };
 

@@ -10,7 +10,7 @@ use crate::error::{Code, Error, Result};
 
 /// Points on an outline for each wave of its highest harmonic, and how many there are at least and at most.
 const PER_WAVE: f64 = 12.0;
-const POINTS: (f64, f64) = (96.0, 8192.0);
+const POINTS: (f64, f64) = (96.0, 4096.0);
 
 /// Where the first point lies between two of equal spacing: symmetrical outlines would else run through themselves at points, where nothing crosses.
 const OFFSET: f64 = 0.382;
@@ -88,7 +88,11 @@ impl Polygon {
             open.retain(|other| high(*other) >= low(edge));
             for other in &open {
                 let apart = edge.abs_diff(*other);
-                if apart > 1 && apart < n - 1 && do_cross(edges[edge], edges[*other]) {
+                if apart > 1
+                    && apart < n - 1
+                    && do_meet(edges[edge], edges[*other])
+                    && do_cross(edges[edge], edges[*other])
+                {
                     return Some(0.5 * (edges[edge][0] + edges[edge][1]));
                 }
             }
@@ -117,6 +121,11 @@ impl Polygon {
     }
 }
 
+/// Whether the intervals along y of two segments meet.
+fn do_meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    a.y.max(b.y) >= c.y.min(d.y) && c.y.max(d.y) >= a.y.min(b.y)
+}
+
 /// Whether two segments cross in a point that is inside both.
 fn do_cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let side = |p: DVec2, q: DVec2, r: DVec2| robust::orient2d(coord(p), coord(q), coord(r));
@@ -140,12 +149,12 @@ pub(super) fn refuse_broken(both: [&Section; 2], polygons: &[Polygon; 2], path: 
         if let Some(at) = polygon.crossing() {
             let message = "the outline runs through itself: expected one that goes round an area once";
             let error = Error::new(Code::CrossesItself, format!("{path}.{name}"), message).near(place(at));
-            return Err(error.with("what", "outline"));
+            return Err(error.with("what", "section"));
         }
         if !(polygon.area().abs() > NO_AREA * extent * extent) {
             let message = "the outline goes round no area: expected one that does";
             let error = Error::new(Code::PinchedSurface, format!("{path}.{name}"), message);
-            return Err(error.with("what", "outline"));
+            return Err(error.with("what", "section"));
         }
     }
     let [start, end] = both;

@@ -178,6 +178,11 @@ impl Volume {
         }
     }
 
+    /// Position at one point.
+    pub(crate) fn position(&self, [u, v, w]: [f64; 3]) -> DVec3 {
+        self.layer(w).partial(&self.place(0, u), &self.place(1, v), [0, 0, 0])
+    }
+
     /// The jets in `u` and `v` at triples `(u, v, w)`, those of one `w` together.
     pub(crate) fn visit(&self, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) {
         let mut layer: Option<(f64, Layer)> = None;

@@ -38,6 +38,9 @@ pub(crate) const VERTICES: usize = 800_000;
 /// The most forces on one patch.
 pub(crate) const FORCES: usize = 64;
 
+/// The most harmonics of one coordinate of a closed section.
+pub(crate) const HARMONICS: usize = 512;
+
 /// The longest title or name, in characters.
 pub(crate) const CHARACTERS: usize = 200;
 

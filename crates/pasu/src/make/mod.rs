@@ -2,6 +2,7 @@
 
 mod craft;
 mod fitted;
+mod folded;
 mod made;
 mod makeable;
 mod making;

@@ -1,6 +1,7 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
 use super::fitted;
+use super::folded;
 use super::made::{Finished, make};
 use super::makeable;
 use super::making::Making;
@@ -53,7 +54,12 @@ impl Solution {
             }
             let one = || make(self, part, making, scale);
             match watch::between(0.0, MAKING, || watch::share(part, self.n_parts(), one)) {
-                Ok(one) => made.push(one),
+                Ok(one) => {
+                    if one.pot.is_none() {
+                        refused.extend(folded::finding(self.part(part)?));
+                    }
+                    made.push(one);
+                }
                 Err(error) => {
                     n_remedies += 1;
                     let remedy = if n_remedies <= REMEDIES { remedy(self, part, making, scale, &error) } else { None };

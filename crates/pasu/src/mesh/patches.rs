@@ -12,7 +12,7 @@ use super::seams::{Seams, along_side};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
-use crate::patch::{Cell, Lines, Patch, Side, deviation_of, lines_within};
+use crate::patch::{Cell, Lines, Patch, Side, Spread, deviation_of, lines_within};
 use crate::solution::Placed;
 
 /// One part, ready to be sampled patch by patch. Sums are in double precision and rounded once.
@@ -166,10 +166,11 @@ impl<'a> PatchGrids<'a> {
         normals: &mut [[f32; 3]],
     ) -> Result<()> {
         let n_columns = lines.v.len();
+        let columns = patch.columns(Spread::At(&lines.v));
         for (i, u) in lines.u.iter().enumerate() {
             let row = patch.row(*u);
             for (j, v) in lines.v.iter().enumerate() {
-                let jet = row.jet(*v);
+                let jet = row.jet_at(&columns, j);
                 let normal = outward * direction(patch, (*u, *v), jet.du, jet.dv);
                 let position = self.placed.place(&jet).position.to_array().map(|x| x as f32);
                 if position.iter().any(|x| !x.is_finite()) {
@@ -248,9 +249,10 @@ pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> 
     let number = Seams { patches: &patches, lines: &grids.lines, firsts: &firsts }.numbers();
     let (mut positions, mut triangles) = (Vec::with_capacity(number.len()), Vec::new());
     for (index, (patch, Lines { u, v })) in patches.iter().zip(&grids.lines).enumerate() {
+        let columns = patch.columns(Spread::At(v));
         for u in u {
             let row = patch.row(*u);
-            positions.extend(v.iter().map(|v| placed.place(&row.jet(*v)).position));
+            positions.extend((0..v.len()).map(|j| placed.place(&row.jet_at(&columns, j)).position));
         }
         let mut indices = Vec::new();
         append_patch(&mut indices, firsts[index] as u32, u.len() as u32, v.len() as u32, placed.is_forwards(index));

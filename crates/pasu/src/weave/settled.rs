@@ -111,8 +111,17 @@ impl Solution {
         let placed = self.workable(part)?;
         let (_, of) = self.existing(part)?;
         if of.wall.is_some() && placed.solved().wall().is_none() {
-            let message = "a network of patches cannot carry a wall: expected none; what closes is a solid as it is";
-            return Err(Error::new(Code::UnsupportedShape, placed.path("wall"), message).with("what", "no-ends"));
+            let (what, message) = match placed.solved().volume() {
+                Some(_) => (
+                    "open-sections",
+                    "a wall goes round between two closed sections: expected a disc or an outline at both ends, or no wall; without one this is a solid",
+                ),
+                None => (
+                    "no-ends",
+                    "a network of patches cannot carry a wall: expected none; what closes is a solid as it is",
+                ),
+            };
+            return Err(Error::new(Code::UnsupportedShape, placed.path("wall"), message).with("what", what));
         }
         Ok(placed)
     }

@@ -60,8 +60,15 @@ export class PasuEquation extends DesignerElement {
   }
 
   private get shape(): TwoSided | null {
-    const part = this.selected;
-    return part && part.shape.kind !== "vertex-frame" ? part.shape : null;
+    const shape = this.selected?.shape;
+    return shape && shape.kind !== "vertex-frame" && shape.kind !== "blend" ? shape : null;
+  }
+
+  /** What is said of a shape that is no surface between two ends. */
+  private without() {
+    const kind = this.selected?.shape.kind;
+    if (kind === undefined) return nothing;
+    return html`<p class="lead">${kind === "blend" ? equation.blend : equation.network}</p>`;
   }
 
   private get selected(): Part | null {
@@ -71,7 +78,7 @@ export class PasuEquation extends DesignerElement {
 
   override render() {
     const { shape } = this;
-    if (!shape) return this.selected ? html`<p class="lead">${equation.network}</p>` : nothing;
+    if (!shape) return this.without();
     const { pde, given, problem } = this.written(shape);
     return html`
       <div

@@ -48,6 +48,10 @@ export class PasuParameters extends DesignerElement {
       const { vertices, patches } = part.shape;
       return html`<p class="lead">${parameters.network(formatNumber(patches.length), formatNumber(vertices.length))}</p>`;
     }
+    if (part.shape.kind === "blend") {
+      const { start, end } = part.shape;
+      return html`<p class="lead">${parameters.blend(start.form, end.form)}</p>`;
+    }
     if (!family) {
       void import("./modes-table");
       return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;

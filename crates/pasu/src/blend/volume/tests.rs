@@ -63,7 +63,7 @@ fn positions_are_those_of_the_reference() {
         for point in case["points"].as_array().unwrap() {
             let number = |value: &serde_json::Value| value.as_f64().unwrap();
             let [u, v, w] = ["u", "v", "w"].map(|name| number(&point[name]));
-            let found = volume.position(u, v, w).to_array();
+            let found = volume.position([u, v, w]).to_array();
             for (found, expected) in found.iter().zip(point["position"].as_array().unwrap()) {
                 let error = (found - number(expected)).abs();
                 assert!(error < within, "{}: {found}, not {expected}, off by {error:e}", case["name"]);
@@ -77,10 +77,6 @@ fn positions_are_those_of_the_reference() {
 impl Volume {
     fn partial(&self, [u, v, w]: [f64; 3], orders: [usize; 3]) -> DVec3 {
         self.layer(w).partial(&self.place(0, u), &self.place(1, v), orders)
-    }
-
-    fn position(&self, u: f64, v: f64, w: f64) -> DVec3 {
-        self.partial([u, v, w], [0; 3])
     }
 
     fn residual_at(&self, u: f64, v: f64, w: f64) -> DVec3 {
@@ -279,7 +275,7 @@ fn collocation_is_what_the_dense_system_gives() {
                 let product = (l * u).sin() * (m * v).sin() * (n * w).sin().powi(2);
                 expected += product * DVec2::new(x[index], y[index]);
             }
-            let found = volume.position(u, v, w).truncate();
+            let found = volume.position([u, v, w]).truncate();
             assert!((found - expected).length() < 1e-10, "{text}: {found}, not {expected}");
         }
     }
@@ -298,7 +294,7 @@ fn collocation_comes_to_modal_as_terms_grow_along_w() {
     let modal = solved(&text("modal", 1));
     let distance = |n: usize| {
         let collocation = solved(&text("collocation", n));
-        let at = |[u, v, w]: [f64; 3]| collocation.position(u, v, w).distance(modal.position(u, v, w));
+        let at = |[u, v, w]: [f64; 3]| collocation.position([u, v, w]).distance(modal.position([u, v, w]));
         [[0.3, 0.4, 0.2], [0.8, 0.1, 0.5], [0.55, 0.7, 0.35]].map(at).into_iter().fold(0.0, f64::max)
     };
     let distances = [4, 8, 16, 32].map(distance);
@@ -330,7 +326,7 @@ fn sections_exchanged_give_the_same_solid_the_other_way_round() {
             let one = solved(&text((start, 4.0, -0.2, -2.0), (end, 1.0, 0.4, -1.0)));
             let other = solved(&text((end, 1.0, -0.4, 1.0), (start, 4.0, 0.2, 2.0)));
             for [u, v, w] in [[0.3, 0.4, 0.2], [0.8, 0.1, 0.9], [0.55, 0.7, 0.5]] {
-                let error = one.position(u, v, w).distance(other.position(u, v, 1.0 - w));
+                let error = one.position([u, v, w]).distance(other.position([u, v, 1.0 - w]));
                 assert!(error < 1e-13, "{start} {end} {method}: {error:e}");
             }
         }
@@ -359,7 +355,7 @@ fn a_blend_of_stretched_sections_is_the_blend_stretched() {
         let by = DVec3::new(2.0, 0.5, -3.0);
         let (plain, stretched) = (solved(&text([1.0; 3], method)), solved(&text(by.to_array(), method)));
         for [u, v, w] in [[0.3, 0.4, 0.2], [0.8, 0.1, 0.9], [0.55, 0.7, 0.5]] {
-            let error = (plain.position(u, v, w) * by).distance(stretched.position(u, v, w));
+            let error = (plain.position([u, v, w]) * by).distance(stretched.position([u, v, w]));
             assert!(error < 1e-13, "{method}: {error:e}");
         }
     }
@@ -383,7 +379,7 @@ fn extreme_weights_stay_numbers() {
         for text in all(&format!(r#""weights": {weights}"#)) {
             let volume = solved(&text);
             for [u, v, w] in [[0.3, 0.4, 0.001], [0.8, 0.1, 0.9], [1.0, 0.7, 0.5]] {
-                let position = volume.position(u, v, w);
+                let position = volume.position([u, v, w]);
                 assert!(position.is_finite() && position.length() < 100.0, "{text}: {position}");
             }
         }

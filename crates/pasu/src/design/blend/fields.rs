@@ -4,6 +4,7 @@ use serde::de::{Deserializer, Error as _, Unexpected};
 use serde::ser::{SerializeStruct, Serializer};
 use serde::{Deserialize, Serialize};
 
+use crate::design::limits::HARMONICS;
 use crate::design::list;
 use crate::design::names::names;
 use crate::design::number::plain;
@@ -246,7 +247,8 @@ impl Serialize for Blend {
 }
 
 fn harmonics<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Harmonic>, D::Error> {
-    list::read(deserializer, "a list of harmonics", None)
+    let most = format!("at most {HARMONICS} harmonics");
+    list::read(deserializer, "a list of harmonics", Some((HARMONICS, &most)))
 }
 
 /// A whole number that is 0 or more.
