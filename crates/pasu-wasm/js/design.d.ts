@@ -371,7 +371,7 @@ export type Loss = "dints" | "skew" | "petals" | "push" | "turns" | "rise" | "sl
 export interface Handles {
   /** Which end of `u` is the rim, that is the higher one. */
   readonly rim: End;
-  /** All four, from the rim to the foot. */
+  /** All four, from the rim to the foot; none of a shape that has no profile. */
   readonly list: readonly Handle[];
 }
 
