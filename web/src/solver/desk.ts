@@ -81,7 +81,8 @@ export class Desk {
       const kept = this.#kept.get(id);
       const wanted = meshWanted(design, part, options);
       const there = kept?.shape === part.shape && this.#serves(kept, part, options, wanted);
-      const section = options.section === place && !(kept?.shape === part.shape && kept.section);
+      const has = part.shape.kind !== "vertex-frame";
+      const section = has && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
       return [askOf(part, id, place, there ? null : wanted, section)];
     });

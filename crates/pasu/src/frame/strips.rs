@@ -63,7 +63,7 @@ pub(super) fn cubic(
     let parameters = |direction: usize| {
         let FramePatch { a1, a2, .. } = &patches[direction / 2];
         let [a1, a2] = [*a1, *a2].map(DVec3::from_array);
-        if direction % 2 == 0 { (a1, a2) } else { (a2, a1) }
+        if direction.is_multiple_of(2) { (a1, a2) } else { (a2, a1) }
     };
     for (direction, (top, _)) in found.iter().enumerate().filter(|(direction, (top, _))| is_heard(*direction, *top)) {
         sums[*top].largest = sums[*top].largest.max(parameters(direction).0.abs());

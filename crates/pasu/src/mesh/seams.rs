@@ -42,7 +42,7 @@ impl Seams<'_> {
     fn corner(&self, number: usize) -> usize {
         let Lines { u, v } = &self.lines[number / 4];
         let row = if number % 4 < 2 { 0 } else { u.len() - 1 };
-        let column = if number % 2 == 0 { 0 } else { v.len() - 1 };
+        let column = if number.is_multiple_of(2) { 0 } else { v.len() - 1 };
         self.firsts[number / 4] + row * v.len() + column
     }
 

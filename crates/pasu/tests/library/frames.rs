@@ -586,7 +586,7 @@ fn what_is_joined_has_the_same_bits_and_tolerances_are_held() {
                 let is_watertight = edges.iter().all(|times| times % 2 == 0);
                 assert!(is_watertight, "{seed} {along:?} {round:?} is not watertight");
             }
-            let bound = mesh.bound.map_or_else(|| pasu::bound(&design, &options).unwrap(), |bound| bound);
+            let bound = mesh.bound.unwrap_or_else(|| pasu::bound(&design, &options).unwrap());
             let found = farthest(&design, &mesh);
             assert!(
                 found <= bound && options.tolerance.is_none_or(|asked| bound <= asked),
@@ -636,7 +636,7 @@ fn a_force_goes_on_over_joined_patches() {
         let mut sculpted = Net { vertices: net.vertices.clone(), patches: net.patches.clone() };
         sculpted.patches[4]["forces"] = json!([force]);
         // The others lie in any way.
-        let mut ways = vec![0; 9];
+        let mut ways = [0; 9];
         for patch in (0..9).filter(|patch| *patch != 4) {
             ways[patch] = dice.below(4);
             for _ in 0..ways[patch] {
