@@ -1,3 +1,5 @@
+//! Blends against the reference, against the dense system of the paper, and against the equation itself.
+
 use core::f64::consts::PI;
 
 use super::*;
@@ -122,7 +124,7 @@ fn derivatives_are_those_of_positions() {
 
 /// A section at one point, by the formulas of the paper.
 fn section(section: &Section, u: f64, v: f64) -> DVec2 {
-    let (s, c) = (2.0 * PI * v).sin_cos();
+    let (s, c) = libm::sincos(2.0 * PI * v);
     let half = 2.0 * u - 1.0;
     match &section.form {
         crate::design::Form::Rectangle([x, y]) => DVec2::new(x * (1.0 - 2.0 * u), y * (1.0 - 2.0 * v)),
@@ -134,7 +136,7 @@ fn section(section: &Section, u: f64, v: f64) -> DVec2 {
         crate::design::Form::Outline { x, y } => {
             let of = |waves: &[crate::design::Harmonic]| -> f64 {
                 let wave = |h: &crate::design::Harmonic| {
-                    let (s, c) = (2.0 * PI * h.n * v).sin_cos();
+                    let (s, c) = libm::sincos(2.0 * PI * h.n * v);
                     (h.cos * c + h.sin * s) * if h.n == 0.0 { 1.0 } else { u }
                 };
                 waves.iter().map(wave).sum()
@@ -227,13 +229,13 @@ fn collocation_is_what_the_dense_system_gives() {
                 crate::design::Form::Disc(_) => b * (2.0 * PI).powi(4) * position,
                 crate::design::Form::DiscInSquare([_, y]) => {
                     let s = 2.0 * u - 1.0;
-                    let root = -16.0 * (3.0 + 12.0 * s * s) / (1.0 - s * s).powf(3.5);
+                    let root = -16.0 * (3.0 + 12.0 * s * s) / libm::pow(1.0 - s * s, 3.5);
                     a * DVec2::new(0.0, y * (2.0 * v - 1.0) * root)
                 }
                 crate::design::Form::Outline { x, y } => {
                     let of = |waves: &[crate::design::Harmonic]| -> f64 {
                         let wave = |h: &crate::design::Harmonic| {
-                            let (s, c) = (2.0 * PI * h.n * v).sin_cos();
+                            let (s, c) = libm::sincos(2.0 * PI * h.n * v);
                             u * (2.0 * PI * h.n).powi(4) * (h.cos * c + h.sin * s)
                         };
                         waves.iter().map(wave).sum()
@@ -258,9 +260,9 @@ fn collocation_is_what_the_dense_system_gives() {
             for column in 0..size {
                 let (l, m, n) = numbers(column);
                 let [lf, mf, nf] = [l, m, n].map(|n| n as f64);
-                let operator = (a * lf.powi(4) + b * mf.powi(4)) * (nf * PI * w).sin().powi(2)
-                    - 8.0 * c * nf.powi(4) * (2.0 * nf * PI * w).cos();
-                matrix[(row, column)] = PI.powi(4) * (lf * PI * u).sin() * (mf * PI * v).sin() * operator;
+                let operator = (a * lf.powi(4) + b * mf.powi(4)) * libm::sin(nf * PI * w).powi(2)
+                    - 8.0 * c * nf.powi(4) * libm::cos(2.0 * nf * PI * w);
+                matrix[(row, column)] = PI.powi(4) * libm::sin(lf * PI * u) * libm::sin(mf * PI * v) * operator;
             }
             let left: DVec2 = (0..2).map(|index| fourth(both[index], u, v) * cubic(index, both[index].taper, w)).sum();
             (sides[0][row], sides[1][row]) = (-left.x, -left.y);
@@ -272,7 +274,7 @@ fn collocation_is_what_the_dense_system_gives() {
             for index in 0..size {
                 let (l, m, n) = numbers(index);
                 let [l, m, n] = [l, m, n].map(|n| n as f64 * PI);
-                let product = (l * u).sin() * (m * v).sin() * (n * w).sin().powi(2);
+                let product = libm::sin(l * u) * libm::sin(m * v) * libm::sin(n * w).powi(2);
                 expected += product * DVec2::new(x[index], y[index]);
             }
             let found = volume.position([u, v, w]).truncate();

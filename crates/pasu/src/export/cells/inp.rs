@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use super::{corners, points};
+use super::listed::{corners, points};
 use crate::design::plain;
 use crate::interior::Cells;
 

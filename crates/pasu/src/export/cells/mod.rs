@@ -1,12 +1,13 @@
 //! The inside of a solid for analysis: hexahedra or tetrahedra as text, in millimetres.
 
 mod inp;
+mod listed;
 mod msh;
 mod vtu;
 
 use crate::design::Design;
 use crate::error::Result;
-use crate::interior::{Cells, CellsOptions};
+use crate::interior::CellsOptions;
 use crate::solution::Solution;
 
 /// A kind of file for cells.
@@ -84,20 +85,10 @@ impl Solution {
     }
 }
 
-/// Numbers of one point after the other.
-fn points(cells: &Cells) -> impl Iterator<Item = &[f64]> {
-    cells.positions.chunks_exact(3)
-}
-
-/// The corners of one cell after the other.
-fn corners(cells: &Cells) -> impl Iterator<Item = &[u32]> {
-    cells.corners.chunks_exact(cells.shape.n_corners())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interior::CellShape;
+    use crate::interior::{CellShape, Cells};
 
     const CONE: &str = r#"{ "pasu": 1, "title": "Cone\n*ELEMENT", "parts": [{ "shape": { "kind": "blend", "start": { "form": "disc", "radius": [1, 1], "z": 0, "taper": 1, "dz": 2 },
         "end": { "form": "disc", "radius": [2, 2], "z": 2, "taper": 0.5, "dz": 2 } } }] }"#;
