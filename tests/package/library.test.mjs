@@ -567,3 +567,40 @@ test("a mesh is written over an earlier one", async () => {
     assert.deepEqual(pasu.mesh(VASE, { ...grid, into }), pasu.mesh(VASE, grid));
   }
 });
+
+test("a network of patches is read, evaluated, meshed, measured and written", async () => {
+  await inFreshProject((project) => {
+    const text = `
+      import init, { check, evaluate, link, mesh, parse, write } from "pasu";
+      await init();
+      const round = [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
+      const vertices = [];
+      const patches = [0, 1, 2, 3, 4, 5].map((face) => ({
+        frame: round.map(([a, b]) => {
+          const at = [0, 0, 0].fill(face % 2 === 0 ? -1 : 1);
+          at[(Math.floor(face / 2) + 1) % 3] = a;
+          at[(Math.floor(face / 2) + 2) % 3] = b;
+          const known = vertices.findIndex((each) => each.join() === at.join());
+          return known === -1 ? vertices.push(at) - 1 : known;
+        }),
+      }));
+      const design = parse({ pasu: 1, parts: [{ shape: { kind: "vertex-frame", vertices, patches } }] });
+      console.log(design.parts[0].shape.patches.length, link(design).startsWith("1~"));
+      console.log([...evaluate(design, 0, [1, 0.5, 0.5, 0, 0, 0])].join());
+      console.log(mesh(design, { tolerance: 0.01 }).indices.length / 3, check(design).ok, check(design).meshes[0].genus);
+      console.log(new DataView(write(design, "stl").buffer).getUint32(80, true));
+      try {
+        evaluate(design, 0, [6, 0, 0]);
+      } catch ({ code, path }) {
+        console.log(code, path);
+      }
+    `;
+    assert.deepEqual(run(project, "network.mjs", text).trim().split("\n"), [
+      "6 true",
+      "1,0,0,-1,-1,-1",
+      "12 true 0",
+      "12",
+      "no-such-point at[0]",
+    ]);
+  });
+});

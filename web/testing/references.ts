@@ -2,18 +2,18 @@
 
 import { readFile } from "node:fs/promises";
 import init from "pasu/drawing";
-import type { Shape } from "../src/document/types";
+import type { TwoSided } from "../src/document/types";
 
 export interface Reference {
   readonly name: string;
-  readonly shape: Shape;
+  readonly shape: TwoSided;
   readonly points: readonly (readonly [u: number, v: number])[];
 }
 
 interface Stored {
   readonly name: string;
-  readonly shape: Shape;
-  readonly family?: Shape;
+  readonly shape: TwoSided;
+  readonly family?: TwoSided;
   readonly points: readonly { readonly u: number; readonly v: number }[];
 }
 

@@ -1,8 +1,8 @@
 //! Everything that can be asked of a design.
 
 use pasu::{
-    Craft, Design, Error, Format, Making, Map, MeasureOptions, MeshOptions, Product, Size, SketchOptions, Solution,
-    open,
+    Craft, Design, Error, Format, Making, Map, MeasureOptions, MeshOptions, Product, Shape, Size, SketchOptions,
+    Solution, open,
 };
 use serde_json::Value;
 
@@ -82,9 +82,13 @@ fn bound(solution: &Solution) -> Result<(), Error> {
 
 fn evaluate(solution: &Solution) -> Result<(), Error> {
     const AT: [f64; 10] = [0.0, 0.0, 1.0, 0.1, 0.5, 0.05, 0.999_999, 0.0, 1e-9, 1e-3];
-    for part in 0..solution.design().parts().len() {
-        finite("position", &solution.evaluate(part, &AT)?);
-        let derivatives = solution.derivatives(part, &AT)?;
+    for (part, of) in solution.design().parts().iter().enumerate() {
+        let at: Vec<f64> = match of.shape {
+            Shape::VertexFrame(_) => AT.chunks_exact(2).flat_map(|at| [0.0, at[0], at[1]]).collect(),
+            _ => AT.to_vec(),
+        };
+        finite("position", &solution.evaluate(part, &at)?);
+        let derivatives = solution.derivatives(part, &at)?;
         finite("du", &derivatives.du);
         finite("dv", &derivatives.dv);
     }
@@ -192,7 +196,7 @@ fn paint(solution: &Solution) -> Result<(), Error> {
     let options = MeshOptions { rows: Some(7), columns: Some(13), tolerance: None };
     for map in Map::ALL {
         let values = solution.paint(map, &options)?;
-        assert_eq!(values.len(), 7 * 13 * solution.design().parts().len());
+        assert_eq!(values.len(), solution.mesh(&options)?.n_vertices());
         finite(map.name(), &values);
     }
     Ok(())

@@ -68,13 +68,17 @@ const NUMBERS: [f64; 56] = [
 ];
 
 /// Words of the format, and some that are none.
-const WORDS: [&str; 34] = [
+const WORDS: [&str; 38] = [
     "second-order",
     "mixed-order",
     "fourth-order",
     "bloor-wilson",
     "boundary-value",
     "rings",
+    "vertex-frame",
+    "global",
+    "sine",
+    "smooth",
     "start",
     "end",
     "both",
@@ -106,7 +110,14 @@ const WORDS: [&str; 34] = [
 ];
 
 /// Fields of the format.
-const FIELDS: [&str; 40] = [
+const FIELDS: [&str; 47] = [
+    "vertices",
+    "patches",
+    "frame",
+    "a1",
+    "forces",
+    "f0",
+    "seed",
     "pasu",
     "title",
     "unit",

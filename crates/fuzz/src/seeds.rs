@@ -6,6 +6,8 @@ use serde_json::{Value, json};
 
 use crate::calls::CALLS;
 
+const BLENDS: &str = include_str!("../../../tests/reference/blends.json");
+const FRAMES: &str = include_str!("../../../tests/reference/frames.json");
 const GALLERY: &str = include_str!("../../../tests/reference/gallery.json");
 const HOSTILE: &str = include_str!("../../../tests/reference/hostile.json");
 const RINGS: &str = include_str!("../../../tests/reference/rings.json");
@@ -38,10 +40,11 @@ fn designs() -> Vec<String> {
         }
         designs.push(json!({ "pasu": 1, "parts": [part] }));
     }
-    for case in read(SURFACES).into_iter().chain(read(RINGS)) {
+    for case in read(SURFACES).into_iter().chain(read(RINGS)).chain(read(FRAMES)).chain(read(BLENDS)) {
         let shape = if case["family"].is_null() { &case["shape"] } else { &case["family"] };
         designs.push(json!({ "pasu": 1, "unit": "mm", "parts": [{ "shape": shape }] }));
     }
+    designs.push(json!({ "pasu": 1, "parts": [{ "shape": closed_network(), "place": place }] }));
     let (one, other) = (designs[0]["parts"][0].clone(), designs[3]["parts"][0].clone());
     designs.push(json!({ "pasu": 1, "title": "Two", "unit": "in", "parts": [
         { "name": "a", "shape": one["shape"], "look": { "glaze": "celadon", "clay": "black" } },
@@ -49,6 +52,26 @@ fn designs() -> Vec<String> {
     ] }));
     let hostile = read(HOSTILE).into_iter().map(|case| case["input"].clone()).filter(|input| !input.is_string());
     designs.into_iter().chain(hostile).map(|design| design.to_string()).collect()
+}
+
+/// A box of six frames, one of them pushed in over its edges.
+fn closed_network() -> Value {
+    let mut vertices: Vec<[i32; 3]> = Vec::new();
+    let mut patches = Vec::new();
+    for face in 0..6 {
+        let round = [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
+        let frame = round.map(|[a, b]| {
+            let mut at = [if face % 2 == 0 { -1 } else { 1 }; 3];
+            (at[(face / 2 + 1) % 3], at[(face / 2 + 2) % 3]) = (a, b);
+            vertices.iter().position(|known| *known == at).unwrap_or_else(|| {
+                vertices.push(at);
+                vertices.len() - 1
+            })
+        });
+        patches.push(json!({ "frame": frame, "a1": [1, 2, 3] }));
+    }
+    patches[5]["forces"] = json!([{ "f0": [0, 0, 3], "u": [0.25, 0.75], "v": [-0.5, 1.25], "falloff": "smooth" }]);
+    json!({ "kind": "vertex-frame", "vertices": vertices, "patches": patches, "rule": { "seed": 2 }, "crease": 0.25 })
 }
 
 /// The designs, and their links.

@@ -32,7 +32,7 @@ export interface Part {
 export type Unit = "cm" | "mm" | "in";
 
 /** A surface. */
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings | VertexFrame | Blend;
 
 /** The vase of ZY01 equations 1 to 8. */
 export interface SecondOrder {
@@ -255,6 +255,111 @@ export interface Wave {
   readonly sin?: number;
 }
 
+/** Four-sided patches through a network of points. */
+export interface VertexFrame {
+  /** Four-sided patches through a network of points. */
+  readonly kind: "vertex-frame";
+  /** The points, at most 800,000. */
+  readonly vertices: readonly (readonly [number, number, number])[];
+  /** 1 to 100,000 patches. */
+  readonly patches: readonly FramePatch[];
+  /** How the cubic terms of the edges are decided: by all patches of a strip, or by the first from a patch on; global when left out. */
+  readonly rule?: "global" | { readonly seed: number };
+  /** How smoothly patches meet; C0 when left out. */
+  readonly continuity?: "C0";
+  /** Edges at which the surface turns by less than this angle are drawn as if it were smooth, in radians; 0.5 when left out. Not less than 0. */
+  readonly crease?: number;
+}
+
+/** One patch of a network. */
+export interface FramePatch {
+  /** The numbers of eight vertices: corners and middles of the edges in turn, from (u, v) = (0, 0) by way of (1, 0). */
+  readonly frame: readonly [number, number, number, number, number, number, number, number];
+  /** Shape control parameters of X_uu; 1 when left out. */
+  readonly a1?: readonly [number, number, number];
+  /** Shape control parameters of X_vv; 1 when left out. */
+  readonly a2?: readonly [number, number, number];
+  /** Sculpting forces, which add up; at most 64. */
+  readonly forces?: readonly Force[];
+}
+
+/** A sculpting force on a patch. */
+export interface Force {
+  /** How strong it is. */
+  readonly f0: readonly [number, number, number];
+  /** From where to where along u, ascending; 0 to 1 when left out. */
+  readonly u?: readonly [number, number];
+  /** From where to where along v, ascending; 0 to 1 when left out. */
+  readonly v?: readonly [number, number];
+  /** How it falls off towards the rim of that rectangle; sine when left out. */
+  readonly falloff?: Falloff;
+}
+
+/** How a force falls off. */
+export type Falloff = "sine" | "smooth";
+
+/** A solid that flows from one section into another (ZY04). */
+export interface Blend {
+  /** A solid that flows from one section into another. */
+  readonly kind: "blend";
+  /** The section at w = 0. */
+  readonly start: Section;
+  /** The section at w = 1. */
+  readonly end: Section;
+  /** How it is solved; exact between two closed sections when left out, and modal between others. */
+  readonly method?: Method;
+  /** How many terms along u, v and w: at most 256, 256 and 64; 4, 4, 3 when left out. */
+  readonly terms?: readonly [number, number, number];
+  /** The weights of the three directions, above 0; 1 when left out. */
+  readonly weights?: readonly [number, number, number];
+}
+
+/** A plane section with its tangents. */
+export type Section = FormedSection | OutlineSection;
+
+/** A section of one of the forms of ZY04. */
+export interface FormedSection {
+  /** What it is bounded by, and how u and v run over it. */
+  readonly form: "rectangle" | "rectangle-reversed" | "disc" | "disc-in-square";
+  /** Half its width and half its depth, above 0. */
+  readonly radius: readonly [number, number];
+  /** Its height. */
+  readonly z: number;
+  /** Its tangents in x and y, in parts of the position. */
+  readonly taper: number;
+  /** Its tangents in z. */
+  readonly dz: number;
+}
+
+/** A section within a closed curve. */
+export interface OutlineSection {
+  /** A closed curve, which u draws together towards its mean. */
+  readonly form: "outline";
+  /** The Fourier series of x. */
+  readonly x: readonly Harmonic[];
+  /** The Fourier series of y. */
+  readonly y: readonly Harmonic[];
+  /** Its height. */
+  readonly z: number;
+  /** Its tangents in x and y, in parts of the position. */
+  readonly taper: number;
+  /** Its tangents in z. */
+  readonly dz: number;
+}
+
+/** One harmonic of a closed curve. */
+export interface Harmonic {
+  /** How often it goes up and down round the curve: whole, 0 for the mean. */
+  readonly n: number;
+  /** How far as cos(2 pi n v); 0 when left out. */
+  readonly cos?: number;
+  /** How far as sin(2 pi n v); 0 when left out. */
+  readonly sin?: number;
+}
+
+/** How the equation of a blend is solved. */
+export type Method = "exact" | "modal" | "collocation";
+
 /** Scaled, then turned, then moved. */
 export interface Placement {
   /** Factors along x, y and z, before turning. Not 0. */
@@ -328,7 +433,7 @@ export type Loss = "dints" | "skew" | "petals" | "push" | "turns" | "rise" | "sl
 export interface Handles {
   /** Which end of `u` is the rim, that is the higher one. */
   readonly rim: End;
-  /** All four, from the rim to the foot. */
+  /** All four, from the rim to the foot; none of a shape that has no profile. */
   readonly list: readonly Handle[];
 }
 

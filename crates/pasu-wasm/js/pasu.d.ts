@@ -283,7 +283,7 @@ export function bound(source: DesignSource, options?: MeshOptions): number;
 
 /**
  * Exact positions of a part before placement, xyz triples.
- * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface.
+ * @param at (u, v) pairs: `u` from 0 to 1, `v` from 0 to the span of the surface. Of a network of patches (patch, u, v) triples, of a blend (u, v, w) triples within it, each from 0 to 1.
  */
 export function evaluate(source: DesignSource, part: number, at: Float64Array | readonly number[]): Float64Array;
 
@@ -393,6 +393,65 @@ export function paint(source: DesignSource, map: MapName, options?: MeshOptions 
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;
+
+/** How finely the inside of a solid is cut. */
+export interface CellsOptions {
+  /** How many cells along u, v and w: 4, 16 and 16 when left out. Of a round solid those along u lie round a block in the middle, and those along v are rounded up to a multiple of 4. */
+  counts?: readonly [number, number, number] | undefined;
+  /** What they are; hexahedra when left out. */
+  shape?: CellShape | undefined;
+}
+
+export type CellShape = "hexahedron" | "tetrahedron";
+
+/** The inside of a solid, in model units, after placement. */
+export interface Cells {
+  /** x, y, z per point. */
+  positions: Float64Array;
+  /** The numbers of the corners, cell by cell: of a hexahedron four of one layer and four of the next, as VTK has them. */
+  corners: Uint32Array;
+  /** The scaled Jacobian of each cell: 1 of a box or a regular tetrahedron; what is not above 0 is of no use to a finite element. */
+  quality: Float64Array;
+  shape: CellShape;
+}
+
+/** What samples say of the inside of a blend: estimates, and no bounds. Places are `[u, v, w]`. */
+export interface Inside {
+  /** The largest length of what the equation leaves. */
+  residual: number;
+  residualAt: [number, number, number];
+  /** The root of its mean square. */
+  residualRms: number;
+  /** The least determinant of the first derivatives, positive where the inside is turned as most of it is. */
+  jacobian: number;
+  jacobianAt: [number, number, number];
+  /** Its mean: the volume. */
+  jacobianMean: number;
+  /** Whether the inside is turned over somewhere. */
+  isFolded: boolean;
+}
+
+/** The inside of a blend without a wall as hexahedra or tetrahedra. */
+export function cells(source: DesignSource, part: number, options?: CellsOptions): Cells;
+
+/** The same as the text of a file in millimetres: VTK, Gmsh or Abaqus. */
+export function cellsFile(
+  source: DesignSource,
+  part: number,
+  format: "vtu" | "msh" | "inp",
+  options?: CellsOptions,
+): Uint8Array;
+
+/** How well the inside of a blend solves its equation, and whether it is folded. */
+export function inside(source: DesignSource, part: number): Inside;
+
+/** One number for each of some points (u, v, w) inside a blend: the length of what the equation leaves, or the determinant of the first derivatives. */
+export function insideValues(
+  source: DesignSource,
+  part: number,
+  map: "residual" | "jacobian",
+  at: Float64Array | readonly number[],
+): Float64Array;
 
 /** The link in a file that {@link write} wrote, without `#`; null for every other file. */
 export function open(bytes: Uint8Array): string | null;

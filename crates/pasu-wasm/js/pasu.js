@@ -57,12 +57,18 @@ const pull = (source, part, hand) => call("pull", source, part, hand);
 const pulled = (source, part, hand) => call("pulled", source, part, hand);
 const free = (source, part, options) => call("free", source, part, options);
 const fit = (profile, options) => call("fit", profile, options);
+const cells = (source, part, options) => call("cells", source, part, options);
+const cellsFile = (source, part, format, options) => call("cellsFile", source, part, format, options);
+const inside = (source, part) => call("inside", source, part);
+const insideValues = (source, part, map, at) => call("insideValues", source, part, map, at);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
 
 export {
   bound,
+  cells,
+  cellsFile,
   check,
   convert,
   derivatives,
@@ -72,6 +78,8 @@ export {
   free,
   handles,
   init as default,
+  inside,
+  insideValues,
   link,
   measure,
   mesh,

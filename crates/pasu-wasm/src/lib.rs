@@ -13,6 +13,8 @@ mod error;
 mod fields;
 #[cfg(feature = "making")]
 mod fit;
+#[cfg(feature = "making")]
+mod interior;
 mod into;
 mod last;
 #[cfg(feature = "making")]
@@ -36,6 +38,8 @@ use wasm_bindgen::prelude::*;
 use crate::error::thrown;
 #[cfg(feature = "making")]
 pub use crate::fit::{fit, free};
+#[cfg(feature = "making")]
+pub use crate::interior::{cells, cells_file, inside, inside_values};
 #[cfg(feature = "making")]
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
 #[cfg(feature = "making")]

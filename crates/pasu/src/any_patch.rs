@@ -225,6 +225,27 @@ fn what_has_no_foot_and_no_rim_is_refused_in_words_where_a_pot_is_asked_for() {
     let solution = solution(vec![Box::new(TORUS)], "");
     let error = solution.pot(0, Product::Solid).unwrap_err();
     assert_eq!((error.code().to_string().as_str(), error.path()), ("open-surface", "parts[0].shape"));
-    let error = solution.write(Format::Stl, &Making { product: Product::Solid, ..Making::default() }).unwrap_err();
-    assert_eq!(error.code().to_string(), "open-surface");
+    let open = self::solution(vec![Box::new(saddle())], "");
+    let error = open.write(Format::Stl, &Making { product: Product::Solid, ..Making::default() }).unwrap_err();
+    assert_eq!((error.code().to_string().as_str(), error.path()), ("open-surface", "parts[0].shape.patches[0]"));
+    assert!(error.message().starts_with("the side u = 0 of patch 0 is free, at (0, 0.5, 0)"), "{error}");
+}
+
+#[test]
+fn what_goes_round_a_body_is_made_as_it_is() {
+    for (name, patches, genus) in [("torus", examples().swap_remove(2).1, 1), ("cube", cube(), 0)] {
+        let solution = solution(patches, TURNED);
+        for making in [Making::default(), Making { tolerance: Some(0.01), shrinkage: 10.0, ..Making::default() }] {
+            let report = solution.check(&making).unwrap();
+            assert!(report.is_ok() && report.meshes[0].genus == Some(genus), "{name} {report:?}");
+            assert!(making.tolerance.is_none_or(|tolerance| report.meshes[0].bound <= tolerance), "{name}");
+            for format in
+                [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::ObjZip, Format::Ply, Format::Step]
+            {
+                assert!(solution.write(format, &making).unwrap().len() > 600, "{name} {format:?}");
+            }
+            let error = solution.write(Format::Svg, &making).unwrap_err();
+            assert_eq!(error.code().to_string(), "unsupported-shape", "{name}");
+        }
+    }
 }

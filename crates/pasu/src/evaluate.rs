@@ -1,6 +1,6 @@
 //! Points of a design in double precision.
 
-use crate::design::{Design, plain};
+use crate::design::{Address, Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::patch::SurfaceJet;
 use crate::solution::{Placed, Solution};
@@ -15,10 +15,10 @@ pub struct Derivatives {
     pub dv: Vec<f64>,
 }
 
-/// Positions, before placement, of part `part` at pairs `(u, v)`: `u` in [0, 1], `v` any number in the units of the shape's span.
+/// Positions, before placement, of part `part` at pairs `(u, v)`: `u` in [0, 1], `v` any number in the units of the shape's span; of a network of patches at triples `(patch, u, v)`, `u` and `v` in [0, 1].
 ///
 /// # Errors
-/// `no-such-point` for a part that does not exist, an odd number of coordinates, or a point outside the surface; what [`Surface::solve`](crate::Surface::solve) refuses; `overflow`.
+/// `no-such-point` for a part that does not exist, coordinates that are no whole pairs or triples, or a point outside the surface; what [`Surface::solve`](crate::Surface::solve) refuses; `overflow`.
 ///
 /// ```
 /// let vase = pasu::Design::parse("#1/second-order?height=9")?;
@@ -31,7 +31,7 @@ pub fn evaluate(design: &Design, part: usize, at: &[f64]) -> Result<Vec<f64>> {
     Solution::of(design).evaluate(part, at)
 }
 
-/// `X_u` and `X_v`, before placement, of part `part` at pairs `(u, v)`.
+/// `X_u` and `X_v`, before placement, of part `part` at pairs `(u, v)`, or triples `(patch, u, v)` of a network of patches.
 ///
 /// # Errors
 /// As [`evaluate`].
@@ -77,7 +77,17 @@ impl Solution {
     fn for_each_point(&self, part: usize, at: &[f64], mut visit: impl FnMut(&SurfaceJet)) -> Result<()> {
         self.check_points(part, at)?;
         let placed = self.part(part)?;
-        at.chunks_exact(2).for_each(|point| visit(&jet(placed, point[0], point[1])));
+        let (_, of) = self.existing(part)?;
+        match of.shape.address() {
+            Address::Surface => at.chunks_exact(2).for_each(|point| visit(&jet(placed, point[0], point[1]))),
+            Address::Patches(_) => at.chunks_exact(3).for_each(|point| {
+                visit(&placed.solved().patch(point[0] as usize).jet(point[1], point[2]));
+            }),
+            Address::Volume => {
+                let Some(volume) = placed.solved().volume() else { return Ok(()) };
+                volume.visit(at, visit);
+            }
+        }
         Ok(())
     }
 
@@ -86,25 +96,58 @@ impl Solution {
     /// # Errors
     /// `no-such-point`.
     pub(crate) fn check_points(&self, part: usize, at: &[f64]) -> Result<()> {
-        self.existing(part)?;
-        if !at.len().is_multiple_of(2) {
-            let message = format!("expected pairs (u, v), found {} numbers", at.len());
+        let (_, of) = self.existing(part)?;
+        let address = of.shape.address();
+        let (n, words) = match address {
+            Address::Surface => (2, "pairs (u, v)"),
+            Address::Patches(_) => (3, "triples (patch, u, v)"),
+            Address::Volume => (3, "triples (u, v, w)"),
+        };
+        if !at.len().is_multiple_of(n) {
+            let message = format!("expected {words}, found {} numbers", at.len());
             return Err(Error::new(Code::NoSuchPoint, "at", message).with("found", at.len()));
         }
-        for (i, point) in at.chunks_exact(2).enumerate() {
-            let (u, v) = (point[0], point[1]);
-            if !(0.0..=1.0).contains(&u) {
-                let message = format!("expected u from 0 to 1, found {}", plain(u));
-                let error = Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i), message);
-                return Err(error.with("least", 0.0).with("greatest", 1.0).with("found", u));
-            }
-            if !v.is_finite() {
-                let message = format!("expected a finite v, found {}", plain(v));
-                return Err(Error::new(Code::NoSuchPoint, format!("at[{}]", 2 * i + 1), message).with("found", v));
+        for (i, point) in at.chunks_exact(n).enumerate() {
+            match (address, point) {
+                (Address::Surface, [u, v]) => {
+                    within_one("u", *u, n * i)?;
+                    if !v.is_finite() {
+                        let message = format!("expected a finite v, found {}", plain(*v));
+                        return Err(
+                            Error::new(Code::NoSuchPoint, format!("at[{}]", n * i + 1), message).with("found", *v)
+                        );
+                    }
+                }
+                (Address::Patches(n_patches), [patch, u, v]) => {
+                    let last = n_patches - 1;
+                    if !(0.0..=last as f64).contains(patch) || *patch != libm::trunc(*patch) {
+                        let message = format!("expected a patch from 0 to {last}, found {}", plain(*patch));
+                        let error = Error::new(Code::NoSuchPoint, format!("at[{}]", n * i), message);
+                        return Err(error.with("least", 0.0).with("greatest", last).with("found", *patch));
+                    }
+                    within_one("u", *u, n * i + 1)?;
+                    within_one("v", *v, n * i + 2)?;
+                }
+                (Address::Volume, [u, v, w]) => {
+                    for (place, (name, found)) in [("u", *u), ("v", *v), ("w", *w)].into_iter().enumerate() {
+                        within_one(name, found, n * i + place)?;
+                    }
+                }
+                _ => {}
             }
         }
         Ok(())
     }
+}
+
+/// Refuses a coordinate beyond the unit interval.
+fn within_one(name: &str, found: f64, place: usize) -> Result<()> {
+    if (0.0..=1.0).contains(&found) {
+        return Ok(());
+    }
+    let message = format!("expected {name} from 0 to 1, found {}", plain(found));
+    let error = Error::new(Code::NoSuchPoint, format!("at[{place}]"), message);
+    Err(error.with("least", 0.0).with("greatest", 1.0).with("found", found))
 }
 
 /// The jet in the parameters of the document: those of a Fourier series run over its span, those of a patch over the unit square.

@@ -11,8 +11,10 @@ use crate::solution::Solution;
 const ROWS: usize = 33;
 /// As [`ROWS`].
 const COLUMNS: usize = 97;
+/// Into how many pieces a patch of a network is cut between its knots, both ways; frozen as [`ROWS`] is.
+const PIECES: usize = 4;
 
-/// Sixteen hexadecimal digits: xxHash64 of the mesh at a fixed resolution (33 x 97 vertices a part), positions as little-endian `f32`, then indices and groups
+/// Sixteen hexadecimal digits: xxHash64 of the mesh at a fixed resolution (33 x 97 vertices a part; of a network of patches 5 x 5 a patch, and as many more between the rims of what sculpts it), positions as little-endian `f32`, then indices and groups
 /// as little-endian `u32`.
 ///
 /// The same on every machine, because every elementary function in the solver is computed by the same code in the same order. Title, names and looks do not change it;
@@ -40,7 +42,7 @@ impl Solution {
     /// # Errors
     /// As [`fingerprint`].
     pub fn fingerprint(&self) -> Result<String> {
-        Ok(hashed(&exact_mesh(self, ROWS, COLUMNS)?))
+        Ok(hashed(&exact_mesh(self, ROWS, COLUMNS, PIECES)?))
     }
 }
 

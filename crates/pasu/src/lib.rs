@@ -18,6 +18,7 @@
 //!
 //! - **ZY01** J. J. Zhang, L. You, *Surface representation using second, fourth and mixed order partial differential equations*, 2001.
 //! - **IA** S. N. Ishak, J. M. Ali, *Parametric surface generation using partial differential equation based approach*.
+//! - **W22** S. Wang, Y. Xia, L. You, H. Ugail, A. Carriazo, A. Iglesias, J. Zhang, *Interactive PDE patch-based surface modeling from vertex-frames*, 2022.
 //! - **ASB88** J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, *Constrained constructive solid geometry: a unique representation of scenes*, 1988.
 
 #[cfg(doctest)]
@@ -27,6 +28,7 @@ mod readme {}
 mod answer;
 #[cfg(test)]
 mod any_patch;
+mod blend;
 mod check;
 mod design;
 mod error;
@@ -35,6 +37,8 @@ mod export;
 mod face;
 mod fingerprint;
 mod fit;
+mod frame;
+mod interior;
 mod make;
 mod measure;
 mod mesh;
@@ -48,24 +52,28 @@ mod surface;
 mod watch;
 mod weave;
 
+pub use blend::{Inside, InsideMap};
 pub use design::read;
 pub use design::{
-    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
-    Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement,
-    Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
+    Axis, Blend, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design,
+    End, Falloff, Force, Form, FourthOrder, FramePatch, FrameRule, Free, Glaze, Handle, HandleId, Handles, Harmonic,
+    Hoop, Look, Loss, Method, MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm, Ring, Rings,
+    SecondOrder, Section, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
 pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{
-    Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, drawn, obj_materials, open, provenance, sketch, write,
+    CellsFormat, Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, cells_file, drawn, obj_materials, open,
+    provenance, sketch, write,
 };
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 pub use fit::{Profile, Ringed, fit, free};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
+pub use interior::{CellShape, Cells, CellsOptions, cells, inside, inside_values};
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;
 pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};

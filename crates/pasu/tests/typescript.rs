@@ -8,7 +8,7 @@ fn every_field_is_declared() {
         "export type GlazeName = \"celadon\" | \"tenmoku\" | \"cobalt\" | \"tin-white\" | \"shino\" | \"copper-red\" | \"clear\" | \"bare\";",
         "export type ClayName = \"stoneware\" | \"porcelain\" | \"terracotta\" | \"black\";",
         "export type Unit = \"cm\" | \"mm\" | \"in\";",
-        "export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;",
+        "export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings | VertexFrame | Blend;",
         "  readonly kind: \"bloor-wilson\";",
         "  readonly R: readonly [number, number, number, number];",
         "  readonly n?: readonly [number, number];",

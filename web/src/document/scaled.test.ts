@@ -44,6 +44,28 @@ test("free boundary data grow with their slopes and forces, and keep their waves
   expect({ ...half.x, modes: [] }).toEqual({ ...gourd.x, modes: [] });
 });
 
+test("the points of a network move apart and its forces grow, the rectangles of these and the parameters of patches stay", () => {
+  const force = { f0: [1, 0, -2], u: [0.25, 0.75] } as const;
+  const patch = { frame: [0, 1, 2, 3, 4, 5, 6, 7], a1: [1, 2, 3] } as const;
+  const network = {
+    kind: "vertex-frame",
+    vertices: [
+      [1, 2, 3],
+      [0, -0.5, 0],
+    ],
+    patches: [{ ...patch, forces: [force] }, patch],
+    crease: 0.3,
+  } as const;
+  expect(shapeBy(network, 10)).toEqual({
+    ...network,
+    vertices: [
+      [10, 20, 30],
+      [0, -5, 0],
+    ],
+    patches: [{ ...patch, forces: [{ ...force, f0: [10, 0, -20] }] }, patch],
+  });
+});
+
 const POT: Design = {
   pasu: 1,
   parts: [

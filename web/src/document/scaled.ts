@@ -8,7 +8,21 @@ import type { Field } from "./field";
 import { filled } from "./kinds";
 import { getPath, numberAt, setPath } from "./path";
 import { DEFAULTS, UNITS as MILLIMETRES } from "./tables.gen";
-import type { Component, Design, Mode, Part, Placement, Rings, Series, Shape, Unit, Wall } from "./types";
+import type {
+  Blend,
+  Component,
+  Design,
+  Mode,
+  Part,
+  Placement,
+  Rings,
+  Section,
+  Series,
+  Shape,
+  Unit,
+  VertexFrame,
+  Wall,
+} from "./types";
 
 /** Digits that a number of a document keeps: those of canonical form. */
 const DIGITS = 12;
@@ -48,6 +62,8 @@ function all<T extends readonly number[]>(values: T, factor: number): T {
 
 export function shapeBy(shape: Shape, factor: number): Shape {
   if (shape.kind === "rings") return ringsBy(shape, factor);
+  if (shape.kind === "vertex-frame") return networkBy(shape, factor);
+  if (shape.kind === "blend") return blendBy(shape, factor);
   if (shape.kind !== "boundary-value") return familyBy(shape, FAMILIES[shape.kind].fields, factor);
   return {
     ...shape,
@@ -85,6 +101,31 @@ function ringsBy(shape: Rings, factor: number): Rings {
     ...(foot && { foot: grown(foot) }),
     ...(rim && { rim: grown(rim) }),
   };
+}
+
+/** Points move, and forces are what they move the surface by; the parameters of a patch are shares of it. */
+function networkBy(shape: VertexFrame, factor: number): VertexFrame {
+  const patches = shape.patches.map(({ forces, ...patch }) => ({
+    ...patch,
+    ...(forces && { forces: forces.map((force) => ({ ...force, f0: all(force.f0, factor) })) }),
+  }));
+  return { ...shape, vertices: shape.vertices.map((at) => all(at, factor)), patches };
+}
+
+/** A taper is a share of the position. */
+function blendBy(shape: Blend, factor: number): Blend {
+  const section = (given: Section): Section => {
+    const level = { z: by(given.z, factor), dz: by(given.dz, factor) };
+    if (given.form !== "outline") return { ...given, ...level, radius: all(given.radius, factor) };
+    const series = (harmonics: typeof given.x) =>
+      harmonics.map(({ n, cos, sin }) => ({
+        n,
+        ...(cos !== undefined && { cos: by(cos, factor) }),
+        ...(sin !== undefined && { sin: by(sin, factor) }),
+      }));
+    return { ...given, ...level, x: series(given.x), y: series(given.y) };
+  };
+  return { ...shape, start: section(shape.start), end: section(shape.end) };
 }
 
 function seriesBy({ mean, waves }: Series, factor: number): Series {

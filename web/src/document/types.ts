@@ -38,7 +38,14 @@ export interface BoundaryValue extends Omit<Frozen<pasu.BoundaryValue>, "x" | "y
   readonly z: Component;
 }
 
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+/** A surface between two ends. */
+export type TwoSided = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings;
+/** Patches through a network of points. */
+export type VertexFrame = Frozen<pasu.VertexFrame>;
+/** A solid between two sections. */
+export type Blend = Frozen<pasu.Blend>;
+export type Section = Frozen<pasu.Section>;
+export type Shape = TwoSided | VertexFrame | Blend;
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */

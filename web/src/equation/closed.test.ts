@@ -8,7 +8,7 @@ import { Formulary } from "../../testing/latex";
 import { library, type Reference, references } from "../../testing/references";
 import { AXES } from "../document/boundary-value";
 import { frozen } from "../document/path";
-import type { BoundaryValue, Sent, Shape } from "../document/types";
+import type { BoundaryValue, Sent, TwoSided } from "../document/types";
 import { closed } from "./closed";
 import { differential } from "./differential";
 import { edges } from "./edges";
@@ -68,7 +68,7 @@ for (const file of ["surfaces", "rings", "ring-regimes"] as const) {
 }
 
 /** One of each kind, with everything that it can have. */
-const KINDS: readonly Shape[] = [
+const KINDS: readonly TwoSided[] = [
   { kind: "second-order", r: [1, 0.1, 0.6, 0.06], n: [1, 8], force: [0.4, -0.7], t: [0.5, 0.9] },
   { kind: "mixed-order", r: [1, 0.1, 0.6, 0.06], rise: -10, s: [2, 1], force: [1, 0] },
   {
@@ -121,7 +121,7 @@ test("the text of one of each kind is what the solver has", () => {
 });
 
 /** All that is written of a shape. */
-function everything(shape: Shape, hand: Hand): Formula[] {
+function everything(shape: TwoSided, hand: Hand): Formula[] {
   const problem = problemOf(shape);
   const form = closed(problem, hand);
   const given = edges(problem, hand).map(({ formula }) => formula);
@@ -151,7 +151,7 @@ test("everything that is written can be read as LaTeX, and speaks of numbers of 
 });
 
 /** The place of every number of a shape that a person can set; what is left out of a family has one too. */
-function placesOf(shape: Shape): string[] {
+function placesOf(shape: TwoSided): string[] {
   const found: string[] = shape.kind === "second-order" || shape.kind === "mixed-order" ? ["height"] : [];
   for (const name of found.length > 0 ? ["s", "t", "n", "force"] : []) found.push(`${name}[0]`, `${name}[1]`);
   const visit = (node: unknown, path: string) => {
@@ -180,7 +180,7 @@ test("every number of every kind is somewhere in what is written", () => {
   }
 });
 
-function numberOf(shape: Shape, place: string): unknown {
+function numberOf(shape: TwoSided, place: string): unknown {
   return place
     .split(/[.[\]]/)
     .filter((key) => key !== "")
@@ -201,12 +201,12 @@ test("of many waves the first are written, and how many there are more", () => {
 });
 
 test("a number is as long as its digits, with the decimal mark of the language", () => {
-  const [first] = closed(problemOf(KINDS[0] as Shape), { ...SHOWN, decimal: "," }).solved;
+  const [first] = closed(problemOf(KINDS[0] as TwoSided), { ...SHOWN, decimal: "," }).solved;
   expect(first?.formula.tex).toContain("{4{,}4429}");
 });
 
 test("a force on what hardly bends is written with the digits that it takes, or left open", () => {
-  const planar = (t: number): Shape => ({
+  const planar = (t: number): TwoSided => ({
     kind: "boundary-value",
     span: "2pi",
     x: { order: 2, s: 1, t, modes: [{ n: 1, cos: { start: 1, end: 2, force: [1, 3] } }] },

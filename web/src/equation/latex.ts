@@ -1,6 +1,6 @@
 /** The whole of a shape's equation as LaTeX, for papers: every wave, with all digits. */
 
-import type { Shape } from "../document/types";
+import type { TwoSided } from "../document/types";
 import { closed } from "./closed";
 import { differential } from "./differential";
 import { edges } from "./edges";
@@ -16,7 +16,7 @@ export interface Titles {
   readonly where: string;
 }
 
-export function latexOf(shape: Shape, titles: Titles): string {
+export function latexOf(shape: TwoSided, titles: Titles): string {
   const problem = problemOf(shape);
   const form = closed(problem, WHOLE);
   const part = (title: string, formulas: readonly Formula[]) =>

@@ -1,13 +1,13 @@
 /** From a shape to the problem that it stands for. */
 
 import { filled } from "../document/kinds";
-import type { Shape } from "../document/types";
+import type { TwoSided } from "../document/types";
 import { bloorWilson, fourthOrder, planar } from "./families";
 import { free } from "./free";
 import { hoops } from "./hoops";
 import type { Problem } from "./problem";
 
-export function problemOf(given: Shape): Problem {
+export function problemOf(given: TwoSided): Problem {
   const shape = filled(given);
   switch (shape.kind) {
     case "second-order":

@@ -4,7 +4,7 @@ import { derivatives } from "pasu/drawing";
 import { beforeAll, expect, test } from "vitest";
 import { library, references } from "../../testing/references";
 import { AXES } from "../document/boundary-value";
-import type { Sent, Shape } from "../document/types";
+import type { Sent, TwoSided } from "../document/types";
 import { particular } from "./particular";
 import { problemOf } from "./posed";
 import { type Component, frequency, type Harmonic, type Problem } from "./problem";
@@ -36,7 +36,7 @@ function slopesAt({ rings, span }: Problem, component: Component, harmonic: Harm
 }
 
 /** The largest difference from the solver's `X_u`, by the size of what it is the sum of. */
-function distance(shape: Shape): number {
+function distance(shape: TwoSided): number {
   const problem = problemOf(shape);
   const places = [0, ...problem.rings.map(({ u }) => u.value), 1];
   const v = 0.7;

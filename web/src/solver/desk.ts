@@ -26,6 +26,8 @@ interface Kept extends PartAnswer {
   readonly shape: Shape;
   readonly turn: Placement | undefined;
   readonly exact: boolean;
+  /** The rows and columns that were asked for. */
+  readonly grid: GridSize;
   readonly section: Section | null;
 }
 
@@ -79,7 +81,8 @@ export class Desk {
       const kept = this.#kept.get(id);
       const wanted = meshWanted(design, part, options);
       const there = kept?.shape === part.shape && this.#serves(kept, part, options, wanted);
-      const section = options.section === place && !(kept?.shape === part.shape && kept.section);
+      const has = part.shape.kind !== "vertex-frame";
+      const section = has && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
       return [askOf(part, id, place, there ? null : wanted, section)];
     });
@@ -95,11 +98,10 @@ export class Desk {
   #serves(kept: Kept, { place }: Part, { settle }: SolveOptions, wanted: NonNullable<PartAsk["mesh"]>): boolean {
     if (wanted.lines && !kept.lines) return false;
     if (!settle) return true;
-    const { positions, ware } = kept.mesh;
-    const size = wanted.rows * wanted.columns;
+    const { ware } = kept.mesh;
     return (
       kept.exact &&
-      positions.length === 3 * size &&
+      sameGrid(kept.grid, wanted) &&
       sameGrid(ware, wanted.ware) &&
       // How its glaze runs, and what is said of it, goes by how it stands.
       turnsAlike(kept.turn, turnOf(place))
@@ -117,8 +119,8 @@ export class Desk {
       if (!ask) continue;
       const { shape, turn } = ask;
       const old = this.#kept.get(id);
-      if (mesh && told) {
-        const { exact } = ask.mesh ?? { exact: false };
+      if (mesh && told && ask.mesh) {
+        const { exact, rows, columns } = ask.mesh;
         const had = old?.shape === shape ? old.section : null;
         this.#kept.set(id, {
           id,
@@ -129,6 +131,7 @@ export class Desk {
           shape,
           turn,
           exact,
+          grid: { rows, columns },
           section: section ?? had,
         });
       } else if (old && section) this.#kept.set(id, { ...old, section });

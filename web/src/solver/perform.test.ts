@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
+import type { Design } from "../document/types";
 import { boundsOf } from "./bounds";
 
 const { solver, worker } = realSolver({ free: true });
@@ -37,6 +38,34 @@ test("a design is solved, drawn and told by the real solver across a channel", a
   expect(worker.last.known).toEqual([part.mesh.topology]);
   expect(worker.last.spares[0]).not.toBeNull();
   expect(again.state === "done" && again.value.parts[0]?.mesh.uvs).toBe(part.mesh.uvs);
+});
+
+test("a network of patches is drawn as it is, without lines and a section, and is there when it is asked for again", async () => {
+  const round = [
+    [0, 0, 0],
+    [1, 0, 0.5],
+    [2, 0, 0],
+    [2, 1, 0],
+    [2, 2, 0],
+    [1, 2, 0.5],
+    [0, 2, 0],
+    [0, 1, 0],
+  ] as const;
+  const patches = [{ frame: [0, 1, 2, 3, 4, 5, 6, 7], forces: [{ f0: [0, 0, 9] }] }] as const;
+  const design: Design = { pasu: 1, parts: [{ shape: { kind: "vertex-frame", vertices: round, patches } }] };
+  const desk = solver.desk();
+  const options = { ...GRID, lines: true, section: 0, settle: true };
+  const outcome = await desk.solve({ design, ids: [9] }, options);
+  if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
+  const { bounds, parts, lines, section, facts, link } = outcome.value;
+  expect(parts[0]?.mesh.positions.length).toBe(3 * 13 * 25);
+  expect(bounds?.max.slice(0, 2)).toEqual([2, 2]);
+  expect([lines?.iso_u.length, lines?.tangents.length, section]).toEqual([0, 0, null]);
+  expect(facts).toBeNull();
+  expect(link).toMatch(/^1~/);
+  const { length } = worker.sent;
+  expect((await desk.solve({ design, ids: [9] }, options)).state).toBe("done");
+  expect(worker.sent).toHaveLength(length);
 });
 
 test("what cannot be a design is refused with its place", async () => {

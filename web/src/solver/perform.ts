@@ -17,7 +17,7 @@ import { bodyOf, type Grid, isClosed } from "../document/body";
 import { placedNormals } from "../document/placed-normals";
 import { matrixOf, placedAll } from "../document/placement";
 import { SHAPES } from "../document/tables.gen";
-import type { Sent, SentShape, Shape } from "../document/types";
+import type { Sent, SentShape, Shape, TwoSided } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
@@ -26,6 +26,7 @@ import type {
   MeshWanted,
   PartAsk,
   PartFacts,
+  PartLines,
   PartsAsk,
   Request,
   Section,
@@ -37,7 +38,7 @@ import type {
   WholeAsk,
 } from "./messages";
 import { reachOf } from "./reach";
-import { WARE_SIZE, ware } from "./ware";
+import { evenWare, WARE_SIZE, ware } from "./ware";
 
 const SECTION_POINTS = 129;
 const TAU = 2 * Math.PI;
@@ -109,6 +110,10 @@ function alone(shape: Shape): Sent {
 function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
   const { id, shape } = part;
   const design = alone(shape);
+  if (shape.kind === "vertex-frame" || shape.kind === "blend") {
+    const made = part.mesh && patched(design, part.mesh, here, spent);
+    return { id, mesh: made?.mesh ?? null, told: made?.told ?? null, lines: made?.lines ?? null, section: null };
+  }
   const made = part.mesh && meshed(design, part, part.mesh, spare, here, spent);
   const { mesh: sent = null, told: about = null, grid } = made ?? {};
   return {
@@ -167,6 +172,33 @@ function meshed(
   };
 }
 
+/** A network of patches, or what goes round a solid. It has no grid of its own: what goes by rows from foot to rim is not there. */
+function patched(design: Sent, { rows, columns, ware: size }: MeshWanted, here: Set<string>, spent: Spent) {
+  const begun = now();
+  const guess = [...here].at(-1);
+  const made = mesh(design, { rows, columns, into: guess ? { topology: guess } : {} });
+  const { positions, normals, topology, uvs, indices } = made;
+  spent.meshes += now() - begun;
+  const lattice = uvs && indices && !here.has(topology) ? { uvs, indices } : null;
+  here.add(topology);
+  const texels = evenWare(size);
+  const sent: SentMesh = { positions, normals, topology, ware: { texels, ...size }, lattice };
+  const told: PartFacts = {
+    bounds: boundsOf(positions, positions),
+    reach: reachOf(positions, null),
+    closed: true,
+    body: null,
+  };
+  const none = new Float64Array();
+  const lines: PartLines = {
+    iso_u: [],
+    iso_v: [],
+    ends: [new Float32Array(), new Float32Array()],
+    tangents: { at: none, along: none },
+  };
+  return { mesh: sent, told, lines };
+}
+
 /** Samples per wave, with which every crest and trough is met nearly enough to be counted. */
 const PER_WAVE = 16;
 
@@ -187,18 +219,18 @@ function edgesOf(
   return { positions: turned(mesh(design, size).positions), ...size };
 }
 
-function spanOf(shape: Shape): number {
+function spanOf(shape: TwoSided): number {
   if (shape.kind === "rings") return TAU;
   const { span } = shape.kind === "boundary-value" ? shape : SHAPES[shape.kind];
   return span === "2pi" ? TAU : span;
 }
 
-function tangentsOf(design: Sent, shape: Shape) {
+function tangentsOf(design: Sent, shape: TwoSided) {
   const points = tangentPoints(spanOf(shape));
   return { at: evaluate(design, 0, points), along: derivatives(design, 0, points).du };
 }
 
-function sectionOf(design: Sent, shape: Shape): Section {
+function sectionOf(design: Sent, shape: TwoSided): Section {
   const half = spanOf(shape) / 2;
   const along = (v: number) => {
     const at = new Float64Array(2 * SECTION_POINTS);

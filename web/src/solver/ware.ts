@@ -48,6 +48,13 @@ export function wareGrid(parts: number, waves: number): GridSize {
 /** A distance to an edge that there is not. */
 const NO_EDGE = 1e9;
 
+/** What a glaze goes by where there is nothing to tell: it is even, and far from every edge. */
+export function evenWare({ rows, columns }: GridSize): Float32Array {
+  const texels = new Float32Array(WARE_SIZE * rows * columns);
+  for (let at = 0; at < texels.length; at += WARE_SIZE) texels.set([0, NO_EDGE, NO_EDGE, NO_EDGE], at);
+  return texels;
+}
+
 /** An end of the profile shorter than this share of the longest ring is a closed one (a pole), not an edge. */
 const POLE_SHARE = 0.02;
 

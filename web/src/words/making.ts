@@ -37,6 +37,8 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     const said: Readonly<Record<string, string>> = {
       "no-foot": making.openSurface.noFoot,
       "not-closed": making.openSurface.notClosed,
+      "free-edge": making.openSurface.freeEdge,
+      "one-sided": making.openSurface.oneSided,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },
@@ -45,6 +47,8 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "no-area": () => ofFace(refusal, "end", making.pinched.noArea),
       waist: () => making.pinched.waist,
       shrinks: () => ofFace(refusal, "face", making.pinched.shrinks),
+      corners: () => making.pinched.corners,
+      section: () => making.pinched.section,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -54,10 +58,25 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "surface-close": () => making.crosses.surfaceClose,
       outline: () => ofFace(refusal, "face", making.crosses.outline),
       "does-not-close": () => making.crosses.doesNotClose,
+      section: () => making.crosses.section,
+      sections: () => making.crosses.sections,
+      edge: () => making.crosses.edge,
+      region: () => making.crosses.region,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
+  folded: () => making.folded,
   "no-opening": () => making.noOpening,
+  "unsupported-shape": (refusal) => {
+    const said: Readonly<Record<string, string>> = {
+      "no-ends": making.noEnds,
+      "open-sections": making.openSections,
+      "no-inside": making.noInside,
+      hollow: making.hollow,
+      collapsed: making.collapsed,
+    };
+    return said[textOf(refusal, "what") ?? ""] ?? null;
+  },
   "no-room": (refusal, unit) => steppedOver(refusal, unit, noRoomFor(refusal, unit)),
 };
 

@@ -75,7 +75,7 @@ impl Shape {
     /// ```
     ///
     /// # Errors
-    /// `unsupported-shape` for boundary data written out, which have no radius of rim and foot to keep, and for pots of rings; `overflow` when the numbers of the other order leave the range of
+    /// `unsupported-shape` for boundary data written out, which have no radius of rim and foot to keep, for pots of rings, and for what is no surface between two ends; `overflow` when the numbers of the other order leave the range of
     /// numbers.
     // Compiled where it is called, for size: see `Design::from_value`.
     #[inline]
@@ -86,6 +86,10 @@ impl Shape {
         let Some(outline) = Outline::of(self) else {
             let message = match self {
                 Shape::Rings(_) => "a pot of rings cannot be converted: no other family passes through them",
+                Shape::Blend(_) => {
+                    "a solid between two sections cannot be converted: it is no vase of one of the families"
+                }
+                Shape::VertexFrame(_) => "a network of patches cannot be converted: it has no rim and no foot to keep",
                 _ => {
                     "boundary data that are written out cannot be converted as a whole: each component has an order of its own"
                 }
@@ -194,7 +198,7 @@ impl Outline {
             Shape::MixedOrder(vase) => Outline::of_planar(shape, [vase.rise, 0.0], vase.rise),
             Shape::FourthOrder(vase) => Some(Outline::of_fourth(vase)),
             Shape::BloorWilson(vase) => Some(Outline::of_dint(vase)),
-            Shape::BoundaryValue(_) | Shape::Rings(_) => None,
+            Shape::BoundaryValue(_) | Shape::Rings(_) | Shape::VertexFrame(_) | Shape::Blend(_) => None,
         }
     }
 

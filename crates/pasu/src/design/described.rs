@@ -30,8 +30,13 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// How a readable link says it, if it has one.
     const SPELLING: Option<Spelling>;
 
-    /// The boundary-value problem that it stands for.
-    fn problem(&self) -> Cow<'_, BoundaryValue>;
+    /// The boundary-value problem between two ends that it stands for; `None` where it stands for other patches than a surface between two ends.
+    fn problem(&self) -> Option<Cow<'_, BoundaryValue>>;
+
+    /// By which numbers a point of it is told.
+    fn address(&self) -> Address {
+        Address::Surface
+    }
 
     /// The one way of writing this surface to twelve significant digits.
     ///
@@ -39,9 +44,9 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// `overflow` when the numbers leave the range of numbers.
     fn canonical(self) -> Result<Self>;
 
-    /// How many modes have to be solved.
+    /// How many modes have to be solved; 0 of what has none, whose own limits are told when it is read.
     fn cost(&self) -> usize {
-        self.problem().n_modes()
+        self.problem().map_or(0, |problem| problem.n_modes())
     }
 
     /// Every number of waves that the document gives, with where it stands within the shape.
@@ -68,7 +73,7 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// # Errors
     /// `overflow`.
     fn finite(self) -> Result<Self> {
-        match self.problem().is_finite() {
+        match self.problem().is_none_or(|problem| problem.is_finite()) {
             true => Ok(self),
             false => {
                 let message = "these numbers are so large that their products cannot be computed";
@@ -80,6 +85,17 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// Writes its TypeScript declarations.
     #[cfg(feature = "typescript")]
     fn typescript(kind: &str, into: &mut String);
+}
+
+/// By which numbers a point of a shape is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Address {
+    /// `(u, v)`: `u` in [0, 1], `v` any number in the units of the span.
+    Surface,
+    /// `(patch, u, v)`: one of so many patches, `u` and `v` in [0, 1].
+    Patches(usize),
+    /// `(u, v, w)` within a solid, each in [0, 1].
+    Volume,
 }
 
 /// The parameters of a named family, and what a link of it starts from: the numbers of each.
@@ -137,8 +153,8 @@ impl<T: Expanded> Described for T {
     });
     const SPELLING: Option<Spelling> = Some(Spelling { names: T::NAMES, read: fields::spelled::<T> });
 
-    fn problem(&self) -> Cow<'_, BoundaryValue> {
-        Cow::Owned(self.boundary_value())
+    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
+        Some(Cow::Owned(self.boundary_value()))
     }
 
     fn canonical(mut self) -> Result<Self> {

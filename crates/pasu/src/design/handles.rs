@@ -63,7 +63,7 @@ answers! {
     pub struct Handles as "Handles" {
         /// Which end of `u` is the rim, that is the higher one.
         pub rim: End,
-        /// All four, from the rim to the foot.
+        /// All four, from the rim to the foot; none of a shape that has no profile.
         pub list: Vec<Handle>,
     }
 
@@ -100,6 +100,14 @@ impl Handles {
     #[inline]
     pub(super) fn new(is_start: bool, list: [Handle; 4]) -> Handles {
         Handles { rim: if is_start { End::Start } else { End::End }, list: list.into() }
+    }
+}
+
+impl Handles {
+    /// Those of a shape that has no profile.
+    #[inline]
+    pub(super) fn none() -> Handles {
+        Handles { rim: End::End, list: Vec::new() }
     }
 }
 

@@ -29,6 +29,18 @@ pub(crate) const RATE: f64 = 1e4;
 /// The same of a mode that swings between the boundaries, in radians: some thirty waves from foot to rim.
 pub(crate) const SWING: f64 = 200.0;
 
+/// The most patches of a network of vertex-frames.
+pub(crate) const PATCHES: usize = 100_000;
+
+/// The most vertices of one.
+pub(crate) const VERTICES: usize = 800_000;
+
+/// The most forces on one patch.
+pub(crate) const FORCES: usize = 64;
+
+/// The most harmonics of one coordinate of a closed section.
+pub(crate) const HARMONICS: usize = 512;
+
 /// The longest title or name, in characters.
 pub(crate) const CHARACTERS: usize = 200;
 

@@ -1,5 +1,6 @@
 //! The design document: what a person has chosen, as data.
 
+mod blend;
 mod boundary_value;
 mod ceramics;
 mod conversion;
@@ -38,11 +39,14 @@ mod text;
 mod typescript;
 mod unit;
 mod value;
+mod vertex_frame;
 mod wall;
 
+pub use blend::{Blend, Form, Harmonic, Method, Section};
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub(crate) use ceramics::Layer;
 pub use conversion::{Conversion, Loss, VaseOrder};
+pub(crate) use described::Address;
 pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub(crate) use fields::Dimension;
@@ -64,4 +68,5 @@ pub(crate) use text::write as to_json;
 pub use typescript::typescript;
 pub use unit::Unit;
 pub(crate) use value::Value;
+pub use vertex_frame::{Continuity, Falloff, Force, FramePatch, FrameRule, VertexFrame};
 pub use wall::{RimForm, Side, Wall};

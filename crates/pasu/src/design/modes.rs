@@ -21,8 +21,8 @@ impl Described for BoundaryValue {
     const FAMILY: Option<Family> = None;
     const SPELLING: Option<Spelling> = None;
 
-    fn problem(&self) -> Cow<'_, BoundaryValue> {
-        Cow::Borrowed(self)
+    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
+        Some(Cow::Borrowed(self))
     }
 
     /// The one way of writing this surface: numbers rounded, modes in ascending `n`, each `n` once, nothing that is 0.

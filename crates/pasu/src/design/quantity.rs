@@ -168,6 +168,15 @@ pub(super) fn maybe_positive<'de, D: Deserializer<'de>, Q: Quantity>(deserialize
     deserializer.deserialize_option(Maybe(Range::Positive, PhantomData))
 }
 
+/// Numbers of a range; when they are left out, these.
+pub(super) fn or<'de, D: Deserializer<'de>, Q: Quantity>(
+    deserializer: D,
+    range: Range,
+    start: Q,
+) -> Result<Q, D::Error> {
+    deserializer.deserialize_option(Maybe(range, PhantomData)).map(|given| given.unwrap_or(start))
+}
+
 /// Whatever may be left out and then has its default.
 pub(super) fn or_default<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(
     deserializer: D,
@@ -178,6 +187,16 @@ pub(super) fn or_default<'de, D: Deserializer<'de>, T: Deserialize<'de> + Defaul
 /// A whole number from 0 to `u32::MAX`; 0 when it is left out.
 pub(super) fn whole<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
     deserializer.deserialize_option(Whole)
+}
+
+/// A whole number from 0 to `u32::MAX` in a list.
+#[derive(Clone, Copy)]
+pub(super) struct Index(pub(super) u32);
+
+impl<'de> Deserialize<'de> for Index {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_f64(Whole).map(Index)
+    }
 }
 
 /// Whether a number need not be written.

@@ -12,7 +12,7 @@ use super::value::Value;
 use crate::error::{Code, Error, Result};
 
 /// The fields that say which of several groups of fields this is. A type that is told by one is an enum with its name.
-const TAGS: [&str; 2] = ["kind", "order"];
+const TAGS: [&str; 3] = ["kind", "order", "form"];
 
 /// Reads a type from a tree.
 pub(crate) fn read<'de, T: Deserialize<'de>>(value: &'de Value) -> Result<T> {

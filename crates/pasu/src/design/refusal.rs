@@ -9,7 +9,7 @@ use super::quantity::Range;
 use crate::error::{Code, Error};
 
 /// Kinds of shapes that the format has and this version cannot compute.
-const LATER: [&str; 3] = ["vertex-frame", "blend", "octant"];
+const LATER: [&str; 1] = ["octant"];
 
 /// Every refusal that a type can make while it is read: what was expected, and what was found in its place. The path begins where the error was made; what reads a
 /// list or a group of fields puts its own part before it (`Error::inside_field`, `Error::inside_item`).

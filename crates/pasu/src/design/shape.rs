@@ -4,14 +4,16 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::blend::Blend;
 use super::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use super::described::Family;
-use super::described::{Described, Spelling};
+use super::described::{Address, Described, Spelling};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
 use super::parameter::Parameter;
 use super::rings::Rings;
+use super::vertex_frame::VertexFrame;
 use super::{reader, text};
 use crate::error::Result;
 
@@ -60,10 +62,17 @@ macro_rules! shapes {
                 }
             }
 
-            /// The boundary-value problem without a copy of what stands in the document: the one place where families expand.
-            pub(crate) fn problem(&self) -> Cow<'_, BoundaryValue> {
+            /// The boundary-value problem without a copy of what stands in the document: the one place where families expand. `None` of a shape that is no surface between two ends.
+            pub(crate) fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
                 match self {
                     $( Shape::$kind(shape) => shape.problem(), )+
+                }
+            }
+
+            /// By which numbers a point of it is told.
+            pub(crate) fn address(&self) -> Address {
+                match self {
+                    $( Shape::$kind(shape) => shape.address(), )+
                 }
             }
 
@@ -157,6 +166,10 @@ shapes! {
     BoundaryValue = "boundary-value",
     /// `rings`: a pot by the radius and the height of its rings.
     Rings = "rings",
+    /// `vertex-frame`: four-sided patches through a network of points, W22.
+    VertexFrame = "vertex-frame",
+    /// `blend`: a solid that flows from one section into another, ZY04.
+    Blend = "blend",
 }
 
 /// A kind of shape.
@@ -193,17 +206,17 @@ impl Shape {
         reader::read::<Shape>(&text::read(text)?)?.finite()
     }
 
-    /// The boundary-value problem of this shape.
+    /// The boundary-value problem of this shape; `None` of one that is no surface between two ends.
     ///
     /// ```
     /// let vase = pasu::Design::parse("#1/bloor-wilson?a=3")?;
-    /// let problem = vase.parts()[0].shape.boundary_value();
+    /// let problem = vase.parts()[0].shape.boundary_value().expect("a vase has two ends");
     /// // s = 1, t = 2 a^2, w = a^4
     /// assert_eq!((problem.x.s, problem.x.t, problem.x.w), (1.0, 18.0, 81.0));
     /// # Ok::<(), pasu::Error>(())
     /// ```
-    pub fn boundary_value(&self) -> BoundaryValue {
-        self.problem().into_owned()
+    pub fn boundary_value(&self) -> Option<BoundaryValue> {
+        self.problem().map(Cow::into_owned)
     }
 }
 

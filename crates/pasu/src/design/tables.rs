@@ -84,6 +84,100 @@ pub(super) const WAVE: &[Entry] = &[
     optional("sin", "number", "How far as sin(n v); 0 when left out."),
 ];
 
+/// A network of vertex-frames.
+pub(super) const VERTEX_FRAME: &[Entry] = &[
+    required("kind", "\"vertex-frame\"", "Four-sided patches through a network of points."),
+    required("vertices", "readonly (readonly [number, number, number])[]", "The points, at most 800,000."),
+    required("patches", "readonly FramePatch[]", "1 to 100,000 patches."),
+    optional(
+        "rule",
+        "\"global\" | { readonly seed: number }",
+        "How the cubic terms of the edges are decided: by all patches of a strip, or by the first from a patch on; global when left out.",
+    ),
+    optional("continuity", "\"C0\"", "How smoothly patches meet; C0 when left out."),
+    optional(
+        "crease",
+        "number",
+        "Edges at which the surface turns by less than this angle are drawn as if it were smooth, in radians; 0.5 when left out. Not less than 0.",
+    ),
+];
+
+/// One patch of a network.
+pub(super) const FRAME_PATCH: &[Entry] = &[
+    required(
+        "frame",
+        "readonly [number, number, number, number, number, number, number, number]",
+        "The numbers of eight vertices: corners and middles of the edges in turn, from (u, v) = (0, 0) by way of (1, 0).",
+    ),
+    optional("a1", "readonly [number, number, number]", "Shape control parameters of X_uu; 1 when left out."),
+    optional("a2", "readonly [number, number, number]", "Shape control parameters of X_vv; 1 when left out."),
+    optional("forces", "readonly Force[]", "Sculpting forces, which add up; at most 64."),
+];
+
+/// What sculpts a patch.
+pub(super) const FORCE: &[Entry] = &[
+    required("f0", "readonly [number, number, number]", "How strong it is."),
+    optional("u", "readonly [number, number]", "From where to where along u, ascending; 0 to 1 when left out."),
+    optional("v", "readonly [number, number]", "From where to where along v, ascending; 0 to 1 when left out."),
+    optional("falloff", "Falloff", "How it falls off towards the rim of that rectangle; sine when left out."),
+];
+
+/// A solid between two sections.
+pub(super) const BLEND: &[Entry] = &[
+    required("kind", "\"blend\"", "A solid that flows from one section into another."),
+    required("start", "Section", "The section at w = 0."),
+    required("end", "Section", "The section at w = 1."),
+    optional(
+        "method",
+        "Method",
+        "How it is solved; exact between two closed sections when left out, and modal between others.",
+    ),
+    optional(
+        "terms",
+        "readonly [number, number, number]",
+        "How many terms along u, v and w: at most 256, 256 and 64; 4, 4, 3 when left out.",
+    ),
+    optional(
+        "weights",
+        "readonly [number, number, number]",
+        "The weights of the three directions, above 0; 1 when left out.",
+    ),
+];
+
+const LEVEL: Entry = required("z", "number", "Its height.");
+const TAPER: Entry = required("taper", "number", "Its tangents in x and y, in parts of the position.");
+const DZ: Entry = required("dz", "number", "Its tangents in z.");
+
+/// A section of one of the forms of ZY04.
+pub(super) const SECTION: &[Entry] = &[
+    required(
+        "form",
+        "\"rectangle\" | \"rectangle-reversed\" | \"disc\" | \"disc-in-square\"",
+        "What it is bounded by, and how u and v run over it.",
+    ),
+    required("radius", "readonly [number, number]", "Half its width and half its depth, above 0."),
+    LEVEL,
+    TAPER,
+    DZ,
+];
+
+/// A section within a closed curve.
+pub(super) const OUTLINE_SECTION: &[Entry] = &[
+    required("form", "\"outline\"", "A closed curve, which u draws together towards its mean."),
+    required("x", "readonly Harmonic[]", "The Fourier series of x."),
+    required("y", "readonly Harmonic[]", "The Fourier series of y."),
+    LEVEL,
+    TAPER,
+    DZ,
+];
+
+/// One harmonic of such a curve.
+pub(super) const HARMONIC: &[Entry] = &[
+    required("n", "number", "How often it goes up and down round the curve: whole, 0 for the mean."),
+    optional("cos", "number", "How far as cos(2 pi n v); 0 when left out."),
+    optional("sin", "number", "How far as sin(2 pi n v); 0 when left out."),
+];
+
 const S: Entry = required("s", "number", "Shape control parameter of the highest u derivative; not 0.");
 const START: Entry = optional("start", "number", "Value at u = 0.");
 const END: Entry = optional("end", "number", "Value at u = 1.");

@@ -62,8 +62,11 @@ mod tests {
     use crate::design::boundary_value::{BoundaryValue, Component};
     use crate::design::ring::Ring;
     use crate::design::rings::{Hoop, Rings, Series, Slopes, Wave};
-    use crate::design::tables::{BOUNDARY_VALUE, Entry, FOURTH, HOOP, RING, RINGS_KIND, SECOND, SERIES, SLOPES, WAVE};
-    use crate::design::{Look, Part, Value, Wall, reader};
+    use crate::design::tables::{
+        BLEND, BOUNDARY_VALUE, Entry, FORCE, FOURTH, FRAME_PATCH, HARMONIC, HOOP, OUTLINE_SECTION, RING, RINGS_KIND,
+        SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
+    };
+    use crate::design::{Blend, Force, FramePatch, Harmonic, Look, Part, Section, Value, VertexFrame, Wall, reader};
 
     /// The fields that a type is read from, as its refusal of another says.
     fn fields<T: DeserializeOwned>(tag: Option<(&str, Value)>) -> String {
@@ -90,6 +93,13 @@ mod tests {
         check::<Slopes>(SLOPES, None);
         check::<Series>(SERIES, None);
         check::<Wave>(WAVE, None);
+        check::<VertexFrame>(&VERTEX_FRAME[1..], None);
+        check::<FramePatch>(FRAME_PATCH, None);
+        check::<Force>(FORCE, None);
+        check::<Blend>(&BLEND[1..], None);
+        check::<Harmonic>(HARMONIC, None);
+        check::<Section>(SECTION, Some(("form", Value::Text("disc".into()))));
+        check::<Section>(OUTLINE_SECTION, Some(("form", Value::Text("outline".into()))));
         check::<Component>(SECOND, Some(("order", Value::Number(2.0))));
         check::<Component>(FOURTH, Some(("order", Value::Number(4.0))));
     }

@@ -1,5 +1,6 @@
 //! Files: what slicers, CAD programs, viewers and potters accept, at the right size.
 
+mod cells;
 mod coats;
 mod contents;
 mod crc32;
@@ -23,6 +24,7 @@ mod write;
 mod xml;
 mod zip;
 
+pub use cells::{CellsFormat, cells_file};
 pub use drawn::{Drawn, DrawnFace, drawn};
 pub use obj::obj_materials;
 pub use open::{open, provenance};

@@ -9,11 +9,11 @@ use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::face::Face;
-use crate::make::{Making, Report, Severity, Size, make, verdict};
+use crate::make::{Finished, Making, Report, Severity, Size, make, verdict};
 use crate::solid::Pot;
 use crate::solution::{Placed, Solution};
 use crate::watch;
-use crate::weave::{Made, SolidMesh};
+use crate::weave::SolidMesh;
 
 /// STEP surfaces keep this part of the size of each part as their tolerance, or the tolerance asked for if that is less: a micrometre on a pot of 10 cm.
 const STEP_TOLERANCE: f64 = 1e-5;
@@ -70,8 +70,9 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     let mut made = Vec::with_capacity(solution.n_parts());
     let wanted = solution.parts_of(making.product);
     for (index, &part) in wanted.iter().enumerate() {
-        // A shape without foot and rim has no wall; STEP takes its patches as they are.
-        if format != Format::Step || solution.part(part)?.solved().wall().is_some() {
+        // A shape without foot and rim has no wall; STEP takes its patches as they are, also where they do not close.
+        let solved = solution.part(part)?.solved();
+        if format != Format::Step || solved.wall().is_some() || solved.is_closed() {
             let one = || make(solution, part, making, millimetres);
             made.push(watch::between(0.0, MAKING, || watch::share(index, wanted.len(), one))?);
         }
@@ -107,11 +108,11 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
             for &part in &wanted {
                 let placed = solution.part(part)?;
                 let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
-                    Some((Made { pot, .. }, body)) => {
+                    Some((Finished { pot: Some(pot), .. }, body)) => {
                         let faces = pot.faces().iter().map(|face| face as &dyn Face);
                         (step::Boundary::Faces(faces.collect()), size(body))
                     }
-                    None => (step::Boundary::Patches(placed), millimetres * extent(placed)),
+                    _ => (step::Boundary::Patches(placed), millimetres * extent(placed)),
                 };
                 parts.push(step::Part {
                     name: named(design, &notes.title, part),
@@ -130,8 +131,16 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
 }
 
 /// A template of what was made.
-fn drawing(notes: &Notes, bodies: &[Body], made: &[Made], paper: Option<Paper>) -> Result<Vec<u8>> {
-    let stands: Vec<Stand> = made.iter().map(|made| stand(&made.pot, notes.millimetres)).collect();
+fn drawing(notes: &Notes, bodies: &[Body], made: &[Finished], paper: Option<Paper>) -> Result<Vec<u8>> {
+    let standing = |made: &Finished| match &made.pot {
+        Some(pot) => Ok(stand(pot, notes.millimetres)),
+        None => {
+            let message =
+                "a template is of a pot with foot and rim, and this part has neither: expected another format";
+            Err(Error::new(Code::UnsupportedShape, made.path("shape"), message).with("what", "no-ends"))
+        }
+    };
+    let stands = made.iter().map(standing).collect::<Result<Vec<Stand>>>()?;
     for ((body, stand), made) in bodies.iter().zip(&stands).zip(made) {
         on_paper(&notes.making, made.mesh.part, template::reach(body, stand))?;
     }

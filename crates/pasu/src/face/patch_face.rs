@@ -66,7 +66,7 @@ impl Face for PatchFace {
     }
 
     fn outward(&self) -> f64 {
-        if self.placed.is_forwards() { 1.0 } else { -1.0 }
+        if self.placed.is_forwards(self.patch) { 1.0 } else { -1.0 }
     }
 
     fn is_closed(&self) -> bool {

@@ -1,6 +1,6 @@
 //! How a pot of rings answers to its numbers: its surface is linear in them.
 
-use crate::design::{Hoop, Rings, Series, Shape, Slopes, Wave};
+use crate::design::{Hoop, Rings, Series, Slopes, Wave};
 use crate::error::Result;
 use crate::surface::Surface;
 
@@ -29,7 +29,7 @@ impl Curves {
         let unit = |index: usize, series: fn(f64) -> Series| {
             let numbers: Vec<f64> = (0..n).map(|other| if other == index { 1.0 } else { 0.0 }).collect();
             let pot = pot(a, places, &|number| series(numbers[number]), &|number| series(numbers[number]));
-            Surface::solve(&Shape::Rings(pot).problem(), "")
+            Surface::solve(&pot.boundary_value(), "")
         };
         let mean = (0..n).map(|index| unit(index, plain)).collect::<Result<_>>()?;
         let wave =

@@ -111,7 +111,7 @@ impl<'a> Search<'a> {
     fn run(mut self) -> Result<Option<(Rings, f64)>> {
         loop {
             let Some(rings) = self.rings() else { return Ok(None) };
-            let fitted = Surface::solve(&Shape::Rings(rings.clone()).problem(), "")?;
+            let fitted = Surface::solve(&rings.boundary_value(), "")?;
             let Some(off) = self.off(&fitted) else { return Ok(None) };
             let distance = off.between.iter().fold(off.on, |most, off| most.max(*off));
             if distance <= self.tolerance {

@@ -243,7 +243,7 @@ impl<'a> Search<'a> {
             .collect();
         let mut rings = self.solved(&curves, places, &samples)?;
         for _ in 0..ROUNDS {
-            let surface = Surface::solve(&Shape::Rings(rings.clone()).problem(), "")?;
+            let surface = Surface::solve(&rings.boundary_value(), "")?;
             for (index, side) in samples.iter_mut().enumerate() {
                 for (u, point) in side.iter_mut() {
                     *u = nearest(&surface, index, *u, *point, places);
@@ -325,7 +325,7 @@ impl<'a> Search<'a> {
 
     /// The largest distance from one to the other, either way, from each ring to the next.
     fn off(&self, rings: &Rings, places: &[Place], n: usize) -> Result<Vec<f64>> {
-        let surface = Surface::solve(&Shape::Rings(rings.clone()).problem(), "")?;
+        let surface = Surface::solve(&rings.boundary_value(), "")?;
         let mut between = vec![0.0f64; places.len() - 1];
         for (index, side) in self.sides.iter().enumerate() {
             let shown = (0..=2 * n).map(|i| i as f64 / (2 * n) as f64);

@@ -1,21 +1,21 @@
 //! A ring and a drain that are not those that were asked for.
 
+use super::made::Finished;
 use super::remedy::Remedy;
 use super::report::{Finding, Severity};
 use crate::design::Design;
 use crate::error::Args;
-use crate::solid::short;
-use crate::weave::Made;
+use crate::solid::{Pot, short};
 
 /// What of a wall was fitted to what there is room for, with the wall that says so.
-pub(super) fn findings(made: &Made, design: &Design) -> Vec<Finding> {
-    let part = made.pot.part();
+pub(super) fn findings(made: &Finished, design: &Design) -> Vec<Finding> {
+    let part = made.mesh.part;
     let asked = design.parts().get(part).and_then(|part| part.wall);
-    let Some((asked, wall)) = asked.zip(made.pot.wall()) else { return Vec::new() };
-    let path = made.pot.skin().placed().path("wall");
+    let Some((asked, wall)) = asked.zip(made.pot.as_ref().and_then(Pot::wall)) else { return Vec::new() };
+    let path = made.path("wall");
     let found = |code, field, message, args| {
         let path = Some(format!("{path}.{field}"));
-        let remedy = Some(Remedy::of(made.pot.skin().placed().path("wall"), &asked, wall));
+        let remedy = Some(Remedy::of(made.path("wall"), &asked, wall));
         Finding { code, severity: Severity::Warning, part, path, message, args, at: None, remedy }
     };
     let ring = asked.foot.zip(wall.foot).filter(|(asked, made)| asked != made).map(|(asked, made)| {

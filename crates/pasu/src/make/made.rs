@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use super::making::Making;
+use crate::check::Topology;
 use crate::design::Design;
 use crate::error::Result;
-use crate::solid::{Product, Skin};
+use crate::solid::{Pot, Product, Skin};
 use crate::solution::Solution;
 use crate::watch;
-use crate::weave::{Made, SolidMesh, grid, refuse_crossing};
+use crate::weave::{Made, SolidMesh, closed_patches, grid, refuse_crossing};
 
 /// The closed mesh of each part that the product is made of, in millimetres, after size and shrinkage.
 ///
@@ -53,10 +54,12 @@ impl Solution {
         parts.iter().enumerate().map(made).collect()
     }
 
-    /// The parts that a product is made of: all, but for pots those with a wall if any has one.
+    /// The parts that a product is made of: all, but for pots those with a wall if any has one, and what closes without one.
     pub(crate) fn parts_of(&self, product: Product) -> Vec<usize> {
         let all = 0..self.n_parts();
-        let has_wall = |part: &usize| self.design().parts().get(*part).is_some_and(|part| part.wall.is_some());
+        let is_solid = |part: usize| self.part(part).is_ok_and(|placed| placed.solved().is_closed());
+        let has_wall =
+            |part: &usize| self.design().parts().get(*part).is_some_and(|part| part.wall.is_some()) || is_solid(*part);
         if product == Product::Pot && all.clone().any(|part| has_wall(&part)) {
             all.filter(has_wall).collect()
         } else {
@@ -65,16 +68,44 @@ impl Solution {
     }
 }
 
+/// One part as it is made.
+pub(crate) struct Finished {
+    pub(crate) mesh: SolidMesh,
+    pub(crate) topology: Topology,
+    /// The tolerance that was asked for, where the mesh does not keep it.
+    pub(crate) unkept: Option<f64>,
+    /// The faces of a pot; `None` of patches that go round a body as they are.
+    pub(crate) pot: Option<Pot>,
+}
+
+impl Finished {
+    /// Where something of the part is in the design.
+    pub(crate) fn path(&self, field: &str) -> String {
+        format!("parts[{}].{field}", self.mesh.part)
+    }
+}
+
+impl From<Made> for Finished {
+    fn from(Made { mesh, pot, topology, unkept }: Made) -> Self {
+        Finished { mesh, topology, unkept, pot: Some(pot) }
+    }
+}
+
 /// One part of [`solid`]; `scale` is from model units to millimetres.
 ///
 /// # Errors
 /// As [`solid`].
-pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Made> {
-    let skin = Arc::new(Skin::new(solution.workable(part)?)?);
+pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Finished> {
+    let placed = if making.product == Product::Pot { solution.walled(part)? } else { solution.workable(part)? };
+    if placed.solved().wall().is_none() {
+        let (topology, mesh) = closed_patches(placed, making.tolerance, scale)?;
+        return Ok(Finished { mesh, topology, unkept: None, pot: None });
+    }
+    let skin = Arc::new(Skin::new(placed)?);
     let usual = grid(&skin, None, None)?.bound;
     if making.tolerance.is_some_and(|asked| asked > usual) {
         refuse_crossing(&skin, None, scale)?;
     }
     refuse_crossing(&skin, making.tolerance, scale)?;
-    solution.settled(part, making.product)?.made(making.tolerance, scale)
+    solution.settled(part, making.product)?.made(making.tolerance, scale).map(Finished::from)
 }

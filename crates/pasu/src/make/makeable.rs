@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::craft::Craft;
+use super::made::Finished;
 use super::report::{Finding, Severity};
 use crate::error::Args;
 use crate::face::FaceKind;
 use crate::measure::{hull, lean, least_width};
 use crate::solid::{place, short};
-use crate::weave::Made;
 
 /// The degrees that a wall may lean out over what is below it and be printed without support.
 const SUPPORTED: f64 = 45.0;
@@ -21,7 +21,7 @@ const SHARE: f64 = 1e-3;
 
 /// What stands in the way of making one part by a craft; `millimetres` is how many a model unit has. Where no craft is asked for it is that of a printer, and nothing is worse than a warning: not everything that is written is to be
 /// printed.
-pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> Vec<Finding> {
+pub(super) fn findings(made: &Finished, craft: Option<Craft>, millimetres: f64) -> Vec<Finding> {
     let by = craft.unwrap_or(Craft::Print);
     let mut found = Vec::new();
     found.extend(too_thin(made, by, craft.is_some(), millimetres));
@@ -36,16 +36,14 @@ pub(super) fn findings(made: &Made, craft: Option<Craft>, millimetres: f64) -> V
     found
 }
 
-fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
-    if !made.pot.has_wall() {
-        return None;
-    }
-    let thinnest = made.pot.thickness().0 * millimetres;
+fn too_thin(made: &Finished, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
+    let pot = made.pot.as_ref().filter(|pot| pot.has_wall())?;
+    let thinnest = pot.thickness().0 * millimetres;
     let [least, safe] = craft.thinnest();
     if !(thinnest < safe) {
         return None;
     }
-    let at = made.pot.thinned().map(|(_, at)| at);
+    let at = pot.thinned().map(|(_, at)| at);
     let somewhere = at.map_or(String::new(), |at| format!(" at {}", place(at)));
     let why = match (craft, thinnest < least) {
         (Craft::Print, true) => {
@@ -57,14 +55,14 @@ fn too_thin(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Opti
     };
     let severity = severity(is_asked && thinnest < least);
     let message = format!("the wall is only {} mm thick{somewhere}: {why}", short(thinnest));
-    let (part, path) = (made.pot.part(), path(made, "wall.thickness"));
+    let (part, path) = (made.mesh.part, path(made, "wall.thickness"));
     let args = thin_args(craft, thinnest, [least, safe]);
     let at = at.map(|at| at.to_array());
     Some(Finding { code: "too-thin", severity, part, path, message, args, at, remedy: None })
 }
 
-fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
-    let thickness = made.pot.base()? * millimetres;
+fn too_thin_base(made: &Finished, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
+    let thickness = made.pot.as_ref()?.base()? * millimetres;
     let [least, safe] = craft.thinnest_base();
     if !(thickness < safe) {
         return None;
@@ -77,7 +75,7 @@ fn too_thin_base(made: &Made, craft: Craft, is_asked: bool, millimetres: f64) ->
     };
     let severity = severity(is_asked && thickness < least);
     let message = format!("the base is only {} mm thick: {why}", short(thickness));
-    let (part, path) = (made.pot.part(), path(made, "wall.base"));
+    let (part, path) = (made.mesh.part, path(made, "wall.base"));
     let args = thin_args(craft, thickness, [least, safe]);
     Some(Finding { code: "thin-base", severity, part, path, message, args, at: None, remedy: None })
 }
@@ -94,8 +92,8 @@ fn thin_args(craft: Craft, thickness: f64, [least, safe]: [f64; 2]) -> Args {
     lengths.into_iter().map(|(name, length)| (name, length.into())).chain([("what", what.into())]).collect()
 }
 
-fn path(made: &Made, field: &str) -> Option<String> {
-    Some(made.pot.skin().placed().path(field))
+fn path(made: &Finished, field: &str) -> Option<String> {
+    Some(made.path(field))
 }
 
 fn severity(is_impossible: bool) -> Severity {
@@ -103,7 +101,7 @@ fn severity(is_impossible: bool) -> Severity {
 }
 
 /// The corners of the triangles of one kind of face, in millimetres.
-fn triangles(made: &Made, kind: FaceKind) -> impl Iterator<Item = [DVec3; 3]> + '_ {
+fn triangles(made: &Finished, kind: FaceKind) -> impl Iterator<Item = [DVec3; 3]> + '_ {
     let mesh = &made.mesh;
     let point = |vertex: u32| {
         let from = 3 * vertex as usize;
@@ -122,7 +120,7 @@ fn sized_lean([a, b, c]: [DVec3; 3]) -> (f64, f64) {
 }
 
 /// The steepest of the triangles of one kind of face that lean out further than can be printed.
-fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option<Finding> {
+fn overhang(made: &Finished, kind: FaceKind, side: &str, millimetres: f64) -> Option<Finding> {
     let (mut area, mut hanging, mut steepest) = (0.0, 0.0, (SUPPORTED, DVec3::ZERO));
     for corners in triangles(made, kind) {
         let (size, degrees) = sized_lean(corners);
@@ -144,12 +142,12 @@ fn overhang(made: &Made, kind: FaceKind, side: &str, millimetres: f64) -> Option
         place(at)
     );
     let args = Args::from([("what", side.into()), ("degrees", degrees.into()), ("greatest", SUPPORTED.into())]);
-    let (part, severity, at) = (made.pot.part(), Severity::Note, Some(at.to_array()));
+    let (part, severity, at) = (made.mesh.part, Severity::Note, Some(at.to_array()));
     Some(Finding { code: "overhang", severity, part, path: path(made, "shape"), message, args, at, remedy: None })
 }
 
 /// What is built over air beneath a pot: the base within a foot ring, from one side of the ring to the other, and the underside of a pot that is tilted.
-fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
+fn ceiling(made: &Finished, kind: FaceKind, millimetres: f64) -> Option<Finding> {
     let ground = made.mesh.positions.iter().skip(2).step_by(3).fold(f32::INFINITY, |least, z| least.min(*z));
     let ground = f64::from(ground);
     let is_over_air = |corners: &[DVec3; 3]| {
@@ -175,7 +173,7 @@ fn ceiling(made: &Made, kind: FaceKind, millimetres: f64) -> Option<Finding> {
         args.extend([("what", "underside".into())]);
         (message, highest, "place")
     };
-    let (part, severity, at) = (made.pot.part(), Severity::Note, Some((at / millimetres).to_array()));
+    let (part, severity, at) = (made.mesh.part, Severity::Note, Some((at / millimetres).to_array()));
     Some(Finding { code: "ceiling", severity, part, path: path(made, field), message, args, at, remedy: None })
 }
 

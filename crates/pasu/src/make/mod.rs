@@ -2,6 +2,7 @@
 
 mod craft;
 mod fitted;
+mod folded;
 mod made;
 mod makeable;
 mod making;
@@ -14,8 +15,8 @@ mod typescript;
 mod verdict;
 
 pub use craft::Craft;
-pub(crate) use made::make;
 pub use made::solid;
+pub(crate) use made::{Finished, make};
 pub use making::{Making, Scale, Size};
 pub use remedy::Remedy;
 pub use report::{Finding, MeshReport, Report, Severity};

@@ -1,7 +1,8 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
 use super::fitted;
-use super::made::make;
+use super::folded;
+use super::made::{Finished, make};
 use super::makeable;
 use super::making::Making;
 use super::remedy::remedy;
@@ -9,10 +10,10 @@ use super::report::{Finding, MeshReport, Report, Severity};
 use super::together;
 use crate::design::Design;
 use crate::error::{Args, Code, Result};
-use crate::solid::{place, short};
+use crate::solid::{Pot, place, short};
 use crate::solution::Solution;
 use crate::watch;
-use crate::weave::{Made, SolidMesh};
+use crate::weave::SolidMesh;
 
 /// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for, such as a ring that was fitted. A part without a wall is left out of the pots with a warning, where another part has one.
 ///
@@ -53,7 +54,12 @@ impl Solution {
             }
             let one = || make(self, part, making, scale);
             match watch::between(0.0, MAKING, || watch::share(part, self.n_parts(), one)) {
-                Ok(one) => made.push(one),
+                Ok(one) => {
+                    if one.pot.is_none() {
+                        refused.extend(folded::finding(self.part(part)?));
+                    }
+                    made.push(one);
+                }
                 Err(error) => {
                     n_remedies += 1;
                     let remedy = if n_remedies <= REMEDIES { remedy(self, part, making, scale, &error) } else { None };
@@ -87,7 +93,7 @@ pub(crate) fn verdict(
     making: &Making,
     millimetres: f64,
     refused: Vec<Finding>,
-    made: &[Made],
+    made: &[Finished],
 ) -> Report {
     let mut findings = refused;
     for one in made {
@@ -106,7 +112,7 @@ pub(crate) fn verdict(
     Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
 }
 
-fn counted(Made { mesh, pot, topology, .. }: &Made) -> MeshReport {
+fn counted(Finished { mesh, pot, topology, .. }: &Finished) -> MeshReport {
     MeshReport {
         part: mesh.part,
         vertices: mesh.n_vertices(),
@@ -116,13 +122,13 @@ fn counted(Made { mesh, pot, topology, .. }: &Made) -> MeshReport {
         degenerate: 0,
         crossings: 0,
         bound: mesh.bound,
-        thinned: pot.thinned().map_or(0.0, |(share, _)| share),
-        thinnest: pot.has_wall().then(|| pot.thickness().0),
+        thinned: pot.as_ref().and_then(Pot::thinned).map_or(0.0, |(share, _)| share),
+        thinnest: pot.as_ref().filter(|pot| pot.has_wall()).map(|pot| pot.thickness().0),
     }
 }
 
-fn thinned(made: &Made) -> Option<Finding> {
-    let pot = &made.pot;
+fn thinned(made: &Finished) -> Option<Finding> {
+    let pot = made.pot.as_ref()?;
     let (share, at) = pot.thinned()?;
     let message = format!(
         "the wall had to be thinned to {} at {}, where the surface bends more tightly or comes closer to itself than the wall is thick; {} % of it is thinner than asked for",
@@ -137,7 +143,7 @@ fn thinned(made: &Made) -> Option<Finding> {
 }
 
 /// A tolerance that is not kept is told; what keeps it is the mesh of the surface, but the wall on it may bend more sharply than any mesh follows.
-fn unkept(made: &Made) -> Option<Finding> {
+fn unkept(made: &Finished) -> Option<Finding> {
     let asked = made.unkept?;
     let message = format!(
         "the triangles come within {} of the wall, not within {} as asked for: its other side bends too sharply for that",
@@ -146,5 +152,5 @@ fn unkept(made: &Made) -> Option<Finding> {
     );
     let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
     let args = Args::from([("what", "unkept".into()), ("bound", made.mesh.bound.into()), ("asked", asked.into())]);
-    Some(Finding { code, severity, part: made.pot.part(), path, message, args, at: None, remedy: None })
+    Some(Finding { code, severity, part: made.mesh.part, path, message, args, at: None, remedy: None })
 }

@@ -74,6 +74,11 @@ pub(crate) struct Spot {
     pub(crate) face: FaceKind,
 }
 
+/// More faces than any pot has are those of a network: together they are sampled at so many places at most, each along no fewer lines than see the curve of a polynomial.
+const FEW_FACES: usize = 16;
+const MOST_PLACES: usize = 400_000;
+const LEAST_LINES: usize = 5;
+
 /// How far from an end the places are from which a limit is taken.
 const BESIDE: f64 = 1e-4;
 
@@ -90,10 +95,14 @@ pub(crate) fn columns(highest: f64) -> usize {
 
 impl<'a> Outside<'a> {
     pub(crate) fn new(faces: impl IntoIterator<Item = &'a dyn Face>, highest: f64) -> Outside<'a> {
-        let columns = columns(highest);
+        let faces: Vec<&'a dyn Face> = faces.into_iter().collect();
+        // Of a network of many patches each is a small part.
+        let share = if faces.len() > FEW_FACES { MOST_PLACES / faces.len() } else { usize::MAX };
+        let most_rows = (libm::sqrt(share as f64) as usize).max(LEAST_LINES);
+        let columns = columns(highest).min((share / most_rows).max(LEAST_LINES));
         let sampled = |face: &'a dyn Face| {
             let rows = match face.kind() {
-                FaceKind::Outer | FaceKind::Lining => 49,
+                FaceKind::Outer | FaceKind::Lining => 49.min(most_rows),
                 FaceKind::Rim => 9,
                 // Straight from one curve to another.
                 _ => 3,

@@ -10,7 +10,6 @@ use crate::design::Design;
 use crate::error::Result;
 use crate::face::Face;
 use crate::mesh::{MeshOptions, Places, grid_places};
-use crate::patch::Patch;
 use crate::solid::Product;
 use crate::solution::{Placed, Solution};
 use crate::watch;
@@ -110,9 +109,10 @@ fn painted(solution: &Solution, map: Map, options: &MeshOptions) -> Result<Vec<f
                 }
             }
             (Places::Patches(lines), _) => {
-                for (patch, [rows, columns]) in placed.solved().patches().iter().zip(lines) {
+                for (patch, [rows, columns]) in lines.iter().enumerate() {
+                    watch::go_on()?;
                     let places = rows.iter().flat_map(|u| columns.iter().map(move |v| (*u, *v)));
-                    values.extend(places.map(|(u, v)| single(of_patch(map, placed, *patch, u, v))));
+                    values.extend(places.map(|(u, v)| single(of_patch(map, placed, patch, u, v))));
                 }
             }
             (Places::Fourier { rows, columns }, None) => {
@@ -124,8 +124,9 @@ fn painted(solution: &Solution, map: Map, options: &MeshOptions) -> Result<Vec<f
 }
 
 /// A curvature or the overhang of a patch that is no side of a wall; beside a pole in its stead.
-fn of_patch(map: Map, placed: &Placed, patch: &dyn Patch, u: f64, v: f64) -> f64 {
-    let outward = if placed.is_forwards() { 1.0 } else { -1.0 };
+fn of_patch(map: Map, placed: &Placed, patch: usize, u: f64, v: f64) -> f64 {
+    let outward = if placed.is_forwards(patch) { 1.0 } else { -1.0 };
+    let patch = placed.solved().patch(patch);
     let at = |u: f64| {
         let jet = placed.place(&patch.jet(u, v));
         match map {

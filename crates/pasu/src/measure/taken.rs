@@ -38,7 +38,9 @@ impl Taken {
         let surface = match Bare::new(placed) {
             Some(bare) => Naked::Upright { inside: bare.inside(), bare },
             None => {
-                let is_closed = placed.solved().is_closed();
+                // What is to have a wall is no solid.
+                let is_hollow = product == Product::Pot && solution.existing(index)?.1.wall.is_some();
+                let is_closed = placed.solved().is_closed() && !is_hollow;
                 let patches = PatchFace::all(placed);
                 let folded = patches.iter().filter(|patch| !patch.is_closed()).cloned().map(Folded).collect();
                 Naked::Patches { patches, folded, is_closed }

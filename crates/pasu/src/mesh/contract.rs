@@ -9,11 +9,13 @@ pub const VERTEX_LIMIT: usize = 16_000_000;
 /// `v_j = j span / (columns - 1)`. Where the number of rows is given, `u_i = i / (rows - 1)`; where it is chosen, rows are also placed, from 0 to 1, closer where the surface bends more along
 /// `u`, and `uvs` tell where they are. The last column of a closed surface repeats the first, bit for bit in position and normal, so that `uvs` can run from 0 to 1.
 ///
+/// A part that is a network of patches is such a grid for each of them, patch by patch; where rows and columns are given, each has its share of their product, as many rows as columns and at least 3. Patches have the same lines across a side that they share and the same bits along it, so that each has the lines of its neighbours besides its own.
+///
 /// - `positions`: `x, y, z` per vertex; with [`MeshOptions::tolerance`] the exact solution in `f64`, rounded once. Otherwise summed in `f32` where 2.5 standard deviations of what that rounds
 ///   are within 5e-7 of the largest coordinate, and in `f64` where many harmonics cancel. The deviation is that of all terms at their amplitudes at once, twice what it is at a vertex in the mean. This is an estimate
 ///   and no proof: no vertex is known that is off by more.
 /// - `normals`: unit vectors, `X_u x X_v` normalised and turned to point out of the pot, off by no more than 1e-6 radians in the same sense; at a pole or a cusp the limit from the
-///   inside of the surface. Where `X_u` and `X_v` are too nearly parallel for `f32` a normal is formed in `f64`.
+///   inside of the surface. Where patches of a network meet at less than its crease angle they have the mean of both. Where `X_u` and `X_v` are too nearly parallel for `f32` a normal is formed in `f64`.
 /// - `uvs`: `u`, `v / span` per vertex, both in [0, 1].
 /// - `indices`: three per triangle, counter-clockwise seen from outside. Where a row shrinks to a point its triangles have no area.
 /// - `groups`: triples (first index, number of indices, part).

@@ -34,6 +34,11 @@ impl<'a> Grids<'a> {
         })
     }
 
+    /// Patches cut into so many pieces between their knots, both ways.
+    pub(super) fn pieces(placed: &'a Placed, pieces: usize) -> Grids<'a> {
+        Grids::Patches(PatchGrids::pieces(placed, pieces))
+    }
+
     /// The numbers of rows and columns; of patches those of all together in one row.
     pub(super) fn counts(&self) -> [f64; 2] {
         match self {

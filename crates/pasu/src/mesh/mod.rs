@@ -12,9 +12,11 @@ mod patches;
 mod profile;
 mod promise;
 mod sample;
+mod seams;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 pub(crate) use grids::Places;
+pub(crate) use patches::{Welded, welded};
 pub use sample::{Sampler, bound, mesh};
 pub(crate) use sample::{exact_mesh, grid_places, places};

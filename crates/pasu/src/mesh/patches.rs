@@ -6,12 +6,13 @@ use glam::{DMat3, DVec3};
 use xxhash_rust::xxh64::Xxh64;
 
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
-use super::grid::append_triangles;
+use super::grid::append_patch;
 use super::normal::cofactors;
+use super::seams::{Seams, along_side};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
-use crate::patch::{Cell, Lines, Patch, Side, deviation_of, lines_within};
+use crate::patch::{Cell, Lines, Patch, Side, Spread, deviation_of, lines_within};
 use crate::solution::Placed;
 
 /// One part, ready to be sampled patch by patch. Sums are in double precision and rounded once.
@@ -38,8 +39,13 @@ impl<'a> PatchGrids<'a> {
         // Half a unit in the last place in each of three directions.
         let rounding = (size + placed.shift().length()) * f64::from(f32::EPSILON);
         let too_fine = |message: String| Error::new(Code::ToleranceTooFine, "tolerance", message);
-        let lines = match (options.rows, options.columns) {
-            (Some(rows), Some(columns)) => vec![Lines::even(rows, columns); patches.len()],
+        let beyond = || {
+            let message = format!("more than {VERTEX_LIMIT} vertices are needed for it; ask for a coarser tolerance");
+            Error::new(Code::TooLarge, placed.own_path(), message).with("greatest", VERTEX_LIMIT)
+        };
+        let [rows, columns] = share_of(options, patches.len()).ok_or_else(beyond)?;
+        let lines = match (rows, columns) {
+            (Some(rows), Some(columns)) => Lines::even_of(&patches, rows, columns),
             (rows, columns) => {
                 let tolerance = options.tolerance.unwrap_or(DEFAULT_FINENESS * size + rounding);
                 if !(tolerance > rounding) {
@@ -50,11 +56,7 @@ impl<'a> PatchGrids<'a> {
                     )));
                 }
                 let found = lines_within(&patches, stretch, tolerance - rounding, VERTEX_LIMIT);
-                let Some(mut lines) = found else {
-                    let message =
-                        format!("more than {VERTEX_LIMIT} vertices are needed for it; ask for a coarser tolerance");
-                    return Err(Error::new(Code::TooLarge, placed.own_path(), message));
-                };
+                let mut lines = found.ok_or_else(beyond)?;
                 for lines in &mut lines {
                     let even = Lines::even(rows.unwrap_or(lines.u.len()), columns.unwrap_or(lines.v.len()));
                     if rows.is_some() {
@@ -64,6 +66,8 @@ impl<'a> PatchGrids<'a> {
                         lines.v = even.v;
                     }
                 }
+                // What is given in one direction meets what was chosen in the other.
+                Lines::share(&patches, &mut lines);
                 lines
             }
         };
@@ -79,6 +83,11 @@ impl<'a> PatchGrids<'a> {
         Ok(PatchGrids { placed, lines, bound: bound.filter(|bound| bound.is_finite()) })
     }
 
+    /// Cut into so many pieces between their knots, both ways.
+    pub(super) fn pieces(placed: &'a Placed, pieces: usize) -> PatchGrids<'a> {
+        PatchGrids { placed, lines: Lines::pieces_of(&placed.solved().patches(), pieces), bound: None }
+    }
+
     /// For each patch the lines of its grid.
     pub(super) fn lines(&self) -> &[Lines] {
         &self.lines
@@ -90,8 +99,8 @@ impl<'a> PatchGrids<'a> {
 
     /// Names the grids and their winding.
     pub(super) fn append_topology(&self, topology: &mut String) {
-        let winding = if self.placed.is_forwards() { '+' } else { '-' };
-        for Lines { u, v } in &self.lines {
+        for (patch, Lines { u, v }) in self.lines.iter().enumerate() {
+            let winding = if self.placed.is_forwards(patch) { '+' } else { '-' };
             let mut hash = Xxh64::new(0);
             u.iter().chain(v).for_each(|place| hash.update(&place.to_le_bytes()));
             // A String takes whatever is written to it.
@@ -102,15 +111,26 @@ impl<'a> PatchGrids<'a> {
     /// Appends what depends on the grids alone, and room for positions and normals.
     pub(super) fn append_to(&self, mesh: &mut Mesh) {
         let first = mesh.indices.len() as u32;
-        for Lines { u, v } in &self.lines {
+        for (patch, Lines { u, v }) in self.lines.iter().enumerate() {
             let base = mesh.n_vertices() as u32;
             let n = u.len() * v.len();
             mesh.positions.resize(mesh.positions.len() + 3 * n, 0.0);
             mesh.normals.resize(mesh.normals.len() + 3 * n, 0.0);
             mesh.uvs.extend(u.iter().flat_map(|u| v.iter().flat_map(|v| [*u as f32, *v as f32])));
-            append_triangles(&mut mesh.indices, base, u.len() as u32, v.len() as u32, self.placed.is_forwards());
+            let is_forwards = self.placed.is_forwards(patch);
+            append_patch(&mut mesh.indices, base, u.len() as u32, v.len() as u32, is_forwards);
         }
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
+    }
+
+    /// The first vertex of each grid.
+    fn firsts(&self) -> Vec<usize> {
+        let mut next = 0;
+        let first = |lines: &Lines| {
+            next += lines.n_vertices();
+            next - lines.n_vertices()
+        };
+        self.lines.iter().map(first).collect()
     }
 
     /// Fills positions and normals.
@@ -120,37 +140,19 @@ impl<'a> PatchGrids<'a> {
     pub(super) fn fill(&self, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
         let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
         let patches = self.placed.solved().patches();
-        let firsts: Vec<usize> = self
-            .lines
-            .iter()
-            .scan(0, |first, lines| {
-                *first += lines.n_vertices();
-                Some(*first - lines.n_vertices())
-            })
-            .collect();
-        let outward = cofactors(self.placed.matrix()) * if self.placed.is_forwards() { 1.0 } else { -1.0 };
-        for ((patch, lines), first) in patches.iter().zip(&self.lines).zip(&firsts) {
+        let firsts = self.firsts();
+        let outward = cofactors(self.placed.matrix());
+        for (index, ((patch, lines), first)) in patches.iter().zip(&self.lines).zip(&firsts).enumerate() {
             let range = *first..first + lines.n_vertices();
+            let outward = outward * if self.placed.is_forwards(index) { 1.0 } else { -1.0 };
             if let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range)) {
                 self.fill_patch(*patch, lines, outward, positions, normals)?;
             }
         }
-        for (index, (patch, lines)) in patches.iter().zip(&self.lines).enumerate() {
-            for (side, met) in patch.sides().into_iter().enumerate() {
-                let Side::Shared { patch: other, side: others, is_reversed } = met else { continue };
-                // The first of the two has it.
-                if (other, others) < (index, side)
-                    && let (Some(theirs), Some(start)) = (self.lines.get(other), firsts.get(other))
-                {
-                    let mut from: Vec<usize> = along_side(theirs, others).map(|vertex| start + vertex).collect();
-                    if is_reversed {
-                        from.reverse();
-                    }
-                    for (to, from) in along_side(lines, side).zip(from) {
-                        positions[firsts[index] + to] = positions[from];
-                    }
-                }
-            }
+        let seams = Seams { patches: &patches, lines: &self.lines, firsts: &firsts };
+        seams.close(positions);
+        if let Some(crease) = self.placed.solved().crease() {
+            seams.smooth(normals, crease);
         }
         Ok(())
     }
@@ -164,10 +166,11 @@ impl<'a> PatchGrids<'a> {
         normals: &mut [[f32; 3]],
     ) -> Result<()> {
         let n_columns = lines.v.len();
+        let columns = patch.columns(Spread::At(&lines.v));
         for (i, u) in lines.u.iter().enumerate() {
             let row = patch.row(*u);
             for (j, v) in lines.v.iter().enumerate() {
-                let jet = row.jet(*v);
+                let jet = row.jet_at(&columns, j);
                 let normal = outward * direction(patch, (*u, *v), jet.du, jet.dv);
                 let position = self.placed.place(&jet).position.to_array().map(|x| x as f32);
                 if position.iter().any(|x| !x.is_finite()) {
@@ -210,14 +213,53 @@ fn direction(patch: &dyn Patch, (u, v): (f64, f64), du: DVec3, dv: DVec3) -> DVe
     patch.normal_limit(u, v).unwrap_or(DVec3::Z)
 }
 
-/// The vertices of one side of a grid, in the order of the parameter that runs along it.
-fn along_side(lines: &Lines, side: usize) -> impl Iterator<Item = usize> + use<> {
-    let (rows, columns) = (lines.u.len(), lines.v.len());
-    let (first, step, n) = match side {
-        0 => (0, 1, columns),
-        1 => ((rows - 1) * columns, 1, columns),
-        2 => (0, columns, rows),
-        _ => (columns - 1, columns, rows),
+/// The least that each patch of several has in either direction: its corners and the middles of its edges.
+const FEWEST: usize = 3;
+
+/// Rows and columns of each of so many patches. Several have as many rows as columns, because their sides meet in any direction, and together about as many vertices as one grid of the rows and columns that are asked for.
+/// `None` beyond the limit.
+fn share_of(options: &MeshOptions, n_patches: usize) -> Option<[Option<usize>; 2]> {
+    let each = match [options.rows, options.columns] {
+        [Some(rows), Some(columns)] if n_patches > 1 => {
+            let even = libm::sqrt(rows as f64 * columns as f64 / n_patches as f64) as usize;
+            [Some(even.max(FEWEST)); 2]
+        }
+        given => given,
     };
-    (0..n).map(move |i| first + i * step)
+    let n = each.iter().fold(n_patches as f64, |n, lines| n * lines.map_or(2.0, |lines| lines as f64));
+    (n <= VERTEX_LIMIT as f64).then_some(each)
+}
+
+/// Triangles that share their vertices, in model units after placement.
+pub(crate) struct Welded {
+    /// By vertex number; some are of no triangle.
+    pub(crate) positions: Vec<DVec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// How far they are from the patches at most, rounding to single precision included.
+    pub(crate) bound: f64,
+}
+
+/// The patches of a part within a tolerance, or within the usual one, with one vertex for each point.
+///
+/// # Errors
+/// `tolerance-too-fine`, `too-large`.
+pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> {
+    let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
+    let (patches, firsts) = (placed.solved().patches(), grids.firsts());
+    let number = Seams { patches: &patches, lines: &grids.lines, firsts: &firsts }.numbers();
+    let (mut positions, mut triangles) = (Vec::with_capacity(number.len()), Vec::new());
+    for (index, (patch, Lines { u, v })) in patches.iter().zip(&grids.lines).enumerate() {
+        let columns = patch.columns(Spread::At(v));
+        for u in u {
+            let row = patch.row(*u);
+            positions.extend((0..v.len()).map(|j| placed.place(&row.jet_at(&columns, j)).position));
+        }
+        let mut indices = Vec::new();
+        append_patch(&mut indices, firsts[index] as u32, u.len() as u32, v.len() as u32, placed.is_forwards(index));
+        let corners = indices.as_chunks::<3>().0.iter().map(|corners| corners.map(|vertex| number[vertex as usize]));
+        // Along a pole every other triangle has no width.
+        triangles.extend(corners.filter(|[a, b, c]| a != b && b != c && c != a));
+    }
+    let bound = grids.bound.unwrap_or(f64::INFINITY);
+    Ok(Welded { positions, triangles, bound })
 }

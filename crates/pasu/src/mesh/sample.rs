@@ -153,13 +153,16 @@ pub(crate) fn grid_places(solution: &Solution, options: &MeshOptions) -> Result<
     Ok(grids.iter().map(Grids::places).collect())
 }
 
-/// The mesh of even rows and columns with every sum in double precision, rounded once.
+/// The mesh of even rows and columns with every sum in double precision, rounded once. Of a shape that is no series each patch is cut into so many pieces between its knots, both ways.
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn exact_mesh(solution: &Solution, rows: usize, columns: usize) -> Result<Mesh> {
+pub(crate) fn exact_mesh(solution: &Solution, rows: usize, columns: usize, pieces: usize) -> Result<Mesh> {
     let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
-    let mut grids = choose(solution.parts(), &options, false, &mut Vec::new())?;
+    let mut grids = chosen(solution.parts(), |placed| match placed.solved().fourier() {
+        Some(_) => Grids::choose(placed, &options, false, &mut Vec::new()),
+        None => Ok(Grids::pieces(placed, pieces)),
+    })?;
     for grid in &mut grids {
         grid.make_precise();
     }
@@ -220,11 +223,19 @@ fn choose<'a, P: AsRef<Placed> + 'a>(
     spare: &mut Vec<Curves>,
 ) -> Result<Vec<Grids<'a>>> {
     check(options)?;
+    chosen(parts, |placed| Grids::choose(placed, options, is_bounded, spare))
+}
+
+/// The grids of all parts, as each is chosen.
+fn chosen<'a, P: AsRef<Placed> + 'a>(
+    parts: impl Iterator<Item = Result<&'a P>>,
+    mut choose: impl FnMut(&'a Placed) -> Result<Grids<'a>>,
+) -> Result<Vec<Grids<'a>>> {
     let mut grids = Vec::new();
     let mut n_vertices = 0.0;
     for placed in parts {
         let placed: &'a Placed = placed?.as_ref();
-        let grid = Grids::choose(placed, options, is_bounded, spare)?;
+        let grid = choose(placed)?;
         let [rows, columns] = grid.counts();
         n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {

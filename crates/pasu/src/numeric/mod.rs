@@ -18,5 +18,7 @@ pub(crate) mod limit;
 pub(crate) mod minima;
 pub(crate) mod romberg;
 pub(crate) mod scattered;
+pub(crate) mod signed_sets;
+pub(crate) mod taylor;
 pub(crate) mod trapezoid;
 pub(crate) mod tridiagonal;

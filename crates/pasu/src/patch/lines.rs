@@ -1,11 +1,10 @@
 //! Where the grid lines of patches are.
 
+use super::breaks::Breaks;
 use super::cell::Cell;
 use super::contract::Patch;
 use super::side::Side;
-
-/// Lines nearer to each other than this are one: a knot, and the same knot seen from the other end of its side.
-const SAME: f64 = 1e-9;
+use super::strips::Strips;
 
 /// A patch that closes round is cut into so many cells at least: with fewer it would be flat.
 const LEAST_ROUND: usize = 6;
@@ -22,6 +21,32 @@ impl Lines {
     pub(crate) fn even(rows: usize, columns: usize) -> Lines {
         let even = |n: usize| (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
         Lines { u: even(rows), v: even(columns) }
+    }
+
+    /// Even lines of patches of one shape, and across each side those of its neighbour.
+    pub(crate) fn even_of(patches: &[&dyn Patch], rows: usize, columns: usize) -> Vec<Lines> {
+        let mut lines = vec![Lines::even(rows, columns); patches.len()];
+        Lines::share(patches, &mut lines);
+        lines
+    }
+
+    /// The lines of patches of one shape that cut what lies between two knots into so many pieces.
+    pub(crate) fn pieces_of(patches: &[&dyn Patch], pieces: usize) -> Vec<Lines> {
+        let cut = |breaks: &Breaks| {
+            let places = breaks.with_ends();
+            let between = |pair: &[f64]| {
+                let (from, step) = (pair[0], (pair[1] - pair[0]) / pieces as f64);
+                (0..pieces).map(|i| from + i as f64 * step).collect::<Vec<f64>>()
+            };
+            places.windows(2).flat_map(between).chain([1.0]).collect()
+        };
+        let of = |patch: &&dyn Patch| {
+            let [along, round] = patch.breaks();
+            Lines { u: cut(&along), v: cut(&round) }
+        };
+        let mut lines: Vec<Lines> = patches.iter().map(of).collect();
+        Lines::share(patches, &mut lines);
+        lines
     }
 
     /// The fewest lines of patches of one shape, with which a closed one is not flat.
@@ -53,15 +78,6 @@ impl Lines {
         self.u.len() * self.v.len()
     }
 
-    /// The lines that a side is cut by.
-    fn across(&self, side: usize) -> &Vec<f64> {
-        if side < 2 { &self.v } else { &self.u }
-    }
-
-    fn across_mut(&mut self, side: usize) -> &mut Vec<f64> {
-        if side < 2 { &mut self.v } else { &mut self.u }
-    }
-
     /// Every cell with the numbers of its lines.
     fn cells(&self) -> impl Iterator<Item = (usize, usize, Cell)> {
         let rows = self.u.windows(2).enumerate();
@@ -80,22 +96,9 @@ impl Lines {
         }
     }
 
-    /// Gives every patch the lines that its neighbours have across a shared side, until nothing is new.
+    /// Gives every patch the lines that its neighbours have across a shared side, and those that they have from theirs.
     pub(crate) fn share(patches: &[&dyn Patch], lines: &mut [Lines]) {
-        let mut is_new = true;
-        while is_new {
-            is_new = false;
-            for (index, patch) in patches.iter().enumerate() {
-                for (side, met) in patch.sides().into_iter().enumerate() {
-                    let Side::Shared { patch: other, side: others, is_reversed } = met else { continue };
-                    let wanted: Vec<f64> = lines[index].across(side).clone();
-                    let Some(other) = lines.get_mut(other) else { continue };
-                    for place in wanted {
-                        is_new |= insert(other.across_mut(others), if is_reversed { 1.0 - place } else { place });
-                    }
-                }
-            }
-        }
+        Strips::of(patches).share(directions(lines));
     }
 }
 
@@ -109,6 +112,7 @@ pub(crate) fn lines_within(
     most_vertices: usize,
 ) -> Option<Vec<Lines>> {
     let mut lines = Lines::fewest_of(patches);
+    let strips = Strips::of(patches);
     loop {
         if lines.iter().map(Lines::n_vertices).sum::<usize>() > most_vertices {
             return None;
@@ -129,8 +133,13 @@ pub(crate) fn lines_within(
         if is_done {
             return Some(lines);
         }
-        Lines::share(patches, &mut lines);
+        strips.share(directions(&mut lines));
     }
+}
+
+/// Lines of constant `u` and of constant `v`, patch by patch.
+fn directions(lines: &mut [Lines]) -> Vec<&mut Vec<f64>> {
+    lines.iter_mut().flat_map(|Lines { u, v }| [u, v]).collect()
 }
 
 /// The largest distance between patches and the triangles of their cells.
@@ -139,15 +148,4 @@ pub(crate) fn deviation_of(patches: &[&dyn Patch], lines: &[Lines], stretch: [f6
         lines.cells().map(|(_, _, cell)| patch.deviation(cell, stretch)).fold(0.0, f64::max)
     };
     patches.iter().zip(lines).map(of).fold(0.0, f64::max)
-}
-
-/// Whether a line was not there yet.
-fn insert(lines: &mut Vec<f64>, place: f64) -> bool {
-    let at = lines.partition_point(|line| *line < place);
-    let is_near = |line: Option<&f64>| line.is_some_and(|line| (line - place).abs() <= SAME);
-    if is_near(lines.get(at)) || is_near(at.checked_sub(1).and_then(|before| lines.get(before))) {
-        return false;
-    }
-    lines.insert(at, place);
-    true
 }

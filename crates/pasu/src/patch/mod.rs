@@ -4,6 +4,7 @@ mod breaks;
 mod cell;
 mod columns;
 mod contract;
+mod corners;
 #[cfg(test)]
 pub(crate) mod examples;
 mod jet;
@@ -11,13 +12,16 @@ mod lines;
 mod normal_limit;
 mod row;
 mod side;
+mod strips;
 
 pub(crate) use breaks::Breaks;
 pub(crate) use cell::{Cell, Suprema};
 pub(crate) use columns::{Columns, Spread};
 pub(crate) use contract::Patch;
+pub(crate) use corners::{ENDS, first_corners};
 pub use jet::SurfaceJet;
 pub(crate) use lines::{Lines, deviation_of, lines_within};
 pub(crate) use normal_limit::normal_limit;
 pub(crate) use row::Row;
 pub(crate) use side::Side;
+pub(crate) use strips::SAME_LINE;

@@ -10,6 +10,5 @@ pub(crate) enum Side {
     /// The patch meets itself there: the opposite side is the same curve, passed in the same direction.
     Joined,
     /// Another patch of the same surface has the same curve as its side `side`; `is_reversed` where the two pass it in opposite directions.
-    #[cfg_attr(not(test), expect(dead_code, reason = "no kind of shape has more than one patch yet"))]
     Shared { patch: usize, side: usize, is_reversed: bool },
 }

@@ -96,7 +96,7 @@ impl Mover for Vase<'_> {
             .parameters()
             .iter()
             .all(|number| number.value.is_finite() && number.field.range.contains(number.value));
-        let problem = is_allowed.then(|| shape.problem())?;
+        let problem = is_allowed.then(|| shape.problem()).flatten()?;
         let surface = problem.is_finite().then(|| Surface::solve(&problem, "").ok())??;
         let point = surface.at(self.at[0], self.at[1]).position;
         point.is_finite().then_some(point)

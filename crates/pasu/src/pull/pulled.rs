@@ -33,7 +33,13 @@ use crate::solution::Solution;
 /// `no-such-point` for a part or a point that does not exist, `not-finite` for a place that is none, `out-of-range` for a width or a number of petals that cannot be had, `unknown-name` for
 /// something to be kept that the shape does not have; what [`Surface::solve`](crate::Surface::solve) and [`Design::read`] refuse.
 pub fn pull(design: &Design, part: usize, hand: &Hand) -> Result<Pulled> {
-    Solution::of(design).check_points(part, &hand.at)?;
+    let solution = Solution::of(design);
+    let (_, of) = solution.existing(part)?;
+    if of.shape.problem().is_none() {
+        let message = "only a surface between two ends can be pulled: the points of a network are moved one by one";
+        return Err(Error::new(Code::UnsupportedShape, format!("parts[{part}].shape"), message).with("what", "no-ends"));
+    }
+    solution.check_points(part, &hand.at)?;
     let to = DVec3::from_array(hand.to);
     if !to.is_finite() {
         let place = hand.to.iter().position(|x| !x.is_finite()).unwrap_or_default();

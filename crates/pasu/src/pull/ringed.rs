@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::bump::Bump;
 use super::curve::under_hand;
 use super::kept::kept;
-use crate::design::{Hoop, RINGS, Rings, Series, Shape, Slopes, Wave, rounded};
+use crate::design::{Hoop, RINGS, Rings, Series, Slopes, Wave, rounded};
 use crate::error::Result;
 use crate::surface::Surface;
 
@@ -123,7 +123,7 @@ impl Track {
 }
 
 fn solved(pot: &Rings) -> Result<Surface> {
-    Surface::solve(&Shape::Rings(pot.clone()).problem(), "")
+    Surface::solve(&pot.boundary_value(), "")
 }
 
 /// Outwards and onwards at `v`.

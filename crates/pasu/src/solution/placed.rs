@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use super::solved::Solved;
 use crate::design::{Part, Placement};
 use crate::error::Result;
-use crate::patch::{Patch, SurfaceJet};
+use crate::patch::SurfaceJet;
 
 /// A solved shape, scaled, turned and moved: `p -> matrix p + shift`.
 #[derive(Debug)]
@@ -16,7 +16,8 @@ pub(crate) struct Placed {
     matrix: DMat3,
     shift: DVec3,
     index: usize,
-    is_forwards: OnceLock<bool>,
+    /// For each patch.
+    is_forwards: OnceLock<Vec<bool>>,
 }
 
 impl AsRef<Placed> for Placed {
@@ -88,28 +89,12 @@ impl Placed {
         self.matrix.z_axis.normalize_or(DVec3::Z)
     }
 
-    /// Whether `X_u x X_v` of the placed patches points away from the inside.
-    pub(crate) fn is_forwards(&self) -> bool {
-        *self.is_forwards.get_or_init(|| {
-            let is_outward = match self.solved.fourier() {
-                Some(surface) => crate::surface::points_outward(surface),
-                None => encloses(&self.solved.patches()),
-            };
-            is_outward != (self.matrix.determinant() < 0.0)
-        })
+    /// Whether `X_u x X_v` of a placed patch points away from the inside.
+    pub(crate) fn is_forwards(&self, patch: usize) -> bool {
+        let all = self.is_forwards.get_or_init(|| {
+            let is_mirrored = self.matrix.determinant() < 0.0;
+            self.solved.is_outward().into_iter().map(|is_outward| is_outward != is_mirrored).collect()
+        });
+        all.get(patch).copied().unwrap_or(true)
     }
-}
-
-/// Samples along either parameter by which the sign of a volume is told.
-const SAMPLES: usize = 17;
-
-/// Whether the flux of `X - middle` through the patches along `X_u x X_v` is not negative: it is three times the volume that closed patches go round.
-fn encloses(patches: &[&dyn Patch]) -> bool {
-    let at = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
-    let jets = || {
-        let places = (0..SAMPLES * SAMPLES).map(move |k| (at(k / SAMPLES), at(k % SAMPLES)));
-        patches.iter().flat_map(move |patch| places.clone().map(move |(u, v)| patch.jet(u, v)))
-    };
-    let middle = jets().map(|jet| jet.position).sum::<DVec3>() / (patches.len() * SAMPLES * SAMPLES) as f64;
-    jets().map(|jet| (jet.position - middle).dot(jet.du.cross(jet.dv))).sum::<f64>() >= 0.0
 }

@@ -1,16 +1,23 @@
 //! The shape of one part, solved.
 
-use crate::design::Part;
+use crate::blend::{Blended, Volume};
+use crate::design::{Part, Shape};
 use crate::error::Result;
-use crate::patch::{Patch, Side};
+use crate::frame::Frame;
+use crate::patch::Patch;
+#[cfg(test)]
+use crate::patch::Side;
 use crate::surface::Surface;
 
 /// The closed form of a shape: patches, whatever its kind. A new kind of shape is one more variant.
 #[derive(Debug)]
-#[cfg_attr(test, expect(clippy::large_enum_variant, reason = "the other is for tests"))]
 pub(crate) enum Solved {
     /// A surface between two curves.
-    TwoSided(Surface),
+    TwoSided(Box<Surface>),
+    /// A network of vertex-frames.
+    Frame(Frame),
+    /// A solid between two sections, or what goes round one.
+    Blend(Box<Blended>),
     /// Patches that stand for a kind yet to come: what the contract is tested with.
     #[cfg(test)]
     Patches(Vec<Box<dyn Patch>>),
@@ -20,9 +27,16 @@ impl Solved {
     /// Solves the shape of part number `index` of a design.
     ///
     /// # Errors
-    /// As [`Surface::of_part`].
+    /// As [`Surface::of_part`], [`Frame::solve`] and [`Blended::solve`].
     pub(crate) fn of(part: &Part, index: usize) -> Result<Solved> {
-        Surface::of_part(part, index).map(Solved::TwoSided)
+        match &part.shape {
+            Shape::VertexFrame(network) => Frame::solve(network, &format!("parts[{index}].shape")).map(Solved::Frame),
+            Shape::Blend(blend) => {
+                let path = format!("parts[{index}].shape");
+                Blended::solve(blend, part.wall.is_some(), &path).map(Box::new).map(Solved::Blend)
+            }
+            _ => Surface::of_part(part, index).map(Box::new).map(Solved::TwoSided),
+        }
     }
 
     /// The patches, of which there is at least one.
@@ -31,9 +45,11 @@ impl Solved {
     }
 
     /// One of the patches; the first in place of one that there is not.
-    pub(crate) fn patch(&self, #[cfg_attr(not(test), expect(unused_variables))] index: usize) -> &dyn Patch {
+    pub(crate) fn patch(&self, index: usize) -> &dyn Patch {
         match self {
-            Solved::TwoSided(surface) => surface,
+            Solved::TwoSided(surface) => &**surface,
+            Solved::Frame(frame) => frame.patch(index),
+            Solved::Blend(blend) => blend.patch(index),
             #[cfg(test)]
             Solved::Patches(patches) => &**patches.get(index).unwrap_or(&patches[0]),
         }
@@ -43,31 +59,86 @@ impl Solved {
     pub(crate) fn n_patches(&self) -> usize {
         match self {
             Solved::TwoSided(_) => 1,
+            Solved::Frame(frame) => frame.n_patches(),
+            Solved::Blend(blend) => blend.n_patches(),
             #[cfg(test)]
             Solved::Patches(patches) => patches.len(),
         }
     }
 
-    /// Whether the patches have no free side, so that they go round a body.
+    /// Whether the patches go round a body: none has a free side, and they have an inside and an outside.
     pub(crate) fn is_closed(&self) -> bool {
-        self.patches().iter().all(|patch| patch.sides().iter().all(|side| *side != Side::Free))
+        match self {
+            Solved::TwoSided(_) => false,
+            Solved::Frame(frame) => frame.is_closed(),
+            Solved::Blend(blend) => blend.vessel().is_none(),
+            #[cfg(test)]
+            Solved::Patches(patches) => {
+                patches.iter().all(|patch| patch.sides().iter().all(|side| *side != Side::Free))
+            }
+        }
+    }
+
+    /// For each patch whether `X_u x X_v` points away from the inside.
+    pub(crate) fn is_outward(&self) -> Vec<bool> {
+        match self {
+            Solved::TwoSided(surface) => vec![crate::surface::points_outward(surface)],
+            Solved::Frame(frame) => frame.is_outward().to_vec(),
+            Solved::Blend(blend) => blend.is_outward(),
+            #[cfg(test)]
+            Solved::Patches(patches) => vec![encloses(patches); patches.len()],
+        }
+    }
+
+    /// Edges at which patches meet at less than this angle are shown as if the surface were smooth there, in radians; none are where there is no such angle.
+    pub(crate) fn crease(&self) -> Option<f64> {
+        match self {
+            Solved::Frame(frame) => Some(frame.crease()),
+            _ => None,
+        }
     }
 
     /// The patch that runs from one end to the other and closes round between them: what can carry a wall. It is one also where it fails to close, which whoever needs that has to ask.
     pub(crate) fn wall(&self) -> Option<&dyn Patch> {
         match self {
-            Solved::TwoSided(surface) => Some(surface),
-            #[cfg(test)]
-            Solved::Patches(_) => None,
+            Solved::TwoSided(surface) => Some(&**surface),
+            Solved::Blend(blend) => blend.vessel().map(|surface| surface as &dyn Patch),
+            _ => None,
         }
     }
 
     /// The Fourier series in `v` that the single precision kernel sums, if it is one: the door to `mesh/fourier`.
     pub(crate) fn fourier(&self) -> Option<&Surface> {
         match self {
-            Solved::TwoSided(surface) => Some(surface),
-            #[cfg(test)]
-            Solved::Patches(_) => None,
+            Solved::TwoSided(surface) => Some(&**surface),
+            Solved::Blend(blend) => blend.vessel(),
+            _ => None,
         }
     }
+
+    /// The closed form of its inside, if that is known.
+    pub(crate) fn volume(&self) -> Option<&Volume> {
+        match self {
+            Solved::Blend(blend) => Some(blend.volume()),
+            _ => None,
+        }
+    }
+}
+
+/// Samples along either parameter by which the sign of a volume is told.
+#[cfg(test)]
+const SAMPLES: usize = 17;
+
+/// Whether the flux of `X - middle` through the patches along `X_u x X_v` is not negative: it is three times the volume that closed patches go round.
+#[cfg(test)]
+fn encloses(patches: &[Box<dyn Patch>]) -> bool {
+    use glam::DVec3;
+
+    let at = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
+    let jets = || {
+        let places = (0..SAMPLES * SAMPLES).map(move |k| (at(k / SAMPLES), at(k % SAMPLES)));
+        patches.iter().flat_map(move |patch| places.clone().map(move |(u, v)| patch.jet(u, v)))
+    };
+    let middle = jets().map(|jet| jet.position).sum::<DVec3>() / (patches.len() * SAMPLES * SAMPLES) as f64;
+    jets().map(|jet| (jet.position - middle).dot(jet.du.cross(jet.dv))).sum::<f64>() >= 0.0
 }

@@ -95,7 +95,7 @@ impl Upright {
         let patch = placed.solved().wall()?;
         let [along, round] = patch.breaks();
         let is_closed = patch.sides()[2] == Side::Joined;
-        let outward = if placed.is_forwards() { 1.0 } else { -1.0 };
+        let outward = if placed.is_forwards(0) { 1.0 } else { -1.0 };
         let mut upright = Upright {
             placed: Arc::clone(placed),
             is_upward: true,

@@ -7,6 +7,7 @@ use super::circumference::length;
 use super::recent::KeptRow;
 use super::row_table::RowTable;
 use super::solve::Surface;
+use crate::numeric::taylor;
 use crate::patch::{Breaks, Cell, Columns, Patch, Row, Side, Spread, Suprema, SurfaceJet, normal_limit};
 
 /// An end whose coefficients are all this small beside the largest is a point.
@@ -60,13 +61,24 @@ impl Patch for Surface {
         Columns::with_circles(spread, circles.collect())
     }
 
-    /// Amplitudes of all modes added up, whatever `v`: a bound that decays with the modes from the boundary that they come from.
+    /// Amplitudes of all modes added up, whatever `v`: a bound that decays with the modes from the boundary that they come from. Where there are no rings it is tightened by Taylor's formula about the middle of the cell, because
+    /// what cancels in a mode counts many times in the bound of its parts.
     fn suprema(&self, cell: Cell, stretch: [f64; 3]) -> Suprema {
+        let is_smooth = self.rings().next().is_none();
+        let (middle, half) = (0.5 * (cell.u[0] + cell.u[1]), 0.5 * (cell.u[1] - cell.u[0]));
         let mut sums = [[0.0; 3]; 4];
         for (axis, terms) in self.components().iter().enumerate() {
             for term in terms {
                 let k = (term.k * self.span()).abs();
-                let [a, b] = term.beam.suprema::<3, 2>([&term.cos, &term.sin], cell.u[0], cell.u[1]);
+                let data = [&term.cos, &term.sin];
+                let mut bounds = term.beam.suprema::<5, 2>(data, cell.u[0], cell.u[1]);
+                if is_smooth {
+                    let jets = term.beam.jets::<5, 2>(data, middle);
+                    for (bound, jet) in bounds.iter_mut().zip(&jets) {
+                        taylor::tighten(bound, jet, half);
+                    }
+                }
+                let [a, b] = bounds;
                 let [value, u, uu] = [0, 1, 2].map(|order| libm::hypot(a[order], b[order]) * stretch[axis].abs());
                 for (sum, bound) in sums.iter_mut().zip([value, uu, k * u, k * k * value]) {
                     sum[axis] += bound;

@@ -78,7 +78,8 @@ impl Surface {
     ///
     /// ```
     /// let vase = pasu::Design::parse("#1/bloor-wilson")?;
-    /// let surface = pasu::Surface::solve(&vase.parts()[0].shape.boundary_value(), "parts[0].shape")?;
+    /// let problem = vase.parts()[0].shape.boundary_value().expect("a vase has two ends");
+    /// let surface = pasu::Surface::solve(&problem, "parts[0].shape")?;
     /// assert!(surface.is_closed());
     /// # Ok::<(), pasu::Error>(())
     /// ```
@@ -133,7 +134,7 @@ impl Surface {
     /// Solves the shape of part number `index` of a design.
     ///
     /// # Errors
-    /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape.
+    /// As [`Surface::solve`]; a named family has no modes in the document, so its path ends at the shape. `unsupported-shape` for a shape that is no surface between two ends.
     ///
     /// ```
     /// let vase = pasu::Design::parse("#1/second-order?height=9")?;
@@ -143,7 +144,11 @@ impl Surface {
     /// ```
     pub fn of_part(part: &Part, index: usize) -> Result<Surface> {
         let path = format!("parts[{index}].shape");
-        Surface::solve(&part.shape.problem(), &path).map_err(|error| match &part.shape {
+        let Some(problem) = part.shape.problem() else {
+            let message = format!("a shape of the kind {:?} is no surface between two ends", part.shape.kind());
+            return Err(Error::new(Code::UnsupportedShape, path, message).with("what", "no-ends"));
+        };
+        Surface::solve(&problem, &path).map_err(|error| match &part.shape {
             Shape::BoundaryValue(_) => error,
             _ => error.at(path),
         })

@@ -1,5 +1,6 @@
 //! Bodies of clay and their triangles: which wall a pot is made with, and closed meshes that pass every check.
 
+mod closed_patches;
 mod disc;
 mod fit;
 mod meshed;
@@ -7,6 +8,7 @@ mod settled;
 mod solid_mesh;
 mod woven;
 
+pub(crate) use closed_patches::closed_patches;
 pub(crate) use meshed::{COARSE, GLIMPSE, Made, compact, finished, glimpsed, grid, meshed_once, refuse_crossing};
 pub use solid_mesh::SolidMesh;
 pub(crate) use woven::{Woven, weave};

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::fit::{can_give_way, fitted, may_be_at_fault};
 use super::meshed::{Made, grid};
 use crate::design::{Design, Wall};
-use crate::error::{Error, Result};
+use crate::error::{Code, Error, Result};
 use crate::solid::{Pot, Product, Skin};
-use crate::solution::{Kept, Solution};
+use crate::solution::{Kept, Placed, Solution};
 use crate::watch;
 
 /// Pots whose meshes have more triangles are not judged beforehand: it would take longer than all else that is asked of them.
@@ -103,8 +103,31 @@ impl Solution {
         Ok(if product == Product::Pot { pot } else { solid })
     }
 
+    /// A part, unless it is to have a wall that its shape cannot carry.
+    ///
+    /// # Errors
+    /// As [`Solution::workable`]; `unsupported-shape`.
+    pub(crate) fn walled(&self, part: usize) -> Result<&Arc<Placed>> {
+        let placed = self.workable(part)?;
+        let (_, of) = self.existing(part)?;
+        if of.wall.is_some() && placed.solved().wall().is_none() {
+            let (what, message) = match placed.solved().volume() {
+                Some(_) => (
+                    "open-sections",
+                    "a wall goes round between two closed sections: expected a disc or an outline at both ends, or no wall; without one this is a solid",
+                ),
+                None => (
+                    "no-ends",
+                    "a network of patches cannot carry a wall: expected none; what closes is a solid as it is",
+                ),
+            };
+            return Err(Error::new(Code::UnsupportedShape, placed.path("wall"), message).with("what", what));
+        }
+        Ok(placed)
+    }
+
     fn sought(&self, part: usize, product: Product) -> Result<Settled> {
-        let skin = Arc::new(Skin::new(self.workable(part)?)?);
+        let skin = Arc::new(Skin::new(self.walled(part)?)?);
         match self.wall(part, product)? {
             Some(asked) if can_give_way(&asked) => settle(&skin, asked, self.design().unit().millimetres()),
             wall => Pot::of(&skin, wall).map(Settled::Faces),
@@ -116,7 +139,7 @@ impl Solution {
     /// # Errors
     /// As [`Pot::new`].
     pub(crate) fn quick_pot(&self, part: usize) -> Result<Pot> {
-        let placed = self.workable(part)?;
+        let placed = self.walled(part)?;
         let wall = self.wall(part, Product::Pot)?;
         Pot::looked_at(&Arc::new(Skin::new(placed)?), wall, false)
     }

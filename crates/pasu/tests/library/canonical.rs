@@ -176,7 +176,7 @@ proptest! {
 
         // The problem to be solved is the one that was given.
         for (given, Part { shape, .. }) in given_shapes(&document).iter().zip(design.parts()) {
-            assert_same_problem(&given.boundary_value(), &shape.boundary_value());
+            assert_same_problem(&given.boundary_value().unwrap(), &shape.boundary_value().unwrap());
         }
     }
 

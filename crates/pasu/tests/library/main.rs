@@ -1,6 +1,7 @@
 //! The tests of the library on whole designs, one file a subject. One program for all of them: each program takes as long to compile as most of them take to run.
 
 mod allocation;
+mod blends;
 mod canonical;
 mod conversion;
 mod export;
@@ -10,6 +11,7 @@ mod finite;
 mod fit;
 mod fitted;
 mod flood;
+mod frames;
 mod handles;
 mod hostile;
 mod interface;

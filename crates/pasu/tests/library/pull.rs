@@ -196,7 +196,7 @@ fn jug() -> Design {
 
 /// The same written out.
 fn written(design: &Design) -> Design {
-    let shape = Shape::BoundaryValue(design.parts()[0].shape.boundary_value());
+    let shape = Shape::BoundaryValue(design.parts()[0].shape.boundary_value().unwrap());
     let document = serde_json::json!({ "pasu": 1, "parts": [{ "shape": serde_json::to_value(shape).unwrap() }] });
     Design::parse(&document.to_string()).unwrap()
 }

@@ -1,6 +1,6 @@
 //! Surfaces through rings, against the reference corpus and against the properties that make them what they are.
 
-use crate::support::{Point, ring_cases, ring_regimes, shape, surface, surface_of};
+use crate::support::{Point, problem_of, ring_cases, ring_regimes, surface, surface_of};
 use glam::DVec3;
 use pasu::{
     BoundaryValue, Code, Component, Datum, Design, Format, Free, Making, MeasureOptions, MeshOptions, Mode, Order,
@@ -18,7 +18,7 @@ fn every_case_of_the_corpora() {
         let largest = |of: fn(&Point) -> [f64; 3]| case.points.iter().flat_map(of).map(f64::abs).fold(0.0, f64::max);
         let sizes = [case.scale, largest(|point| point.du).max(case.scale), largest(|point| point.dv).max(case.scale)];
         for given in case.family.iter().chain([&case.shape]) {
-            let (surface, crowding) = (surface(given), 1.0 / gap(&shape(given).boundary_value()));
+            let (surface, crowding) = (surface(given), 1.0 / gap(&problem_of(given)));
             let mut worst = [0.0f64; 3];
             for point in &case.points {
                 let jet = surface.at(point.u, point.v);
@@ -606,7 +606,7 @@ fn meshes_keep_their_bound_and_have_rows_on_rings() {
         ring_cases().iter().map(|case| case.family.as_ref().unwrap_or(&case.shape).to_string()).collect();
     for shape in shapes.iter().map(String::as_str).chain([SMOOTH, CORNERED]) {
         let design = design_with(shape, "");
-        let problem = design.parts()[0].shape.boundary_value();
+        let problem = design.parts()[0].shape.boundary_value().unwrap();
         let surface = Surface::of_part(&design.parts()[0], 0).unwrap();
         let has_corners = |component: &Component| component.order == Order::Second && !component.modes.is_empty();
         let is_cornered = [&problem.x, &problem.y, &problem.z].into_iter().any(has_corners);

@@ -1,6 +1,6 @@
 //! Two-sided surfaces against the reference corpus and against the properties that make them solutions.
 
-use crate::support::{Point, corpus, digits, rate, shape, surface, surface_of};
+use crate::support::{Point, corpus, digits, problem_of, rate, shape, surface, surface_of};
 use glam::DVec3;
 use pasu::{BoundaryValue, Component, Datum, Equation, Free, Mode, ModeData, Order, Span, Surface, Unsolvable};
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ fn every_case_of_the_corpora() {
 fn families_are_the_shapes_of_the_corpus() {
     for case in corpus() {
         if let Some(family) = &case.family {
-            let (found, expected) = (shape(family).boundary_value(), shape(&case.shape).boundary_value());
+            let (found, expected) = (problem_of(family), problem_of(&case.shape));
             for (v, u) in [(0.1, 0.2), (0.9, 0.7)] {
                 let [a, b] = [&found, &expected].map(|s| Surface::solve(s, "").unwrap().at(u, v).position);
                 assert!((a - b).length() < 1e-14 * case.scale, "{}", case.name);

@@ -22,6 +22,7 @@ const SOLVER: House = House {
         "octant",
         "solution",
         "evaluate",
+        "interior",
         "pull",
         "fit",
         "mesh",

@@ -5,7 +5,7 @@ import { customElement, query, state } from "lit/decorators.js";
 import { pathText } from "../../document/path";
 import type { Group } from "../../document/schema";
 import { familyOf } from "../../document/schema";
-import type { Shape } from "../../document/types";
+import type { Part, TwoSided } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { type Closed, closed, type Solved } from "../../equation/closed";
 import { differential } from "../../equation/differential";
@@ -35,7 +35,7 @@ const OF_EQUATION: readonly Group[] = ["equation", "force"];
 const OF_EDGES: readonly Group[] = ["rim", "foot", "height", "wall"];
 
 interface Written {
-  readonly shape: Shape;
+  readonly shape: TwoSided;
   readonly all: boolean;
   readonly problem: Problem;
   readonly pde: readonly Formula[];
@@ -49,7 +49,7 @@ export class PasuEquation extends DesignerElement {
   /** What the browser would not copy. */
   @state() private uncopied: string | null = null;
   @state() private copied = false;
-  private copiedOf: Shape | null = null;
+  private copiedOf: TwoSided | null = null;
   private last: Written | null = null;
   @query(".latex") private readonly latex!: HTMLTextAreaElement | null;
 
@@ -59,14 +59,26 @@ export class PasuEquation extends DesignerElement {
     super.scheduleUpdate();
   }
 
-  private get shape(): Shape | null {
+  private get shape(): TwoSided | null {
+    const shape = this.selected?.shape;
+    return shape && shape.kind !== "vertex-frame" && shape.kind !== "blend" ? shape : null;
+  }
+
+  /** What is said of a shape that is no surface between two ends. */
+  private without() {
+    const kind = this.selected?.shape.kind;
+    if (kind === undefined) return nothing;
+    return html`<p class="lead">${kind === "blend" ? equation.blend : equation.network}</p>`;
+  }
+
+  private get selected(): Part | null {
     const { design, part } = this.designer.state;
-    return design.parts[part]?.shape ?? null;
+    return design.parts[part] ?? null;
   }
 
   override render() {
     const { shape } = this;
-    if (!shape) return nothing;
+    if (!shape) return this.without();
     const { pde, given, problem } = this.written(shape);
     return html`
       <div
@@ -120,14 +132,14 @@ export class PasuEquation extends DesignerElement {
   }
 
   /** The fields of a family that stand in the formulas above them. */
-  private numbers(shape: Shape, groups: readonly Group[]) {
+  private numbers(shape: TwoSided, groups: readonly Group[]) {
     const family = familyOf(shape.kind);
     if (!family?.fields.some(({ group }) => groups.includes(group))) return nothing;
     return html`<pasu-parameters .designer=${this.designer} .groups=${groups}></pasu-parameters>`;
   }
 
   /** The numbers of rings and of modes as they stand in the formulas; what a potter calls them is elsewhere. */
-  private table({ kind }: Shape) {
+  private table({ kind }: TwoSided) {
     const { designer } = this;
     return html`<details open>
       <summary>${equation.numbers}</summary>
@@ -144,7 +156,7 @@ export class PasuEquation extends DesignerElement {
   }
 
   /** All that is written of a shape; while something is only pointed at it stays what it is. */
-  private written(shape: Shape): Written {
+  private written(shape: TwoSided): Written {
     const { all } = this;
     if (this.last?.shape !== shape || this.last.all !== all) {
       const hand: Hand = { digits: DIGITS, decimal: decimal(0.5, 1).charAt(1), marked: true, most: all ? MANY : FEW };
@@ -155,7 +167,7 @@ export class PasuEquation extends DesignerElement {
     return this.last;
   }
 
-  private closedForm(shape: Shape) {
+  private closedForm(shape: TwoSided) {
     const { problem: refused } = this.designer.surface;
     // What is refused of another part, or of the wall, leaves this equation as it is.
     if (refused?.path.startsWith(pathText(["parts", this.designer.state.part, "shape"])))
@@ -201,7 +213,7 @@ export class PasuEquation extends DesignerElement {
   }
 
   /** What is pointed at, at the foot of the panel, and for whoever hears it. */
-  private help(shape: Shape) {
+  private help(shape: TwoSided) {
     const { places } = this.designer.pointed;
     const words = places.length === 0 ? "" : numbersWords(shape, places);
     return html`<p class="help" role="status" ?data-empty=${words === ""}>${words}</p>`;

@@ -63,6 +63,8 @@ export class PasuOrders extends DesignerElement {
     if (!shape) return nothing;
     if (shape.kind === "boundary-value") return html`<p class="lead">${orders.allFree}</p>`;
     if (shape.kind === "rings") return html`<p class="lead">${orders.rings}</p>`;
+    if (shape.kind === "vertex-frame") return html`<p class="lead">${orders.network}</p>`;
+    if (shape.kind === "blend") return html`<p class="lead">${orders.blend}</p>`;
     return html`
       <p class="lead">${orders.lead}</p>
       ${this.problem()}

@@ -18,6 +18,7 @@ import {
 } from "../../document/schema";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { formatNumber } from "../../number";
 import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
@@ -46,6 +47,14 @@ export class PasuParameters extends DesignerElement {
     if (part.shape.kind === "rings") {
       void import("./ring-cards");
       return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>`;
+    }
+    if (part.shape.kind === "vertex-frame") {
+      const { vertices, patches } = part.shape;
+      return html`<p class="lead">${parameters.network(formatNumber(patches.length), formatNumber(vertices.length))}</p>`;
+    }
+    if (part.shape.kind === "blend") {
+      const { start, end } = part.shape;
+      return html`<p class="lead">${parameters.blend(start.form, end.form)}</p>`;
     }
     if (!family) {
       void import("./modes-table");

@@ -67,6 +67,8 @@ export class PasuProfile extends DesignerElement {
     const shape = design.parts[part]?.shape;
     const shown = designer.surface.shown?.design.parts[part]?.shape;
     const section = designer.surface.shown?.solved.section;
+    if (shape?.kind === "vertex-frame") return html`<p class="lead">${profile.network}</p>`;
+    if (shape?.kind === "blend") return html`<p class="lead">${profile.blend}</p>`;
     if (!shape || !shown || !section) return html`<p class="lead">${profile.coming}</p>`;
     const all = section.handles.list;
     const marks = marksOf(section);

@@ -26,6 +26,10 @@ export type Help = keyof typeof HELPS;
 
 export const equation = phrases("equation", {
   lead: "This pot is the exact solution of an equation, and every number in it is one of the pot. Point at a number to see where it is on the pot and what it does.",
+  network:
+    "A network of patches has no closed form between two edges: each patch solves a1 X_uu + a2 X_vv = 0 as nearly as its eight points leave it free to be, and what pushes it is added.",
+  blend:
+    "A blend is a solid: between its two sections x, y and z solve a x_uuuu + b x_vvvv + c x_wwww = 0, with positions and tangents given at both.",
   digits: (count: number) =>
     plural(count, {
       one: "Numbers are rounded to one digit here; what is copied has all of them.",

@@ -25,17 +25,35 @@ export const making = phrases("making", {
   openSurface: {
     noFoot: "The shape has no foot and no rim, so there is nothing for a wall to stand on.",
     notClosed: "The surface does not meet itself after one turn. It does with whole numbers of waves.",
+    freeEdge: "A patch has a free edge, so that nothing is enclosed. Patches that close are a solid as they are.",
+    oneSided: "The surface has one side only, so that it has no inside.",
   },
+  /** Of what has no foot and no rim. */
+  noEnds: "A network of patches has no foot and no rim, so this cannot be done with it, and it carries no wall.",
+  /** Of a solid between sections that do not close round. */
+  openSections:
+    "A wall goes round between two closed sections: a disc or an outline at both ends. Without a wall this is a solid.",
+  noInside: "Only of a blend is it known what is inside.",
+  hollow: "A blend with a wall is hollow. Without one it is a solid.",
+  collapsed: "Cells of two discs in squares have no volume at two edges. Discs and outlines have none of these.",
+  folded:
+    "The inside of the solid is folded over itself, though its skin is not: cells for analysis are of no use there.",
   pinched: {
     noArea: (end: string) => `The ${end} encloses no area. A pot needs an outline with an inside there.`,
     waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",
     shrinks: (face: string) => `The ${face} shrinks to nothing, so that the numbers of a file cannot hold it.`,
+    section: "A section encloses no area. A blend flows between two that do.",
+    corners: "Two corners of a patch are the same point. A patch needs four.",
   },
   crosses: {
     surface: "The surface runs through itself.",
     surfaceClose: "So much of the surface lies close to itself that nobody can tell whether it runs through itself.",
     outline: (face: string) => `The outline of the ${face} crosses itself.`,
+    section: "The outline of a section crosses itself. It has to go round an area once.",
+    sections: "Both sections lie at the same height, one in the other. One of them has to be higher.",
     doesNotClose: "The sides of the pot do not close.",
+    edge: "Three patches have an edge in common. No more than two can meet along one.",
+    region: "What is sculpted goes round a corner at which not four patches meet, so that it cannot lie flat there.",
     /** The sentence, and how fine triangles may be that do not show it. */
     steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
   },

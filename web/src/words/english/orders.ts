@@ -44,6 +44,8 @@ export const orders = phrases("orders", {
     "This pot is made of free boundary data: the order of each direction is set with its modes, under Shape. Only the named families can be switched as a whole.",
   rings:
     "A pot of rings is of fourth order: its wall passes through every ring. No other order has them, so it stays as it is.",
+  network: "A network of patches has no rim and no foot, so it cannot be converted to another order.",
+  blend: "A blend is a solid of fourth order between its sections, so it stays as it is.",
   lead: "The order of the equation decides how much of a wall can be chosen. Switching keeps the rim, the foot and the height, and undo brings the old wall back.",
   thisPot: "This pot",
   /** Before what an order cannot do, for whoever hears it. */

@@ -196,6 +196,15 @@ const BLOOR_WILSON: Fields<"bloor-wilson"> = {
   },
 };
 
+/** What a blend flows from and into. */
+const SECTIONS = {
+  rectangle: "a rectangle",
+  "rectangle-reversed": "a rectangle",
+  disc: "a disc",
+  "disc-in-square": "a disc",
+  outline: "an outline",
+} as const;
+
 export const parameters = phrases("parameters", {
   kinds: {
     "second-order": "Second order",
@@ -204,6 +213,8 @@ export const parameters = phrases("parameters", {
     "bloor-wilson": "Bloor–Wilson",
     "boundary-value": "Free boundary data",
     rings: "Rings",
+    "vertex-frame": "Network of patches",
+    blend: "Blend",
   } satisfies Readonly<Record<Kind, string>>,
   sources: {
     "second-order": "Zhang and You 2001, eqs 1 to 8",
@@ -225,6 +236,12 @@ export const parameters = phrases("parameters", {
     "fourth-order": FOURTH_ORDER,
     "bloor-wilson": BLOOR_WILSON,
   } satisfies { readonly [K in FamilyKind]: Fields<K> },
+  /** Of a network of patches, whose numbers have no fields. */
+  network: (patches: string, vertices: string) =>
+    `A network of ${patches} patches through ${vertices} points. It is drawn, measured and written to files as it is; its points are those of the document.`,
+  /** Of a solid between two sections. */
+  blend: (start: keyof typeof SECTIONS, end: keyof typeof SECTIONS) =>
+    `A solid that flows from ${SECTIONS[start]} into ${SECTIONS[end]}. It is drawn, measured and written to files as it is; its numbers are those of the document.`,
   explain: "Explain",
   inX: "in x",
   inY: "in y",

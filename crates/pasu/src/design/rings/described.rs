@@ -23,8 +23,8 @@ impl Described for Rings {
     const SPELLING: Option<Spelling> = Some(Spelling { names: spelling::NAMES, read: spelling::read });
 
     #[inline]
-    fn problem(&self) -> Cow<'_, BoundaryValue> {
-        Cow::Owned(self.boundary_value())
+    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
+        Some(Cow::Owned(self.boundary_value()))
     }
 
     /// Numbers rounded, waves in ascending `n`, each `n` once, nothing that is 0.

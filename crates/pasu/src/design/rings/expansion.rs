@@ -28,7 +28,7 @@ const SIN: usize = 1;
 impl Rings {
     /// The problem that these numbers stand for: `x = r cos v`, `y = r sin v` with products of waves written as sums.
     #[inline]
-    pub(super) fn boundary_value(&self) -> BoundaryValue {
+    pub(crate) fn boundary_value(&self) -> BoundaryValue {
         let n_rings = self.rings.len().saturating_sub(2);
         let [mut x, mut y, mut z] = [(); 3].map(|()| Modes { n_rings, data: BTreeMap::new() });
         let hoops = self.rings.iter().enumerate().map(|(index, hoop)| (Curve::Hoop(index), &hoop.r, &hoop.z));

@@ -43,7 +43,7 @@ impl PatchNet {
         PatchNet { u: u.to_vec(), v: v.to_vec(), control }
     }
 
-    /// The intervals of nodes along `u` and along `v` that are off by more than a distance where only that direction is interpolated.
+    /// The intervals of nodes along `u` and along `v` that are off by more than a distance where only that direction is interpolated, or by twice as much where both are.
     pub(super) fn rough(&self, at: &dyn Fn(f64, f64) -> SurfaceJet, distance: f64) -> [Vec<usize>; 2] {
         let is_off = |(i, u): (usize, f64), (j, v): (usize, f64)| {
             !((self.position((i, u), (j, v)) - at(u, v).position).length() <= distance)
@@ -62,7 +62,22 @@ impl PatchNet {
                 (0..self.u.len()).any(|i| is_off(node(&self.u, i), v))
             })
         });
-        [rows.collect(), columns.collect()]
+        let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = (rows.collect(), columns.collect());
+        if rows.is_empty() && columns.is_empty() {
+            // What swells between nodes and is flat on all of their lines is seen in the middle of cells alone.
+            let cells = (0..self.u.len() - 1).flat_map(|i| (0..self.v.len() - 1).map(move |j| (i, j)));
+            for (i, j) in cells {
+                let places = PROBES.iter().flat_map(|p| PROBES.iter().map(move |q| (*p, *q)));
+                let mut places = places.map(|(p, q)| (between(&self.u, i, p), between(&self.v, j, q)));
+                if places
+                    .any(|(u, v)| !((self.position((i, u), (j, v)) - at(u, v).position).length() <= 2.0 * distance))
+                {
+                    rows.push(i);
+                    columns.push(j);
+                }
+            }
+        }
+        [rows, columns]
     }
 
     /// The point at a place in an interval along `u` and one along `v`.

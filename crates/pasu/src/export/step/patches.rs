@@ -6,7 +6,7 @@ use super::exchange::{Entities, Id, integers, list, reals, string};
 use super::net::PatchNet;
 use super::sewn::{Sewn, boolean};
 use super::spline::multiplicities;
-use crate::patch::{Lines, Side, SurfaceJet};
+use crate::patch::{ENDS, Lines, Side, SurfaceJet, first_corners};
 use crate::solution::Placed;
 
 /// At most so many nodes in a direction: a patch that needs more has creases inside, which no spline of its kind follows.
@@ -22,6 +22,8 @@ const SAMPLES: usize = 4;
 struct Fitted {
     nets: Vec<PatchNet>,
     sides: Vec<[Side; 4]>,
+    /// For every corner the first that is the same point.
+    corners: Vec<usize>,
     deviation: f64,
     n_samples: usize,
 }
@@ -68,7 +70,7 @@ fn fit(placed: &Placed, millimetres: f64, tolerance: f64) -> Fitted {
                 n_samples += n;
             }
             let sides = patches.iter().map(|patch| patch.sides()).collect();
-            return Fitted { nets, sides, deviation, n_samples };
+            return Fitted { nets, sides, corners: first_corners(&patches), deviation, n_samples };
         }
         Lines::share(&patches, &mut lines);
     }
@@ -77,11 +79,10 @@ fn fit(placed: &Placed, millimetres: f64, tolerance: f64) -> Fitted {
 /// Writes one shell of all patches of a part within the tolerance.
 pub(super) fn sew(into: &mut Entities, name: &str, placed: &Placed, millimetres: f64, tolerance: f64) -> Sewn {
     let fitted = fit(placed, millimetres, tolerance);
-    let is_forwards = placed.is_forwards();
     let is_closed = placed.solved().is_closed();
     let n = fitted.nets.len();
     let mut sewing = Sewing { into, fitted: &fitted, corners: vec![None; 4 * n], edges: vec![None; 4 * n] };
-    let faces: Vec<Id> = (0..n).map(|patch| sewing.face(patch, is_forwards)).collect();
+    let faces: Vec<Id> = (0..n).map(|patch| sewing.face(patch, placed.is_forwards(patch))).collect();
     let shape = if is_closed {
         let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&faces)));
         into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)))
@@ -99,9 +100,6 @@ struct Sewing<'a> {
     corners: Vec<Option<Id>>,
     edges: Vec<Option<Id>>,
 }
-
-/// The corners `(u, v)` of a patch are numbered `2 u + v`; these are the first and the last of each side, in the order of its parameter.
-const ENDS: [[usize; 2]; 4] = [[0, 1], [2, 3], [0, 2], [1, 3]];
 
 impl Sewing<'_> {
     fn face(&mut self, patch: usize, is_forwards: bool) -> Id {
@@ -187,33 +185,9 @@ impl Sewing<'_> {
         Some((edge, is_reversed))
     }
 
-    /// Every corner that is the same point as one, by the sides that they are on.
-    fn same_corners(&self, patch: usize, corner: usize) -> Vec<(usize, usize)> {
-        let mut found = vec![(patch, corner)];
-        let mut next = 0;
-        while let Some(&(patch, corner)) = found.get(next) {
-            next += 1;
-            for (side, met) in self.fitted.sides[patch].into_iter().enumerate() {
-                let Some(end) = ENDS[side].iter().position(|end| *end == corner) else { continue };
-                let other = match met {
-                    Side::Free => continue,
-                    Side::Pole => (patch, ENDS[side][1 - end]),
-                    Side::Joined => (patch, ENDS[side ^ 1][end]),
-                    Side::Shared { patch, side, is_reversed } => {
-                        (patch, ENDS[side][if is_reversed { 1 - end } else { end }])
-                    }
-                };
-                if !found.contains(&other) {
-                    found.push(other);
-                }
-            }
-        }
-        found
-    }
-
     fn vertex(&mut self, patch: usize, corner: usize) -> Id {
-        let same = self.same_corners(patch, corner);
-        let (patch, corner) = same.into_iter().min().unwrap_or((patch, corner));
+        let first = self.fitted.corners[4 * patch + corner];
+        let (patch, corner) = (first / 4, first % 4);
         if let Some(vertex) = self.corners[4 * patch + corner] {
             return vertex;
         }

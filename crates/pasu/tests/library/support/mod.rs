@@ -4,7 +4,7 @@ pub(crate) mod documents;
 pub(crate) mod random;
 pub(crate) mod value;
 
-use pasu::{Design, Shape, Surface};
+use pasu::{BoundaryValue, Design, Shape, Surface};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -50,8 +50,13 @@ pub(crate) fn shape(value: &Value) -> Shape {
     Shape::parse(&value.to_string()).unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// The boundary-value problem of a surface between two ends.
+pub(crate) fn problem_of(value: &Value) -> BoundaryValue {
+    shape(value).boundary_value().expect("it has two ends")
+}
+
 pub(crate) fn surface(value: &Value) -> Surface {
-    Surface::solve(&shape(value).boundary_value(), "shape").unwrap_or_else(|e| panic!("{e}"))
+    Surface::solve(&problem_of(value), "shape").unwrap_or_else(|e| panic!("{e}"))
 }
 
 pub(crate) fn surface_of(json: &str) -> Surface {
@@ -73,7 +78,7 @@ pub(crate) fn design_of_case(case: &Case) -> Design {
 
 /// The largest `k sqrt(|t/s|)` or `k (|w/s|)^(1/4)` of a shape, at least 1: what a derivative may grow by.
 pub(crate) fn rate(shape: &Shape) -> f64 {
-    let shape = shape.boundary_value();
+    let shape = shape.boundary_value().expect("it has two ends");
     let span = shape.span.length();
     let mut rate = 1.0f64;
     for component in [&shape.x, &shape.y, &shape.z] {

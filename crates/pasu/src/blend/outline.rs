@@ -1,0 +1,170 @@
+//! Whether a closed section bounds an area: its outline must not run through itself.
+
+use core::f64::consts::PI;
+
+use glam::{DVec2, DVec3};
+
+use super::section::Product;
+use crate::design::{Form, Section};
+use crate::error::{Code, Error, Result};
+
+/// Points on an outline for each wave of its highest harmonic, and how many there are at least and at most.
+const PER_WAVE: f64 = 12.0;
+const POINTS: (f64, f64) = (96.0, 4096.0);
+
+/// Where the first point lies between two of equal spacing: symmetrical outlines would else run through themselves at points, where nothing crosses.
+const OFFSET: f64 = 0.382;
+
+/// An area counts as none when it is this small beside the square of the extent.
+const NO_AREA: f64 = 1e-12;
+
+/// The outline of a section as a closed polygon.
+#[derive(Debug)]
+pub(super) struct Polygon {
+    points: Vec<DVec2>,
+}
+
+impl Polygon {
+    /// Points of the border of a section, by what adds up to it.
+    pub(super) fn of(form: &Form, products: &[Product]) -> Polygon {
+        let waves = match form {
+            Form::Outline { x, y } => x.iter().chain(y).map(|wave| wave.n).fold(1.0, f64::max),
+            _ => 1.0,
+        };
+        let n = (PER_WAVE * waves).clamp(POINTS.0, POINTS.1) as usize;
+        let at = |u: f64, v: f64| -> DVec2 {
+            products.iter().map(|p| p.by * (p.u.jet::<1>(u)[0] * p.v.jet::<1>(v)[0])).sum()
+        };
+        let points = match form {
+            Form::Disc(_) | Form::Outline { .. } => (0..n).map(|i| at(1.0, (i as f64 + OFFSET) / n as f64)).collect(),
+            // Once round the square.
+            _ => {
+                let side = n / 4;
+                let along = |i: usize| 0.5 - 0.5 * libm::cos(PI * i as f64 / side as f64);
+                let border = |side: usize, t: f64| match side {
+                    0 => at(t, 0.0),
+                    1 => at(1.0, t),
+                    2 => at(1.0 - t, 1.0),
+                    _ => at(0.0, 1.0 - t),
+                };
+                let mut points: Vec<DVec2> = (0..4 * side).map(|i| border(i / side, along(i % side))).collect();
+                points.dedup();
+                points
+            }
+        };
+        Polygon { points }
+    }
+
+    fn edges(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        let next = self.points.iter().skip(1).chain(self.points.first());
+        self.points.iter().zip(next).map(|(from, to)| [*from, *to])
+    }
+
+    fn area(&self) -> f64 {
+        0.5 * self.edges().map(|[from, to]| from.perp_dot(to)).sum::<f64>()
+    }
+
+    fn extent(&self) -> f64 {
+        let (low, high) = self.bounds();
+        (high - low).max_element()
+    }
+
+    fn bounds(&self) -> (DVec2, DVec2) {
+        let start = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        self.points.iter().fold(start, |(low, high), point| (low.min(*point), high.max(*point)))
+    }
+
+    /// A place where two edges that are not neighbours cross, of the first edge and the other.
+    fn crossing(&self) -> Option<DVec2> {
+        let n = self.points.len();
+        let edges: Vec<[DVec2; 2]> = self.edges().collect();
+        // Swept along x: only edges whose intervals meet are compared.
+        let mut order: Vec<usize> = (0..n).collect();
+        let low = |edge: usize| edges[edge][0].x.min(edges[edge][1].x);
+        let high = |edge: usize| edges[edge][0].x.max(edges[edge][1].x);
+        order.sort_by(|one, other| low(*one).total_cmp(&low(*other)));
+        let mut open: Vec<usize> = Vec::new();
+        for edge in order {
+            open.retain(|other| high(*other) >= low(edge));
+            for other in &open {
+                let apart = edge.abs_diff(*other);
+                if apart > 1
+                    && apart < n - 1
+                    && do_meet(edges[edge], edges[*other])
+                    && do_cross(edges[edge], edges[*other])
+                {
+                    return Some(0.5 * (edges[edge][0] + edges[edge][1]));
+                }
+            }
+            open.push(edge);
+        }
+        None
+    }
+
+    /// Whether a point is inside, by how often a ray from it leaves.
+    fn holds(&self, point: DVec2) -> bool {
+        let leaves = |[from, to]: &[DVec2; 2]| {
+            (from.y > point.y) != (to.y > point.y)
+                && point.x < from.x + (to.x - from.x) * (point.y - from.y) / (to.y - from.y)
+        };
+        self.edges().filter(leaves).count() % 2 == 1
+    }
+
+    /// A point that both areas have; `None` where they are apart.
+    fn overlap(&self, other: &Polygon) -> Option<DVec2> {
+        let ((low, high), (other_low, other_high)) = (self.bounds(), other.bounds());
+        if low.cmpgt(other_high).any() || other_low.cmpgt(high).any() {
+            return None;
+        }
+        let of_one = self.points.iter().find(|point| other.holds(**point));
+        of_one.or_else(|| other.points.iter().find(|point| self.holds(**point))).copied()
+    }
+}
+
+/// Whether the intervals along y of two segments meet.
+fn do_meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    a.y.max(b.y) >= c.y.min(d.y) && c.y.max(d.y) >= a.y.min(b.y)
+}
+
+/// Whether two segments cross in a point that is inside both.
+fn do_cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    let side = |p: DVec2, q: DVec2, r: DVec2| robust::orient2d(coord(p), coord(q), coord(r));
+    let (one, other) = (side(a, b, c), side(a, b, d));
+    let (third, fourth) = (side(c, d, a), side(c, d, b));
+    one * other < 0.0 && third * fourth < 0.0
+}
+
+fn coord(p: DVec2) -> robust::Coord<f64> {
+    robust::Coord { x: p.x, y: p.y }
+}
+
+/// Refuses sections that bound no area, that run through themselves, and two that lie in each other.
+///
+/// # Errors
+/// `pinched-surface` and `crosses-itself`, with the section and the place.
+pub(super) fn refuse_broken(both: [&Section; 2], polygons: &[Polygon; 2], path: &str) -> Result<()> {
+    for ((section, polygon), name) in both.into_iter().zip(polygons).zip(["start", "end"]) {
+        let place = |at: DVec2| at.extend(section.z).to_array();
+        let extent = polygon.extent();
+        if let Some(at) = polygon.crossing() {
+            let message = "the outline runs through itself: expected one that goes round an area once";
+            let error = Error::new(Code::CrossesItself, format!("{path}.{name}"), message).near(place(at));
+            return Err(error.with("what", "section"));
+        }
+        if !(polygon.area().abs() > NO_AREA * extent * extent) {
+            let message = "the outline goes round no area: expected one that does";
+            let error = Error::new(Code::PinchedSurface, format!("{path}.{name}"), message);
+            return Err(error.with("what", "section"));
+        }
+    }
+    let [start, end] = both;
+    let extent = polygons.iter().map(Polygon::extent).fold(0.0, f64::max);
+    if (start.z - end.z).abs() <= NO_AREA * extent
+        && let Some(at) = polygons[0].overlap(&polygons[1])
+    {
+        let message = "both sections lie at the same height, one in the other: expected another height, or sections beside each other";
+        let error = Error::new(Code::CrossesItself, format!("{path}.end.z"), message);
+        return Err(error.near(DVec3::from((at, end.z)).to_array()).with("what", "sections"));
+    }
+    Ok(())
+}

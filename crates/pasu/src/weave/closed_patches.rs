@@ -1,0 +1,134 @@
+//! The closed mesh of patches that go round a body as they are, which passes every check, or the reason why there is none.
+
+use glam::DVec3;
+
+use super::meshed::{compact, finished};
+use super::solid_mesh::SolidMesh;
+use super::woven::{Woven, WovenFace};
+use crate::check::{self, Topology};
+use crate::error::{Code, Error, Result};
+use crate::face::FaceKind;
+use crate::mesh::{Welded, welded};
+use crate::patch::Side;
+use crate::solid::place;
+use crate::solution::Placed;
+use crate::watch;
+
+/// How many times as finely as asked for a body is meshed, in turn, before it is refused: of a tube of two patches each may be flat at first.
+const FINENESS: [f64; 2] = [1.0, 3.0];
+
+/// The most triangles of one body.
+const MOST_TRIANGLES: usize = 8_000_000;
+
+/// The mesh of closed patches within a tolerance, or within the usual one; `scale` is from model units to millimetres.
+///
+/// # Errors
+/// `open-surface` for patches that do not close, or have no inside; `crosses-itself`, `pinched-surface`, `too-large`, `tolerance-too-fine`, `overflow`.
+pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64) -> Result<(Topology, SolidMesh)> {
+    refuse_open(placed)?;
+    let mut asked = tolerance;
+    let mut refusal = None;
+    for fineness in FINENESS {
+        watch::go_on()?;
+        let Welded { positions, triangles, bound } = match welded(placed, asked.map(|asked| asked / fineness)) {
+            // What is refused for being too fine was refused for something else before.
+            Err(error) => return Err(refusal.unwrap_or(error)),
+            Ok(welded) => welded,
+        };
+        asked.get_or_insert(bound);
+        if triangles.len() > MOST_TRIANGLES {
+            let message = format!("needs more than {MOST_TRIANGLES} triangles: expected a coarser tolerance");
+            let error = Error::new(Code::TooLarge, placed.own_path(), message).with("what", "triangles");
+            return Err(error.with("greatest", MOST_TRIANGLES));
+        }
+        let face = WovenFace { kind: FaceKind::Outer, n_triangles: triangles.len(), is_level: false };
+        let positions: Vec<[f32; 3]> = positions.iter().map(|at| (*at * scale).to_array().map(|x| x as f32)).collect();
+        if positions.iter().flatten().any(|x| !x.is_finite()) {
+            let message = "the body is larger than a file can hold: numbers up to 3e38 millimetres can be held";
+            return Err(Error::new(Code::Overflow, placed.own_path(), message));
+        }
+        let mut woven = Woven { positions, triangles, faces: vec![face], bound };
+        compact(&mut woven);
+        match verdict(placed, &woven, scale) {
+            Ok(topology) => {
+                let mut mesh = finished(&woven, placed.index(), scale);
+                // That of the patches has the rounding in it.
+                mesh.bound = bound;
+                return Ok((topology, mesh));
+            }
+            Err(error) => refusal = Some(error),
+        }
+    }
+    Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, placed.own_path(), "the patches cannot be meshed")))
+}
+
+/// Refuses patches that are no boundary of a body.
+fn refuse_open(placed: &Placed) -> Result<()> {
+    const SIDES: [&str; 4] = ["u = 0", "u = 1", "v = 0", "v = 1"];
+    if placed.solved().is_closed() {
+        return Ok(());
+    }
+    let patches = placed.solved().patches();
+    let mut sides = patches
+        .iter()
+        .enumerate()
+        .flat_map(|(patch, of)| of.sides().into_iter().enumerate().map(move |side| (patch, side)));
+    let Some((patch, (side, _))) = sides.find(|(_, (_, met))| *met == Side::Free) else {
+        let message = "the surface has one side only, so that it has no inside: expected one with two";
+        return Err(Error::new(Code::OpenSurface, placed.path("shape"), message).with("what", "one-sided"));
+    };
+    let (u, v) = [(0.0, 0.5), (1.0, 0.5), (0.5, 0.0), (0.5, 1.0)][side];
+    let at = placed.place(&patches[patch].jet(u, v)).position;
+    let message = format!(
+        "the side {} of patch {patch} is free, at {}, so that nothing is enclosed: expected patches that close, which are a solid as they are",
+        SIDES[side],
+        place(at)
+    );
+    let error = Error::new(Code::OpenSurface, placed.path(&format!("shape.patches[{patch}]")), message);
+    Err(error.with("what", "free-edge").near(at.to_array()))
+}
+
+/// Whether a mesh is one that may be written.
+fn verdict(placed: &Placed, woven: &Woven, scale: f64) -> Result<Topology> {
+    let error = |code: Code, what: &str, at: DVec3, message: String| {
+        Err(Error::new(code, placed.path("shape"), message).with("what", what).near(at.to_array()))
+    };
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| woven.positions[vertex as usize]);
+    if let Some(number) = woven.triangles.iter().position(|triangle| check::is_degenerate(corners(triangle))) {
+        let at = woven.middle(number as u32) / scale;
+        let message = format!(
+            "the surface shrinks to nothing at {}: expected it to be wider than numbers of seven digits can hold",
+            place(at)
+        );
+        return error(Code::PinchedSurface, "shrinks", at, message)
+            .map_err(|error| error.with("face", FaceKind::Outer.name()));
+    }
+    let topology = match check::closed(&woven.triangles, woven.positions.len()) {
+        Ok(topology) => topology,
+        Err(vertex) => {
+            let at = woven.position(vertex) / scale;
+            let message = format!(
+                "the patches meet in a single point at {}: expected them to have edges in common there",
+                place(at)
+            );
+            return error(Code::CrossesItself, "does-not-close", at, message);
+        }
+    };
+    let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, 1);
+    match (crossings.first(), given_up) {
+        (Some(pair), _) => {
+            let at = woven.middle(pair[0]) / scale;
+            let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
+            error(Code::CrossesItself, "surface", at, message)
+        }
+        (None, Some(triangle)) => {
+            let at = woven.middle(triangle) / scale;
+            let message = format!(
+                "so much of the surface lies close to itself near {} that it cannot be told whether it runs through itself: expected one that does not",
+                place(at)
+            );
+            error(Code::CrossesItself, "surface-close", at, message)
+        }
+        (None, None) => Ok(topology),
+    }
+}
