@@ -4,6 +4,8 @@ import { appendFileSync } from "node:fs";
 
 /** Contenders that took turns. */
 export interface Group {
+  /** Where it was measured, if not in Chromium. */
+  readonly runner?: "Node";
   /** What the group is called. */
   readonly group: string;
   /** What the samples are. */
@@ -32,7 +34,7 @@ export interface Row {
 /** Whether a few turns are enough. */
 export const QUICK = process.env.PASU_BENCH_QUICK !== undefined;
 
-/** Hands over a group measured in Chromium. Run by hand, a script shows it instead. */
+/** Hands over a group. Run by hand, a script shows it instead. */
 export function record(group: Group): void {
   const line = JSON.stringify({ runner: "Chromium", ...group });
   const file = process.env.PASU_BENCH_ROWS;

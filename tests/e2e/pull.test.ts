@@ -129,13 +129,61 @@ test("a named vase follows with its numbers, and says where it cannot", async ()
   const before = await pot.fingerprint();
   const belly = await pot.field("Rim radius").inputValue();
   await takeUp(pot);
-  expect(await ringsOf(pot)).toBe(0);
+  // Rim, middle and foot.
+  expect(await ringsOf(pot)).toBe(3);
   expect(await pot.page.getByRole("radio", { name: "All round" }).count()).toBe(0);
   await pot.page.getByRole("radio", { name: "Free" }).check();
   await dragFrom(pot, await onStage(pot, 0.5, 0.5), { x: 30, y: -30 });
   await pot.fingerprintOtherThan(before);
   expect(await pot.field("Rim radius").inputValue()).not.toBe(belly);
   expect((await pot.address()).startsWith(VASE)).toBe(true);
+});
+
+test("by keys a named vase is pulled at its rim, its middle and its foot, and what is kept stays", async () => {
+  const pot = await here.enter({ link: VASE });
+  const before = await pot.fingerprint();
+  const { keyboard } = pot.page;
+  const [rim, foot, height] = [pot.field("Rim radius"), pot.field("Foot radius"), pot.field("Height").first()];
+  const given = await Promise.all([rim, foot, height].map((field) => field.inputValue()));
+  await takeUp(pot);
+  const keep = pot.page.getByRole("group", { name: "Keep" });
+  await keep.getByRole("checkbox", { name: "Foot" }).check();
+  await keep.getByRole("checkbox", { name: "Height" }).check();
+  await ring(pot, 0).focus();
+  expect(await ring(pot, 0).getAttribute("aria-label")).toBe("Rim");
+  const told = pot.page.locator("pasu-pull p[role=status]");
+  await expect.poll(() => told.textContent()).toMatch(/^Rim: radius [\d.]+\scm, height [\d.]+\scm$/);
+  const first = await told.textContent();
+  await keyboard.press("Shift+ArrowRight");
+  const once = await pot.fingerprintOtherThan(before);
+  await keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(once);
+  expect(await rim.inputValue()).not.toBe(given[0]);
+  expect(await foot.inputValue()).toBe(given[1]);
+  expect(await height.inputValue()).toBe(given[2]);
+  await expect.poll(() => told.textContent()).not.toBe(first);
+  // Nothing of it can be taken away.
+  await keyboard.press("Delete");
+  expect(await ringsOf(pot)).toBe(3);
+  await keyboard.press("Tab");
+  expect(await ring(pot, 1).getAttribute("aria-label")).toBe("Middle");
+  await keyboard.press("Tab");
+  expect(await ring(pot, 2).getAttribute("aria-label")).toBe("Foot");
+  expect(await findings(pot)).toEqual([]);
+  // Each press was a step.
+  await pot.undo();
+  await pot.shows(once);
+  await pot.undo();
+  await pot.shows(before);
+});
+
+test("on a phone what is kept of a family can be ticked", async () => {
+  const pot = await here.enter({ ...PHONE, link: VASE });
+  await pot.fingerprint();
+  await takeUp(pot);
+  expect(await overhang(pot)).toBe(0);
+  expect(await unreachable(pot, ".bar")).toEqual([]);
+  expect(await findings(pot)).toEqual([]);
 });
 
 /** Two bottles, the second lying on its side, stretched and in a mirror. */

@@ -74,7 +74,7 @@ test.each<[string, VisitOptions]>([
     expect(await pot.page.evaluate(() => document.documentElement.lang)).toBe("en-XA");
     await page.check("the page and its parameters");
     await page.tab("Profile");
-    await pot.page.locator("pasu-profile svg").waitFor();
+    await pot.page.locator("pasu-profile svg[role]").waitFor();
     await page.check("the profile");
     await page.tab("Equation");
     await page

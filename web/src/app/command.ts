@@ -3,6 +3,9 @@
 export type Command =
   | "new"
   | "surprise"
+  | "draw"
+  | "redraw"
+  | "scan"
   | "gallery"
   | "mix"
   | "shelf"
@@ -14,6 +17,9 @@ export type Command =
   | "embed"
   | "picture"
   | "help";
+
+/** What the bar across the top has a button for. */
+export type BarCommand = Exclude<Command, "draw" | "redraw" | "scan">;
 
 export class CommandEvent extends Event {
   readonly command: Command;

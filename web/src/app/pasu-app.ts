@@ -31,6 +31,8 @@ const OFFER_MS = 30_000;
 /** Dialogues are fetched when they are first opened: the first picture does not wait for them. */
 const DIALOGUES = {
   new: () => import("./dialogs/new-dialog"),
+  draw: () => import("./dialogs/draw-dialog"),
+  scan: () => import("./dialogs/scan-dialog"),
   gallery: () => import("./dialogs/gallery-dialog"),
   mix: () => import("./dialogs/mix-dialog"),
   shelf: () => import("./dialogs/shelf-dialog"),
@@ -49,6 +51,8 @@ const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
+  /** Whether what is drawn takes the place of the selected part's shape. */
+  @state() private redraws = false;
   @state() private address = "";
   @state() private viewed = "";
   @state() private dropping = false;
@@ -182,6 +186,10 @@ export class PasuApp extends DesignerElement {
         return nothing;
       case "new":
         return html`<pasu-new .designer=${designer} @command-chosen=${this.commanded} @new-closed=${close}></pasu-new>`;
+      case "draw":
+        return html`<pasu-draw .designer=${designer} ?redraws=${this.redraws} @draw-closed=${close}></pasu-draw>`;
+      case "scan":
+        return html`<pasu-scan .designer=${designer} @scan-closed=${close}></pasu-scan>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
       case "mix":
@@ -209,12 +217,18 @@ export class PasuApp extends DesignerElement {
     switch (command) {
       case "new":
       case "gallery":
+      case "scan":
       case "mix":
       case "shelf":
       case "help":
       case "picture":
       case "export":
         await this.show(command);
+        return;
+      case "draw":
+      case "redraw":
+        this.redraws = command === "redraw";
+        await this.show("draw");
         return;
       case "surprise":
         await this.surprise();

@@ -6,12 +6,12 @@ import { DesignerElement } from "../element/designer-element";
 import { MAX_TITLE, setTheme, setTitle } from "../state/actions";
 import { THEMES, type ThemeChoice } from "../state/session";
 import { type IconName, icon } from "../ui/icons";
-import { type Command, CommandEvent } from "./command";
+import { type BarCommand, CommandEvent } from "./command";
 import "../ui/menu";
 import { base, buttons } from "../ui/styles";
 import { page } from "../words/english/page";
 
-const ICONS: Readonly<Record<Command, IconName>> = {
+const ICONS: Readonly<Record<BarCommand, IconName>> = {
   new: "add",
   surprise: "chance",
   gallery: "gallery",
@@ -27,7 +27,7 @@ const ICONS: Readonly<Record<Command, IconName>> = {
   help: "help",
 };
 
-const FILES: readonly Command[] = ["gallery", "new", "open", "save", "export", "picture"];
+const FILES: readonly BarCommand[] = ["gallery", "new", "open", "save", "export", "picture"];
 
 const THEME_ICONS: Readonly<Record<ThemeChoice, IconName>> = { auto: "auto", light: "sun", dark: "moon" };
 
@@ -82,17 +82,17 @@ export class PasuTopBar extends DesignerElement {
     `;
   }
 
-  private ask(command: Command): void {
+  private ask(command: BarCommand): void {
     this.dispatchEvent(new CommandEvent(command));
   }
 
-  private item(command: Command) {
+  private item(command: BarCommand) {
     return html`<button class="button item" type="button" @click=${() => this.ask(command)}>
       ${icon(ICONS[command])}<span>${page.commands[command]}</span>
     </button>`;
   }
 
-  private bare(command: Command) {
+  private bare(command: BarCommand) {
     const label = page.commands[command];
     return this.plain(label, ICONS[command], label, false, () => this.ask(command));
   }

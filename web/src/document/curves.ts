@@ -21,6 +21,12 @@ export function curvesOf(shape: Shape): readonly Curve[] {
   return places.map((u, index) => ({ u, index, end: index === 0 || index === places.length - 1 }));
 }
 
+/** Where a hand by keys takes hold: at every curve, and of a family of numbers at both ends and between them. */
+export function gripsOf(shape: Shape): readonly Curve[] {
+  const curves = curvesOf(shape);
+  return curves.length > 0 ? curves : [0, 0.5, 1].map((u, index) => ({ u, index, end: u !== 0.5 }));
+}
+
 function placesOf(shape: Shape): readonly number[] {
   if (shape.kind === "rings") return shape.rings.map(({ u }) => u);
   return shape.kind === "boundary-value" ? [0, ...(shape.rings ?? []).map(({ u }) => u), 1] : [];

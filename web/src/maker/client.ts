@@ -27,6 +27,9 @@ const PATIENCE_MS = 1000;
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = [
   "pull",
+  "free",
+  "fit",
+  "levels",
   "open",
   "write",
   "quick",

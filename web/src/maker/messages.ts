@@ -1,7 +1,9 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
 import type { Brush } from "../document/brush";
+import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
+import type { Levels } from "../document/scanned/levels";
 import type {
   Design,
   Format,
@@ -12,6 +14,7 @@ import type {
   Product,
   Provenance,
   Report,
+  Rings,
   Shape,
 } from "../document/types";
 import type { GridSize } from "../document/waves";
@@ -110,6 +113,12 @@ export interface PulledShape {
   readonly behind: number;
 }
 
+/** A shape of rings that says what something else said, and how far it is from that at most. */
+export interface RingedShape {
+  readonly shape: Rings;
+  readonly distance: number;
+}
+
 export type Ask =
   | PullAsk
   | {
@@ -140,7 +149,11 @@ export type Ask =
     } & GridSize)
   | { readonly kind: "water"; readonly design: Design; readonly level: number }
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
-  | { readonly kind: "open"; readonly bytes: Uint8Array };
+  | { readonly kind: "open"; readonly bytes: Uint8Array }
+  | { readonly kind: "free"; readonly design: Design; readonly part: number; readonly tolerance: number }
+  | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number }
+  /** Triangles of a scan, nine numbers each. */
+  | { readonly kind: "levels"; readonly positions: Float32Array };
 
 export interface Answers {
   readonly pull: PulledShape;
@@ -154,6 +167,10 @@ export interface Answers {
   readonly write: Written;
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */
   readonly open: Provenance | null;
+  readonly free: RingedShape;
+  readonly fit: RingedShape;
+  /** Null where the triangles are no pot. */
+  readonly levels: Levels | null;
 }
 
 export type Kind = Ask["kind"];

@@ -1,9 +1,11 @@
 /** What the maker's worker answers: everything that the package can do besides drawing. */
 
-import { check, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
+import type { Ringed } from "pasu";
+import { check, fit as fitted, free, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
+import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { liningValues } from "./lining";
-import type { Answers, Ask, Kind, Lined, Quick, Request, Solid } from "./messages";
+import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
 import { solidOf } from "./solid";
@@ -35,7 +37,20 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return provenance(ask.bytes);
     case "pull":
       return pulling(ask);
+    case "free":
+      return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
+    case "fit":
+      return ringed(fitted(ask.profile, { tolerance: ask.tolerance }), 0);
+    case "levels":
+      return levelsOf(ask.positions);
   }
+}
+
+/** What a part has become; everything else of the design is as it was. */
+function ringed({ design, distance }: Ringed, part: number): RingedShape {
+  const shape = design.parts[part]?.shape;
+  if (shape?.kind !== "rings") throw new Error("what is freed or fitted is of rings");
+  return { shape, distance };
 }
 
 /** Parts that are no pots are drawn by the solver alone. */

@@ -5,10 +5,11 @@
 
 import { signal } from "@preact/signals-core";
 import { type Brush, NEW_BRUSH } from "../document/brush";
+import { keptBy, type Lock } from "../document/locks";
 import { setPath } from "../document/path";
 import type { Design, Pair, Refusal, Shape } from "../document/types";
 import type { MakerClient } from "../maker/client";
-import type { Move, PullAsk, PulledShape } from "../maker/messages";
+import type { Move, PulledShape } from "../maker/messages";
 import type { PartId } from "../state/parts";
 import type { Store } from "../state/store";
 
@@ -50,6 +51,7 @@ export class Pull {
   readonly #maker: MakerClient;
   readonly #followed = signal(FOLLOWED);
   readonly #brush = signal<Brush>(NEW_BRUSH);
+  readonly #locked = signal<readonly Lock[]>([]);
   readonly #grip = signal<Held | null>(null);
   /** Over when the grip before has brought home what it was asked for. */
   #before: Promise<void> = Promise.resolve();
@@ -69,6 +71,15 @@ export class Pull {
     this.#brush.value = brush;
   }
 
+  /** What of a named family stays as it is; kept while the page is open. */
+  get locked(): readonly Lock[] {
+    return this.#locked.value;
+  }
+
+  set locked(locked: readonly Lock[]) {
+    this.#locked.value = locked;
+  }
+
   /** What became of the last movement. */
   get followed(): Followed {
     return this.#followed.value;
@@ -77,6 +88,11 @@ export class Pull {
   /** What is held, if anything. */
   get grip(): Grip | null {
     return this.#grip.value;
+  }
+
+  /** Over when what was asked by the last grip that was let go has arrived. */
+  get settled(): Promise<void> {
+    return this.#before;
   }
 
   /** Takes hold of a point. What was held before is let go. */
@@ -96,9 +112,9 @@ export class Pull {
   }
 
   /** The hand has come so far from where it took hold. */
-  move(by: Move, keep: PullAsk["keep"] = []): void {
+  move(by: Move): void {
     const held = this.#grip.peek();
-    if (held) void this.#ask(held, by, this.brush, keep);
+    if (held) void this.#ask(held, by, this.brush, this.#locked.peek());
   }
 
   /** Puts a ring where the surface of a part is, which changes nothing until it is moved. */
@@ -132,12 +148,13 @@ export class Pull {
     if (held.left !== null && held.left === this.#store.design) this.#store.cancelGesture();
   }
 
-  async #ask(held: Held, by: Move, brush: Brush, keep: PullAsk["keep"]): Promise<void> {
+  async #ask(held: Held, by: Move, brush: Brush, locked: readonly Lock[]): Promise<void> {
     held.under += 1;
     try {
       await this.#before;
       const from = this.#begin(held);
       if (!from) return;
+      const keep = keptBy(from, locked);
       const outcome = await this.#maker.ask({ kind: "pull", shape: from, at: held.at, by, brush, keep });
       if (outcome.state === "superseded") return;
       if (outcome.state === "refused") this.#followed.value = { ...FOLLOWED, refusal: outcome.refusal };

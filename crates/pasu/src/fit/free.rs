@@ -57,26 +57,26 @@ pub fn free(design: &Design, part: usize, tolerance: f64) -> Result<Ringed> {
     check_tolerance(tolerance)?;
     let solution = Solution::of(design);
     let placed = solution.part(part)?;
-    let unable = |why: &str| {
+    let unable = |what: &str, why: &str| {
         let message = format!("this cannot be said by rings: {why}");
-        Error::new(Code::UnsupportedShape, format!("parts[{part}].shape"), message)
+        Error::new(Code::UnsupportedShape, format!("parts[{part}].shape"), message).with("what", what)
     };
     let a = match &design.parts()[part].shape {
         Shape::Rings(_) => return Ok(Ringed { design: design.clone(), distance: 0.0 }),
         Shape::BloorWilson(vase) => vase.a,
         _ => 1.0,
     };
-    let surface = placed.solved().fourier().ok_or_else(|| unable("it is no surface between two ends"))?;
+    let surface = placed.solved().fourier().ok_or_else(|| unable("no-ends", "it is no surface between two ends"))?;
     if !surface.is_closed() {
-        return Err(unable("the surface does not close round the axis"));
+        return Err(unable("open", "the surface does not close round the axis"));
     }
     let sections = Sections::of(surface);
     if tolerance < FINEST * sections.size() {
         return Err(too_fine(tolerance, FINEST * sections.size()));
     }
     let found = Search::of(&sections, a, tolerance).run()?;
-    let (rings, distance) =
-        found.ok_or_else(|| unable("not every section goes round the axis once, without turning back"))?;
+    let (rings, distance) = found
+        .ok_or_else(|| unable("turns-back", "not every section goes round the axis once, without turning back"))?;
     Ok(Ringed { design: design.with_shape(part, Shape::Rings(rings))?, distance })
 }
 

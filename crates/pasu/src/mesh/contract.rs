@@ -46,7 +46,7 @@ pub struct Mesh {
 ///
 /// `rows` and `columns` count vertices (2 to 16 million, whose product over all parts is at most 16 million). What is not given
 /// is chosen from `tolerance`, so that as few vertices as possible hold it; when that is not given either, from one two-thousandth of each part's size. Rows that are chosen are placed
-/// where they are needed; rows that are given are even.
+/// where they are needed; rows that are given are even. Of a network of patches each has its share of `rows` times `columns`, see [`Mesh`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MeshOptions {
     /// The largest distance between the triangles and the true surface, in model units; positive. It is a promise, from a bound on

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use pasu::{Code, Design, Profile, Rings, Shape, Surface, evaluate, fit, free};
+use pasu::{Arg, Code, Design, Profile, Rings, Shape, Surface, evaluate, fit, free};
 
 fn pot(design: &Design) -> &Rings {
     match &design.parts()[0].shape {
@@ -131,6 +131,10 @@ fn what_rings_cannot_say_is_refused() {
     assert_eq!(refused("#1/second-order?n=1,8.5", 0.01), (Code::UnsupportedShape, "parts[0].shape".into()));
     // Petals so deep that they turn back.
     assert_eq!(refused("#1/second-order?r=1,.8,.6,.5", 0.01), (Code::UnsupportedShape, "parts[0].shape".into()));
+    for (link, what) in [("#1/second-order?n=1,8.5", "open"), ("#1/second-order?r=1,.8,.6,.5", "turns-back")] {
+        let error = free(&Design::parse(link).unwrap(), 0, 0.01).unwrap_err();
+        assert_eq!(error.arg("what"), Some(&Arg::from(what)));
+    }
     let error = free(&Design::parse("#1/fourth-order").unwrap(), 3, 0.1).unwrap_err();
     assert_eq!(error.code(), Code::NoSuchPoint);
 }

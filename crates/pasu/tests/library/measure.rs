@@ -5,7 +5,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::support::random::Random;
-use crate::support::{design, gallery};
+use crate::support::{design, gallery, table};
 use glam::DVec3;
 use pasu::{
     Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product,
@@ -363,7 +363,7 @@ fn dense_clay(pot: &Pot, rows: usize, columns: usize) -> [f64; 2] {
 /// A wall that had to be thinned is a spline whose second derivatives jump from place to place.
 #[test]
 fn thinned_walls_against_a_dense_sum() {
-    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == "own-fluted").expect("in the gallery");
+    let exhibit = table("table-fluted");
     let shape = serde_json::to_string(&exhibit.shape).unwrap();
     let wall = r#""wall": { "thickness": 0.6, "base": 0.6 }"#;
     let design = design(&format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, {wall} }}] }}"#));

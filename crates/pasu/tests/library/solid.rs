@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-use crate::support::{Exhibit, design, gallery};
+use crate::support::{Exhibit, design, gallery, table};
 use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, check, solid};
 
 /// A cylinder of radius 2 and height 5 with a wall.
@@ -278,7 +278,7 @@ fn follows_on_if_exact(pot: &Pot) {
 /// The highest point of a rim lies between the columns at which curves are looked at.
 #[test]
 fn a_solid_with_a_tilted_rim_reaches_its_highest_point() {
-    let exhibit = gallery().into_iter().find(|exhibit| exhibit.name == "own-leaning").unwrap();
+    let exhibit = table("table-leaning");
     let (design, making) = walled(&exhibit);
     let mesh = made(&design, &Making { product: Product::Solid, ..making });
     let (_, first, count) = *mesh.faces.last().unwrap();

@@ -9,9 +9,10 @@ struct OnlyUsers {
 }
 
 /// Each heavy or delicate dependency has one door: the solver draws with `pasu/drawing`, the maker has all of `pasu`. Components are made where there is a page.
-const ONLY_USERS: [OnlyUsers; 5] = [
+const ONLY_USERS: [OnlyUsers; 6] = [
     OnlyUsers { package: "twgl.js", folders: &["web/src/render/"] },
     OnlyUsers { package: "gl-matrix", folders: &["web/src/render/"] },
+    OnlyUsers { package: "three", folders: &["web/src/app/scanning/"] },
     OnlyUsers { package: "pasu/drawing", folders: &["web/src/solver/"] },
     OnlyUsers { package: "pasu", folders: &["web/src/maker/"] },
     OnlyUsers { package: "lit", folders: &["web/src/ui/", "web/src/element/", "web/src/app/"] },

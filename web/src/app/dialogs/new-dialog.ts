@@ -30,6 +30,8 @@ export class PasuNew extends DesignerElement {
         <button class="button outlined" type="button" title=${beginnings.surpriseNote} @click=${this.surprise}>
           ${icon("chance")}<span>${beginnings.surprise}</span>
         </button>
+        <button class="button outlined" type="button" @click=${this.draw}>${icon("paper")}<span>${beginnings.draw}</span></button>
+        <button class="button outlined" type="button" @click=${this.scan}>${icon("layers")}<span>${beginnings.scan}</span></button>
       </div>
       ${tiles(
         FORMS,
@@ -68,6 +70,16 @@ export class PasuNew extends DesignerElement {
     this.designer.opening.open(designOf(beginning));
     this.close();
   }
+
+  private readonly draw = (): void => {
+    this.close();
+    this.dispatchEvent(new CommandEvent("draw"));
+  };
+
+  private readonly scan = (): void => {
+    this.close();
+    this.dispatchEvent(new CommandEvent("scan"));
+  };
 
   private readonly surprise = (): void => {
     this.dispatchEvent(new CommandEvent("surprise"));

@@ -1,7 +1,7 @@
 /** The parameters of the selected part, made from its family's schema and grouped as a potter thinks. */
 
 import { css, html, nothing } from "lit";
-import { customElement, property } from "lit/decorators.js";
+import { customElement, property, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { unitOf } from "../../document/look";
 import { pathText } from "../../document/path";
@@ -25,6 +25,7 @@ import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
+import { page } from "../../words/english/page";
 import { parameters } from "../../words/english/parameters";
 import { fieldWords } from "../../words/parameters";
 import { whyWords } from "../../words/refusals";
@@ -35,6 +36,9 @@ const NEVER = 1e-12;
 export class PasuParameters extends DesignerElement {
   /** Those alone, without a word about the family; all of them, with it, where there is none. */
   @property({ attribute: false }) groups: readonly Group[] | null = null;
+  /** Whether rings are looked for instead of it. */
+  @state() private freeing = false;
+
   override render() {
     const { state } = this.designer;
     const part = state.design.parts[state.part];
@@ -54,7 +58,7 @@ export class PasuParameters extends DesignerElement {
     }
     if (!family) {
       void import("./modes-table");
-      return html`<pasu-modes .designer=${this.designer}></pasu-modes>`;
+      return html`${this.offer()}<pasu-modes .designer=${this.designer}></pasu-modes>`;
     }
     return html`
       ${this.groups ? nothing : this.intro(family)}
@@ -71,8 +75,42 @@ export class PasuParameters extends DesignerElement {
           )}
         </details>`;
       })}
+      ${this.groups ? nothing : this.offer()}
     `;
   }
+
+  /** A form that is none of rings may become one. */
+  private offer() {
+    if (this.freeing)
+      return html`<pasu-free-card .designer=${this.designer} @free-closed=${this.closeFree}></pasu-free-card>`;
+    return html`<div class="offer">
+      <p>${parameters.freeAbout}</p>
+      <button class="button outlined" type="button" @click=${this.openFree}>${parameters.free}</button>
+    </div>`;
+  }
+
+  private readonly openFree = async (): Promise<void> => {
+    try {
+      await import("./free-card");
+      this.freeing = true;
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
+  };
+
+  /** The focus stays where the card was: on the button that opened it, or on what has come in its place. */
+  private readonly closeFree = async (): Promise<void> => {
+    this.freeing = false;
+    await this.updateComplete;
+    const offer = this.renderRoot.querySelector<HTMLElement>(".offer button");
+    if (offer) offer.focus();
+    else {
+      await import("./ring-cards");
+      const cards = this.renderRoot.querySelector("pasu-ring-cards");
+      await cards?.updateComplete;
+      cards?.renderRoot.querySelector("button")?.focus();
+    }
+  };
 
   private intro(family: Family) {
     const { state } = this.designer;
@@ -247,6 +285,15 @@ export class PasuParameters extends DesignerElement {
       summary span {
         color: var(--soft);
         font-size: 0.84rem;
+      }
+      .offer {
+        border-top: 1px solid var(--line);
+        padding: 12px 0 14px;
+      }
+      .offer p {
+        padding-bottom: 8px;
+        color: var(--soft);
+        text-wrap: pretty;
       }
       .lock {
         min-height: 30px;

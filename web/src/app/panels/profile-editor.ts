@@ -11,9 +11,11 @@ import { DesignerElement } from "../../element/designer-element";
 import type { Section } from "../../solver/messages";
 import { removeRing } from "../../state/ring-actions";
 import { dragHandle } from "../../state/shape-actions";
-import { base } from "../../ui/styles";
+import { icon } from "../../ui/icons";
+import { base, buttons } from "../../ui/styles";
 import { profile } from "../../words/english/profile";
 import { spokenLength } from "../../words/quantities";
+import { CommandEvent } from "../command";
 
 const WIDTH = 360;
 const HEIGHT = 400;
@@ -84,6 +86,9 @@ export class PasuProfile extends DesignerElement {
         ${moving.map((handle, index) => this.handle(handle, index, spots, section, frame))}
       </svg>
       <p class="spoken" role="status">${this.spoken}</p>
+      <button class="button outlined" type="button" @click=${() => this.dispatchEvent(new CommandEvent("redraw"))}>
+        ${icon("paper")}<span>${profile.draw}</span>
+      </button>
       <dl>
         ${all.map(
           (handle) => html`<div>
@@ -253,6 +258,7 @@ export class PasuProfile extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     css`
       :host {
         display: block;
@@ -262,7 +268,7 @@ export class PasuProfile extends DesignerElement {
         padding-bottom: 10px;
         text-wrap: pretty;
       }
-      svg {
+      svg[role] {
         display: block;
         width: 100%;
         max-width: 460px;
@@ -325,6 +331,9 @@ export class PasuProfile extends DesignerElement {
       }
       .handle:focus-visible .ring {
         stroke: var(--accent);
+      }
+      .button {
+        margin-top: 12px;
       }
       dl {
         display: grid;

@@ -1,13 +1,18 @@
 /** The small bar over the stage: which way a hand pulls, where, and how wide. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { type Brush, PETALS, SPREADS, takesRings, WAYS, WIDTHS, within } from "../../document/brush";
+import { locksOf, withLock } from "../../document/locks";
+import type { Shape } from "../../document/types";
 import { formatNumber } from "../../number";
+import type { PartId } from "../../state/parts";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
+import { page } from "../../words/english/page";
 import { pull as words } from "../../words/english/pull";
 import { whyWords } from "../../words/refusals";
+import type { Pull } from "../../work/pull";
 import { DesignerElement } from "../designer-element";
 
 /** A point that stays so far behind, as a share of the pot, is seen to. */
@@ -15,6 +20,30 @@ const BEHIND = 0.02;
 
 @customElement("pasu-pull-bar")
 export class PasuPullBar extends DesignerElement {
+  /** The part of which more was asked than its numbers can do: it may become one of rings. */
+  @state() private stuck: PartId | null = null;
+  @state() private freeing = false;
+  /** What was said of how a hand was followed, and has been read. */
+  private known: Pull["followed"] | null = null;
+  /** Why it cannot. */
+  @state() private cannot = "";
+
+  override willUpdate(): void {
+    const { pull, state } = this.designer;
+    const shape = state.design.parts[state.part]?.shape;
+    const id = state.ids[state.part] ?? null;
+    if (!pull || !shape || takesRings(shape) || (this.stuck !== null && this.stuck !== id)) this.forget();
+    // What was asked last may arrive when the hand has let go.
+    else if (pull.followed.behind > BEHIND && pull.followed !== this.known) this.stuck = id;
+    else if (pull.grip) this.forget();
+  }
+
+  private forget(): void {
+    this.stuck = null;
+    this.cannot = "";
+    this.known = this.designer.pull?.followed ?? null;
+  }
+
   override render() {
     const { pull } = this.designer;
     if (!pull) return nothing;
@@ -23,21 +52,55 @@ export class PasuPullBar extends DesignerElement {
     const shape = design.parts[part]?.shape;
     // A family of numbers follows as a whole.
     const whole = shape !== undefined && !takesRings(shape);
-    const { refusal, behind } = pull.followed;
-    const note = refusal ? whyWords(refusal) : pull.grip && behind > BEHIND ? words.behind : "";
+    const { refusal } = pull.followed;
+    const offered = this.stuck !== null;
+    const note = refusal ? whyWords(refusal) : offered ? words.behind : "";
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
         ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
         ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
-        ${whole ? nothing : this.detail(brush)}
+        ${whole ? this.locks(shape) : this.detail(brush)}
       </div>
-      <p class="note" role="status" ?hidden=${note === ""}>${note}</p>
+      <div class="note" ?hidden=${note === ""}>
+        <p role="status">${this.cannot === "" ? note : this.cannot}</p>
+        ${
+          offered && this.cannot === ""
+            ? html`<button class="button outlined" type="button" ?disabled=${this.freeing} @click=${this.free}>${words.free}</button>`
+            : nothing
+        }
+        ${
+          offered
+            ? html`<button class="button bare" type="button" aria-label=${page.dismiss} @click=${() => this.forget()}>${icon("close")}</button>`
+            : nothing
+        }
+      </div>
     `;
   }
 
   /** The pot under the bar stays clear of it. */
   override updated(): void {
     this.dispatchEvent(new Event("bar-shown"));
+  }
+
+  /** What of a family stays. */
+  private locks(shape: Shape) {
+    const { pull } = this.designer;
+    if (!pull) return nothing;
+    return html`<span class="locks" role="group" aria-label=${words.keep} title=${words.keepHelp}>
+      <span aria-hidden="true">${words.keep}</span>
+      ${locksOf(shape).map(
+        (lock) => html`<label>
+          <input
+            type="checkbox"
+            .checked=${pull.locked.includes(lock)}
+            @change=${(event: Event) => {
+              pull.locked = withLock(pull.locked, lock, (event.target as HTMLInputElement).checked);
+            }}
+          />
+          ${words.locks[lock]}
+        </label>`,
+      )}
+    </span>`;
   }
 
   private detail(brush: Brush) {
@@ -65,6 +128,21 @@ export class PasuPullBar extends DesignerElement {
         </span>`;
     }
   }
+
+  /** Makes the part one of rings, so fine that nobody sees a difference. */
+  private readonly free = async (): Promise<void> => {
+    const { designer } = this;
+    this.freeing = true;
+    try {
+      const { freeNow } = await import("../../work/free-now");
+      const outcome = await freeNow(designer);
+      if ("cannot" in outcome) this.cannot = outcome.cannot;
+      else designer.notices.say(outcome.done);
+    } catch {
+      designer.notices.say(page.unfetched);
+    }
+    this.freeing = false;
+  };
 
   private count(by: number): void {
     const { pull } = this.designer;
@@ -152,6 +230,28 @@ export class PasuPullBar extends DesignerElement {
         width: 108px;
         accent-color: var(--accent);
       }
+      .locks,
+      .locks label {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        min-height: 34px;
+      }
+      .locks {
+        gap: 10px;
+      }
+      .locks > span {
+        color: var(--soft);
+      }
+      .locks label {
+        cursor: pointer;
+      }
+      .locks input {
+        width: 1.05rem;
+        height: 1.05rem;
+        margin: 0;
+        accent-color: var(--accent);
+      }
       .petals {
         display: flex;
         align-items: center;
@@ -166,14 +266,29 @@ export class PasuPullBar extends DesignerElement {
         font-variant-numeric: tabular-nums;
       }
       .note {
-        max-width: 52ch;
-        padding: 5px 11px;
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        max-width: 62ch;
+        padding: 5px 6px 5px 11px;
         border-radius: 9px;
         background: var(--sheet);
         font-size: 0.88rem;
       }
+      .note[hidden] {
+        display: none;
+      }
+      .note .button {
+        flex: none;
+        min-height: 34px;
+        pointer-events: auto;
+      }
       @media (pointer: coarse) {
+        .note .button {
+          min-height: var(--touch);
+        }
         fieldset label,
+        .locks label,
         .width,
         .petals .button {
           min-height: var(--touch);

@@ -3,7 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { bumpOf, takesRings, widened } from "../../document/brush";
-import { type Curve, curvesOf, curveUnder, pointOn, spanOf } from "../../document/curves";
+import { type Curve, curveUnder, gripsOf, pointOn, spanOf } from "../../document/curves";
 import { unitOf } from "../../document/look";
 import type { Pair, Shape, Triple } from "../../document/types";
 import { type Felt, Hand } from "../../render/pull/hand";
@@ -115,12 +115,12 @@ export class PasuPull extends DesignerElement {
       ></div>
       ${
         shape && curves.length > 0
-          ? html`<div class="rings" role="group" aria-label=${words.rings} aria-describedby="keys">
+          ? html`<div class="rings" role="group" aria-label=${takesRings(shape) ? words.rings : words.places} aria-describedby="keys">
               ${curves.map((curve) => this.handle(shape, curve))}
             </div>`
           : nothing
       }
-      <p id="keys" class="spoken">${words.keys}</p>
+      <p id="keys" class="spoken">${shape && !takesRings(shape) ? words.keysOfFamily : words.keys}</p>
       <p class="spoken" role="status">${this.spoken}</p>
     `;
   }
@@ -145,11 +145,11 @@ export class PasuPull extends DesignerElement {
   }
 
   private get curves(): readonly Curve[] {
-    return this.shape ? curvesOf(this.shape) : [];
+    return this.shape ? gripsOf(this.shape) : [];
   }
 
   private handle(shape: Shape, curve: Curve) {
-    const name = curveName(shape, curve);
+    const name = this.nameOf(shape, curve);
     return html`<button
       type="button"
       class=${curve.end ? "ring end" : "ring"}
@@ -163,16 +163,32 @@ export class PasuPull extends DesignerElement {
       @lostpointercapture=${this.gesture.up}
       @pointerenter=${() => this.touchCurve(curve)}
       @pointerleave=${() => this.touch(null)}
-      @focus=${() => this.touchCurve(curve)}
+      @focus=${() => {
+        this.touchCurve(curve);
+        if (!takesRings(shape)) void this.say(shape, curve);
+      }}
       @blur=${this.blurred}
       @keydown=${(event: KeyboardEvent) => this.key(event, curve)}
       @keyup=${this.keyUp}
     ></button>`;
   }
 
-  private reading(shape: Shape, { index }: Curve, name: string): string {
+  private nameOf(shape: Shape, curve: Curve): string {
+    return curveName(shape, curve, this.designer.surface.shown?.solved.section?.handles.rim ?? null);
+  }
+
+  /** Where the hand takes hold there, before placement. */
+  private gripOf(shape: Shape, curve: Curve): Triple | null {
+    const felt = this.feltOf(curve);
+    if (!takesRings(shape)) return (felt && this.hand?.pointOf(felt)) ?? null;
+    return felt && pointOn(shape, curve.index, spanOf(shape) * felt.v);
+  }
+
+  private reading(shape: Shape, curve: Curve, name: string): string {
     const unit = unitOf(this.designer.store.design);
-    const point = pointOn(shape, index, 0);
+    const { index } = curve;
+    // Where a place of a family is the solver says, and it is told when a hand comes there.
+    const point = takesRings(shape) ? pointOn(shape, index, 0) : null;
     if (!point) return name;
     const radius = shape.kind === "rings" ? (shape.rings[index]?.r.mean ?? 0) : Math.hypot(point[0], point[1]);
     const height = shape.kind === "rings" ? (shape.rings[index]?.z.mean ?? 0) : point[2];
@@ -324,7 +340,8 @@ export class PasuPull extends DesignerElement {
       const { keyed } = this;
       this.keyed = { out: keyed.out + step.out, up: keyed.up + step.up, round: keyed.round + step.round };
       this.pull?.move(this.keyed);
-    } else if (event.key === "+" || event.key === "=") this.widen(1);
+    } else if (this.shape && !takesRings(this.shape)) return;
+    else if (event.key === "+" || event.key === "=") this.widen(1);
     else if (event.key === "-" || event.key === "−") this.widen(-1);
     else if (event.key === "Delete" || event.key === "Backspace") this.removeRing(curve);
     else return;
@@ -340,8 +357,26 @@ export class PasuPull extends DesignerElement {
     const index = Number(this.shadowRoot?.activeElement?.getAttribute("data-curve") ?? -1);
     const { shape } = this;
     const curve = this.curves[index];
-    if (shape && curve) this.spoken = this.reading(shape, curve, curveName(shape, curve));
+    if (shape && curve) void this.say(shape, curve);
   };
+
+  /** Says where a ring, or a place of a family, is now. */
+  private async say(shape: Shape, curve: Curve): Promise<void> {
+    const name = this.nameOf(shape, curve);
+    if (takesRings(shape)) {
+      this.spoken = this.reading(shape, curve, name);
+      return;
+    }
+    const felt = this.feltOf(curve);
+    await this.pull?.settled;
+    const now = this.shape;
+    if (!felt || !now) return;
+    const read = await this.designer.solver.read("pull", now, new Float64Array([felt.u, spanOf(now) * felt.v]));
+    if (read.state !== "done") return;
+    const [x = 0, y = 0, z = 0] = read.value.points;
+    const unit = unitOf(this.designer.store.design);
+    this.spoken = words.at(name, spokenLength(Math.hypot(x, y), unit), spokenLength(z, unit));
+  }
 
   private readonly blurred = (): void => {
     this.keyUp();
@@ -353,7 +388,7 @@ export class PasuPull extends DesignerElement {
     const { hand, shape } = this;
     const felt = this.feltOf(curve);
     const see = felt && hand?.sight(felt.place);
-    const at = felt && shape && pointOn(shape, curve.index, spanOf(shape) * felt.v);
+    const at = shape && this.gripOf(shape, curve);
     const size = at ? Math.hypot(...at) || 1 : 1;
     const [here, above] = at && see ? [see(at), see([at[0], at[1], at[2] + size])] : [null, null];
     return here && above ? size / Math.max(Math.hypot(here.x - above.x, here.y - above.y), 1) : size / 100;
@@ -361,7 +396,7 @@ export class PasuPull extends DesignerElement {
 
   private removeRing(curve: Curve): void {
     const { designer, shape } = this;
-    if (!shape || curve.end) return;
+    if (!shape || curve.end || !takesRings(shape)) return;
     designer.apply(removeRing(designer.state, curve.index));
     this.spoken = words.removed(curveName(shape, curve));
     // What had the focus may be gone: the ring below has it now.
@@ -375,10 +410,9 @@ export class PasuPull extends DesignerElement {
     const { hand, shape } = this;
     if (!hand || !shape) return;
     const see = hand.sight(this.designer.store.part);
-    for (const curve of curvesOf(shape)) {
+    for (const curve of gripsOf(shape)) {
       const handle = this.renderRoot.querySelector<HTMLElement>(`[data-curve="${curve.index}"]`);
-      const felt = this.feltOf(curve);
-      const point = felt && pointOn(shape, curve.index, spanOf(shape) * felt.v);
+      const point = this.gripOf(shape, curve);
       const spot = point && see?.(point);
       if (!handle) continue;
       handle.hidden = !spot;

@@ -13,6 +13,8 @@ export const beginnings = phrases("beginnings", {
   heading: "New pot",
   lead: "Choose a form to begin with. Your present pot stays within reach: undo brings it back.",
   surprise: "Surprise me",
+  draw: "Draw or trace…",
+  scan: "From a scan…",
   surpriseNote: "A pot that nobody has thought of, and that can be made.",
   forms: {
     "form-cylinder": { title: "Cylinder", note: "A tall vase with an upright wall." },

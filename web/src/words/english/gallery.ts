@@ -48,11 +48,11 @@ export const gallery = phrases("gallery", {
     },
     "own-fluted": {
       title: "Fluted vase",
-      note: "Twenty flutes with nothing to hold them back: without pull they run the whole wall.",
+      note: "Twenty flutes that run up the whole wall, shallow at the foot and deeper at the lip.",
     },
     "own-melon": {
       title: "Melon jar",
-      note: "Rim and foot are true circles: the eight lobes are made by force alone.",
+      note: "Rim and foot are true circles: the eight lobes swell on the rings between them.",
     },
     "own-saddle": {
       title: "Saddle vase",
@@ -60,7 +60,7 @@ export const gallery = phrases("gallery", {
     },
     "own-gourd": {
       title: "Double gourd",
-      note: "A force along the wall draws it in at the waist and lets it swell above and below.",
+      note: "Nine rings, all of them round: in at the waist, out above and below.",
     },
     "own-bowl": {
       title: "Lotus bowl",

@@ -247,6 +247,8 @@ export const parameters = phrases("parameters", {
   inY: "in y",
   same: "Same in x and y",
   sameOf: (name: string) => `${name}: same in x and y`,
+  free: "Make it rings…",
+  freeAbout: "To pull it where you like, with petals, tilts and corners of your own:",
   opensByDints: "The wall does not close. It closes when the number of dints is a whole number.",
   opensByPetals: "The wall does not close. It closes when the petals and the turns are whole numbers.",
 });

@@ -23,6 +23,7 @@ export const profile = phrases("profile", {
     "free-end": "This end is free: the wall leaves it as it likes.",
     "rise-order": "The rise needs z of order 4.",
   } satisfies Readonly<Record<Restraint, string>>,
+  draw: "Draw or trace it…",
   coming: "The section appears with the pot.",
   network: "A network of patches has no profile: it goes round no axis.",
   blend: "A blend has no profile: it goes round no axis.",

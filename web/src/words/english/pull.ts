@@ -1,6 +1,7 @@
 /** A hand on the pot: the tool that pulls, and the rings that it takes hold of. */
 
 import type { Spread, Way } from "../../document/brush";
+import type { Lock } from "../../document/locks";
 import { phrases } from "../../language";
 
 export const pull = phrases("pull", {
@@ -27,8 +28,15 @@ export const pull = phrases("pull", {
   rim: "Rim",
   ring: (number: number) => `Ring ${number}`,
   end: (number: number) => `End ${number}`,
+  middle: "Middle",
+  places: "Places to pull at",
+  keysOfFamily: "Arrow keys pull the pot here, with shift further, with alt round the axis.",
+  keep: "Keep",
+  locks: { rim: "Rim", foot: "Foot", height: "Height" } satisfies Readonly<Record<Lock, string>>,
+  keepHelp: "What is ticked stays as it is while you pull.",
   keys: "Arrow keys move the ring, plus and minus set the width of the pull, Delete removes the ring.",
   at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
   removed: (name: string) => `${name} is gone.`,
   behind: "This form cannot follow any further with the numbers that it has.",
+  free: "Make it rings",
 });

@@ -102,6 +102,13 @@ pub(crate) fn gallery() -> Vec<Exhibit> {
     serde_json::from_str(include_str!("../../reference/gallery.json")).expect("the gallery is JSON")
 }
 
+/// A design of `tests/reference/tables.json`: pots that are written out as tables of Fourier data, whose exact shapes tests are about.
+pub(crate) fn table(name: &str) -> Exhibit {
+    let tables: Vec<Exhibit> =
+        serde_json::from_str(include_str!("../../reference/tables.json")).expect("the tables are JSON");
+    tables.into_iter().find(|table| table.name == name).expect("among the tables")
+}
+
 impl Exhibit {
     pub(crate) fn design(&self) -> Design {
         design_of(&serde_json::to_string(&self.shape).expect("a value is JSON"))

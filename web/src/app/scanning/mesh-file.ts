@@ -1,0 +1,78 @@
+/** The triangles of an STL, OBJ or PLY file. Fetched, with what reads them, when a scan is first opened; files that are named in them are not. */
+
+export type MeshRefusal = "too-large" | "no-mesh" | "other";
+
+/** A scan of some million triangles. */
+const MOST_BYTES = 150_000_000;
+const MOST_TRIANGLES = 3_000_000;
+
+/** Nine numbers for each triangle. */
+export async function trianglesOf(file: File): Promise<Float32Array | MeshRefusal> {
+  if (file.size > MOST_BYTES) return "too-large";
+  const read = READERS[/\.(stl|obj|ply)$/i.exec(file.name)?.[1]?.toLowerCase() ?? ""];
+  if (!read) return "other";
+  try {
+    const geometries = await read(file);
+    const count = geometries.reduce(
+      (sum, { index, position }) => sum + Math.floor((index?.count ?? position.count) / 3),
+      0,
+    );
+    if (count > MOST_TRIANGLES) return "too-large";
+    if (count === 0) return "no-mesh";
+    const all = new Float32Array(9 * count);
+    let at = 0;
+    for (const { index, position } of geometries) {
+      const corners = 3 * Math.floor((index?.count ?? position.count) / 3);
+      for (let i = 0; i < corners; i += 1) {
+        const corner = index ? index.getX(i) : i;
+        all[at] = position.getX(corner);
+        all[at + 1] = position.getY(corner);
+        all[at + 2] = position.getZ(corner);
+        at += 3;
+      }
+    }
+    return all.every(Number.isFinite) ? all : "no-mesh";
+  } catch {
+    // Whatever a reader stumbles over: it is no such file.
+    return "no-mesh";
+  }
+}
+
+interface Read {
+  readonly index: { readonly count: number; getX(at: number): number } | null;
+  readonly position: {
+    readonly count: number;
+    getX(i: number): number;
+    getY(i: number): number;
+    getZ(i: number): number;
+  };
+}
+
+const READERS: Readonly<Record<string, (file: File) => Promise<readonly Read[]>>> = {
+  stl: async (file) => {
+    const { STLLoader } = await import("three/examples/jsm/loaders/STLLoader.js");
+    return readOf(new STLLoader().parse(await file.arrayBuffer()));
+  },
+  ply: async (file) => {
+    const { PLYLoader } = await import("three/examples/jsm/loaders/PLYLoader.js");
+    const geometry = new PLYLoader().parse(await file.arrayBuffer());
+    // Points without faces are no surface.
+    return geometry.index ? readOf(geometry) : [];
+  },
+  obj: async (file) => {
+    const { OBJLoader } = await import("three/examples/jsm/loaders/OBJLoader.js");
+    const all: Read[] = [];
+    new OBJLoader().parse(await file.text()).traverse(({ geometry, isMesh }) => {
+      if (isMesh && geometry) all.push(...readOf(geometry));
+    });
+    return all;
+  },
+};
+
+function readOf(geometry: {
+  readonly index: Read["index"];
+  getAttribute(name: "position"): Read["position"] | undefined;
+}): readonly Read[] {
+  const position = geometry.getAttribute("position");
+  return position ? [{ index: geometry.index, position }] : [];
+}

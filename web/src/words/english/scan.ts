@@ -1,0 +1,40 @@
+/** A pot from a scan of one. */
+
+import { listed, phrases, plural } from "../../language";
+
+export const scan = phrases("scan", {
+  heading: "From a scan",
+  lead: "A scan of a pot that stands upright, as an STL, OBJ or PLY file. Its outside becomes rings with waves; nothing of it leaves this page.",
+  file: "Choose a scan…",
+  picture: "The outside of the scan from the side, and the rings",
+  up: "Upwards is",
+  ups: { z: "z, as printers have it", y: "y, as modellers have it" },
+  height: "Height",
+  heightHelp: "How high the pot is to be, from the foot to the rim. A scan does not say its unit.",
+  tolerance: "No further off than",
+  toleranceHelp: "How far the rings may be from the scan. Less takes more of them.",
+  reading: "Reading the scan…",
+  coming: "Finding rings…",
+  nothing: "Nothing is open yet.",
+  found: (rings: number, waves: number, rms: string, most: string) =>
+    listed([
+      plural(rings, { one: "1 ring", other: `${rings} rings` }),
+      plural(waves, { one: "1 wave", other: `${waves} waves` }),
+    ]).concat(`: ${rms} off (RMS), ${most} at most.`),
+  further: "Rings cannot follow it any closer; these come nearest.",
+  standsOut: (rms: string, most: string) =>
+    `Something stands out at one side, like a handle or a spout. A ring goes round the pot once, so that is left away; the rest is ${rms} off (RMS), ${most} at most.`,
+  cut: "The scan is not closed all round at its foot or its rim, at a slanting or a broken edge. The pot ends where it is closed.",
+  use: "Use it",
+  done: (rings: number, rms: string, most: string) =>
+    plural(rings, {
+      one: `The pot has 1 ring, ${rms} off on the whole, ${most} at most.`,
+      other: `The pot has ${rings} rings, ${rms} off on the whole, ${most} at most.`,
+    }),
+  refused: {
+    "too-large": "This scan is too large: three million triangles and 150 MB are the most.",
+    "no-mesh": "There are no triangles in this file that could be read.",
+    other: "This is no STL, OBJ or PLY file.",
+    "no-pot": "This is no pot that stands upright: too little of it goes all round an axis. Perhaps another way is up.",
+  },
+});
