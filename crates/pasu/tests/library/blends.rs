@@ -27,7 +27,7 @@ fn blend(start: Value, end: Value) -> Value {
 }
 
 fn petals([z, taper, dz]: [f64; 3]) -> Value {
-    json!({ "form": "outline", "x": [{ "n": 1, "sin": 2 }, { "n": 4, "sin": 0.2 }, { "n": 6, "sin": 0.2 }], "y": [{ "n": 1, "cos": 2 }, { "n": 4, "cos": -0.2 }, { "n": 6, "cos": 0.2 }],
+    json!({ "form": "outline", "x": [{ "n": 1, "sin": 2 }, { "n": 4, "sin": -0.2 }, { "n": 6, "sin": 0.2 }], "y": [{ "n": 1, "cos": 2 }, { "n": 4, "cos": 0.2 }, { "n": 6, "cos": 0.2 }],
         "z": z, "taper": taper, "dz": dz })
 }
 
@@ -425,8 +425,8 @@ fn cells_fill_the_solid_and_are_well_shaped() {
         let off = |shape: CellShape, n: usize| (of(shape, n).volume() - volume).abs() / volume;
         for shape in [CellShape::Hexahedron, CellShape::Tetrahedron] {
             let errors = [4, 8].map(|n| off(shape, n));
-            // Straight edges in a round solid: an error of the second order.
-            assert!(errors[1] < 0.02 && errors[1] < 0.35 * errors[0] + 1e-9, "{name}: {errors:?}");
+            // Straight edges in a round solid: an error of the second order, and of 3/2 where the width of a disc in a square grows as a root.
+            assert!(errors[1] < 0.02 && errors[1] < 0.4 * errors[0] + 1e-9, "{name}: {errors:?}");
             let cells = of(shape, 4);
             // A disc in a square has two edges along which cells have no angle.
             let is_collapsed = name.contains("disc in a square");
