@@ -26,7 +26,7 @@ enum ShapeName {
 
 /// Reads `{ counts, shape }`; all of it may be left out.
 fn options(options: &JsValue) -> Result<CellsOptions> {
-    let Options { counts, shape } = source::argument::<Options>(options, "options")?.unwrap_or_default();
+    let Options { counts, shape } = source::argument::<Option<Options>>(options, "options")?.unwrap_or_default();
     let usual = CellsOptions::default();
     let shape = shape.map_or(usual.shape, |shape| match shape {
         ShapeName::Hexahedron => CellShape::Hexahedron,
