@@ -256,10 +256,10 @@ fn documents() {
             format!("expected {kinds}, found \"teapot\""),
         ),
         (
-            with_shape(r#"{ "kind": "blend" }"#),
+            with_shape(r#"{ "kind": "octant" }"#),
             "unsupported-shape",
             "parts[0].shape.kind",
-            format!("this version of Pasu cannot compute the shape \"blend\" yet; expected {kinds}"),
+            format!("this version of Pasu cannot compute the shape \"octant\" yet; expected {kinds}"),
         ),
         (
             with_shape(r#"{ "kind": "second-order" }"#),
