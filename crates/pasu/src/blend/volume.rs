@@ -159,11 +159,18 @@ impl Volume {
         }
     }
 
-    /// What all points of one `w` have in common.
+    /// What all points of one `w` have in common. At a section it is that section to the bit, and nothing of the other: an edge that has collapsed there has no length at all.
     pub(crate) fn layer(&self, w: f64) -> Layer<'_> {
+        let mut functions: Vec<[f64; 5]> = self.functions[2].iter().map(|function| function.jet(w)).collect();
+        let section = if w == 0.0 { Some(0) } else { (w == 1.0).then_some(1) };
+        if let Some(section) = section {
+            for Term { of: [_, _, along], end, .. } in &self.terms {
+                functions[*along][0] = if *end == section { 1.0 } else { 0.0 };
+            }
+        }
         Layer {
             volume: self,
-            functions: self.functions[2].iter().map(|function| function.jet(w)).collect(),
+            functions,
             z: self.z.jet(w),
             ripple: self.ripple.as_ref().map_or_else(Vec::new, |ripple| ripple.at(w)),
         }

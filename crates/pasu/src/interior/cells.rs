@@ -48,6 +48,9 @@ pub struct Cells {
     pub quality: Vec<f64>,
 }
 
+/// A scaled Jacobian that is no more than this is 0 but for rounding.
+const COLLAPSED: f64 = 1e-12;
+
 /// The most points.
 const MOST_POINTS: usize = 2_000_000;
 
@@ -106,7 +109,7 @@ impl Cells {
 
     /// The cells that are collapsed or turned inside out, and so of no use to a finite element.
     pub fn bad(&self) -> impl Iterator<Item = usize> + '_ {
-        self.quality.iter().enumerate().filter(|(_, quality)| !(**quality > 0.0)).map(|(cell, _)| cell)
+        self.quality.iter().enumerate().filter(|(_, quality)| !(**quality > COLLAPSED)).map(|(cell, _)| cell)
     }
 
     /// The corners of one cell.

@@ -37,8 +37,7 @@ fn check(result: pasu::Result<Design>, given: &str, (code, path, message): (&str
 
 #[test]
 fn documents() {
-    let kinds =
-        r#""second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value", "rings" or "vertex-frame""#;
+    let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value", "rings", "vertex-frame" or "blend""#;
     let part = format!(r#"{{ "shape": {SHAPE} }}"#);
     let newer = "This design was made by a newer version of Pasu (format 2); this page reads format 1.";
     let cases: Vec<(String, &str, &str, String)> = vec![
@@ -257,10 +256,10 @@ fn documents() {
             format!("expected {kinds}, found \"teapot\""),
         ),
         (
-            with_shape(r#"{ "kind": "blend" }"#),
+            with_shape(r#"{ "kind": "octant" }"#),
             "unsupported-shape",
             "parts[0].shape.kind",
-            format!("this version of Pasu cannot compute the shape \"blend\" yet; expected {kinds}"),
+            format!("this version of Pasu cannot compute the shape \"octant\" yet; expected {kinds}"),
         ),
         (
             with_shape(r#"{ "kind": "second-order" }"#),
