@@ -26,7 +26,8 @@ enum ShapeName {
 
 /// Reads `{ counts, shape }`; all of it may be left out.
 fn options(options: &JsValue) -> Result<CellsOptions> {
-    let Options { counts, shape } = source::argument::<Option<Options>>(options, "options")?.unwrap_or_default();
+    let given: Option<Options> = source::argument(options, "options")?;
+    let Options { counts, shape } = given.unwrap_or_default();
     let usual = CellsOptions::default();
     let shape = shape.map_or(usual.shape, |shape| match shape {
         ShapeName::Hexahedron => CellShape::Hexahedron,
