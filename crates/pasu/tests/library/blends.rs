@@ -509,7 +509,15 @@ proptest! {
         let again = Design::parse(&design.to_json()).unwrap();
         prop_assert_eq!(again.to_json(), design.to_json());
         let points = [[0.2, 0.7, 0.0], [1.0, 0.3, 0.6], [0.4, 1.0, 1.0], [0.5, 0.5, 0.5]].concat();
-        prop_assert!(pasu::evaluate(&design, 0, &points).unwrap().iter().all(|x| x.is_finite()));
+        let found = match pasu::evaluate(&design, 0, &points) {
+            Ok(found) => found,
+            // Several waves together may turn an outline through itself.
+            Err(error) => {
+                prop_assert_eq!(error.code(), pasu::Code::CrossesItself);
+                return Ok(());
+            }
+        };
+        prop_assert!(found.iter().all(|x| x.is_finite()));
         let mesh = pasu::mesh(&design, &MeshOptions { tolerance: Some(0.05), ..MeshOptions::default() }).unwrap();
         mesh.validate().unwrap();
         let away = farthest(&design, &shape, &mesh);
