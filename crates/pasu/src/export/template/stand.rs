@@ -16,6 +16,8 @@ const DOWN: usize = 64;
 const STRIP: f64 = 20.0;
 /// A rim whose heights differ by less, in millimetres, is level: nobody sees it.
 const LEVEL: f64 = 0.1;
+/// A point is higher than another from here on, millimetres: more than rounding makes.
+const HIGHER: f64 = 1e-9;
 /// Directions whose cosine is at least this are one: less than a degree apart.
 const SAME: f64 = 0.9998;
 /// Nearer to the axis, in millimetres, a point is in no direction from it.
@@ -85,7 +87,12 @@ impl Stand {
             // To the micrometre: of points that are equally high the first counts, on every machine.
             let heights: Vec<f64> =
                 self.rim.iter().map(|point| libm::round(1e3 * sign * frame.height(*point)) / 1e3).collect();
-            let most = (0..RIM).fold(0, |most, i| if heights[i] > heights[most] { i } else { most });
+            let mut most = (0..RIM).fold(0, |most, i| if heights[i] > heights[most] { i } else { most });
+            // A rim that is almost flat there is level to the micrometre for degrees: up to its top.
+            let height = |i: usize| sign * frame.height(self.rim[i % RIM]);
+            while let Some(next) = [1, RIM - 1].into_iter().find(|step| height(most + step) > height(most) + HIGHER) {
+                most = (most + next) % RIM;
+            }
             let step = TAU / RIM as f64;
             let (v, least) = brent::least(turn(most) - step, turn(most) + step, 1e-6, |v| -sign * frame.height(rim(v)));
             // Between the points, where that is higher.
