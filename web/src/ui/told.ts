@@ -13,7 +13,7 @@ export const told = css`
     padding: 8px 0 2px;
   }
   .trouble {
-    margin: 2px 0 8px;
+    margin: 8px 0;
     padding: 8px 12px;
     border-radius: 9px;
     background: var(--warn-wash);

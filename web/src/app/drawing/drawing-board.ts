@@ -101,7 +101,7 @@ export class PasuDrawingBoard extends LitElement {
           @dblclick=${this.put}
         >
           ${this.ghosts.map((line) => svg`<path class="ghost" d=${pathOf(line)} />`)}
-          ${alike ? svg`<path class="alike" d=${pathOf(alike)} />` : nothing}
+          ${alike && !overlay ? svg`<path class="alike" d=${pathOf(alike)} />` : nothing}
           ${lines.map((line) => svg`<path class="line" d=${pathOf(line)} />`)}
           ${(overlay?.lines ?? []).map((line) => svg`<path class="fitted" d=${pathOf(line)} />`)}
           ${(overlay?.rings ?? []).map(([a, b]) => svg`<line class="hoop" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
