@@ -123,6 +123,45 @@ test("an STL, an OBJ and a PLY of one pot are the same rings, and become a pot i
   await pot.shows(scanned);
 });
 
+test("a scan that is dropped on the stage, or opened, is read at once; what is a design of ours is opened as that", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: LINK });
+  const before = await pot.fingerprint();
+  await pot.dropFile("pot.ply", ply(triangles()));
+  await pot.page.getByText("“pot.ply” holds triangles and no design. It is read as a scan.").waitFor();
+  await found(pot);
+  await pot.shows(before);
+  expect(await pot.page.locator(".banners [role=alert]").count()).toBe(0);
+  await pot.button("Use it").click();
+  const scanned = await pot.fingerprintOtherThan(before);
+  // Beside other files, of which none is a design.
+  await pot.dropFiles([
+    ["notes.txt", "bowls for the market"],
+    ["Pot.STL", stl(triangles())],
+    ["other.ply", ply(triangles())],
+  ]);
+  await pot.page
+    .getByText("“notes.txt” could not be opened. Not opened: “other.ply”, because one design is shown at a time.")
+    .waitFor();
+  await found(pot);
+  await pot.page.keyboard.press("Escape");
+  await pot.page.locator("pasu-scan").waitFor({ state: "detached" });
+  // A design is opened, whatever lies beside it.
+  await pot.dropFiles([
+    ["pot.stl", stl(triangles())],
+    ["vase.txt", "#1/second-order"],
+  ]);
+  await pot.fingerprintOtherThan(scanned);
+  expect(await pot.page.locator("pasu-scan").count()).toBe(0);
+  // What was dropped before is not opened again with the dialogue, and what is damaged is refused in it.
+  await open(pot);
+  expect(await told(pot).textContent()).toContain("Nothing is open yet.");
+  await pot.page.keyboard.press("Escape");
+  await pot.chooseFile("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  await expect.poll(() => trouble(pot).textContent(), { timeout: 30_000 }).toMatch(/no triangles/);
+});
+
 test("a handle is told of, and what is no scan of a pot is refused in words", { timeout: 240_000 }, async () => {
   const pot = await here.enter({ link: LINK });
   await open(pot);

@@ -1,12 +1,14 @@
 /** A pot from a scan: a file of triangles becomes rings with waves, which are seen against it before they are taken. */
 
-import { css, html, nothing } from "lit";
-import { customElement, state } from "lit/decorators.js";
+import { css, html, nothing, type PropertyValues } from "lit";
+import { customElement, property, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
+import { scanKind } from "../../document/scanned/file-kind";
 import type { Levels } from "../../document/scanned/levels";
 import { upright } from "../../document/scanned/upright";
 import type { Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { isolated } from "../../language";
 import "../../ui/dialog";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
@@ -39,6 +41,8 @@ type Up = "z" | "y";
 
 @customElement("pasu-scan")
 export class PasuScan extends DesignerElement {
+  /** A scan that is there already; null where it is to be chosen. */
+  @property({ attribute: false }) file: File | null = null;
   @state() private busy = false;
   @state() private trouble = "";
   @state() private up: Up = "z";
@@ -70,11 +74,16 @@ export class PasuScan extends DesignerElement {
     return this.typed ?? followedByHand(this.height);
   }
 
+  override willUpdate(changed: PropertyValues): void {
+    if (changed.has("file") && this.file) void this.open(this.file);
+  }
+
   override render() {
     const { levels } = this;
     return html`<pasu-dialog ruled heading=${words.heading} @dialog-closed=${this.close}>
       <p class="lead">${words.lead}</p>
       <button class="button outlined" type="button" ?disabled=${this.busy} @click=${this.pick}>${icon("open")}<span>${words.file}</span></button>
+      ${this.file ? html`<p class="hint">${words.undesigned(page.quoted(isolated(this.file.name)))}</p>` : nothing}
       ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble}</p>`}
       ${
         this.triangles
@@ -150,6 +159,7 @@ export class PasuScan extends DesignerElement {
 
   private async open(file: File): Promise<void> {
     this.reading = file;
+    if (file !== this.file) this.file = null;
     this.busy = true;
     this.trouble = "";
     this.levels = null;
@@ -164,7 +174,7 @@ export class PasuScan extends DesignerElement {
       this.triangles = triangles;
       this.typed = null;
       // No file says which way is up: modellers who write OBJ have y, others z. Where the one is no pot, the other may be.
-      const [first, second]: readonly [Up, Up] = /\.obj$/i.test(file.name) ? ["y", "z"] : ["z", "y"];
+      const [first, second]: readonly [Up, Up] = scanKind(file.name) === "obj" ? ["y", "z"] : ["z", "y"];
       await this.read(first);
       if (this.reading === file && !this.levels) await this.read(second);
     }

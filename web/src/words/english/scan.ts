@@ -6,6 +6,8 @@ export const scan = phrases("scan", {
   heading: "From a scan",
   lead: "A scan of a pot that stands upright, as an STL, OBJ or PLY file. Its outside becomes rings with waves; nothing of it leaves this page.",
   file: "Choose a scan…",
+  /** A file that was opened, and is no design. */
+  undesigned: (name: string) => `${name} holds triangles and no design. It is read as a scan.`,
   picture: "The outside of the scan from the side, and the rings",
   up: "Upwards is",
   ups: { z: "z, as printers have it", y: "y, as modellers have it" },
