@@ -21,8 +21,10 @@ import { drawnPot } from "../../work/drawn";
 import { pickFile } from "../../work/files";
 import { followedByHand } from "../../work/freeing";
 import { type Scanned, scaled, scannedOf } from "../../work/scanned";
+import type { Outcome } from "../../worker/port";
 import { FileDrop } from "../file-drop";
 import { trianglesOf } from "../scanning/mesh-file";
+import type { Fitted } from "../scanning/scan-picture";
 import "../scanning/scan-picture";
 import { Seeking } from "../seeking";
 import { lengthField } from "./length-field";
@@ -53,6 +55,8 @@ export class PasuScan extends DesignerElement {
   private triangles: Float32Array | null = null;
   /** How high the scan was taken to be when it was opened. */
   private first = 0;
+  /** What is shown of what was found. */
+  private shown: { readonly found: Outcome<Scanned>; readonly fitted: Fitted } | null = null;
   /** The file that is being read. */
   private reading: File | null = null;
 
@@ -107,7 +111,7 @@ export class PasuScan extends DesignerElement {
     const gap = (levels.heights[1] ?? 0) - (levels.heights[0] ?? 0);
     const cut = (levels.heights[0] ?? 0) > 2 * gap || levels.height - (levels.heights.at(-1) ?? 0) > 2 * gap;
     return html`
-      <pasu-scan-picture .levels=${levels} .rings=${ready?.shape.rings ?? []} .times=${height / levels.height}></pasu-scan-picture>
+      <pasu-scan-picture .levels=${levels} .fitted=${this.fitted(levels)} .unit=${unit}></pasu-scan-picture>
       ${lengthField({
         label: words.height,
         help: words.heightHelp,
@@ -134,6 +138,24 @@ export class PasuScan extends DesignerElement {
       ${ready?.without ? html`<p class="hint">${words.standsOut(this.length(ready.without.rms), this.length(ready.without.most))}</p>` : nothing}
       ${ready && (ready.without ?? ready).most > tolerance ? html`<p class="hint">${words.further}</p>` : nothing}
     `;
+  }
+
+  /** What was found last is nearly true: its colours are seen until there is something better. */
+  private fitted(levels: Levels): Fitted | null {
+    const { found } = this.rings;
+    if (found?.state !== "done") return null;
+    const { shape, away, most, without } = found.value;
+    if (this.shown?.found !== found) {
+      const fitted = {
+        rings: shape.rings,
+        times: this.height / levels.height,
+        away,
+        most: Math.max((without ?? { most }).most, this.tolerance),
+        greatest: most,
+      };
+      this.shown = { found, fitted };
+    }
+    return this.shown.fitted;
   }
 
   private length(value: number): string {

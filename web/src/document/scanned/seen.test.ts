@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import type { Levels } from "./levels";
+import { COLUMNS } from "./off";
 import { DIRECTIONS } from "./section";
-import { frontOf, seenAt, widestOf } from "./seen";
+import { frontOf, piecesSeen, seenAt, widestOf } from "./seen";
 
 const round = new Float64Array(DIRECTIONS).fill(3);
 /** With something that stands out to one side. */
@@ -15,4 +16,21 @@ test("a scan is seen with what stands out of it at the side", () => {
   // From the front a spout hides in what is behind it.
   expect(seenAt(spouted, 0)).toBeCloseTo(3, 12);
   expect(seenAt(round, 17)).toBeCloseTo(3, 12);
+});
+
+test("half of the outside is seen, from the back to the front, with how far off it is", () => {
+  const even: Levels = { ...SCAN, radii: [round, round, round] };
+  // One direction of the middle level is off.
+  const away = new Float32Array(3 * COLUMNS);
+  away[COLUMNS + 45] = 8;
+  const pieces = piecesSeen(even, away, 0);
+  expect(pieces).toHaveLength(COLUMNS);
+  expect(pieces.every(({ corners }) => corners.every(([x, y]) => Math.abs(x) <= 3 && y >= 0 && y <= 2))).toBe(true);
+  // At a quarter turn back it is in the middle, nearest to the eye, in four pieces.
+  const off = pieces.filter((piece) => piece.away !== 0);
+  expect(off.map((piece) => piece.away)).toEqual([2, 2, 2, 2]);
+  expect(off.every(({ corners }) => corners.every(([x]) => Math.abs(x) < 0.4))).toBe(true);
+  expect(pieces.slice(-4)).toEqual(off);
+  // From the other side it is not.
+  expect(piecesSeen(even, away, DIRECTIONS / 2).filter((piece) => piece.away !== 0)).toEqual([]);
 });
