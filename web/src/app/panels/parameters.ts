@@ -57,7 +57,9 @@ export class PasuParameters extends DesignerElement {
     }
     if (!family) {
       void import("./modes-table");
-      return html`${this.offer()}<pasu-modes .designer=${this.designer}></pasu-modes>`;
+      const ringed = part.shape.kind === "boundary-value" && (part.shape.rings ?? []).length > 0;
+      if (ringed) void import("./written-rings");
+      return html`${this.offer()}${ringed ? html`<pasu-written-rings .designer=${this.designer}></pasu-written-rings>` : nothing}<pasu-modes .designer=${this.designer}></pasu-modes>`;
     }
     return html`
       ${this.groups ? nothing : this.intro(family)}
