@@ -109,6 +109,10 @@ test("a line that is drawn by the mouse becomes a pot with a wall, as high as it
   await expect.poll(() => rings(pot)).toBeGreaterThan(few);
   await pot.type("No further off than", "0.1");
   await pot.type("Height", "31");
+  // However many letters it took, one step takes it back.
+  await pot.button("Take back").click();
+  await expect.poll(() => pot.field("Height").first().inputValue()).toBe("20");
+  await pot.type("Height", "31");
   await expect.poll(() => rings(pot)).toBe(few);
   await pot.button("Use it").click();
   const drawn = await pot.fingerprintOtherThan(before);

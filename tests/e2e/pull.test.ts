@@ -283,3 +283,43 @@ test("the tool is clean to axe, and says nothing that is not from the catalogue"
     expect(await unmarked(pot)).toEqual([]);
   }
 });
+
+test("what is kept of a pot of rings stays while its belly and its foot are pulled, by keys as well", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  await pot.fingerprint();
+  await pot.makePot();
+  const before = await pot.fingerprint();
+  const shape = () =>
+    pot.page.evaluate(() => {
+      const { designer } = document.querySelector("pasu-app") as unknown as {
+        designer: {
+          store: { design: { parts: { shape: { rings: { r: { mean: number }; z: { mean: number } }[] } }[] } };
+        };
+      };
+      return designer.store.design.parts[0]?.shape.rings.map(({ r, z }) => [r.mean, z.mean]) ?? [];
+    });
+  const given = await shape();
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  await pot.page.locator("pasu-pull-bar").getByRole("button", { name: "Keep" }).press("Enter");
+  const keep = pot.page.getByRole("group", { name: "Keep" });
+  await keep.getByRole("checkbox", { name: "Foot" }).press("Space");
+  await keep.getByRole("checkbox", { name: "What it holds" }).press("Space");
+  expect(await findings(pot)).toEqual([]);
+  await pot.page.keyboard.press("Escape");
+  // Nothing of the foot moves.
+  await ring(pot, 0).focus();
+  await pot.page.keyboard.press("Shift+ArrowRight");
+  await ring(pot, 1).focus();
+  await pot.page.keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(before);
+  // Wider, it becomes lower once the hand has let go.
+  await expect.poll(async () => (await shape()).at(-1)?.[1], { timeout: 60_000 }).toBeLessThan(given.at(-1)?.[1] ?? 0);
+  const held = await shape();
+  expect(held[0]).toEqual(given[0]);
+  expect(held[1]?.[0]).toBeGreaterThan(given[1]?.[0] ?? 0);
+  await pot.undo();
+  await pot.shows(before);
+});

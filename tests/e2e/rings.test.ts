@@ -125,3 +125,58 @@ test("in inches the numbers are those, and everything is from the catalogue", as
   await pot.page.locator('pasu-profile [data-handle="ring-1"]').waitFor();
   expect(await unmarked(pot)).toEqual([]);
 });
+
+/** A bottle as boundary data, with two rings between its edges. */
+function written(): string {
+  const equation = { order: 4, s: 1, t: 2, w: 1, free: "both" };
+  const round = (name: "cos" | "sin") => ({
+    ...equation,
+    modes: [{ n: 1, [name]: { start: 3, end: 2.2, rings: [6, 1.6] } }],
+  });
+  const z = { ...equation, modes: [{ n: 0, cos: { start: 0, end: 20, rings: [6, 15] } }] };
+  const shape = {
+    kind: "boundary-value",
+    span: "2pi",
+    rings: [{ u: 0.35 }, { u: 0.7 }],
+    x: round("cos"),
+    y: round("sin"),
+    z,
+  };
+  return JSON.stringify({ pasu: 1, parts: [{ shape }] });
+}
+
+test("rings of boundary data are cards too: wider, higher, elsewhere, sharp and gone, each in one step", async () => {
+  const pot = await here.enter({ link: PSEUDO });
+  const first = await pot.fingerprint();
+  await pot.dropFile("bottle.json", written());
+  const before = await pot.fingerprintOtherThan(first);
+  const cards = pot.page.locator("pasu-written-rings li");
+  await expect.poll(() => cards.count()).toBe(2);
+  expect(await unmarked(pot)).toEqual([]);
+  expect(await findings(pot)).toEqual([]);
+  const fields = cards.first().getByRole("spinbutton");
+  expect(await Promise.all([0, 1, 2].map((i) => fields.nth(i).inputValue()))).toEqual(["6", "6", "0.35"]);
+  let last = before;
+  for (const [index, text] of [
+    [0, "7"],
+    [1, "5.5"],
+    [2, "0.4"],
+  ] as const) {
+    await fields.nth(index).fill(text);
+    await fields.nth(index).press("Enter");
+    const next = await pot.fingerprintOtherThan(last);
+    await pot.page.locator("pasu-top-bar button").first().focus();
+    await pot.page.keyboard.press("Control+z");
+    await pot.shows(last);
+    await pot.page.keyboard.press("Control+Shift+z");
+    await pot.shows(next);
+    expect(await fields.nth(index).inputValue()).toBe(text);
+    last = next;
+  }
+  await cards.first().getByRole("checkbox").press("Space");
+  const sharp = await pot.fingerprintOtherThan(last);
+  await cards.first().getByRole("button").press("Enter");
+  await pot.fingerprintOtherThan(sharp);
+  expect(await cards.count()).toBe(1);
+  expect(await fields.nth(0).inputValue()).toBe("1.6");
+});

@@ -123,6 +123,92 @@ test("an STL, an OBJ and a PLY of one pot are the same rings, and become a pot i
   await pot.shows(scanned);
 });
 
+/** How many colours the scan is seen in, and what they are, as one number. */
+const colours = (pot: Visit) =>
+  pot.page.locator("pasu-scan-picture canvas").evaluate((element) => {
+    const canvas = element as HTMLCanvasElement;
+    const { data } = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: [] };
+    const all = new Set<number>();
+    let sum = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] !== 255) continue;
+      const colour = ((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0);
+      all.add(colour);
+      sum = (sum * 31 + colour) % 1_000_003;
+    }
+    return { count: all.size, sum };
+  });
+
+test("the distance is a map on the scan, in the unit of the design, that is turned by keys", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: "#1/rings?unit=in" });
+  await pot.dropFile("jug.stl", stl(triangles(true)));
+  await expect
+    .poll(() => told(pot).textContent(), { timeout: 60_000 })
+    .toMatch(/[\d.]+\sin off \(RMS\), [\d.]+\sin at most/);
+  // A handle is further off than the colours go.
+  const ends = pot.page.locator("pasu-scan-picture .ends");
+  expect(await ends.textContent()).toMatch(/^0\.0\d+\sin inside0≥ 0\.0\d+\sin outside$/);
+  const before = await colours(pot);
+  expect(before.count).toBeGreaterThan(30);
+  const turn = pot.page.locator("pasu-scan-picture .slider");
+  await turn.focus();
+  await turn.press("PageUp");
+  await expect.poll(async () => (await colours(pot)).sum).not.toBe(before.sum);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test.each([1e-5, 1e5])("a scan %f times as large is as good a scan", { timeout: 240_000 }, async (times) => {
+  const pot = await here.enter({ link: LINK });
+  const scaled = triangles().map(([x, y, z]): Corner => [times * x, times * y, times * z]);
+  await pot.dropFile("pot.stl", stl(scaled));
+  await pot.page.locator("pasu-scan .primary:enabled").waitFor();
+  await pot.type("Height", "18");
+  const [, , , , most] = await found(pot);
+  expect(Number(most)).toBeLessThan(0.1);
+  expect((await colours(pot)).count).toBeGreaterThan(10);
+});
+
+test("a scan that is dropped on the stage, or opened, is read at once; what is a design of ours is opened as that", {
+  timeout: 240_000,
+}, async () => {
+  const pot = await here.enter({ link: LINK });
+  const before = await pot.fingerprint();
+  await pot.dropFile("pot.ply", ply(triangles()));
+  await pot.page.getByText("“pot.ply” holds triangles and no design. It is read as a scan.").waitFor();
+  await found(pot);
+  await pot.shows(before);
+  expect(await pot.page.locator(".banners [role=alert]").count()).toBe(0);
+  await pot.button("Use it").click();
+  const scanned = await pot.fingerprintOtherThan(before);
+  // Beside other files, of which none is a design.
+  await pot.dropFiles([
+    ["notes.txt", "bowls for the market"],
+    ["Pot.STL", stl(triangles())],
+    ["other.ply", ply(triangles())],
+  ]);
+  await pot.page
+    .getByText("“notes.txt” could not be opened. Not opened: “other.ply”, because one design is shown at a time.")
+    .waitFor();
+  await found(pot);
+  await pot.page.keyboard.press("Escape");
+  await pot.page.locator("pasu-scan").waitFor({ state: "detached" });
+  // A design is opened, whatever lies beside it.
+  await pot.dropFiles([
+    ["pot.stl", stl(triangles())],
+    ["vase.txt", "#1/second-order"],
+  ]);
+  await pot.fingerprintOtherThan(scanned);
+  expect(await pot.page.locator("pasu-scan").count()).toBe(0);
+  // What was dropped before is not opened again with the dialogue, and what is damaged is refused in it.
+  await open(pot);
+  expect(await told(pot).textContent()).toContain("Nothing is open yet.");
+  await pot.page.keyboard.press("Escape");
+  await pot.chooseFile("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  await expect.poll(() => trouble(pot).textContent(), { timeout: 30_000 }).toMatch(/no triangles/);
+});
+
 test("a handle is told of, and what is no scan of a pot is refused in words", { timeout: 240_000 }, async () => {
   const pot = await here.enter({ link: LINK });
   await open(pot);

@@ -180,7 +180,7 @@ test("what goes wrong is said in the words of the catalogue", { timeout: 400_000
     ["1", '{ "beach": true }'],
     ["2", "1, 2"],
     ["3", '{ "pasu": 1, "parts": [{ "shape": { "kind": "teapot" } }] }'],
-    ["4.stl", "00"],
+    ["4.svg", "00"],
   ] as const) {
     await pot.dropFile(name, text);
     await alert.waitFor();
@@ -188,6 +188,11 @@ test("what goes wrong is said in the words of the catalogue", { timeout: 400_000
     await page.button("Dismiss").click();
     await alert.waitFor({ state: "detached" });
   }
+  await pot.dropFile("5.stl", "00");
+  await pot.page.locator("pasu-scan .trouble").waitFor();
+  await page.check("triangles that are none");
+  await pot.page.keyboard.press("Escape");
+  await pot.page.locator("pasu-scan").waitFor({ state: "detached" });
   await page.button("Copy link").click();
   await pot.page.locator(".toast").waitFor();
   // Whoever is given the link has a language of their own.

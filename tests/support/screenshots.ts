@@ -17,7 +17,7 @@ const here = stay();
 /** Exhibits of the gallery that are on the picture. */
 const IN_SIGHT = 12;
 const WIDE: VisitOptions = { ...SHARP, viewport: { width: 1440, height: 900 } };
-const FINE_PHONE: VisitOptions = { ...PHONE, deviceScaleFactor: 2 };
+const FINE_PHONE: VisitOptions = { ...SHARP, ...PHONE, deviceScaleFactor: 2 };
 
 /** What is on the picture: a pot of the gallery and the panel beside it, or the gallery itself. */
 interface Scene {

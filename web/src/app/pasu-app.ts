@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { scanKind } from "../document/scanned/file-kind";
 import type { Design, Refusal } from "../document/types";
 import { DesignerElement } from "../element/designer-element";
 import { VIEW_KEYS } from "../state/view-keys";
@@ -53,6 +54,8 @@ export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
   /** Whether what is drawn takes the place of the selected part's shape. */
   @state() private redraws = false;
+  /** The scan that was dropped. */
+  @state() private scan: File | null = null;
   @state() private address = "";
   @state() private viewed = "";
   @state() private dropping = false;
@@ -176,6 +179,7 @@ export class PasuApp extends DesignerElement {
     const { designer } = this;
     const close = () => {
       this.dialog = "none";
+      this.scan = null;
     };
     if (designer.opening.conflict) {
       void import("./dialogs/conflict-dialog");
@@ -189,7 +193,7 @@ export class PasuApp extends DesignerElement {
       case "draw":
         return html`<pasu-draw .designer=${designer} ?redraws=${this.redraws} @draw-closed=${close}></pasu-draw>`;
       case "scan":
-        return html`<pasu-scan .designer=${designer} @scan-closed=${close}></pasu-scan>`;
+        return html`<pasu-scan .designer=${designer} .file=${this.scan} @scan-closed=${close}></pasu-scan>`;
       case "gallery":
         return html`<pasu-gallery .designer=${designer} @gallery-closed=${close}></pasu-gallery>`;
       case "mix":
@@ -235,7 +239,7 @@ export class PasuApp extends DesignerElement {
         return;
       case "open": {
         const file = await pickFile(".json,.stl,.3mf,.glb,.obj,.zip,.ply,.step,.svg,application/json");
-        if (file) await this.designer.opening.openFile(file);
+        if (file) await this.openFiles([file]);
         return;
       }
       case "save":
@@ -398,23 +402,39 @@ export class PasuApp extends DesignerElement {
       await this.showViewed(search, fragment);
   }
 
-  /** Opens the first that is a design, and says of each of several what became of it. */
+  /** Opens the first that is a design, or else the first that may be a scan, and says of each of several what became of it. */
   private async openFiles(files: readonly File[]): Promise<void> {
     const { designer } = this;
+    const { opening } = designer;
     const refused: File[] = [];
+    const scans: File[] = [];
     for (const file of files) {
-      await designer.opening.openFile(file);
-      if (designer.opening.problem === null) break;
+      await opening.openFile(file);
+      if (opening.problem === null) break;
       refused.push(file);
+      // Triangles without a design may be a scan of a pot.
+      if (opening.problem.code === "no-design" && scanKind(file.name)) scans.push(file);
+    }
+    const [scan] = scans;
+    if (scan && refused.length === files.length) {
+      opening.dismissProblem();
+      this.scan = scan;
+      await this.show("scan");
+      const others = refused.filter((file) => !scans.includes(file));
+      const left = [
+        ...(others.length > 0 ? [page.notOpened(quoted(others))] : []),
+        ...(scans.length > 1 ? [page.leftOut(quoted(scans.slice(1)))] : []),
+      ];
+      if (left.length > 0) designer.notices.say(page.sentences(left));
+      return;
     }
     if (files.length === 1) return;
     const opened = files[refused.length];
-    const names = (some: readonly File[]) => listed(some.map(({ name }) => page.quoted(isolated(name))));
     const left = opened ? files.slice(refused.length + 1) : [];
     const told = [
-      opened ? page.opened(names([opened])) : page.noneOpened(names(files)),
-      ...(opened && refused.length > 0 ? [page.notOpened(names(refused))] : []),
-      ...(left.length > 0 ? [page.leftOut(names(left))] : []),
+      opened ? page.opened(quoted([opened])) : page.noneOpened(quoted(files)),
+      ...(opened && refused.length > 0 ? [page.notOpened(quoted(refused))] : []),
+      ...(left.length > 0 ? [page.leftOut(quoted(left))] : []),
     ];
     designer.notices.say(page.sentences(told));
   }
@@ -569,6 +589,11 @@ function explain(problem: Refusal, design: Design | null, comfort: string) {
   return html`<p>
     ${refusalWords(problem, design)}<small>${comfort}${problem.path === "" ? nothing : html` <code>${problem.path}</code>`}</small>
   </p>`;
+}
+
+/** The names of files, as they stand in a sentence. */
+function quoted(files: readonly File[]): string {
+  return listed(files.map(({ name }) => page.quoted(isolated(name))));
 }
 
 const TEXT_TYPES = new Set(["text", "search", "url", "email", "tel", "password", "number"]);

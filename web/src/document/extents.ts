@@ -16,6 +16,11 @@ export interface Extents {
   readonly least: Span;
 }
 
+/** The largest there is of height and width; 0 where there is nothing. */
+export function sizeOf(extents: Pick<Extents, "height" | "greatest"> | null): number {
+  return extents ? Math.max(extents.height, extents.greatest.width) : 0;
+}
+
 /** Directions in which the farthest points are sought; the widths are then those between all of these points. */
 const DIRECTIONS = 128;
 

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { BOTTLE } from "../../testing/bottle";
+import { BOTTLE, WRITTEN } from "../../testing/bottle";
 import { realMaker } from "../../testing/real-maker";
 import { NEW_BRUSH } from "./brush";
-import { keptBy, LOCKS, locksOf, withLock } from "./locks";
+import { keptBy, LOCKS, locksOf, makingUp, withLock } from "./locks";
 import { getPath } from "./path";
 import { familyOf } from "./schema";
 
@@ -17,10 +17,26 @@ test("a lock is put on and taken off, in the order in which they stand", () => {
   expect(withLock(["rim", "height"], "rim", false)).toEqual(["height"]);
 });
 
-test("every family has a rim, a foot and a height to lock, and rings have none", () => {
-  for (const { reset } of FAMILIES) expect(locksOf(reset)).toEqual(LOCKS);
-  expect(locksOf(BOTTLE)).toEqual([]);
-  expect(keptBy(BOTTLE, LOCKS)).toEqual([]);
+test("every family and every pot of rings has a rim, a foot and a height to lock, and rings with a wall what they hold", () => {
+  for (const { reset } of FAMILIES) expect(locksOf(reset, true)).toEqual(LOCKS);
+  expect(locksOf(BOTTLE, false)).toEqual(LOCKS);
+  expect(locksOf(BOTTLE, true)).toEqual([...LOCKS, "capacity"]);
+  expect(locksOf(WRITTEN, true)).toEqual([]);
+});
+
+test("of rings an end stays where it is locked, as high as it is where the height is, and others as they are", () => {
+  expect(keptBy(BOTTLE, ["foot"], 0)).toEqual(["r", "z", "v"]);
+  expect(keptBy(BOTTLE, ["foot", "height"], 1)).toEqual(["z"]);
+  expect(keptBy(BOTTLE, ["rim"], 0.995)).toEqual(["r", "z", "v"]);
+  expect(keptBy(BOTTLE, LOCKS, 0.35)).toEqual([]);
+  expect(keptBy(WRITTEN, LOCKS, 0)).toEqual([]);
+});
+
+test("what a pot holds is made up for by its height, or by the width of rings that neither a hand nor a lock is on", () => {
+  expect(makingUp(BOTTLE, ["foot", "capacity"], 0.35)).toEqual({ along: "z", rings: [1, 2, 3] });
+  expect(makingUp(BOTTLE, ["height", "capacity"], 0.35)).toEqual({ along: "r", rings: [0, 2, 3] });
+  expect(makingUp(BOTTLE, ["rim", "foot", "capacity"], 0.35)).toEqual({ along: "r", rings: [2] });
+  expect(makingUp(BOTTLE, ["rim", "capacity"], 0.5)).toEqual({ along: "r", rings: [0, 1, 2] });
 });
 
 test.each(FAMILIES.map((family) => [family.kind, family] as const))(
@@ -34,7 +50,7 @@ test.each(FAMILIES.map((family) => [family.kind, family] as const))(
         at: [0.4, 0.3],
         by: { out: 0.2, up: 0.1, round: 0 },
         brush: NEW_BRUSH,
-        keep: keptBy(family.reset, [lock]),
+        keep: keptBy(family.reset, [lock], 0.4),
       });
       if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
       const { shape } = outcome.value;

@@ -1,26 +1,61 @@
-/** What of a named family stays while a hand pulls it: groups of its numbers, as a potter thinks of them. */
+/** What of a pot stays while a hand pulls it, as a potter thinks of it: groups of a family's numbers, or ends of a pot of rings, and what that holds. */
 
+import { curveUnder } from "./curves";
 import { pathText } from "./path";
-import { familyOf, type Group } from "./schema";
-import type { Shape } from "./types";
+import { familyOf } from "./schema";
+import type { Rings, Shape } from "./types";
 
-export const LOCKS = ["rim", "foot", "height"] as const satisfies readonly Group[];
+/** Those that numbers say. */
+export const LOCKS = ["rim", "foot", "height"] as const;
 
-export type Lock = (typeof LOCKS)[number];
+/** What a pot holds is no number of it: its height makes up for what the hand does, or the width of other rings. */
+const ALL = [...LOCKS, "capacity"] as const;
 
-/** Those that a shape has numbers for. */
-export function locksOf(shape: Shape): readonly Lock[] {
+export type Lock = (typeof ALL)[number];
+
+/** Those that a shape has numbers for; what it holds, of a pot of rings with a wall. */
+export function locksOf(shape: Shape, walled: boolean): readonly Lock[] {
+  if (shape.kind === "rings") return walled ? ALL : LOCKS;
   const fields = familyOf(shape.kind)?.fields ?? [];
   return LOCKS.filter((lock) => fields.some(({ group }) => group === lock));
 }
 
-/** The numbers that stay, by the names of the solver; none of a shape that is no family. */
-export function keptBy(shape: Shape, locked: readonly Lock[]): readonly string[] {
+/** What stays of a shape that is pulled at `u`, by the names of the solver. Of a pot of rings that is what its end may not do: the other rings stay as they are. */
+export function keptBy(shape: Shape, locked: readonly Lock[], u: number): readonly string[] {
+  if (shape.kind === "rings") {
+    const end = endUnder(shape, u);
+    if (end === null) return [];
+    if (locked.includes(end)) return ["r", "z", "v"];
+    return locked.includes("height") ? ["z"] : [];
+  }
   const fields = familyOf(shape.kind)?.fields ?? [];
   return fields.filter(({ group }) => locked.some((lock) => lock === group)).map(({ path }) => pathText(path));
 }
 
+/** What makes up for what a hand does to what a pot holds: how high or how wide some of its rings are, by their numbers. */
+export interface MakingUp {
+  readonly along: "r" | "z";
+  readonly rings: readonly number[];
+}
+
+/** How high the pot is above its foot, where that is free; else how wide rings are that neither the hand at `u` nor a lock is on. */
+export function makingUp(shape: Rings, locked: readonly Lock[], u: number): MakingUp {
+  const all = [...shape.rings.keys()];
+  const last = shape.rings.length - 1;
+  if (!locked.includes("height") && !locked.includes("rim")) return { along: "z", rings: all.slice(1) };
+  const under = curveUnder(shape, u)?.index;
+  const free = (index: number) =>
+    index !== under && !(index === 0 && locked.includes("foot")) && !(index === last && locked.includes("rim"));
+  return { along: "r", rings: all.filter(free) };
+}
+
+function endUnder(shape: Shape, u: number): "foot" | "rim" | null {
+  const curve = curveUnder(shape, u);
+  if (!curve?.end) return null;
+  return curve.index === 0 ? "foot" : "rim";
+}
+
 /** The same with one more locked, or no longer. */
 export function withLock(locked: readonly Lock[], lock: Lock, on: boolean): readonly Lock[] {
-  return LOCKS.filter((each) => (each === lock ? on : locked.includes(each)));
+  return ALL.filter((each) => (each === lock ? on : locked.includes(each)));
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { MAPS, mapOf, scaleOf } from "./maps";
+import { colourAt, DIVERGING, MAPS, mapOf, scaleOf } from "./maps";
 
 test("colours with a middle have 0 there, where values are on both sides", () => {
   const map = mapOf("mean-curvature");
@@ -20,4 +20,23 @@ test("a range is never empty", () => {
 
 test("overhangs are compared with all that there can be", () => {
   expect(scaleOf(mapOf("overhang"), 3, 20)).toMatchObject({ low: 0, high: 90 });
+});
+
+test("colours go from one of the ramp to the next, and end where it ends", () => {
+  expect([-1, 0, 0.5, 1, 7].map((share) => colourAt(DIVERGING, share))).toEqual([
+    DIVERGING[0],
+    DIVERGING[0],
+    DIVERGING[2],
+    DIVERGING[4],
+    DIVERGING[4],
+  ]);
+  expect(
+    colourAt(
+      [
+        [0, 10, 100],
+        [100, 20, 0],
+      ],
+      0.25,
+    ),
+  ).toEqual([25, 13, 75]);
 });

@@ -14,7 +14,7 @@ export interface ColourMap {
 }
 
 /** From blue by a light grey to vermilion: below and above 0. */
-const DIVERGING: readonly Rgb[] = [
+export const DIVERGING: readonly Rgb[] = [
   [20, 78, 140],
   [90, 160, 205],
   [236, 234, 228],
@@ -60,6 +60,15 @@ export const MAPS: readonly ColourMap[] = [
 
 export function mapOf(name: MapName): ColourMap {
   return MAPS.find((map) => map.name === name) ?? (MAPS[0] as ColourMap);
+}
+
+/** The colour of a share of the range, between those of the ramp; what is beyond it has the colour of its end. */
+export function colourAt(ramp: readonly Rgb[], share: number): Rgb {
+  const place = Math.min(1, Math.max(0, share)) * (ramp.length - 1);
+  const before = Math.min(Math.floor(place), ramp.length - 2);
+  const [one, other] = [ramp[before] as Rgb, ramp[before + 1] as Rgb];
+  const mixed = (i: 0 | 1 | 2) => Math.round(one[i] + (place - before) * (other[i] - one[i]));
+  return [mixed(0), mixed(1), mixed(2)];
 }
 
 /** How a map is drawn on one pot. */

@@ -3,6 +3,8 @@
 import { effect } from "@preact/signals-core";
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
+import { type Path, pathText } from "../document/path";
+import { whyWords } from "../words/refusals";
 import type { Designer } from "../work/designer";
 
 export abstract class DesignerElement extends LitElement {
@@ -38,6 +40,15 @@ export abstract class DesignerElement extends LitElement {
     });
     if (this.isConnected) this.#leave = leave;
     else leave();
+  }
+
+  /** The solver's objection, where it names one of these places in the selected part's shape. */
+  protected problemAt(...paths: readonly Path[]): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    if (!problem) return "";
+    const named = paths.some((path) => pathText(["parts", state.part, "shape", ...path]) === problem.path);
+    return named ? whyWords(problem) : "";
   }
 
   /** Draws again what may have changed while the element was not on the page, and watches it. */

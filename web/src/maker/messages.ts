@@ -119,8 +119,23 @@ export interface RingedShape {
   readonly distance: number;
 }
 
+/** A pot of rings before and after a hand changed it, alone in its design, and what may make up for what it holds: how high or how wide these rings are. */
+export interface HoldAsk {
+  readonly kind: "hold";
+  readonly before: Design;
+  readonly after: Design;
+  readonly along: "r" | "z";
+  readonly rings: readonly number[];
+}
+
+/** The pot that holds what it held before. */
+export interface HeldShape {
+  readonly shape: Rings;
+}
+
 export type Ask =
   | PullAsk
+  | HoldAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -157,6 +172,8 @@ export type Ask =
 
 export interface Answers {
   readonly pull: PulledShape;
+  /** Null where that cannot be had. */
+  readonly hold: HeldShape | null;
   readonly solid: Solid;
   readonly quick: Quick;
   readonly measure: Measures;

@@ -15,7 +15,7 @@ export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   const radius = Math.hypot(x, y) + by.out;
   const to: Triple = [radius * Math.cos(angle), radius * Math.sin(angle), z + by.up];
   // A ring as a whole is turned against its neighbours: there is no bump to be moved.
-  if (shape.kind === "rings" && brush.spread === "all" && by.round !== 0)
+  if (shape.kind === "rings" && brush.spread === "all" && by.round !== 0 && !keep.includes("v"))
     return turning(shape, { at, by, brush, keep });
   // At several places, and all round, written data are to move away from the axis, not all the same way.
   if (shape.kind === "boundary-value" && brush.spread !== "side" && by.round === 0 && isRound(shape))
@@ -29,7 +29,7 @@ export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   const [u = at[0], v = at[1]] = followed.at;
   // Of a ring that is only put there every digit is kept: it changes nothing.
   const still = by.out === 0 && by.up === 0 && by.round === 0;
-  return { shape: still ? shapeOf(made) : short(shapeOf(made), u), at: [u, v], behind: followed.behind };
+  return { shape: still ? shapeOf(made) : short(shapeOf(made), u, keep), at: [u, v], behind: followed.behind };
 }
 
 function turning(shape: Rings, { at, by, brush, keep }: Omit<PullAsk, "kind" | "shape">): PulledShape {
@@ -58,13 +58,17 @@ function spread(design: Sent, at: PullAsk["at"], by: RadialMove, bump: Bump): Sh
 /** So many digits of its radius are kept of what a hand has pulled: no hand is finer, and links stay short. */
 const DIGITS = 6;
 
-/** A pot of rings with the numbers of one of them shortened; what goes up and down by less than that is left out. */
-function short(shape: Shape, u: number): Shape {
+/** A pot of rings with the numbers of one of them shortened, but for those that stay; what goes up and down by less than that is left out. */
+function short(shape: Shape, u: number, keep: readonly string[]): Shape {
   if (shape.kind !== "rings") return shape;
   const round = (ring: Hoop): Hoop => {
     const places =
       DIGITS - Math.ceil(Math.log10(Math.max(Math.abs(ring.r.mean), Math.abs(ring.z.mean), Number.MIN_VALUE)));
-    return { ...ring, r: rounded(ring.r, places), z: rounded(ring.z, places) };
+    return {
+      ...ring,
+      ...(!keep.includes("r") && { r: rounded(ring.r, places) }),
+      ...(!keep.includes("z") && { z: rounded(ring.z, places) }),
+    };
   };
   return { ...shape, rings: shape.rings.map((ring) => (ring.u === u ? round(ring) : ring)) };
 }

@@ -2,7 +2,7 @@
 
 import { withoutCurve } from "../document/curves";
 import type { Hoop } from "../document/ring-numbers";
-import type { Rings } from "../document/types";
+import type { BoundaryValue, Rings } from "../document/types";
 import { editShape } from "./shape-actions";
 import type { Change, State } from "./store";
 
@@ -30,4 +30,10 @@ export function changeRing(state: State, index: number, edit: (ring: Hoop) => Ho
 export function changeRings(state: State, edit: (pot: Rings) => Rings, key?: string): Change {
   const change = editShape(state, (shape) => (shape.kind === "rings" ? edit(shape) : shape));
   return key === undefined || change.undo === "none" ? change : { ...change, undo: "merge", key };
+}
+
+/** Changes boundary data that are written out. What a hand goes on changing is one step with `key`. */
+export function changeWritten(state: State, edit: (shape: BoundaryValue) => BoundaryValue, key?: string): Change {
+  const change = editShape(state, (shape) => (shape.kind === "boundary-value" ? edit(shape) : shape));
+  return key === undefined || change.undo === "none" ? change : { ...change, undo: "merge", key: `written:${key}` };
 }

@@ -116,7 +116,8 @@ export class PasuDialog extends LitElement {
         border-top: 1px solid var(--line);
       }
       ::slotted([slot="actions"]) {
-        margin-bottom: 18px;
+        /* Whatever the page says of margins: all of them stand on one line. */
+        margin-bottom: 18px !important;
       }
     `,
   ];

@@ -145,3 +145,54 @@ export const fields = css`
     padding-right: 6px;
   }
 `;
+
+/** What unfolds: a heading with a word about it, and an arrow that says whether it is open. */
+export const disclosure = css`
+  summary {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    min-height: var(--touch);
+    border-radius: 8px;
+    cursor: pointer;
+    list-style: none;
+  }
+  summary::-webkit-details-marker {
+    display: none;
+  }
+  summary::after {
+    content: "";
+    flex: none;
+    width: 7px;
+    height: 7px;
+    margin-left: auto;
+    margin-right: 6px;
+    border: solid var(--soft);
+    border-width: 0 1.6px 1.6px 0;
+    rotate: 45deg;
+    translate: 0 -2px;
+  }
+  details:not([open]) > summary::after {
+    rotate: -45deg;
+    translate: 0;
+  }
+  h3 {
+    font-size: 0.95rem;
+    font-weight: 650;
+  }
+  summary span {
+    color: var(--soft);
+    font-size: 0.84rem;
+  }
+`;
+
+/** A number that somebody points at elsewhere. */
+export const pointed = css`
+  pasu-number[data-pointed] {
+    border-radius: 8px;
+    background: var(--accent-wash);
+    box-shadow: 0 0 0 4px var(--accent-wash);
+    outline: 2px solid var(--accent);
+    outline-offset: 4px;
+  }
+`;

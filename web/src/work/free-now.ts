@@ -1,5 +1,6 @@
 /** Makes the selected part one of rings at once, where a hand asks more of it than its numbers can do. */
 
+import { sizeOf } from "../document/extents";
 import { unitOf } from "../document/look";
 import { freeing } from "../words/english/freeing";
 import { page } from "../words/english/page";
@@ -16,7 +17,7 @@ export async function freeNow(designer: Designer): Promise<{ readonly done: stri
   const { store, extents } = designer;
   const made = await designer.openMade();
   if (!made) return { cannot: page.unfetched };
-  const found = await freed(made.maker, store, finenessOf(extents));
+  const found = await freed(made.maker, store, finenessOf(sizeOf(extents)));
   const unit = unitOf(store.design);
   if (found.state === "refused") return { cannot: cannotWords(found.refusal, unit) };
   if (found.state === "superseded" || !takeFreed(store, found.value)) return { cannot: freeing.changed };

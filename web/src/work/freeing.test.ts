@@ -5,7 +5,7 @@ import type { Kind, Part, Shape } from "../document/types";
 import { NEW_SESSION } from "../state/session";
 import { Store } from "../state/store";
 import { cannotWords } from "../words/freeing";
-import { finenessOf, freed, takeFreed } from "./freeing";
+import { finenessOf, followedByHand, freed, takeFreed } from "./freeing";
 
 function reset(kind: Kind): Shape {
   const family = familyOf(kind);
@@ -67,7 +67,7 @@ test("what cannot be made of rings says why", async () => {
 });
 
 test("a round number about as small as what nobody sees", () => {
-  const of = (height: number) => finenessOf({ height, greatest: { direction: 0, low: 0, width: 1 } });
-  expect([25, 20, 19.9, 9, 1, 230].map(of)).toEqual([0.02, 0.02, 0.01, 0.005, 0.001, 0.2]);
-  expect(finenessOf(null)).toBe(0.001);
+  expect([25, 20, 19.9, 9, 1, 230, 2e-5].map(finenessOf)).toEqual([0.02, 0.02, 0.01, 0.005, 0.001, 0.2, 2e-8]);
+  expect(finenessOf(0)).toBe(0.001);
+  expect(followedByHand(20)).toBe(0.1);
 });

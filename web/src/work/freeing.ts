@@ -1,6 +1,5 @@
 /** A part as rings: asked of the maker, and put into the design as one step. */
 
-import type { Extents } from "../document/extents";
 import { setPath } from "../document/path";
 import type { Rings, Shape } from "../document/types";
 import type { MakerClient } from "../maker/client";
@@ -22,12 +21,19 @@ export interface Freed {
 const UNSEEN = 1e-3;
 
 /** A round number about as small as what nobody sees of a pot as large as that. */
-export function finenessOf(extents: Pick<Extents, "height" | "greatest"> | null): number {
-  const size = extents ? Math.max(extents.height, extents.greatest.width) : 0;
+export function finenessOf(size: number): number {
   const wanted = UNSEEN * (size > 0 ? size : 1);
   const decade = 10 ** Math.floor(Math.log10(wanted));
   const digit = [5, 2, 1].find((each) => each * decade <= wanted * (1 + 1e-9)) ?? 1;
   return Number((digit * decade).toPrecision(1));
+}
+
+/** What a hand has drawn or made is not truer than so many times what nobody sees. */
+const BY_HAND = 5;
+
+/** How closely what a hand has drawn or made is to be followed, of a pot so high. */
+export function followedByHand(height: number): number {
+  return BY_HAND * finenessOf(height);
 }
 
 /** The selected part as rings, no further from what it is than `tolerance`. Of several questions the last is answered. */

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { BOTTLE } from "../../testing/bottle";
 import { settled } from "../../testing/held-worker";
 import { realMaker } from "../../testing/real-maker";
-import type { Rings } from "../document/types";
+import type { Design, Rings } from "../document/types";
 import { NEW_SESSION } from "../state/session";
 import { editShape } from "../state/shape-actions";
 import { Store } from "../state/store";
@@ -88,3 +88,85 @@ test("what is refused is told, and the pot stays", async () => {
   expect(pull.followed.refusal).not.toBeNull();
   expect(radius()).toBe(6);
 });
+
+/** A bottle with a wall, a hand on its belly, and what it holds. */
+function vessel() {
+  const wall = { thickness: 0.4, base: 0.5, rim: "rounded" } as const;
+  const design: Design = { pasu: 1, parts: [{ shape: BOTTLE, wall }] };
+  const store = new Store(design, NEW_SESSION);
+  const { maker } = realMaker({ free: true });
+  const pull = new Pull(store, maker);
+  pull.brush = { ...pull.brush, spread: "all" };
+  const holds = async () => {
+    const outcome = await maker.ask({ kind: "measure", design: store.design, product: "pot", fill: null }, "judge");
+    if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
+    return outcome.value.capacity?.brim.value ?? Number.NaN;
+  };
+  const rings = () => {
+    const shape = store.design.parts[0]?.shape;
+    return shape?.kind === "rings" ? shape.rings : [];
+  };
+  const drag = async (u: number, by: Partial<typeof STILL>) => {
+    pull.take({ part: store.ids[0] ?? 0, at: [u, 0], size: 6 });
+    pull.move({ ...STILL, ...by });
+    await pull.release();
+  };
+  return { store, pull, holds, rings, drag };
+}
+
+test("what a pot holds stays to a millionth while its belly, its neck and its rim are pulled, each in one step", async () => {
+  const { store, pull, holds, rings, drag } = vessel();
+  const before = await holds();
+  for (const [locked, u, by] of [
+    [["capacity"], 0.35, { out: 0.7 }],
+    [["rim", "foot", "height", "capacity"], 0.7, { out: 0.4, up: -1 }],
+    // A ring is put there first.
+    [["foot", "capacity"], 0.5, { out: -0.6 }],
+    [["height", "capacity"], 1, { out: 0.5, up: 4 }],
+  ] as const) {
+    pull.locked = locked;
+    const { design } = store;
+    const was = rings();
+    await drag(u, by);
+    expect(pull.followed).toMatchObject({ refusal: null, spilt: false });
+    expect(Math.abs((await holds()) / before - 1)).toBeLessThanOrEqual(1e-6);
+    for (const [lock, end] of [
+      ["foot", 0],
+      ["rim", -1],
+    ] as const) {
+      const [one, other] = [was.at(end), rings().at(end)];
+      if ((locked as readonly string[]).includes(lock)) expect(other).toEqual(one);
+      if ((locked as readonly string[]).includes("height")) expect(other?.z).toEqual(one?.z);
+    }
+    const after = store.design;
+    store.undo();
+    expect(store.design).toBe(design);
+    store.redo();
+    expect(store.design).toBe(after);
+  }
+}, 180_000);
+
+test("without the lock it holds more, and where no other ring is free that is said", async () => {
+  const { store, pull, holds, rings, drag } = vessel();
+  const before = await holds();
+  await drag(0.35, { out: 0.7 });
+  expect((await holds()) / before).toBeGreaterThan(1.05);
+  expect(rings()[1]?.r.mean).toBeCloseTo(6.7, 5);
+  store.undo();
+  const [foot, belly, , rim] = BOTTLE.rings;
+  if (!foot || !belly || !rim) throw new Error("it is a bottle");
+  store.apply({
+    design: {
+      ...store.design,
+      parts: store.design.parts.map((part) => ({ ...part, shape: { ...BOTTLE, rings: [foot, belly, rim] } })),
+    },
+    undo: "step",
+  });
+  pull.locked = ["rim", "foot", "capacity"];
+  await drag(0.35, { out: 0.7 });
+  expect(pull.followed.spilt).toBe(true);
+  expect(rings()[1]?.r.mean).toBeCloseTo(6.7, 5);
+  // A locked end does not move.
+  await drag(0, { out: 1, up: 1, round: 0.3 });
+  expect(rings()[0]).toEqual(foot);
+}, 180_000);

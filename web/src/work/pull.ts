@@ -5,7 +5,7 @@
 
 import { signal } from "@preact/signals-core";
 import { type Brush, NEW_BRUSH } from "../document/brush";
-import { keptBy, type Lock } from "../document/locks";
+import { keptBy, type Lock, makingUp } from "../document/locks";
 import { setPath } from "../document/path";
 import type { Design, Pair, Refusal, Shape } from "../document/types";
 import type { MakerClient } from "../maker/client";
@@ -28,9 +28,11 @@ export interface Followed {
   readonly at: Pair | null;
   /** How far the point is from the hand, as a share of the size that was told. */
   readonly behind: number;
+  /** Whether the pot holds something else now, though that was locked: nothing that is free could make up for it. */
+  readonly spilt: boolean;
 }
 
-const FOLLOWED: Followed = { refusal: null, at: null, behind: 0 };
+const FOLLOWED: Followed = { refusal: null, at: null, behind: 0, spilt: false };
 
 const STILL: Move = { out: 0, up: 0, round: 0 };
 
@@ -130,7 +132,8 @@ export class Pull {
     const held = this.#grip.peek();
     if (!held) return;
     this.#grip.value = null;
-    const over = rest(held).then(() => {
+    const over = rest(held).then(async () => {
+      if (this.#locked.peek().includes("capacity")) await this.#hold(held);
       held.over = true;
       if (held.left !== null && held.left === this.#store.design) this.#store.endGesture();
     });
@@ -154,7 +157,7 @@ export class Pull {
       await this.#before;
       const from = this.#begin(held);
       if (!from) return;
-      const keep = keptBy(from, locked);
+      const keep = keptBy(from, locked, held.at[0]);
       const outcome = await this.#maker.ask({ kind: "pull", shape: from, at: held.at, by, brush, keep });
       if (outcome.state === "superseded") return;
       if (outcome.state === "refused") this.#followed.value = { ...FOLLOWED, refusal: outcome.refusal };
@@ -163,6 +166,26 @@ export class Pull {
       held.under -= 1;
       if (held.under === 0) for (const each of held.waiting.splice(0)) each();
     }
+  }
+
+  /** Once the hand has let go, the rest of the pot sees to it that it holds what it held: that takes measuring, for which no hand waits. */
+  async #hold(held: Held): Promise<void> {
+    const { design } = this.#store;
+    const place = this.#place(held);
+    const part = design.parts[place];
+    if (!held.from || held.left === null || held.left !== design || !part?.wall || part.shape.kind !== "rings") return;
+    const alone = (shape: Shape): Design => ({
+      pasu: 1,
+      ...(design.unit && { unit: design.unit }),
+      parts: [{ ...part, shape }],
+    });
+    const up = makingUp(part.shape, this.#locked.peek(), held.at[0]);
+    const [before, after] = [alone(held.from), alone(part.shape)];
+    const outcome = await this.#maker.ask({ kind: "hold", before, after, ...up });
+    if (held.left !== this.#store.design) return;
+    if (outcome.state === "refused") this.#followed.value = { ...FOLLOWED, refusal: outcome.refusal };
+    else if (outcome.state === "done" && outcome.value === null) this.#followed.value = { ...FOLLOWED, spilt: true };
+    else if (outcome.state === "done" && outcome.value) this.#put(held, place, outcome.value.shape);
   }
 
   /** The shape that the hand took hold of. */
@@ -180,8 +203,12 @@ export class Pull {
     const place = this.#place(held);
     // Undone, or opened anew, under the hand: that is what counts.
     if (held.over || place < 0 || (held.left !== null && held.left !== design)) return;
-    this.#followed.value = { refusal: null, at, behind: behind / held.size };
-    const next = setPath(design, ["parts", place, "shape"], shape);
+    this.#followed.value = { ...FOLLOWED, at, behind: behind / held.size };
+    this.#put(held, place, shape);
+  }
+
+  #put(held: Held, place: number, shape: Shape): void {
+    const next = setPath(this.#store.design, ["parts", place, "shape"], shape);
     this.#store.apply({ design: next, undo: "merge", key: held.key });
     held.left = this.#store.design;
   }

@@ -54,6 +54,7 @@ test("a round pot is found again, wherever it stands, as large as it is to be", 
   expect(found.most).toBeLessThanOrEqual(0.1);
   expect(found.rms).toBeLessThan(found.most);
   expect(found.without).toBeNull();
+  expect(Math.max(...found.away.map(Math.abs))).toBeCloseTo(found.most, 6);
   expect(found.shape.rings.length).toBeLessThan(12);
   // At half of the size.
   expect(found.shape.rings[0]?.r.mean).toBeCloseTo(3, 1);
@@ -78,6 +79,9 @@ test("a handle is told, and rings go on without it", async () => {
     0.2,
   );
   expect(found.most).toBeGreaterThan(3);
+  // It is outside of them.
+  expect(Math.max(...found.away)).toBeCloseTo(found.most, 5);
+  expect(Math.min(...found.away)).toBeGreaterThan(-0.2);
   // The rest of the pot is as round as it was.
   expect(found.without?.most).toBeLessThanOrEqual(0.2);
   expect(found.shape.rings.every(({ r }) => r.waves === undefined)).toBe(true);

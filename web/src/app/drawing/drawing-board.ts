@@ -12,6 +12,7 @@ import {
   moveAxis,
   moveKnot,
   removeKnot,
+  SHEET,
   type Sheet,
   type Side,
   sharpenKnot,
@@ -19,14 +20,12 @@ import {
 } from "../../document/drawn/sheet";
 import { mirrored } from "../../document/drawn/sides";
 import type { Unit } from "../../document/types";
+import { arrowOf, handleStyles, reachOf } from "../../ui/handles";
 import { base } from "../../ui/styles";
 import { drawing as words } from "../../words/english/drawing";
 import { spokenLength } from "../../words/quantities";
 
-/** The side of the sheet, in its own units. */
-export const SHEET = 480;
-
-const COARSE = 10;
+/** A finger's reach round a point. */
 const REACH = 15;
 const LEAST_REACH = 7;
 /** A double click this near a line puts a point there. */
@@ -102,7 +101,7 @@ export class PasuDrawingBoard extends LitElement {
           @dblclick=${this.put}
         >
           ${this.ghosts.map((line) => svg`<path class="ghost" d=${pathOf(line)} />`)}
-          ${alike ? svg`<path class="alike" d=${pathOf(alike)} />` : nothing}
+          ${alike && !overlay ? svg`<path class="alike" d=${pathOf(alike)} />` : nothing}
           ${lines.map((line) => svg`<path class="line" d=${pathOf(line)} />`)}
           ${(overlay?.lines ?? []).map((line) => svg`<path class="fitted" d=${pathOf(line)} />`)}
           ${(overlay?.rings ?? []).map(([a, b]) => svg`<line class="hoop" x1=${a.x} y1=${a.y} x2=${b.x} y2=${b.y} />`)}
@@ -120,7 +119,7 @@ export class PasuDrawingBoard extends LitElement {
     const { axis } = this.sheet;
     return svg`<line class="axis" x1=${axis} y1="0" x2=${axis} y2=${SHEET} />
       <g
-        class="handle axle"
+        class="handle across axle"
         tabindex="0"
         role="button"
         aria-roledescription=${words.handle}
@@ -137,10 +136,7 @@ export class PasuDrawingBoard extends LitElement {
   }
 
   private knot(side: Side, knot: Knot, index: number, spots: readonly Spot[]) {
-    const nearest = Math.min(
-      ...spots.filter((spot) => spot !== knot).map(({ x, y }) => Math.hypot(x - knot.x, y - knot.y)),
-    );
-    const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
+    const others = spots.filter((spot) => spot !== knot);
     const move = (sheet: Sheet, by: Spot) => {
       const from = knotsOn(sheet, side)[index];
       return from ? moveKnot(sheet, side, index, { x: inSheet(from.x + by.x), y: inSheet(from.y + by.y) }) : sheet;
@@ -157,7 +153,7 @@ export class PasuDrawingBoard extends LitElement {
       @dblclick=${(event: Event) => event.stopPropagation()}
       @keydown=${(event: KeyboardEvent) => this.key(event, move, side, index)}
     >
-      <circle class="reach" r=${reach} />
+      <circle class="reach" r=${reachOf(knot, others, LEAST_REACH, REACH)} />
       <circle class="ring" r="10" />
       ${
         knot.sharp
@@ -241,11 +237,10 @@ export class PasuDrawingBoard extends LitElement {
 
   private key(event: KeyboardEvent, move: Held["move"], side?: Side, index?: number): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const arrow = ARROWS[event.key];
-    const step = event.shiftKey ? COARSE : 1;
+    const arrow = arrowOf(event);
     const { sheet } = this;
     let next: Sheet | null = null;
-    if (arrow) next = move(sheet, { x: step * arrow[0], y: step * arrow[1] });
+    if (arrow) next = move(sheet, { x: arrow.right, y: -arrow.up });
     else if (side !== undefined && index !== undefined) next = edited(sheet, side, index, event.key);
     if (!next) return;
     event.preventDefault();
@@ -282,6 +277,7 @@ export class PasuDrawingBoard extends LitElement {
 
   static override readonly styles = [
     base,
+    handleStyles,
     css`
       :host {
         display: block;
@@ -356,38 +352,9 @@ export class PasuDrawingBoard extends LitElement {
         stroke-width: 1;
         opacity: 0.35;
       }
-      .handle {
-        cursor: move;
-        outline: none;
-      }
-      .axle {
-        cursor: ew-resize;
-      }
-      .reach {
-        fill: transparent;
-      }
-      .ring {
-        fill: none;
-        stroke: transparent;
-        stroke-width: 2.5;
-      }
-      .handle .knob {
-        fill: var(--sheet);
-        stroke: var(--accent);
-        stroke-width: 2.2;
-      }
       .axle .knob {
         fill: var(--soft);
         stroke: none;
-      }
-      .handle:hover .knob {
-        fill: var(--accent-wash);
-      }
-      .handle:active .knob {
-        fill: var(--accent);
-      }
-      .handle:focus-visible .ring {
-        stroke: var(--accent);
       }
     `,
   ];
@@ -414,13 +381,6 @@ function edited(sheet: Sheet, side: Side, index: number, key: string): Sheet | n
       return null;
   }
 }
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 function inSheet(value: number): number {
   return Math.min(SHEET, Math.max(0, value));

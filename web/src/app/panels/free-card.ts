@@ -2,17 +2,20 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { sizeOf } from "../../document/extents";
 import { unitOf } from "../../document/look";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { card } from "../../ui/card";
 import "../../ui/number-field";
 import type { NumberChangeEvent, PasuNumber } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
+import { told } from "../../ui/told";
 import { freeing as words } from "../../words/english/freeing";
 import { cannotWords } from "../../words/freeing";
 import { spokenLength } from "../../words/quantities";
 import { type Freed, finenessOf, freed, takeFreed } from "../../work/freeing";
-import type { Outcome } from "../../worker/port";
+import { Seeking } from "../seeking";
 
 /** What the slider reaches to either side of what is good to begin with. */
 const REACH = 20;
@@ -20,12 +23,14 @@ const REACH = 20;
 /** Lengths that say how far off: more digits are of no use. */
 const DIGITS = 2;
 
+/** Rings are not sought at every movement of the slider. */
+const PAUSE_MS = 120;
+
 @customElement("pasu-free-card")
 export class PasuFreeCard extends DesignerElement {
-  /** Null while it is not known. */
-  @state() private found: Outcome<Freed> | null = null;
+  private readonly rings = new Seeking<Freed>(this, PAUSE_MS);
   private first = 0;
-  private tolerance = 0;
+  @state() private tolerance = 0;
   /** What was asked for. */
   private asked: Shape | null = null;
 
@@ -33,7 +38,7 @@ export class PasuFreeCard extends DesignerElement {
     const { store, extents } = this.designer;
     const shape = store.design.parts[store.part]?.shape ?? null;
     if (this.first === 0) {
-      this.first = finenessOf(extents);
+      this.first = finenessOf(sizeOf(extents));
       this.tolerance = this.first;
     }
     // While a hand changes it there is nothing to make rings of.
@@ -44,7 +49,7 @@ export class PasuFreeCard extends DesignerElement {
     const unit = unitOf(this.designer.store.design);
     return html`<section aria-labelledby="free">
       <h3 id="free">${words.heading}</h3>
-      <p>${words.lead}</p>
+      <p class="lead">${words.lead}</p>
       <pasu-number
         .label=${words.tolerance}
         .unit=${unit}
@@ -58,7 +63,7 @@ export class PasuFreeCard extends DesignerElement {
       ></pasu-number>
       <p class="found" role="status">${this.told()}</p>
       <div class="acts">
-        <button class="button primary" type="button" ?disabled=${this.found?.state !== "done"} @click=${this.use}>${words.use}</button>
+        <button class="button primary" type="button" ?disabled=${this.rings.ready === null} @click=${this.use}>${words.use}</button>
         <button class="button outlined" type="button" @click=${this.leave}>${words.leave}</button>
       </div>
     </section>`;
@@ -77,36 +82,24 @@ export class PasuFreeCard extends DesignerElement {
 
   private told() {
     const unit = unitOf(this.designer.store.design);
-    switch (this.found?.state) {
-      case "done": {
-        const { shape, distance } = this.found.value;
-        const rings = shape.rings.length;
-        return distance === 0 ? words.exact(rings) : words.found(rings, spokenLength(distance, unit, DIGITS));
-      }
-      case "refused":
-        return html`<span class="warn">${cannotWords(this.found.refusal, unit)}</span>`;
-      case "superseded":
-        return nothing;
-      default:
-        return words.coming;
-    }
+    const { coming, found } = this.rings;
+    if (coming || found === null) return words.coming;
+    if (found.state === "superseded") return nothing;
+    if (found.state === "refused") return html`<span class="warn">${cannotWords(found.refusal, unit)}</span>`;
+    const { shape, distance } = found.value;
+    const rings = shape.rings.length;
+    return distance === 0 ? words.exact(rings) : words.found(rings, spokenLength(distance, unit, DIGITS));
   }
 
   private ask(shape: Shape): void {
+    const { designer, tolerance } = this;
     this.asked = shape;
-    this.found = null;
-    void this.seek(shape, this.tolerance);
-  }
-
-  private async seek(shape: Shape, tolerance: number): Promise<void> {
-    const { designer } = this;
-    const made = await designer.openMade();
-    if (!made) {
-      this.dispatchEvent(new Event("free-closed"));
-      return;
-    }
-    const found = await freed(made.maker, designer.store, tolerance);
-    if (this.asked === shape && this.tolerance === tolerance && found.state !== "superseded") this.found = found;
+    this.rings.soon(async () => {
+      const made = await designer.openMade();
+      if (made) return freed(made.maker, designer.store, tolerance);
+      this.leave();
+      return null;
+    });
   }
 
   private readonly change = ({ value }: NumberChangeEvent): void => {
@@ -116,10 +109,11 @@ export class PasuFreeCard extends DesignerElement {
   };
 
   private readonly use = (): void => {
-    const { found, designer } = this;
-    if (found?.state !== "done") return;
-    const { shape, distance } = found.value;
-    if (takeFreed(designer.store, found.value)) {
+    const { designer } = this;
+    const { ready } = this.rings;
+    if (!ready) return;
+    const { shape, distance } = ready;
+    if (takeFreed(designer.store, ready)) {
       const unit = unitOf(designer.store.design);
       const rings = shape.rings.length;
       designer.notices.say(
@@ -136,35 +130,11 @@ export class PasuFreeCard extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    card,
+    told,
     css`
-      section {
-        margin: 4px 0 14px;
-        padding: 12px 14px 14px;
-        border-radius: 12px;
-        background: var(--well);
-      }
-      h3 {
-        font-size: 1rem;
-        font-weight: 650;
-      }
       p {
         padding: 4px 0 6px;
-        color: var(--soft);
-        text-wrap: pretty;
-      }
-      .found {
-        color: var(--ink);
-        font-weight: 600;
-      }
-      .warn {
-        color: var(--warn);
-        font-weight: 400;
-      }
-      .acts {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-        padding-top: 4px;
       }
     `,
   ];

@@ -5,6 +5,7 @@ import { customElement, property } from "lit/decorators.js";
 import { type ColourMap, scaleOf } from "../../document/maps";
 import type { Unit } from "../../document/types";
 import type { Lined, Painted } from "../../maker/messages";
+import { colourRamp, rampLegend, rampStyles } from "../../ui/ramp";
 import { base } from "../../ui/styles";
 import { maps } from "../../words/english/maps";
 import { mapNote, mapWords } from "../../words/maps";
@@ -26,11 +27,11 @@ export class PasuLegend extends LitElement {
     const on = map.name === "overhang" || this.lined ? maps.onOutside : maps.onPot;
     const [below, above] = [words(painted.least) !== words(low), words(painted.greatest) !== words(high)];
     return html`
-      <div class="ramp" role="img" aria-label=${maps.colours(maps.names[map.name], words(low), words(high))}></div>
-      <p class="ends" aria-hidden="true">
-        <span>${painted.least < low && below ? "≤ " : ""}${words(low)}</span><span>${words((low + high) / 2)}</span
-        ><span>${painted.greatest > high && above ? "≥ " : ""}${words(high)}</span>
-      </p>
+      ${rampLegend(maps.colours(maps.names[map.name], words(low), words(high)), [
+        `${painted.least < low && below ? "≤ " : ""}${words(low)}`,
+        words((low + high) / 2),
+        `${painted.greatest > high && above ? "≥ " : ""}${words(high)}`,
+      ])}
       <p class="note">${on(mapNote(map.name, scale), words(painted.least), words(painted.greatest))} ${this.within(words)}</p>
     `;
   }
@@ -47,29 +48,15 @@ export class PasuLegend extends LitElement {
   override updated(): void {
     const { map, painted } = this;
     const { ramp } = painted ? scaleOf(map, painted.low, painted.high) : map;
-    const stops = ramp.map((rgb) => `rgb(${rgb.join(" ")})`);
-    this.style.setProperty("--ramp", `linear-gradient(to right, ${stops.join(", ")})`);
+    colourRamp(this, ramp);
   }
 
   static override readonly styles = [
     base,
+    rampStyles,
     css`
       :host {
         display: block;
-      }
-      .ramp {
-        height: 16px;
-        border: 1px solid var(--line);
-        border-radius: 8px;
-        background: var(--ramp);
-        forced-color-adjust: none;
-      }
-      .ends {
-        display: flex;
-        justify-content: space-between;
-        padding-top: 3px;
-        font-size: 0.84rem;
-        font-variant-numeric: tabular-nums;
       }
       .note {
         color: var(--soft);

@@ -1,11 +1,12 @@
 /** The slider that mixes the pot on the stage with another. However often it is moved, all of it is one step that undo takes back. */
 
 import { batch } from "@preact/signals-core";
-import { css, html, nothing, type PropertyValues } from "lit";
+import { html, nothing, type PropertyValues } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import type { Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { isolated } from "../../language";
+import { card } from "../../ui/card";
 import "../../ui/number-field";
 import type { NumberChangeEvent, PasuNumber } from "../../ui/number-field";
 import { base, buttons } from "../../ui/styles";
@@ -130,29 +131,7 @@ export class PasuMix extends DesignerElement {
     this.dispatchEvent(new Event("mix-closed"));
   };
 
-  static override readonly styles = [
-    base,
-    buttons,
-    css`
-      section {
-        margin-bottom: 14px;
-        padding: 12px 14px 14px;
-        border-radius: 12px;
-        background: var(--well);
-      }
-      h3 {
-        font-size: 1rem;
-        font-weight: 650;
-        overflow-wrap: anywhere;
-      }
-      .acts {
-        display: flex;
-        flex-wrap: wrap;
-        gap: 8px;
-        padding-top: 8px;
-      }
-    `,
-  ];
+  static override readonly styles = [base, buttons, card];
 }
 
 declare global {

@@ -13,18 +13,17 @@ import {
   withOrder,
   withoutMode,
 } from "../../document/boundary-value";
-import { numberAt, type Path, pathText } from "../../document/path";
+import { numberAt, type Path } from "../../document/path";
 import type { BoundaryValue, Mode, Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber, parseNumber } from "../../number";
-import { editShape, setNumber } from "../../state/shape-actions";
+import { editShape } from "../../state/shape-actions";
+import { cells } from "../../ui/cells";
 import { icon } from "../../ui/icons";
-import "../../ui/number-field";
-import type { NumberChangeEvent } from "../../ui/number-field";
-import { base, buttons, fields } from "../../ui/styles";
+import { base, buttons, disclosure, fields, pointed } from "../../ui/styles";
 import { modes } from "../../words/english/modes";
-import { whyWords } from "../../words/refusals";
 import { numberProblemWords } from "../../words/typed";
+import { shapeNumber } from "./shape-number";
 
 const WAVES = ["cos", "sin"] as const;
 /** Long series (an imported outline) are shown page by page. */
@@ -193,25 +192,7 @@ export class PasuModes extends DesignerElement {
   }
 
   private number(label: string, path: Path, value: number) {
-    const { designer } = this;
-    return html`<pasu-number
-      compact
-      data-at=${pathText(path)}
-      .label=${label}
-      .value=${value}
-      .step=${0.1}
-      .problem=${this.problemOf(path)}
-      @number-change=${(event: NumberChangeEvent) =>
-        designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
-      @number-done=${() => designer.store.endGesture()}
-      @number-cancel=${() => designer.store.cancelGesture()}
-    ></pasu-number>`;
-  }
-
-  private problemOf(path: Path): string {
-    const { state, surface } = this.designer;
-    const { problem } = surface;
-    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
+    return shapeNumber(this.designer, label, path, value, this.problemAt(path));
   }
 
   private edit(change: (shape: BoundaryValue) => BoundaryValue): void {
@@ -223,15 +204,11 @@ export class PasuModes extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    cells,
+    disclosure,
     fields,
+    pointed,
     css`
-      pasu-number[data-pointed] {
-        border-radius: 8px;
-        background: var(--accent-wash);
-        box-shadow: 0 0 0 4px var(--accent-wash);
-        outline: 2px solid var(--accent);
-        outline-offset: 4px;
-      }
       :host {
         display: block;
       }
@@ -253,18 +230,12 @@ export class PasuModes extends DesignerElement {
       .line {
         grid-template-columns: 1fr 1fr;
       }
-      label,
-      .cell {
+      label {
         display: grid;
         gap: 3px;
         min-width: 0;
         color: var(--soft);
         font-size: 0.82rem;
-      }
-      .cell pasu-number {
-        padding: 0;
-        color: var(--ink);
-        font-size: 0.94rem;
       }
       .line pasu-number {
         padding: 0;
@@ -277,22 +248,6 @@ export class PasuModes extends DesignerElement {
       details {
         border-top: 1px solid var(--line);
         padding: 4px 0 12px;
-      }
-      summary {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        border-radius: 8px;
-        cursor: pointer;
-      }
-      h3 {
-        font-size: 0.95rem;
-        font-weight: 650;
-      }
-      summary span {
-        color: var(--soft);
-        font-size: 0.84rem;
       }
       ol {
         display: grid;

@@ -24,11 +24,10 @@ import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
-import { base, buttons } from "../../ui/styles";
+import { base, buttons, disclosure, pointed } from "../../ui/styles";
 import { page } from "../../words/english/page";
 import { parameters } from "../../words/english/parameters";
 import { fieldWords } from "../../words/parameters";
-import { whyWords } from "../../words/refusals";
 
 const NEVER = 1e-12;
 
@@ -58,7 +57,9 @@ export class PasuParameters extends DesignerElement {
     }
     if (!family) {
       void import("./modes-table");
-      return html`${this.offer()}<pasu-modes .designer=${this.designer}></pasu-modes>`;
+      const ringed = part.shape.kind === "boundary-value" && (part.shape.rings ?? []).length > 0;
+      if (ringed) void import("./written-rings");
+      return html`${this.offer()}${ringed ? html`<pasu-written-rings .designer=${this.designer}></pasu-written-rings>` : nothing}<pasu-modes .designer=${this.designer}></pasu-modes>`;
     }
     return html`
       ${this.groups ? nothing : this.intro(family)}
@@ -176,7 +177,7 @@ export class PasuParameters extends DesignerElement {
       .symbol=${symbol}
       .unit=${isLength ? unitOf(designer.store.design) : ""}
       .help=${help}
-      .problem=${this.problemOf(fields)}
+      .problem=${this.problemAt(...fields.map(({ path }) => path))}
       .value=${fieldValue(shape, field)}
       .min=${factor * field.min}
       .max=${factor * field.max}
@@ -200,26 +201,12 @@ export class PasuParameters extends DesignerElement {
     return opened?.kind === shape.kind ? opened : shape;
   }
 
-  /** The solver's objection, when it names one of these fields. */
-  private problemOf(fields: readonly Field[]): string {
-    const { state, surface } = this.designer;
-    const { problem } = surface;
-    if (!problem) return "";
-    const named = fields.some((field) => pathText(["parts", state.part, "shape", ...field.path]) === problem.path);
-    return named ? whyWords(problem) : "";
-  }
-
   static override readonly styles = [
     base,
     buttons,
+    disclosure,
+    pointed,
     css`
-      pasu-number[data-pointed] {
-        border-radius: 8px;
-        background: var(--accent-wash);
-        box-shadow: 0 0 0 4px var(--accent-wash);
-        outline: 2px solid var(--accent);
-        outline-offset: 4px;
-      }
       :host {
         display: block;
       }
@@ -250,41 +237,6 @@ export class PasuParameters extends DesignerElement {
       details {
         border-top: 1px solid var(--line);
         padding: 4px 0 10px;
-      }
-      summary {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        border-radius: 8px;
-        cursor: pointer;
-        list-style: none;
-      }
-      summary::-webkit-details-marker {
-        display: none;
-      }
-      summary::after {
-        content: "";
-        width: 7px;
-        height: 7px;
-        margin-left: auto;
-        margin-right: 6px;
-        border: solid var(--soft);
-        border-width: 0 1.6px 1.6px 0;
-        rotate: 45deg;
-        translate: 0 -2px;
-      }
-      details:not([open]) > summary::after {
-        rotate: -45deg;
-        translate: 0;
-      }
-      h3 {
-        font-size: 0.95rem;
-        font-weight: 650;
-      }
-      summary span {
-        color: var(--soft);
-        font-size: 0.84rem;
       }
       .offer {
         border-top: 1px solid var(--line);

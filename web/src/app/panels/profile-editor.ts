@@ -11,6 +11,7 @@ import { DesignerElement } from "../../element/designer-element";
 import type { Section } from "../../solver/messages";
 import { removeRing } from "../../state/ring-actions";
 import { dragHandle } from "../../state/shape-actions";
+import { arrowOf, handleStyles, reachOf } from "../../ui/handles";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
 import { profile } from "../../words/english/profile";
@@ -22,7 +23,6 @@ const HEIGHT = 400;
 const MARGIN = 40;
 /** How much of a slope is drawn: the arrow is `X_u` shortened to this. */
 const SLOPE_SHARE = 0.2;
-const COARSE = 10;
 /** A finger's reach round a handle; handles that stand close share what is between them. */
 const REACH = 22;
 const LEAST_REACH = 9;
@@ -134,8 +134,6 @@ export class PasuProfile extends DesignerElement {
     const { rim } = section.handles;
     const name = isRing(handle) ? profile.ring(handle.index) : profile.handles[handle.id];
     const others = spots.filter((_, other) => other !== index).map((spot) => toView(spot, frame));
-    const nearest = Math.min(...others.map((other) => Math.hypot(other.x - at.x, other.y - at.y)));
-    const reach = Math.max(LEAST_REACH, Math.min(REACH, nearest / 2));
     return svg`<g
       class="handle ${ways}"
       tabindex="0"
@@ -152,7 +150,7 @@ export class PasuProfile extends DesignerElement {
       @keyup=${() => this.designer.store.endGesture()}
       @blur=${() => this.designer.store.endGesture()}
     >
-      <circle class="reach" r=${reach} />
+      <circle class="reach" r=${reachOf(at, others, LEAST_REACH, REACH)} />
       <circle class="ring" r="13" />
       ${slope ? svg`<rect class="knob" x="-5.5" y="-5.5" width="11" height="11" rx="2" transform="rotate(45)" />` : svg`<circle class="knob" r="7.5" />`}
     </g>`;
@@ -196,12 +194,12 @@ export class PasuProfile extends DesignerElement {
       event.preventDefault();
       return;
     }
-    const arrow = ARROWS[event.key];
+    const arrow = arrowOf(event);
     if (!arrow) return;
     event.preventDefault();
     const pixel = 1 / frame.scale;
-    const step = 10 ** Math.floor(Math.log10(3 * pixel)) * (event.shiftKey ? COARSE : 1);
-    this.move(handle, rim, arrow[0] * step, arrow[1] * step);
+    const step = 10 ** Math.floor(Math.log10(3 * pixel));
+    this.move(handle, rim, arrow.right * step, arrow.up * step);
   }
 
   /** Plus puts a ring above, Delete takes one away; whether the key meant that. */
@@ -259,6 +257,7 @@ export class PasuProfile extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    handleStyles,
     css`
       :host {
         display: block;
@@ -301,36 +300,6 @@ export class PasuProfile extends DesignerElement {
       }
       .handle {
         touch-action: none;
-        cursor: move;
-        outline: none;
-      }
-      .across {
-        cursor: ew-resize;
-      }
-      .along {
-        cursor: ns-resize;
-      }
-      .reach {
-        fill: transparent;
-      }
-      .ring {
-        fill: none;
-        stroke: transparent;
-        stroke-width: 2.5;
-      }
-      .knob {
-        fill: var(--sheet);
-        stroke: var(--accent);
-        stroke-width: 2.6;
-      }
-      .handle:hover .knob {
-        fill: var(--accent-wash);
-      }
-      .handle:active .knob {
-        fill: var(--accent);
-      }
-      .handle:focus-visible .ring {
-        stroke: var(--accent);
       }
       .button {
         margin-top: 12px;
@@ -363,13 +332,6 @@ export class PasuProfile extends DesignerElement {
     `,
   ];
 }
-
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 /** The `u` of the end that a handle belongs to. */
 function endAt(id: HandleId, rim: End): 0 | 1 {

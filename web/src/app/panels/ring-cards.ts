@@ -5,8 +5,6 @@ import { customElement, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { curveUnder } from "../../document/curves";
 import { unitOf } from "../../document/look";
-import type { Path } from "../../document/path";
-import { pathText } from "../../document/path";
 import {
   countsOf,
   type Hoop,
@@ -26,13 +24,14 @@ import { heightOf, widthOf } from "../../document/whole-pot";
 import { DesignerElement } from "../../element/designer-element";
 import { togglePulling } from "../../state/actions";
 import { changeRing, removeRing } from "../../state/ring-actions";
+import { cells } from "../../ui/cells";
+import { checks } from "../../ui/checks";
 import "../../ui/menu";
 import "../../ui/number-field";
 import { icon } from "../../ui/icons";
 import type { NumberChangeEvent } from "../../ui/number-field";
-import { base, buttons } from "../../ui/styles";
+import { base, buttons, disclosure } from "../../ui/styles";
 import { rings as words } from "../../words/english/rings";
-import { whyWords } from "../../words/refusals";
 import "./whole-pot-card";
 
 /** What sliders reach, as shares of the height and the width of the pot. */
@@ -101,7 +100,7 @@ export class PasuRingCards extends DesignerElement {
       ${this.length(words.height, name, index, "z", ring.z.mean, [low, low + height])}
       ${
         between
-          ? html`<label class="sharp">
+          ? html`<label class="check">
               <input
                 type="checkbox"
                 .checked=${ring.sharp ?? false}
@@ -139,7 +138,7 @@ export class PasuRingCards extends DesignerElement {
       .min=${min}
       .max=${max}
       .step=${stepOf(max - min)}
-      .problem=${this.problemOf(["rings", index, of, "mean"])}
+      .problem=${this.problemAt(["rings", index, of, "mean"])}
       @number-change=${({ value: mean, gesture }: NumberChangeEvent) =>
         this.change(index, (ring) => withMean(ring, of, mean), gesture ? of : undefined)}
       @number-done=${() => this.designer.store.endGesture()}
@@ -223,13 +222,6 @@ export class PasuRingCards extends DesignerElement {
     else if (id !== undefined) await (await designer.openPull())?.putRing(id, u);
   }
 
-  /** The solver's objection, when it names this number. */
-  private problemOf(path: Path): string {
-    const { state, surface } = this.designer;
-    const { problem } = surface;
-    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
-  }
-
   private readonly openNumbers = (event: Event): void => {
     if (!(event.target as HTMLDetailsElement).open || this.numbers) return;
     this.numbers = true;
@@ -239,6 +231,9 @@ export class PasuRingCards extends DesignerElement {
   static override readonly styles = [
     base,
     buttons,
+    cells,
+    checks,
+    disclosure,
     css`
       :host {
         display: block;
@@ -270,10 +265,6 @@ export class PasuRingCards extends DesignerElement {
         align-items: center;
         justify-content: space-between;
       }
-      h3 {
-        font-size: 0.95rem;
-        font-weight: 650;
-      }
       h3 span {
         color: var(--soft);
         font-weight: 400;
@@ -287,47 +278,9 @@ export class PasuRingCards extends DesignerElement {
       .item {
         justify-content: flex-start;
       }
-      .sharp {
-        display: inline-flex;
-        align-items: center;
-        gap: 8px;
-        min-height: var(--touch);
-      }
-      .sharp input {
-        width: 1.125rem;
-        height: 1.125rem;
-        margin: 0;
-        accent-color: var(--accent);
-      }
-      summary {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        border-radius: 8px;
+      li summary {
         color: var(--soft);
         font-size: 0.88rem;
-        cursor: pointer;
-        list-style: none;
-      }
-      summary::-webkit-details-marker {
-        display: none;
-      }
-      summary::after {
-        content: "";
-        flex: none;
-        width: 7px;
-        height: 7px;
-        margin-left: auto;
-        margin-right: 6px;
-        border: solid var(--soft);
-        border-width: 0 1.6px 1.6px 0;
-        rotate: 45deg;
-        translate: 0 -2px;
-      }
-      details:not([open]) > summary::after {
-        rotate: -45deg;
-        translate: 0;
       }
       .numbers {
         border-top: 1px solid var(--line);
@@ -341,18 +294,6 @@ export class PasuRingCards extends DesignerElement {
         align-items: end;
         gap: 6px 8px;
         padding-bottom: 8px;
-      }
-      .cell {
-        display: grid;
-        gap: 3px;
-        min-width: 0;
-        color: var(--soft);
-        font-size: 0.82rem;
-      }
-      .cell pasu-number {
-        padding: 0;
-        color: var(--ink);
-        font-size: 0.94rem;
       }
       .rest {
         padding-bottom: 8px;

@@ -2,16 +2,15 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
-import { type Path, pathText } from "../../document/path";
+import type { Path } from "../../document/path";
 import { type Hoop, withSharp } from "../../document/ring-numbers";
 import { DesignerElement } from "../../element/designer-element";
 import { changeRing } from "../../state/ring-actions";
-import { setNumber } from "../../state/shape-actions";
-import "../../ui/number-field";
-import type { NumberChangeEvent } from "../../ui/number-field";
-import { base } from "../../ui/styles";
+import { cells } from "../../ui/cells";
+import { checks } from "../../ui/checks";
+import { base, pointed } from "../../ui/styles";
 import { rings as words } from "../../words/english/rings";
-import { whyWords } from "../../words/refusals";
+import { shapeNumber } from "./shape-number";
 
 @customElement("pasu-rings")
 export class PasuRings extends DesignerElement {
@@ -45,7 +44,7 @@ export class PasuRings extends DesignerElement {
       </div>
       ${
         between
-          ? html`<label>
+          ? html`<label class="check">
               <input
                 type="checkbox"
                 .checked=${hoop.sharp ?? false}
@@ -59,25 +58,7 @@ export class PasuRings extends DesignerElement {
   }
 
   private number(label: string, path: Path, value: number) {
-    const { designer } = this;
-    return html`<pasu-number
-      compact
-      data-at=${pathText(path)}
-      .label=${label}
-      .value=${value}
-      .step=${0.1}
-      .problem=${this.problemOf(path)}
-      @number-change=${(event: NumberChangeEvent) =>
-        designer.apply(setNumber(designer.state, path, event.value, event.gesture))}
-      @number-done=${() => designer.store.endGesture()}
-      @number-cancel=${() => designer.store.cancelGesture()}
-    ></pasu-number>`;
-  }
-
-  private problemOf(path: Path): string {
-    const { state, surface } = this.designer;
-    const { problem } = surface;
-    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
+    return shapeNumber(this.designer, label, path, value, this.problemAt(path));
   }
 
   private sharpen(index: number, sharp: boolean): void {
@@ -86,14 +67,10 @@ export class PasuRings extends DesignerElement {
 
   static override readonly styles = [
     base,
+    cells,
+    checks,
+    pointed,
     css`
-      pasu-number[data-pointed] {
-        border-radius: 8px;
-        background: var(--accent-wash);
-        box-shadow: 0 0 0 4px var(--accent-wash);
-        outline: 2px solid var(--accent);
-        outline-offset: 4px;
-      }
       :host {
         display: block;
       }
@@ -122,24 +99,6 @@ export class PasuRings extends DesignerElement {
         display: grid;
         grid-template-columns: repeat(3, minmax(0, 1fr));
         gap: 6px 8px;
-      }
-      .cell {
-        display: grid;
-        gap: 3px;
-        min-width: 0;
-        color: var(--soft);
-        font-size: 0.82rem;
-      }
-      .cell pasu-number {
-        padding: 0;
-        color: var(--ink);
-        font-size: 0.94rem;
-      }
-      label {
-        display: inline-flex;
-        align-items: center;
-        gap: 8px;
-        min-height: var(--touch);
       }
     `,
   ];

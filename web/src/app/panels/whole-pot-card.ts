@@ -10,7 +10,7 @@ import { changeRings } from "../../state/ring-actions";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
-import { base } from "../../ui/styles";
+import { base, disclosure } from "../../ui/styles";
 import { rings as words } from "../../words/english/rings";
 
 /** A slider of a share, from less to more. */
@@ -117,6 +117,7 @@ export class PasuWholePot extends DesignerElement {
   static override readonly styles = [
     base,
     choiceStyles,
+    disclosure,
     css`
       :host {
         display: block;
@@ -128,41 +129,6 @@ export class PasuWholePot extends DesignerElement {
       }
       details[open] {
         padding-bottom: 12px;
-      }
-      summary {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        border-radius: 8px;
-        cursor: pointer;
-        list-style: none;
-      }
-      summary::-webkit-details-marker {
-        display: none;
-      }
-      summary::after {
-        content: "";
-        width: 7px;
-        height: 7px;
-        margin-left: auto;
-        margin-right: 6px;
-        border: solid var(--soft);
-        border-width: 0 1.6px 1.6px 0;
-        rotate: 45deg;
-        translate: 0 -2px;
-      }
-      details:not([open]) > summary::after {
-        rotate: -45deg;
-        translate: 0;
-      }
-      h3 {
-        font-size: 0.95rem;
-        font-weight: 650;
-      }
-      summary span {
-        color: var(--soft);
-        font-size: 0.84rem;
       }
     `,
   ];

@@ -1,5 +1,7 @@
 /** The triangles of an STL, OBJ or PLY file. Fetched, with what reads them, when a scan is first opened; files that are named in them are not. */
 
+import { type ScanKind, scanKind } from "../../document/scanned/file-kind";
+
 export type MeshRefusal = "too-large" | "no-mesh" | "other";
 
 /** A scan of some million triangles. */
@@ -9,10 +11,10 @@ const MOST_TRIANGLES = 3_000_000;
 /** Nine numbers for each triangle. */
 export async function trianglesOf(file: File): Promise<Float32Array | MeshRefusal> {
   if (file.size > MOST_BYTES) return "too-large";
-  const read = READERS[/\.(stl|obj|ply)$/i.exec(file.name)?.[1]?.toLowerCase() ?? ""];
-  if (!read) return "other";
+  const kind = scanKind(file.name);
+  if (!kind) return "other";
   try {
-    const geometries = await read(file);
+    const geometries = await READERS[kind](file);
     const count = geometries.reduce(
       (sum, { index, position }) => sum + Math.floor((index?.count ?? position.count) / 3),
       0,
@@ -48,7 +50,7 @@ interface Read {
   };
 }
 
-const READERS: Readonly<Record<string, (file: File) => Promise<readonly Read[]>>> = {
+const READERS: Readonly<Record<ScanKind, (file: File) => Promise<readonly Read[]>>> = {
   stl: async (file) => {
     const { STLLoader } = await import("three/examples/jsm/loaders/STLLoader.js");
     return readOf(new STLLoader().parse(await file.arrayBuffer()));

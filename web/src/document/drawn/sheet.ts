@@ -5,6 +5,12 @@ import type { Knot, Spot } from "./knot";
 import { mirrored } from "./sides";
 import { awayFrom } from "./stroke";
 
+/** The side of the sheet, in its own units. */
+export const SHEET = 480;
+
+/** A line that is put there keeps off the edge. */
+export const MARGIN = 40;
+
 export type Side = "right" | "left";
 
 export interface Sheet {

@@ -8,6 +8,7 @@ import type { Shape } from "../../document/types";
 import { formatNumber } from "../../number";
 import type { PartId } from "../../state/parts";
 import { icon } from "../../ui/icons";
+import "../../ui/menu";
 import { base, buttons, fields } from "../../ui/styles";
 import { page } from "../../words/english/page";
 import { pull as words } from "../../words/english/pull";
@@ -54,12 +55,13 @@ export class PasuPullBar extends DesignerElement {
     const whole = shape !== undefined && !takesRings(shape);
     const { refusal } = pull.followed;
     const offered = this.stuck !== null;
-    const note = refusal ? whyWords(refusal) : offered ? words.behind : "";
+    const note = refusal ? whyWords(refusal) : pull.followed.spilt ? words.spilt : offered ? words.behind : "";
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
         ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
         ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
         ${whole ? this.locks(shape) : this.detail(brush)}
+        ${shape?.kind === "rings" ? this.ringLocks(shape) : nothing}
       </div>
       <div class="note" ?hidden=${note === ""}>
         <p role="status">${this.cannot === "" ? note : this.cannot}</p>
@@ -82,13 +84,28 @@ export class PasuPullBar extends DesignerElement {
     this.dispatchEvent(new Event("bar-shown"));
   }
 
-  /** What of a family stays. */
+  /** What of a pot of rings stays: there is no room for it beside how rings are pulled. */
+  private ringLocks(shape: Shape) {
+    const { pull } = this.designer;
+    const locked = pull?.locked.length ?? 0;
+    return html`<pasu-menu label=${words.keep} icon=${locked > 0 ? "locked" : "unlocked"} bare>
+      ${this.locks(shape)}
+      ${this.walled ? html`<p class="about">${words.keepCapacity}</p>` : nothing}
+    </pasu-menu>`;
+  }
+
+  private get walled(): boolean {
+    const { design, part } = this.designer.state;
+    return design.parts[part]?.wall !== undefined;
+  }
+
+  /** What of it stays. */
   private locks(shape: Shape) {
     const { pull } = this.designer;
     if (!pull) return nothing;
     return html`<span class="locks" role="group" aria-label=${words.keep} title=${words.keepHelp}>
       <span aria-hidden="true">${words.keep}</span>
-      ${locksOf(shape).map(
+      ${locksOf(shape, this.walled).map(
         (lock) => html`<label>
           <input
             type="checkbox"
@@ -251,6 +268,18 @@ export class PasuPullBar extends DesignerElement {
         height: 1.05rem;
         margin: 0;
         accent-color: var(--accent);
+      }
+      pasu-menu .locks {
+        flex-direction: column;
+        align-items: flex-start;
+        gap: 0;
+        padding: 2px 8px;
+      }
+      .about {
+        max-width: 30ch;
+        padding: 4px 8px;
+        color: var(--soft);
+        font-size: 0.88rem;
       }
       .petals {
         display: flex;

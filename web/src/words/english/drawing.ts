@@ -27,7 +27,6 @@ export const drawing = phrases("drawing", {
   sensitivityHelp: "To the right, more of the picture belongs to the pot; to the left, less.",
   withoutPhoto: "Without the photograph",
   traced: "Drag the points where the outline is not that of the pot: at a handle, a shadow, the foot.",
-  noPot: "No pot can be told from its background here. Draw it over the photograph by hand.",
 
   height: "Height",
   heightHelp: "How high the pot is, from the foot to the rim.",
@@ -67,6 +66,7 @@ export const drawing = phrases("drawing", {
       "There is no line in this SVG file: no path, polygon or other shape. Text has to be turned into paths first.",
     flat: "This line is level: it has no height that a pot could have.",
     "no-photo": "This is no picture that this browser can show.",
+    "no-pot": "No pot can be told from its background here. Draw it over the photograph by hand.",
   },
   stroke: "That was too short to be the wall of a pot. Draw it from the foot to the rim.",
 });

@@ -10,8 +10,8 @@ export const modes = phrases("modes", {
     "Each direction is a sum of waves round the pot: frequency n, with its values at both edges and, for order 4, its slopes.",
   rings: (count: number) =>
     plural(count, {
-      one: "It passes through 1 ring between the edges, whose values stay as they are here.",
-      other: `It passes through ${count} rings between the edges, whose values stay as they are here.`,
+      one: "It passes through 1 ring between the edges: the card above.",
+      other: `It passes through ${count} rings between the edges: the cards above.`,
     }),
   span: "Length of v",
   spanNumber: "Length of v, number",

@@ -6,7 +6,16 @@ export const scan = phrases("scan", {
   heading: "From a scan",
   lead: "A scan of a pot that stands upright, as an STL, OBJ or PLY file. Its outside becomes rings with waves; nothing of it leaves this page.",
   file: "Choose a scan…",
+  /** A file that was opened, and is no design. */
+  undesigned: (name: string) => `${name} holds triangles and no design. It is read as a scan.`,
   picture: "The outside of the scan from the side, and the rings",
+  pictureOff: "The scan from the side, coloured by how far it is from the rings, and the rings",
+  turn: "Turn it",
+  colours: (inside: string, outside: string) =>
+    `Distance of the scan from the rings: colours from ${inside} inside of them to ${outside} outside`,
+  coloursAbout: "Blue: the scan is inside of the rings. Red: outside.",
+  inside: (length: string) => `${length} inside`,
+  outside: (length: string) => `${length} outside`,
   up: "Upwards is",
   ups: { z: "z, as printers have it", y: "y, as modellers have it" },
   height: "Height",
