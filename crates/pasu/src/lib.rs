@@ -61,7 +61,9 @@ pub use design::{
     SecondOrder, Section, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
 };
 #[cfg(feature = "typescript")]
-pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
+pub use design::{
+    typescript, typescript_of_blends, typescript_of_materials, typescript_of_sliders, typescript_of_tables,
+};
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 pub use export::{

@@ -1,0 +1,63 @@
+/** A blend: its sections and how its equation is solved. */
+
+import type { Form, SectionKey } from "../../document/blend/section";
+import type { Method } from "../../document/blend/solving";
+import { phrases, plural } from "../../language";
+
+interface Told {
+  readonly name: string;
+  readonly help: string;
+}
+
+export const blends = phrases("blends", {
+  lead: "A blend.",
+  about: "It flows from one section into the other, and leaves each as steeply as you say.",
+  upper: "Upper section",
+  lower: "Lower section",
+  of: (what: string, section: string) => `${what}, ${section}`,
+  form: "Form",
+  forms: {
+    disc: "Round or oval",
+    outline: "Corners, petals or drawn",
+    rectangle: "Rectangle",
+    "rectangle-reversed": "Rectangle, turned half round",
+    "disc-in-square": "Disc, laid over a square",
+  } satisfies Readonly<Record<Form, string>>,
+  fields: {
+    "radius-0": { name: "Half width", help: "From the middle to the side, along x." },
+    "radius-1": { name: "Half depth", help: "From the middle to the side, along y." },
+    z: { name: "Height", help: "Where the section stands." },
+    taper: {
+      name: "Flare",
+      help: "How fast the solid widens on its way up, in parts of its size. Below 0 it narrows.",
+    },
+    dz: { name: "Rise", help: "How fast it goes up there: the larger, the longer it keeps the section's direction." },
+  } satisfies Readonly<Record<SectionKey, Told>>,
+  turn: "Turn",
+  turnHelp: "From above, anticlockwise. What is turned at one end alone is twisted in between.",
+  degree: "°",
+  ornament: "Corners and petals",
+  count: "How many",
+  petals: "Petals",
+  corners: "Corners",
+  place: "Turned by",
+  rest: (count: number) => plural(count, { one: "1 wave of it was drawn.", other: `${count} waves of it were drawn.` }),
+  drawing: (form: string, width: string, depth: string) => `${form} from above, ${width} by ${depth}`,
+  asOutline: "Make it an outline",
+  asOutlineAbout: "An outline can be turned, and between two outlines or discs the blend can have a wall.",
+
+  solving: "How it is solved",
+  solvingAbout: "method, terms and weights",
+  method: "Method",
+  methods: {
+    exact: { name: "Exact", help: "Each wave in closed form" },
+    modal: { name: "Modal", help: "Sines across, closed form from end to end" },
+    collocation: { name: "Collocation", help: "As in the paper, to compare with" },
+  } satisfies Readonly<Record<Method, Told>>,
+  terms: "Terms",
+  along: ["along u", "along v", "along w"] as const,
+  weights: "Weights",
+  weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
+  insideOnly: "Sines vanish on the skin: weights and terms change what is inside alone.",
+  weight: ["across, a", "round, b", "from end to end, c"] as const,
+});
