@@ -90,3 +90,25 @@ test("everything is from the catalogue", async () => {
   await pot.page.locator("pasu-blend-solving summary").click();
   expect(await unmarked(pot)).toEqual([]);
 });
+
+test("a new blend is two pictures of sections, and a pot of the gallery opens with its wall", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  await pot.command("New");
+  await pot.page.getByText("From one section into another").click();
+  await pot.page.getByRole("group", { name: "At the foot" }).getByRole("radio", { name: "Star" }).check();
+  await pot.page.getByRole("group", { name: "At the rim" }).getByRole("radio", { name: "Oval" }).check();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Begin with Star to Oval").click();
+  const begun = await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-new").waitFor({ state: "detached" });
+  const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");
+  await lower.waitFor();
+  expect(await pot.page.getByRole("spinbutton", { name: "How many, Lower section" }).inputValue()).toBe("5");
+  await pot.undo();
+  await pot.shows(first);
+  await pot.command("Gallery");
+  await pot.page.locator('pasu-gallery button[data-exhibit="own-twisted-square"]').click();
+  expect(await pot.fingerprintOtherThan(first)).not.toBe(begun);
+  await expect.poll(() => pot.page.getByRole("spinbutton", { name: "Turn, Upper section" }).inputValue()).toBe("75");
+});

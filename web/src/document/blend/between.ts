@@ -35,7 +35,8 @@ export function between(foot: Plan, rim: Plan, { z, taper, dz, weights = LITHE }
   };
 }
 
-function sectionOf(plan: Plan, level: Pick<Section, "z" | "taper" | "dz">): Section {
+/** A section that is no more than a circle or an oval is a disc. */
+export function sectionOf(plan: Plan, level: Pick<Section, "z" | "taper" | "dz">): Section {
   const { radius, turn = 0, count = PLAIN.count, petals = 0, corners = 0, at = 0 } = plan;
   const both: Pair = typeof radius === "number" ? [radius, radius] : radius;
   if (turn === 0 && petals === 0 && corners === 0) return { form: "disc", radius: both, ...level };

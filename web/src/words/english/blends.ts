@@ -1,5 +1,6 @@
 /** A blend: its sections and how its equation is solved. */
 
+import type { PlanName } from "../../document/blend/choices";
 import type { Form, SectionKey } from "../../document/blend/section";
 import type { Method } from "../../document/blend/solving";
 import { phrases, plural } from "../../language";
@@ -60,4 +61,17 @@ export const blends = phrases("blends", {
   weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
   insideOnly: "Sines vanish on the skin: weights and terms change what is inside alone.",
   weight: ["across, a", "round, b", "from end to end, c"] as const,
+
+  rim: "At the rim",
+  foot: "At the foot",
+  plans: {
+    round: "Round",
+    oval: "Oval",
+    square: "Square",
+    triangle: "Triangle",
+    hexagon: "Hexagon",
+    star: "Star",
+    flower: "Flower",
+  } satisfies Readonly<Record<PlanName, string>>,
+  begin: (foot: string, rim: string) => `Begin with ${foot} to ${rim}`,
 });
