@@ -2,9 +2,9 @@
 
 import { css, html, LitElement } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { PLAN_NAMES, type PlanName, sampleOf, vaseBetween } from "../../document/blend/choices";
 import { reachOf } from "../../document/blend/section";
 import type { Exhibit } from "../../document/gallery/exhibit";
+import { PLAN_NAMES, type PlanName, sampleOf, vaseBetween } from "../../document/gallery/section-choices";
 import { base, buttons } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { drawingStyles, sectionDrawing } from "../panels/section-drawing";

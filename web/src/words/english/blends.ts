@@ -1,8 +1,8 @@
 /** A blend: its sections and how its equation is solved. */
 
-import type { PlanName } from "../../document/blend/choices";
 import type { Form, SectionKey } from "../../document/blend/section";
 import type { Method } from "../../document/blend/solving";
+import type { PlanName } from "../../document/gallery/section-choices";
 import { phrases, plural } from "../../language";
 
 interface Told {

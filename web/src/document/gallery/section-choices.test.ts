@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { realMaker } from "../../../testing/real-maker";
-import { designOf } from "../gallery/exhibit";
-import { PLAN_NAMES, vaseBetween } from "./choices";
+import { designOf } from "./exhibit";
+import { PLAN_NAMES, vaseBetween } from "./section-choices";
 
 const { maker } = realMaker({ free: true });
 

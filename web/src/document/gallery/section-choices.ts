@@ -1,8 +1,8 @@
 /** What a blend may begin and end as: sections chosen by their pictures, and the pot between any two of them, in centimetres, with its wall. */
 
-import type { Exhibit } from "../gallery/exhibit";
+import { between, LITHE, type Plan, sectionOf } from "../blend/between";
 import type { Section } from "../types";
-import { between, LITHE, type Plan, sectionOf } from "./between";
+import type { Exhibit } from "./exhibit";
 
 export const PLANS = {
   round: { radius: 1 },
