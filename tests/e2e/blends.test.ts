@@ -33,17 +33,17 @@ test("each section is changed by its numbers, and undo takes a step back", async
   const { pot, plain } = await opened();
   const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");
   await lower.waitFor();
-  await pot.type("Half width, Lower section", "6 cm");
+  await pot.type("Half width, lower", "6 cm");
   const wide = await pot.fingerprintOtherThan(plain);
-  await pot.type("Turn, Lower section", "30");
+  await pot.type("Turn, lower", "30");
   const turned = await pot.fingerprintOtherThan(wide);
   // What is turned is an outline now, and as wide as it was.
   expect(await lower.locator("select").inputValue()).toBe("outline");
-  expect(await pot.page.getByRole("spinbutton", { name: "Half width, Lower section" }).inputValue()).toBe("6");
-  await pot.type("How many, Lower section", "6");
-  await pot.type("Petals, Lower section", "15");
+  expect(await pot.page.getByRole("spinbutton", { name: "Half width, lower" }).inputValue()).toBe("6");
+  await pot.type("How many, lower", "6");
+  await pot.type("Petals, lower", "15");
   const petals = await pot.fingerprintOtherThan(turned);
-  await pot.type("Corners, Lower section", "50");
+  await pot.type("Corners, lower", "50");
   await pot.fingerprintOtherThan(petals);
   await pot.undo();
   await pot.shows(petals);
@@ -104,11 +104,91 @@ test("a new blend is two pictures of sections, and a pot of the gallery opens wi
   await pot.page.locator("pasu-new").waitFor({ state: "detached" });
   const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");
   await lower.waitFor();
-  expect(await pot.page.getByRole("spinbutton", { name: "How many, Lower section" }).inputValue()).toBe("5");
+  expect(await pot.page.getByRole("spinbutton", { name: "How many, lower" }).inputValue()).toBe("5");
   await pot.undo();
   await pot.shows(first);
   await pot.command("Gallery");
   await pot.page.locator('pasu-gallery button[data-exhibit="own-twisted-square"]').click();
   expect(await pot.fingerprintOtherThan(first)).not.toBe(begun);
-  await expect.poll(() => pot.page.getByRole("spinbutton", { name: "Turn, Upper section" }).inputValue()).toBe("75");
+  await expect.poll(() => pot.page.getByRole("spinbutton", { name: "Turn, upper" }).inputValue()).toBe("75");
+});
+
+test("a section is drawn in one stroke, or taken from a file, and says how far it is off", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await pot.button("Draw it…, Upper section").click();
+  const sheet = page.locator("pasu-section-sheet svg");
+  const { x, y, width } = (await sheet.boundingBox()) ?? { x: 0, y: 0, width: 0 };
+  const at = (turn: number): [number, number] => {
+    const reach = width * (0.3 + 0.05 * Math.cos(6 * Math.PI * turn));
+    return [x + width / 2 + reach * Math.sin(2 * Math.PI * turn), y + width / 2 - reach * Math.cos(2 * Math.PI * turn)];
+  };
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let step = 1; step < 60; step += 1) await page.mouse.move(...at(step / 60));
+  await page.mouse.up();
+  const dialogue = page.locator("pasu-section-dialog");
+  await dialogue.getByText(/^\d+ waves, 0\.0\d+ cm from the line at most\.$/).waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Use it").click();
+  const drawn = await pot.fingerprintOtherThan(plain);
+  expect(await page.locator("pasu-blend-cards li[data-end=end] select").inputValue()).toBe("outline");
+  // It stands as high as it did, and is about as large.
+  expect(await page.getByRole("spinbutton", { name: "Height, upper" }).inputValue()).toBe("12");
+  await pot.button("Draw it…, Upper section").click();
+  const chooser = page.waitForEvent("filechooser");
+  await pot.button("SVG file…").click();
+  const text = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h60v40h-60z"/></svg>';
+  await (await chooser).setFiles({ name: "box.svg", mimeType: "image/svg+xml", buffer: Buffer.from(text) });
+  await dialogue.getByText(/waves, .* from the line at most/).waitFor();
+  await pot.button("Use it").click();
+  await pot.fingerprintOtherThan(drawn);
+  await pot.undo();
+  await pot.shows(drawn);
+  await pot.undo();
+  await pot.shows(plain);
+});
+
+test("both sections are pulled on the stage, by the pointer and by keys", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await pot.button("Pull").click();
+  const handle = (name: string) => page.locator(`pasu-section-handles [data-grip="${name}"]`);
+  await handle("end height").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  const drag = async (name: string, dx: number, dy: number) => {
+    const box = await handle(name).boundingBox();
+    const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 4 });
+    await page.mouse.up();
+  };
+  const number = async (name: string) => {
+    const shown = await page.getByRole("spinbutton", { name }).inputValue();
+    return Number(shown.replace("\u2212", "-"));
+  };
+  await drag("end height", 0, -30);
+  const tall = await pot.fingerprintOtherThan(plain);
+  expect(await number("Height, upper")).toBeGreaterThan(12.5);
+  await drag("start tangent", -20, 10);
+  const leant = await pot.fingerprintOtherThan(tall);
+  expect(await number("Flare, lower")).not.toBe(0.5);
+  // A drag is one step.
+  await pot.undo();
+  await pot.shows(tall);
+  await handle("end width").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(tall);
+  expect(await number("Half width, upper")).toBeGreaterThan(3);
+  expect(await handle("end width").getAttribute("aria-label")).toMatch(/^Half width, Upper section: 3\.\d+ /);
+  await handle("start turn").focus();
+  await page.keyboard.press("Shift+ArrowLeft");
+  await expect.poll(() => number("Turn, lower")).toBe(-10);
+  await pot.undo();
+  await pot.undo();
+  await pot.shows(tall);
+  expect(leant).not.toBe(tall);
+  await pot.undo();
+  await pot.shows(plain);
 });

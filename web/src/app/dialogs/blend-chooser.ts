@@ -7,7 +7,7 @@ import type { Exhibit } from "../../document/gallery/exhibit";
 import { PLAN_NAMES, type PlanName, sampleOf, vaseBetween } from "../../document/gallery/section-choices";
 import { base, buttons } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
-import { drawingStyles, sectionDrawing } from "../panels/section-drawing";
+import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
 
 /** Both sections are chosen. */
 export class BlendChosenEvent extends Event {

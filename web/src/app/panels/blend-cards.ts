@@ -1,7 +1,7 @@
 /** The two sections of a blend, the upper one first: each a card with its drawing and its numbers. Below them how the equation is solved. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { COUNTS, figureOf, type Ornament, restOf } from "../../document/blend/figure";
 import {
   ENDS,
@@ -28,10 +28,11 @@ import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, fields } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
+import { page } from "../../words/english/page";
 import { parameters } from "../../words/english/parameters";
 import { lengthWords } from "../../words/quantities";
 import { whyWords } from "../../words/refusals";
-import { drawingStyles, sectionDrawing } from "./section-drawing";
+import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
 import "./blend-solving";
 
 const DEGREES = 180;
@@ -40,6 +41,8 @@ const DEEPEST = 50;
 
 @customElement("pasu-blend-cards")
 export class PasuBlendCards extends DesignerElement {
+  /** The section that is being drawn. */
+  @state() private drawing: { readonly end: End; readonly name: string } | null = null;
   /** How many there were and how they were turned where corners and petals have gone to nothing, by part and end. */
   private readonly remembered = new Map<string, Ornament>();
 
@@ -66,10 +69,31 @@ export class PasuBlendCards extends DesignerElement {
         </button>
       </div>
       <ol>
-        ${order.map((end) => this.card(blend, origin, end, end === upper ? words.upper : words.lower, factor, reach))}
+        ${order.map((end) => this.card(blend, origin, end, end === upper ? "upper" : "lower", factor, reach))}
       </ol>
       <pasu-blend-solving .designer=${this.designer}></pasu-blend-solving>
+      ${
+        this.drawing
+          ? html`<pasu-section-dialog
+              .designer=${this.designer}
+              .end=${this.drawing.end}
+              .name=${this.drawing.name}
+              @section-closed=${() => {
+                this.drawing = null;
+              }}
+            ></pasu-section-dialog>`
+          : nothing
+      }
     `;
+  }
+
+  private async openDrawing(end: End, name: string): Promise<void> {
+    try {
+      await import("../drawing/section-dialog");
+      this.drawing = { end, name };
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
   }
 
   private originOf(blend: Blend): Blend {
@@ -78,7 +102,8 @@ export class PasuBlendCards extends DesignerElement {
     return opened?.kind === "blend" ? opened : blend;
   }
 
-  private card(blend: Blend, origin: Blend, end: End, name: string, factor: number, reach: number) {
+  private card(blend: Blend, origin: Blend, end: End, which: "upper" | "lower", factor: number, reach: number) {
+    const [name, short] = [words[which], words.short[which]];
     const section = blend[end];
     const other = blend[end === "start" ? "end" : "start"];
     const { form } = section;
@@ -96,14 +121,17 @@ export class PasuBlendCards extends DesignerElement {
               ${FORMS.map((each) => html`<option value=${each} ?selected=${each === form}>${words.forms[each]}</option>`)}
             </select>
           </label>
+          <button class="button outlined draw" type="button" aria-label=${words.drawItOf(name)} @click=${() => void this.openDrawing(end, name)}>
+            ${words.drawIt}
+          </button>
           ${this.problem(this.problemAt([end]))}
         </div>
         <div class="drawing">${sectionDrawing(section, other, reach, this.drawn(section))}</div>
       </div>
-      ${SECTION.map((field) => this.number(field, section, origin[end], end, name, factor))}
+      ${SECTION.map((field) => this.number(field, section, origin[end], end, short, factor))}
       ${
         isClosed(form)
-          ? this.figure(section, origin[end], end, name)
+          ? this.figure(section, origin[end], end, short)
           : html`<div class="offer">
               <p>${words.asOutlineAbout}</p>
               <button class="button outlined" type="button" @click=${() => this.change(end, (each) => reformed(each, "outline"))}>
@@ -323,6 +351,10 @@ export class PasuBlendCards extends DesignerElement {
       }
       select {
         width: 100%;
+      }
+      .draw {
+        width: 100%;
+        margin-top: 8px;
       }
       .drawing {
         border-radius: 10px;

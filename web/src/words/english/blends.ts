@@ -1,9 +1,11 @@
 /** A blend: its sections and how its equation is solved. */
 
+import type { GripName } from "../../document/blend/grips";
 import type { Form, SectionKey } from "../../document/blend/section";
 import type { Method } from "../../document/blend/solving";
 import type { PlanName } from "../../document/gallery/section-choices";
 import { phrases, plural } from "../../language";
+import { formatNumber } from "../../number";
 
 interface Told {
   readonly name: string;
@@ -15,14 +17,16 @@ export const blends = phrases("blends", {
   about: "It flows from one section into the other, and leaves each as steeply as you say.",
   upper: "Upper section",
   lower: "Lower section",
+  /** Beside a number of one of them. */
+  short: { upper: "upper", lower: "lower" },
   of: (what: string, section: string) => `${what}, ${section}`,
   form: "Form",
   forms: {
     disc: "Round or oval",
     outline: "Corners, petals or drawn",
     rectangle: "Rectangle",
-    "rectangle-reversed": "Rectangle, turned half round",
-    "disc-in-square": "Disc, laid over a square",
+    "rectangle-reversed": "Rectangle, reversed",
+    "disc-in-square": "Disc over a square",
   } satisfies Readonly<Record<Form, string>>,
   fields: {
     "radius-0": { name: "Half width", help: "From the middle to the side, along x." },
@@ -74,4 +78,32 @@ export const blends = phrases("blends", {
     flower: "Flower",
   } satisfies Readonly<Record<PlanName, string>>,
   begin: (foot: string, rim: string) => `Begin with ${foot} to ${rim}`,
+
+  drawIt: "Draw it…",
+  drawItOf: (section: string) => `Draw it…, ${section}`,
+  draw: (section: string) => `Draw the section: ${section}`,
+  drawLead:
+    "Draw it as it is seen from above, in one stroke round the middle; its end meets its beginning. Or take it from an SVG file.",
+  sheet: "Sheet to draw a section on",
+  toleranceHelp: "How far the section may be from the line. Less takes more waves.",
+  noArea: "This line goes round nothing. Draw it once round the middle.",
+  found: (waves: number, distance: string) =>
+    plural(waves, {
+      one: `1 wave, ${distance} from the line at most.`,
+      other: `${waves} waves, ${distance} from the line at most.`,
+    }),
+
+  handles: "Handles of the sections",
+  handleKeys:
+    "Arrow keys move a handle, with shift further. Of a tangent, left and right change its flare, up and down its rise.",
+  grips: {
+    height: "Height",
+    width: "Half width",
+    depth: "Half depth",
+    turn: "Turn",
+    tangent: "Tangent",
+  } satisfies Readonly<Record<GripName, string>>,
+  grip: (what: string, section: string, at: string) => `${what}, ${section}: ${at}`,
+  degrees: (degrees: number) => `${formatNumber(degrees)} degrees`,
+  leaves: (flare: number, rise: string) => `flare ${formatNumber(flare)}, rise ${rise}`,
 });
