@@ -192,3 +192,21 @@ test("both sections are pulled on the stage, by the pointer and by keys", async 
   await pot.undo();
   await pot.shows(plain);
 });
+
+test("the inside of a solid is saved as cells", async () => {
+  const { pot } = await opened();
+  await pot.command("Export");
+  await pot.page.getByText("Cells for analysis").click();
+  const told = pot.page.locator("pasu-export-cells .told");
+  await expect
+    .poll(() => told.innerText(), { timeout: 60_000 })
+    .toMatch(/^[\d,]+ cells, the least scaled Jacobian is 0\.\d+\.$/);
+  const before = await told.innerText();
+  expect(await findings(pot)).toEqual([]);
+  await pot.type("Cells, along w", "3");
+  await expect.poll(() => told.innerText(), { timeout: 60_000 }).toMatch(/^\d+ cells/);
+  expect(await told.innerText()).not.toBe(before);
+  const { name, bytes } = await pot.download("Save Gmsh (.msh)");
+  expect(name).toMatch(/\.msh$/);
+  expect(bytes.subarray(0, 11).toString()).toBe("$MeshFormat");
+});

@@ -20,6 +20,7 @@ import type {
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
+import type { CellsAsk, MadeCells } from "./cells";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
@@ -121,6 +122,7 @@ export interface RingedShape {
 
 export type Ask =
   | PullAsk
+  | CellsAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -157,6 +159,7 @@ export type Ask =
 
 export interface Answers {
   readonly pull: PulledShape;
+  readonly cells: MadeCells;
   readonly solid: Solid;
   readonly quick: Quick;
   readonly measure: Measures;

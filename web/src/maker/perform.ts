@@ -4,6 +4,7 @@ import type { Ringed } from "pasu";
 import { check, fit as fitted, free, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
 import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
+import { cellsOf } from "./cells";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
 import { paintedOf } from "./painted";
@@ -37,6 +38,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return provenance(ask.bytes);
     case "pull":
       return pulling(ask);
+    case "cells":
+      return cellsOf(ask);
     case "free":
       return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
     case "fit":

@@ -1,5 +1,6 @@
 /** A blend: its sections and how its equation is solved. */
 
+import type { CellShape, CellsFormat } from "../../document/blend/cells";
 import type { GripName } from "../../document/blend/grips";
 import type { Form, SectionKey } from "../../document/blend/section";
 import type { Method } from "../../document/blend/solving";
@@ -106,4 +107,19 @@ export const blends = phrases("blends", {
   grip: (what: string, section: string, at: string) => `${what}, ${section}: ${at}`,
   degrees: (degrees: number) => `${formatNumber(degrees)} degrees`,
   leaves: (flare: number, rise: string) => `flare ${formatNumber(flare)}, rise ${rise}`,
+
+  cells: "Cells for analysis",
+  cellsAbout: "The inside of the solid, cut into cells that a finite element program reads. In millimetres.",
+  cellCounts: "Cells",
+  cellShape: "Shape of the cells",
+  cellShapes: { hexahedron: "Hexahedra", tetrahedron: "Tetrahedra" } satisfies Readonly<Record<CellShape, string>>,
+  cellFormats: { vtu: "Save VTK (.vtu)", msh: "Save Gmsh (.msh)", inp: "Save Abaqus (.inp)" } satisfies Readonly<
+    Record<CellsFormat, string>
+  >,
+  cellsTold: (count: string, least: string) => `${count} cells, the least scaled Jacobian is ${least}.`,
+  cellsUseless: (count: number) =>
+    plural(count, {
+      one: "1 of them is turned inside out and of no use.",
+      other: `${count} of them are turned inside out and of no use.`,
+    }),
 });
