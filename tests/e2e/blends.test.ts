@@ -73,7 +73,7 @@ test("a section takes another form, and the blend is solved another way", async 
   await pot.type("Terms, along u", "7");
   await expect.poll(() => pot.address()).not.toBe(before);
   const finer = await pot.address();
-  await pot.type("round, b", "0.5");
+  await pot.type("Weight round", "0.5");
   await expect.poll(() => pot.address()).not.toBe(finer);
   await pot.shows(box);
   await pot.page.getByRole("radio", { name: "Collocation" }).check();

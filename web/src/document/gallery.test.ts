@@ -71,8 +71,9 @@ test("an exhibit opens as a document of its own", () => {
   });
 });
 
-// The native tests measure meshes of the whole gallery. After a change: npx vitest -u src/document/gallery.test.ts
+// The native tests measure meshes of all surfaces of the gallery; blends have a reference of their own. After a change: npx vitest run src/document/gallery.test.ts -u
 test("the gallery that native tests read is this one", async () => {
-  const shown = SHELVES.flatMap((shelf) => shelf.exhibits).map(({ id, shape }) => JSON.stringify({ name: id, shape }));
+  const surfaces = SHELVES.flatMap((shelf) => shelf.exhibits).filter(({ shape }) => shape.kind !== "blend");
+  const shown = surfaces.map(({ id, shape }) => JSON.stringify({ name: id, shape }));
   await expect(`[\n${shown.join(",\n")}\n]\n`).toMatchFileSnapshot("../../../tests/reference/gallery.json");
 });

@@ -71,6 +71,7 @@ export class PasuBlendSolving extends DesignerElement {
           data-field=${field.key}
           data-at=${pathText(field.path)}
           .label=${words.weight[index] ?? ""}
+          .symbol=${field.symbol}
           .value=${weights[index] ?? 1}
           .opened=${before[index] ?? 1}
           .min=${field.min}

@@ -65,7 +65,7 @@ export const blends = phrases("blends", {
   weights: "Weights",
   weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
   insideOnly: "Sines vanish on the skin: weights and terms change what is inside alone.",
-  weight: ["across, a", "round, b", "from end to end, c"] as const,
+  weight: ["Weight across", "Weight round", "Weight from end to end"] as const,
 
   rim: "At the rim",
   foot: "At the foot",
