@@ -1,6 +1,7 @@
 /** What a person can do to the selected blend: its sections, and how its equation is solved. */
 
 import type { End } from "../document/blend/section";
+import { settled } from "../document/blend/solving";
 import type { Blend, Section } from "../document/types";
 import { editShape } from "./shape-actions";
 import type { Change, State } from "./store";
@@ -11,7 +12,7 @@ export function changeSection(state: State, end: End, edit: (section: Section) =
     state,
     (blend) => {
       const section = edit(blend[end]);
-      return section === blend[end] ? blend : { ...blend, [end]: section };
+      return section === blend[end] ? blend : settled({ ...blend, [end]: section });
     },
     key === undefined ? undefined : `section:${end}:${key}`,
   );

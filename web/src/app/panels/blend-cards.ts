@@ -23,7 +23,7 @@ import { type Path, pathText } from "../../document/path";
 import type { Blend, Section } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
-import { changeBlend, changeSection } from "../../state/blend-actions";
+import { changeSection } from "../../state/blend-actions";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, fields } from "../../ui/styles";
@@ -263,14 +263,7 @@ export class PasuBlendCards extends DesignerElement {
   }
 
   private change(end: End, edit: (section: Section) => Section, key?: string): void {
-    const { designer } = this;
-    const sections = (blend: Blend) => ENDS.every((each) => isClosed(blend[each].form));
-    const before = designer.state.design.parts[designer.store.part]?.shape;
-    designer.apply(changeSection(designer.state, end, edit, key));
-    const after = designer.state.design.parts[designer.store.part]?.shape;
-    // A method that was chosen for other sections may not solve these.
-    if (before?.kind === "blend" && after?.kind === "blend" && after.method === "exact" && !sections(after))
-      designer.apply(changeBlend(designer.state, ({ method: _, ...rest }) => rest));
+    this.designer.apply(changeSection(this.designer.state, end, edit, key));
   }
 
   private problem(text: string) {

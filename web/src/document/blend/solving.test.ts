@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Blend } from "../types";
-import { methodOf, methodsFor, termsOf, weightsOf, withMethod, withTerm, withWeight } from "./solving";
+import { methodOf, methodsFor, settled, termsOf, weightsOf, withMethod, withTerm, withWeight } from "./solving";
 
 const level = { z: 0, taper: 0, dz: 1 };
 const ROUND: Blend = {
@@ -36,4 +36,15 @@ test("a rectangle is modal where nothing is said, and a disc over a square has n
   expect(methodsFor(box)).toEqual(["exact", "modal", "collocation"]);
   const laid: Blend = { ...ROUND, start: { ...ROUND.start, form: "disc-in-square", radius: [1, 1] } };
   expect(methodsFor(laid)).toEqual(["modal", "collocation"]);
+});
+
+test("a method goes with the sections that it does not solve, and where it would hold anyway", () => {
+  const laid: Blend = { ...ROUND, start: { ...ROUND.start, form: "disc-in-square", radius: [1, 1] } };
+  expect(settled({ ...laid, method: "exact" })).toEqual(laid);
+  expect(settled({ ...ROUND, method: "exact" })).toEqual(ROUND);
+  const box: Blend = { ...ROUND, method: "exact", start: { ...ROUND.start, form: "rectangle", radius: [1, 1] } };
+  expect(settled(box)).toBe(box);
+  const modal: Blend = { ...ROUND, method: "modal" };
+  expect(settled(modal)).toBe(modal);
+  expect(settled(ROUND)).toBe(ROUND);
 });

@@ -29,6 +29,13 @@ export function withMethod(blend: Blend, method: Method): Blend {
   return method === usualMethod(blend) ? rest : { ...rest, method };
 }
 
+/** The blend without a method that does not solve these sections, or that holds anyway. */
+export function settled(blend: Blend): Blend {
+  const { method, ...rest } = blend;
+  if (method === undefined) return blend;
+  return methodsFor(blend).includes(method) && method !== usualMethod(blend) ? blend : rest;
+}
+
 export function weightsOf({ weights }: Blend): Triple {
   return weights ?? EVEN;
 }
