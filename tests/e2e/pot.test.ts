@@ -5,7 +5,7 @@ import { expect, test } from "vitest";
 import type {} from "../../web/pot/pasu-pot.d.ts";
 import { findings } from "../support/axe.ts";
 import { counted, loaded, town } from "../support/guests.ts";
-import { sight } from "../support/sight.ts";
+import { difference, sight } from "../support/sight.ts";
 
 type Pot = HTMLElementTagNameMap["pasu-pot"];
 
@@ -46,6 +46,46 @@ test("one script tag and one element show a pot, from another origin", async () 
   expect(await counted(guest)).toEqual({ contexts: 1, workers: 1, loads: 1 });
   expect(await linkOf(guest.page)).toBe("#1/bloor-wilson?n1=5");
   expect(await findings(guest)).toEqual([]);
+});
+
+test("a wall stands as soon as it is made, for all pots by one more worker, and goes with the last of them", async () => {
+  const jar = { kind: "fourth-order", r0: 5.5, r1: 5.4, rm: 9.4, h1: 20, eta: [1.4, -1.9], dz: [34, 9] };
+  const guest = await here.open(page('<pasu-pot camera-orbit="0deg 35deg 100%"></pasu-pot>'));
+  const show = (wall: object | null) =>
+    guest.page.evaluate(
+      ([shape, given]) => {
+        const pot = document.querySelector("pasu-pot");
+        if (pot) pot.design = { pasu: 1, parts: [{ shape, ...(given && { wall: given }) }] } as never;
+      },
+      [jar, wall] as const,
+    );
+  const picture = () => guest.page.locator("pasu-pot").screenshot();
+  await show(null);
+  await loaded(guest);
+  await expect.poll(async () => sight(await picture()).tones).toBeGreaterThan(100);
+  const bare = await picture();
+  expect((await counted(guest)).workers).toBe(1);
+  await show({ thickness: 1.5, base: 1.5 });
+  // The thickness of the rim is seen from above.
+  await expect.poll(async () => difference(bare, await picture()).mean).toBeGreaterThan(1);
+  expect((await counted(guest)).workers).toBe(2);
+  await show(null);
+  await expect.poll(async () => difference(bare, await picture()).mean).toBeLessThan(0.2);
+  await guest.page.evaluate(() => document.querySelector("pasu-pot")?.remove());
+  await expect.poll(() => counted(guest)).toMatchObject({ contexts: 0, workers: 0 });
+});
+
+test("shapes that the small module leaves out are drawn too", async () => {
+  const guest = await here.open(page("<pasu-pot></pasu-pot>"));
+  await guest.page.evaluate(() => {
+    const section = { form: "rectangle", radius: [2, 2], z: 0, taper: 0, dz: 6 };
+    const end = { form: "rectangle", radius: [3, 3], z: 6, taper: 0, dz: 6 };
+    const pot = document.querySelector("pasu-pot");
+    if (pot) pot.design = { pasu: 1, parts: [{ shape: { kind: "blend", start: section, end } }] } as never;
+  });
+  await loaded(guest);
+  expect(sight(await guest.page.locator("pasu-pot").screenshot()).tones).toBeGreaterThan(60);
+  expect((await counted(guest)).workers).toBe(1);
 });
 
 test("src is a link, an address that ends in one, or that of a document; each says when it is there", async () => {

@@ -9,10 +9,10 @@ import { inFreshProject, ROOT } from "./install.mjs";
 
 const VITE = join(ROOT, "web/node_modules/vite/bin/vite.js");
 
-/** A module that each entry needs, and one that it must not bring along. */
+/** The modules that each entry needs, and those that it must not bring along. */
 const ENTRIES = [
-  { entry: "pasu", needs: "pasu_bg.wasm", others: ["pasu_drawing_bg.wasm"] },
-  { entry: "pasu/drawing", needs: "pasu_drawing_bg.wasm", others: ["pasu_bg.wasm"] },
+  { entry: "pasu", needs: ["pasu_bg.wasm"], others: ["pasu_drawing_bg.wasm"] },
+  { entry: "pasu/drawing", needs: ["pasu_drawing_bg.wasm", "pasu_bg.wasm"], others: [] },
 ];
 
 for (const { entry, needs, others } of ENTRIES) {
@@ -28,7 +28,7 @@ for (const { entry, needs, others } of ENTRIES) {
       const bytes = (folder, name) => readFileSync(join(project, folder, name));
       const emitted = files.filter((file) => file.endsWith(".wasm")).map((file) => bytes("dist/assets", file));
       const has = (module) => emitted.some((file) => file.equals(bytes("node_modules/pasu", module)));
-      assert.ok(has(needs) && has("pasu_scalar_bg.wasm"), `${entry} brings ${files}`);
+      assert.ok([...needs, "pasu_scalar_bg.wasm"].every(has), `${entry} brings ${files}`);
       for (const other of others) assert.ok(!has(other), `${entry} brings ${other}`);
       const scripts = files.filter((file) => file.endsWith(".js")).map((file) => bytes("dist/assets", file).toString());
       assert.ok(scripts.some((script) => script.includes("PasuError") && script.includes(".wasm")));

@@ -256,6 +256,25 @@ test("both entries live side by side, say the same and throw the same class", as
   });
 });
 
+test("the small module refuses what it leaves out, and knows it once it is widened", async () => {
+  await inFreshProject((project) => {
+    const script = `import init, { fingerprint, link, mesh, widen } from "pasu/drawing";
+      const disc = (radius, z) => ({ form: "disc", radius: [radius, radius], z, taper: 0, dz: 2 });
+      const blend = { pasu: 1, parts: [{ shape: { kind: "blend", start: disc(1, 0), end: disc(2, 2) } }] };
+      await init();
+      const before = fingerprint("${VASE}");
+      try {
+        mesh(blend);
+      } catch ({ code, path, args }) {
+        console.log(code, path, args.what);
+      }
+      await Promise.all([widen(), widen()]);
+      const { positions } = mesh(blend);
+      console.log(positions.length > 0, link(blend).startsWith("1~"), fingerprint("${VASE}") === before);`;
+    assert.equal(run(project, "wide.mjs", script), "unsupported-shape parts[0].shape.kind left-out\ntrue true true\n");
+  });
+});
+
 test("an engine without SIMD gets the module without, from both entries", async () => {
   await inFreshProject((project) => {
     // What an engine of before 2023 says of a module with SIMD, and would do to it.

@@ -1,7 +1,7 @@
 // The real solver for tests: its client, before what its worker runs.
 
 import { readFile } from "node:fs/promises";
-import init, { PasuError } from "pasu/drawing";
+import init, { PasuError, widen } from "pasu/drawing";
 import { SolverClient } from "../src/solver/client";
 import type { Ask, Request, SentAnswers } from "../src/solver/messages";
 import { buffersOf, perform } from "../src/solver/perform";
@@ -13,8 +13,11 @@ const bytes = readFile(new URL("../../crates/pasu-wasm/pkg/pasu_drawing_bg.wasm"
 const module = bytes.then((found) => WebAssembly.compile(found));
 
 /** A solver whose worker waits to be told, or is free to answer at once. */
-export function realSolver({ free = false } = {}): { readonly solver: SolverClient; readonly worker: Worker } {
-  const kit = { init, PasuError, fault: "solver-unusable" };
+export function realSolver({ free = false, wider = widen } = {}): {
+  readonly solver: SolverClient;
+  readonly worker: Worker;
+} {
+  const kit = { init, PasuError, fault: "solver-unusable", widen: wider };
   const worker: Worker = new HeldWorker(kit, module, perform, buffersOf);
   worker.free = free;
   return { solver: new SolverClient(worker.start), worker };

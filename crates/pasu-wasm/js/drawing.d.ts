@@ -26,6 +26,12 @@ export {
   parse,
 } from "./pasu.js";
 
+/**
+ * Loads the whole module in place of the small one, once; everything else stays as it is. The small one knows what has two ends and goes round an axis, and
+ * refuses a network of frames or a blend with the code `unsupported-shape` and `args.what` `"left-out"`: then widen, and ask again.
+ */
+export function widen(): Promise<void>;
+
 /** As that of `pasu`, but for `progress`, which this module does not tell. */
 export function mesh(source: DesignSource, options?: MeshOptions & { into?: undefined }): Mesh;
 export function mesh(source: DesignSource, options: MeshOptions & { into: Partial<Mesh> }): Remesh;

@@ -29,10 +29,24 @@ const bindings = {
   handles: handlesOf,
 };
 
-const { init, parse, link, mesh, bound, evaluate, derivatives, fingerprint, convert, handles } = entry(
+const { init, widen, parse, link, mesh, bound, evaluate, derivatives, fingerprint, convert, handles } = entry(
   { module: () => new URL("./pasu_drawing_bg.wasm", import.meta.url), bindings: () => bindings },
   // Old engines are too few for a small module of their own.
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => import("./bindings.js") },
+  { module: () => new URL("./pasu_bg.wasm", import.meta.url), bindings: () => import("./bindings.js") },
 );
 
-export { bound, convert, derivatives, evaluate, fingerprint, handles, init as default, link, mesh, PasuError, parse };
+export {
+  bound,
+  convert,
+  derivatives,
+  evaluate,
+  fingerprint,
+  handles,
+  init as default,
+  link,
+  mesh,
+  PasuError,
+  parse,
+  widen,
+};

@@ -99,28 +99,41 @@ export function apart(options, name) {
  * An entry: `init`, `call`, which calls a binding by its name, and the functions that every entry has.
  *
  * `simd` and `scalar` stand for a module each, with 128-bit SIMD and for engines of before 2023 without: `module` is its
- * address, `bindings` a promise of what was generated for it.
+ * address, `bindings` a promise of what was generated for it. `whole` is one that takes the place of the first when `widen` is called.
  */
-export function entry(simd, scalar) {
-  const { module, bindings } = HAS_SIMD ? simd : scalar;
+export function entry(simd, scalar, whole = simd) {
+  const own = HAS_SIMD ? simd : scalar;
+  const wide = HAS_SIMD ? whole : scalar;
   let loading;
+  let widening;
   let loaded;
   let broken = false;
   let busy = false;
 
   /** Loads the module, once; `source` says where it is, if not beside this file, or is a function that does. */
   function init(source) {
-    loading ??= instantiate(typeof source === "function" ? source() : source).catch((error) => {
+    loading ??= instantiate(own, typeof source === "function" ? source() : source).catch((error) => {
       loading = undefined; // so that it can be tried again
       throw error;
     });
     return loading;
   }
 
-  async function instantiate(source) {
+  /** Loads what this entry leaves out, once, in place of its own module; what is not left out does the same until then. */
+  function widen() {
+    if (wide === own) return init();
+    widening ??= instantiate(wide).catch((error) => {
+      widening = undefined;
+      throw error;
+    });
+    return widening;
+  }
+
+  async function instantiate({ module, bindings }, source) {
     const generated = await bindings();
     await generated.default({ module_or_path: source ?? (await onDisk(module())) ?? module() });
     loaded = generated;
+    broken = false;
   }
 
   function call(name, ...args) {
@@ -155,6 +168,7 @@ export function entry(simd, scalar) {
 
   return {
     init,
+    widen,
     call,
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),

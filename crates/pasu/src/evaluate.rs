@@ -83,6 +83,9 @@ impl Solution {
             Address::Patches(_) => at.chunks_exact(3).for_each(|point| {
                 visit(&placed.solved().patch(point[0] as usize).jet(point[1], point[2]));
             }),
+            #[cfg(not(feature = "patchwork"))]
+            Address::Volume => {}
+            #[cfg(feature = "patchwork")]
             Address::Volume => {
                 let Some(volume) = placed.solved().volume() else { return Ok(()) };
                 volume.visit(at, visit);

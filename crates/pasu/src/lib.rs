@@ -1,7 +1,7 @@
 //! Vases and pots whose surfaces are exact solutions of partial differential equations.
 //!
 //! Data flows one way: [design](crate::Design) -> canonical -> [boundary-value problem](crate::BoundaryValue) ->
-//! [closed form](crate::Surface) -> [mesh](crate::Mesh).
+//! [closed form](crate::Surface) -> [mesh](crate::Mesh). A network of vertex-frames and a blend of two sections have closed forms of their own in the place of a boundary-value problem's.
 //!
 //! # Conventions
 //!
@@ -19,7 +19,11 @@
 //! - **ZY01** J. J. Zhang, L. You, *Surface representation using second, fourth and mixed order partial differential equations*, 2001.
 //! - **IA** S. N. Ishak, J. M. Ali, *Parametric surface generation using partial differential equation based approach*.
 //! - **W22** S. Wang, Y. Xia, L. You, H. Ugail, A. Carriazo, A. Iglesias, J. Zhang, *Interactive PDE patch-based surface modeling from vertex-frames*, 2022.
+//! - **ZY04** J. J. Zhang, L. You, *Blending solids with approximate analytical solution to PDE*, 2004.
 //! - **ASB88** J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, *Constrained constructive solid geometry: a unique representation of scenes*, 1988.
+
+// What only those shapes use stays where it belongs, and is left out by the linker.
+#![cfg_attr(not(feature = "patchwork"), allow(dead_code, unused_imports, unused_variables, unreachable_patterns))]
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
@@ -28,6 +32,7 @@ mod readme {}
 mod answer;
 #[cfg(test)]
 mod any_patch;
+#[cfg(feature = "patchwork")]
 mod blend;
 mod check;
 mod design;
@@ -37,7 +42,9 @@ mod export;
 mod face;
 mod fingerprint;
 mod fit;
+#[cfg(feature = "patchwork")]
 mod frame;
+#[cfg(feature = "patchwork")]
 mod interior;
 mod make;
 mod measure;
@@ -52,13 +59,17 @@ mod surface;
 mod watch;
 mod weave;
 
+#[cfg(feature = "patchwork")]
 pub use blend::{Inside, InsideMap};
 pub use design::read;
 pub use design::{
-    Axis, Blend, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Continuity, Conversion, Datum, Design,
-    End, Falloff, Force, Form, FourthOrder, FramePatch, FrameRule, Free, Glaze, Handle, HandleId, Handles, Harmonic,
-    Hoop, Look, Loss, Method, MixedOrder, Mode, Named, Order, Part, Placement, Restraint, RimForm, Ring, Rings,
-    SecondOrder, Section, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, VertexFrame, Wall, Wave,
+    Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
+    Free, Glaze, Handle, HandleId, Handles, Hoop, Look, Loss, MixedOrder, Mode, Named, Order, Part, Placement,
+    Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder, Wall, Wave,
+};
+#[cfg(feature = "patchwork")]
+pub use design::{
+    Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Section, VertexFrame,
 };
 #[cfg(feature = "typescript")]
 pub use design::{
@@ -66,15 +77,17 @@ pub use design::{
 };
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
+#[cfg(feature = "patchwork")]
+pub use export::{CellsFormat, cells_file};
 pub use export::{
-    CellsFormat, Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, cells_file, drawn, obj_materials, open,
-    provenance, sketch, write,
+    Drawn, DrawnFace, Format, Provenance, Sketch, SketchOptions, drawn, obj_materials, open, provenance, sketch, write,
 };
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
 pub use fit::{Profile, Ringed, fit, free};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
+#[cfg(feature = "patchwork")]
 pub use interior::{CellShape, Cells, CellsOptions, cells, inside, inside_values};
 #[cfg(feature = "typescript")]
 pub use make::typescript_of_answers;

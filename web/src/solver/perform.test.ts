@@ -40,6 +40,31 @@ test("a design is solved, drawn and told by the real solver across a channel", a
   expect(again.state === "done" && again.value.parts[0]?.mesh.uvs).toBe(part.mesh.uvs);
 });
 
+// Before anything has loaded the whole module.
+test("what the small module leaves out is refused where the whole one cannot be had, asked again each time, and everything else goes on", async () => {
+  let asked = 0;
+  const wider = async () => {
+    asked += 1;
+    throw new TypeError("no network");
+  };
+  const { solver } = realSolver({ free: true, wider });
+  const section = { form: "disc", radius: [1, 1], z: 0, taper: 0, dz: 2 } as const;
+  const blend: Design = {
+    pasu: 1,
+    parts: [{ shape: { kind: "blend", start: section, end: { ...section, radius: [2, 1], z: 2 } } }],
+  };
+  const options = { ...GRID, lines: false, section: null, settle: false };
+  for (const count of [1, 2]) {
+    const [refused, drawn] = await Promise.all([
+      solver.desk().solve({ design: blend, ids: [3] }, options),
+      solver.desk().solve(SCENE, options),
+    ]);
+    expect(refused).toMatchObject({ state: "refused", refusal: { code: "solver-unusable", message: "no network" } });
+    expect(drawn.state).toBe("done");
+    expect(asked).toBe(count);
+  }
+});
+
 test("a network of patches is drawn as it is, without lines and a section, and is there when it is asked for again", async () => {
   const round = [
     [0, 0, 0],

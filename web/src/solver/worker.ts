@@ -1,7 +1,7 @@
 /** The solver's worker. */
 
-import init, { PasuError } from "pasu/drawing";
+import init, { PasuError, widen } from "pasu/drawing";
 import { serve } from "../worker/serve";
 import { buffersOf, perform } from "./perform";
 
-serve(self, { init, PasuError, fault: "solver-unusable" }, perform, buffersOf);
+serve(self, { init, PasuError, fault: "solver-unusable", widen }, perform, buffersOf);

@@ -15,17 +15,19 @@ export interface Package {
   readonly PasuError: new (...parameters: never[]) => Refusal;
   /** The code of a fault that is none of the design's. */
   readonly fault: string;
+  /** Loads what the package leaves out; something has come that takes it. */
+  readonly widen?: () => Promise<void>;
 }
 
 /** `perform` answers or throws, and may say how far it is; the buffers of what it answers travel, they are not copied. */
 export function serve<Request extends { readonly id: number }, Answer>(
   scope: Scope<Request, Answer>,
-  { init, PasuError, fault }: Package,
+  { init, PasuError, fault, widen }: Package,
   perform: (request: Request, tell: (done: number) => void) => Answer,
   buffersOf: (answer: Answer) => Transferable[],
 ): void {
   let begin: (ready: Promise<void>) => void;
-  const ready = new Promise<void>((resolve) => {
+  let ready = new Promise<void>((resolve) => {
     begin = resolve;
   });
 
@@ -37,13 +39,33 @@ export function serve<Request extends { readonly id: number }, Answer>(
   async function respond(request: Request): Promise<void> {
     const { id } = request;
     try {
-      await ready;
-      const answer = perform(request, (done) => scope.postMessage({ id, done }, { transfer: [] }));
+      const answer = await answered(request);
       scope.postMessage({ id, ok: true, answer }, { transfer: buffersOf(answer) });
     } catch (error) {
       const broken = error instanceof WebAssembly.RuntimeError;
       scope.postMessage({ id, ok: false, refusal: refusalOf(error), broken }, { transfer: [] });
     }
+  }
+
+  async function answered(request: Request): Promise<Answer> {
+    const run = () => perform(request, (done) => scope.postMessage({ id: request.id, done }, { transfer: [] }));
+    await ready;
+    try {
+      return run();
+    } catch (error) {
+      if (!widen || !isLeftOut(error)) throw error;
+    }
+    const wider = widen();
+    // What is asked meanwhile waits, and goes on with what there is where it could not be had.
+    ready = wider.catch(() => {});
+    await wider;
+    return run();
+  }
+
+  function isLeftOut(error: unknown): boolean {
+    if (!(error instanceof PasuError)) return false;
+    const { what } = error.args ?? {};
+    return what === "left-out";
   }
 
   function refusalOf(error: unknown): Refusal {

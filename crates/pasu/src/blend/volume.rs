@@ -68,7 +68,7 @@ impl Volume {
         let solved = match blend.method() {
             Method::Exact => {
                 return volume.with_modes(both, &sections).map_err(|why| match why {
-                    Inexact::NoClosedForm(index) => no_closed_form(both[index], path),
+                    Inexact::NoClosedForm(index) => both[index].form.no_closed_form().at(format!("{path}.method")),
                     Inexact::Unsolvable(why) => unsolvable(why, path),
                 });
             }
@@ -247,14 +247,6 @@ enum Inexact {
     /// Of the section of this number.
     NoClosedForm(usize),
     Unsolvable(Unsolvable),
-}
-
-fn no_closed_form(section: &Section, path: &str) -> Error {
-    let form = section.form.name();
-    let message = format!(
-        "expected \"modal\" or \"collocation\", found \"exact\": a {form} has no closed form, as it is neither a polynomial nor a Fourier series"
-    );
-    Error::new(Code::OutOfRange, format!("{path}.method"), message).with("form", form)
 }
 
 fn unsolvable(why: Unsolvable, path: &str) -> Error {

@@ -86,9 +86,11 @@ impl Shape {
         let Some(outline) = Outline::of(self) else {
             let message = match self {
                 Shape::Rings(_) => "a pot of rings cannot be converted: no other family passes through them",
+                #[cfg(feature = "patchwork")]
                 Shape::Blend(_) => {
                     "a solid between two sections cannot be converted: it is no vase of one of the families"
                 }
+                #[cfg(feature = "patchwork")]
                 Shape::VertexFrame(_) => "a network of patches cannot be converted: it has no rim and no foot to keep",
                 _ => {
                     "boundary data that are written out cannot be converted as a whole: each component has an order of its own"
@@ -198,7 +200,7 @@ impl Outline {
             Shape::MixedOrder(vase) => Outline::of_planar(shape, [vase.rise, 0.0], vase.rise),
             Shape::FourthOrder(vase) => Some(Outline::of_fourth(vase)),
             Shape::BloorWilson(vase) => Some(Outline::of_dint(vase)),
-            Shape::BoundaryValue(_) | Shape::Rings(_) | Shape::VertexFrame(_) | Shape::Blend(_) => None,
+            _ => None,
         }
     }
 

@@ -25,13 +25,15 @@ use crate::error::{Code, Error, Result};
 pub(crate) trait Described: Serialize + DeserializeOwned {
     /// Its numbers, if it is made of a fixed number of them.
     #[cfg(feature = "typescript")]
-    const FAMILY: Option<Family>;
+    const FAMILY: Option<Family> = None;
 
     /// How a readable link says it, if it has one.
-    const SPELLING: Option<Spelling>;
+    const SPELLING: Option<Spelling> = None;
 
     /// The boundary-value problem between two ends that it stands for; `None` where it stands for other patches than a surface between two ends.
-    fn problem(&self) -> Option<Cow<'_, BoundaryValue>>;
+    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
+        None
+    }
 
     /// By which numbers a point of it is told.
     fn address(&self) -> Address {
@@ -50,13 +52,19 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     }
 
     /// Every number of waves that the document gives, with where it stands within the shape.
-    fn waves(&self) -> Vec<(String, f64)>;
+    fn waves(&self) -> Vec<(String, f64)> {
+        Vec::new()
+    }
 
     /// What differs from the shape that a link of this kind starts from; `None` when it has no readable link.
-    fn link(&self) -> Option<Vec<String>>;
+    fn link(&self) -> Option<Vec<String>> {
+        None
+    }
 
-    /// What of it a hand can drag.
-    fn handles(&self) -> Handles;
+    /// What of its profile a hand can drag: nothing where it has none.
+    fn handles(&self) -> Handles {
+        Handles::none()
+    }
 
     /// Its numbers one by one, if it is a named family; none otherwise.
     fn parameters(&self) -> Vec<Parameter> {

@@ -1,5 +1,6 @@
 //! The design document: what a person has chosen, as data.
 
+#[cfg(feature = "patchwork")]
 mod blend;
 mod boundary_value;
 mod ceramics;
@@ -39,9 +40,11 @@ mod text;
 mod typescript;
 mod unit;
 mod value;
+#[cfg(feature = "patchwork")]
 mod vertex_frame;
 mod wall;
 
+#[cfg(feature = "patchwork")]
 pub use blend::{Blend, Form, Harmonic, Method, Section};
 pub use boundary_value::{Axis, BoundaryValue, Component, Datum, Mode, Order, Span};
 pub(crate) use ceramics::Layer;
@@ -68,5 +71,6 @@ pub(crate) use text::write as to_json;
 pub use typescript::typescript;
 pub use unit::Unit;
 pub(crate) use value::Value;
+#[cfg(feature = "patchwork")]
 pub use vertex_frame::{Continuity, Falloff, Force, FramePatch, FrameRule, VertexFrame};
 pub use wall::{RimForm, Side, Wall};

@@ -6,9 +6,7 @@ use std::f64::consts::TAU;
 use super::boundary_value::{BoundaryValue, Component, Datum, Free, Mode, Order, Ring, Span};
 #[cfg(feature = "typescript")]
 use super::declarations::interface;
-#[cfg(feature = "typescript")]
-use super::described::Family;
-use super::described::{Described, Spelling};
+use super::described::Described;
 use super::handles::{Handle, HandleId, Handles, Restraint, steps};
 use super::number::{plain, rounded};
 use super::ring::ascending;
@@ -17,10 +15,6 @@ use super::tables::{BOUNDARY_VALUE, FOURTH, FOURTH_DATUM, MODE, RING, SECOND, SE
 use crate::error::{Code, Error, Result};
 
 impl Described for BoundaryValue {
-    #[cfg(feature = "typescript")]
-    const FAMILY: Option<Family> = None;
-    const SPELLING: Option<Spelling> = None;
-
     fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
         Some(Cow::Borrowed(self))
     }
@@ -64,10 +58,6 @@ impl Described for BoundaryValue {
         let modes =
             components.flat_map(|(name, component)| component.modes.iter().enumerate().map(move |mode| (name, mode)));
         modes.map(|(name, (index, mode))| (format!("{name}.modes[{index}].n"), mode.n)).collect()
-    }
-
-    fn link(&self) -> Option<Vec<String>> {
-        None
     }
 
     /// The radius is that of the first harmonic, the height that of the harmonic 0.

@@ -11,6 +11,9 @@ use crate::error::{Code, Error};
 /// Kinds of shapes that the format has and this version cannot compute.
 const LATER: [&str; 1] = ["octant"];
 
+/// Kinds of shapes that a build without the feature `patchwork` leaves out.
+const LEFT_OUT: &[&str] = if cfg!(feature = "patchwork") { &[] } else { &["vertex-frame", "blend"] };
+
 /// Every refusal that a type can make while it is read: what was expected, and what was found in its place. The path begins where the error was made; what reads a
 /// list or a group of fields puts its own part before it (`Error::inside_field`, `Error::inside_item`).
 impl de::Error for Error {
@@ -118,6 +121,11 @@ fn described(found: Unexpected) -> String {
 /// A word that is none of those that may stand here.
 pub(super) fn unknown_name(found: &str, known: &[&str]) -> Error {
     let expected = alternatives(known);
+    if LEFT_OUT.contains(&found) {
+        let message =
+            format!("the shape {found:?} is left out of this build, which draws pots: it takes the whole library");
+        return Error::new(Code::UnsupportedShape, "", message).with("what", "left-out").with("found", found);
+    }
     if LATER.contains(&found) {
         let message = format!("this version of Pasu cannot compute the shape {found:?} yet; expected {expected}");
         return Error::new(Code::UnsupportedShape, "", message).with("words", known).with("found", found);

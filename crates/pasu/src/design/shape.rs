@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize, Serializer};
 
+#[cfg(feature = "patchwork")]
 use super::blend::Blend;
 use super::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
@@ -13,24 +14,25 @@ use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
 use super::parameter::Parameter;
 use super::rings::Rings;
+#[cfg(feature = "patchwork")]
 use super::vertex_frame::VertexFrame;
 use super::{reader, text};
 use crate::error::Result;
 
-/// Declares the kinds of shapes, each by one line: a variant with its type, and the word in a document's `kind`.
+/// Declares the kinds of shapes, each by one line: a variant with its type, the word in a document's `kind`, and the feature without which it is left out, if there is one.
 macro_rules! shapes {
-    ($( $(#[$about:meta])+ $kind:ident = $name:literal, )+) => {
+    ($( $(#[$about:meta])+ $kind:ident = $name:literal $(if $feature:literal)?, )+) => {
         /// A surface as the document describes it.
         #[derive(Debug, Clone, PartialEq, Deserialize)]
         // The reader of documents finds the variant of an enum of this name in the field `kind`.
         #[serde(rename = "kind", expecting = "a shape")]
         #[non_exhaustive]
         pub enum Shape {
-            $( $(#[$about])+ #[serde(rename = $name)] $kind($kind), )+
+            $( $(#[cfg(feature = $feature)])? $(#[$about])+ #[serde(rename = $name)] $kind($kind), )+
         }
 
         /// All kinds, in the order of the format.
-        pub(crate) const KINDS: &[Kind] = &[$( Kind {
+        pub(crate) const KINDS: &[Kind] = &[$( $(#[cfg(feature = $feature)])? Kind {
             name: $name,
             #[cfg(feature = "typescript")]
             family: <$kind as Described>::FAMILY,
@@ -46,10 +48,10 @@ macro_rules! shapes {
                 #[derive(Serialize)]
                 #[serde(tag = "kind")]
                 enum Tagged<'a> {
-                    $( #[serde(rename = $name)] $kind(&'a $kind), )+
+                    $( $(#[cfg(feature = $feature)])? #[serde(rename = $name)] $kind(&'a $kind), )+
                 }
                 match self {
-                    $( Shape::$kind(shape) => Tagged::$kind(shape).serialize(serializer), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => Tagged::$kind(shape).serialize(serializer), )+
                 }
             }
         }
@@ -58,21 +60,21 @@ macro_rules! shapes {
             /// The word in a document's `kind`.
             pub(crate) fn kind(&self) -> &'static str {
                 match self {
-                    $( Shape::$kind(_) => $name, )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(_) => $name, )+
                 }
             }
 
             /// The boundary-value problem without a copy of what stands in the document: the one place where families expand. `None` of a shape that is no surface between two ends.
             pub(crate) fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
                 match self {
-                    $( Shape::$kind(shape) => shape.problem(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.problem(), )+
                 }
             }
 
             /// By which numbers a point of it is told.
             pub(crate) fn address(&self) -> Address {
                 match self {
-                    $( Shape::$kind(shape) => shape.address(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.address(), )+
                 }
             }
 
@@ -80,7 +82,7 @@ macro_rules! shapes {
             #[inline]
             pub(crate) fn cost(&self) -> usize {
                 match self {
-                    $( Shape::$kind(shape) => shape.cost(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.cost(), )+
                 }
             }
 
@@ -88,7 +90,7 @@ macro_rules! shapes {
             #[inline]
             pub(crate) fn waves(&self) -> Vec<(String, f64)> {
                 match self {
-                    $( Shape::$kind(shape) => shape.waves(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.waves(), )+
                 }
             }
 
@@ -96,7 +98,7 @@ macro_rules! shapes {
             #[inline]
             pub(crate) fn link(&self) -> Option<Vec<String>> {
                 match self {
-                    $( Shape::$kind(shape) => shape.link(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.link(), )+
                 }
             }
 
@@ -116,21 +118,21 @@ macro_rules! shapes {
             #[inline]
             pub fn handles(&self) -> Handles {
                 match self {
-                    $( Shape::$kind(shape) => Described::handles(shape), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => Described::handles(shape), )+
                 }
             }
 
             /// Its numbers one by one, if it is of a named family; none otherwise.
             pub(crate) fn parameters(&self) -> Vec<Parameter> {
                 match self {
-                    $( Shape::$kind(shape) => shape.parameters(), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.parameters(), )+
                 }
             }
 
             /// The same shape with other numbers, in the order of [`Shape::parameters`].
             pub(crate) fn with_parameters(self, values: &[f64]) -> Shape {
                 match self {
-                    $( Shape::$kind(shape) => Shape::$kind(shape.with_parameters(values)), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => Shape::$kind(shape.with_parameters(values)), )+
                 }
             }
 
@@ -138,7 +140,7 @@ macro_rules! shapes {
             #[inline]
             pub(crate) fn finite(self) -> Result<Shape> {
                 match self {
-                    $( Shape::$kind(shape) => shape.finite().map(Shape::$kind), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.finite().map(Shape::$kind), )+
                 }
             }
 
@@ -146,7 +148,7 @@ macro_rules! shapes {
             #[inline]
             pub(crate) fn canonical(self) -> Result<Shape> {
                 match self {
-                    $( Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+
                 }
             }
         }
@@ -167,9 +169,9 @@ shapes! {
     /// `rings`: a pot by the radius and the height of its rings.
     Rings = "rings",
     /// `vertex-frame`: four-sided patches through a network of points, W22.
-    VertexFrame = "vertex-frame",
+    VertexFrame = "vertex-frame" if "patchwork",
     /// `blend`: a solid that flows from one section into another, ZY04.
-    Blend = "blend",
+    Blend = "blend" if "patchwork",
 }
 
 /// A kind of shape.

@@ -29,6 +29,16 @@ impl Coat {
     }
 }
 
+/// What a face is covered with but for what the glaze line does to the outside, which is bare where the glaze begins above it all; `has_line` where it ends anywhere at all.
+pub(super) fn coat_of(kind: FaceKind, has_line: bool, is_bare: bool) -> Coat {
+    match kind {
+        FaceKind::Lining | FaceKind::Floor | FaceKind::Drain => Coat::Inside,
+        FaceKind::Underside | FaceKind::FootRing | FaceKind::Recess if has_line => Coat::Bare,
+        _ if is_bare => Coat::Bare,
+        _ => Coat::Outside,
+    }
+}
+
 /// The triangles of a body, and what each is covered with; nothing where all are as the outside is.
 pub(super) struct Coated<'a> {
     pub(super) positions: Cow<'a, [f32]>,
@@ -80,11 +90,9 @@ fn coats(body: &Coated, line: Option<f32>, is_bare: bool) -> Vec<Coat> {
                 let height = |vertex: &u32| f64::from(body.positions[3 * *vertex as usize + 2]);
                 line.is_some_and(|line| corners.iter().map(height).sum::<f64>() < 3.0 * f64::from(line))
             };
-            coats.push(match kind {
-                FaceKind::Lining | FaceKind::Floor | FaceKind::Drain => Coat::Inside,
-                FaceKind::Underside | FaceKind::FootRing | FaceKind::Recess if line.is_some() => Coat::Bare,
-                _ if is_bare || below() => Coat::Bare,
-                _ => Coat::Outside,
+            coats.push(match coat_of(kind, line.is_some(), is_bare) {
+                Coat::Outside if below() => Coat::Bare,
+                coat => coat,
             });
         }
     }

@@ -1,5 +1,6 @@
 //! Files: what slicers, CAD programs, viewers and potters accept, at the right size.
 
+#[cfg(feature = "patchwork")]
 mod cells;
 mod coats;
 mod contents;
@@ -24,6 +25,7 @@ mod write;
 mod xml;
 mod zip;
 
+#[cfg(feature = "patchwork")]
 pub use cells::{CellsFormat, cells_file};
 pub use drawn::{Drawn, DrawnFace, drawn};
 pub use obj::obj_materials;

@@ -2,6 +2,7 @@
 
 mod craft;
 mod fitted;
+#[cfg(feature = "patchwork")]
 mod folded;
 mod made;
 mod makeable;

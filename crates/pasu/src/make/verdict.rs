@@ -1,6 +1,7 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
 use super::fitted;
+#[cfg(feature = "patchwork")]
 use super::folded;
 use super::made::{Finished, make};
 use super::makeable;
@@ -56,6 +57,7 @@ impl Solution {
             match watch::between(0.0, MAKING, || watch::share(part, self.n_parts(), one)) {
                 Ok(one) => {
                     if one.pot.is_none() {
+                        #[cfg(feature = "patchwork")]
                         refused.extend(folded::finding(self.part(part)?));
                     }
                     made.push(one);

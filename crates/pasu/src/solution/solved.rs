@@ -1,8 +1,10 @@
 //! The shape of one part, solved.
 
+#[cfg(feature = "patchwork")]
 use crate::blend::{Blended, Volume};
 use crate::design::{Part, Shape};
 use crate::error::Result;
+#[cfg(feature = "patchwork")]
 use crate::frame::Frame;
 use crate::patch::Patch;
 #[cfg(test)]
@@ -15,8 +17,10 @@ pub(crate) enum Solved {
     /// A surface between two curves.
     TwoSided(Box<Surface>),
     /// A network of vertex-frames.
+    #[cfg(feature = "patchwork")]
     Frame(Frame),
     /// A solid between two sections, or what goes round one.
+    #[cfg(feature = "patchwork")]
     Blend(Box<Blended>),
     /// Patches that stand for a kind yet to come: what the contract is tested with.
     #[cfg(test)]
@@ -27,14 +31,14 @@ impl Solved {
     /// Solves the shape of part number `index` of a design.
     ///
     /// # Errors
-    /// As [`Surface::of_part`], [`Frame::solve`] and [`Blended::solve`].
+    /// As [`Surface::of_part`], `Frame::solve` and `Blended::solve`.
     pub(crate) fn of(part: &Part, index: usize) -> Result<Solved> {
+        let path = || format!("parts[{index}].shape");
         match &part.shape {
-            Shape::VertexFrame(network) => Frame::solve(network, &format!("parts[{index}].shape")).map(Solved::Frame),
-            Shape::Blend(blend) => {
-                let path = format!("parts[{index}].shape");
-                Blended::solve(blend, part.wall.is_some(), &path).map(Box::new).map(Solved::Blend)
-            }
+            #[cfg(feature = "patchwork")]
+            Shape::VertexFrame(network) => Frame::solve(network, &path()).map(Solved::Frame),
+            #[cfg(feature = "patchwork")]
+            Shape::Blend(blend) => Blended::solve(blend, part.wall.is_some(), &path()).map(Box::new).map(Solved::Blend),
             _ => Surface::of_part(part, index).map(Box::new).map(Solved::TwoSided),
         }
     }
@@ -48,7 +52,9 @@ impl Solved {
     pub(crate) fn patch(&self, index: usize) -> &dyn Patch {
         match self {
             Solved::TwoSided(surface) => &**surface,
+            #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.patch(index),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.patch(index),
             #[cfg(test)]
             Solved::Patches(patches) => &**patches.get(index).unwrap_or(&patches[0]),
@@ -59,7 +65,9 @@ impl Solved {
     pub(crate) fn n_patches(&self) -> usize {
         match self {
             Solved::TwoSided(_) => 1,
+            #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.n_patches(),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.n_patches(),
             #[cfg(test)]
             Solved::Patches(patches) => patches.len(),
@@ -70,7 +78,9 @@ impl Solved {
     pub(crate) fn is_closed(&self) -> bool {
         match self {
             Solved::TwoSided(_) => false,
+            #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.is_closed(),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().is_none(),
             #[cfg(test)]
             Solved::Patches(patches) => {
@@ -83,7 +93,9 @@ impl Solved {
     pub(crate) fn is_outward(&self) -> Vec<bool> {
         match self {
             Solved::TwoSided(surface) => vec![crate::surface::points_outward(surface)],
+            #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.is_outward().to_vec(),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.is_outward(),
             #[cfg(test)]
             Solved::Patches(patches) => vec![encloses(patches); patches.len()],
@@ -93,6 +105,7 @@ impl Solved {
     /// Edges at which patches meet at less than this angle are shown as if the surface were smooth there, in radians; none are where there is no such angle.
     pub(crate) fn crease(&self) -> Option<f64> {
         match self {
+            #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => Some(frame.crease()),
             _ => None,
         }
@@ -102,6 +115,7 @@ impl Solved {
     pub(crate) fn wall(&self) -> Option<&dyn Patch> {
         match self {
             Solved::TwoSided(surface) => Some(&**surface),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().map(|surface| surface as &dyn Patch),
             _ => None,
         }
@@ -111,14 +125,17 @@ impl Solved {
     pub(crate) fn fourier(&self) -> Option<&Surface> {
         match self {
             Solved::TwoSided(surface) => Some(&**surface),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel(),
             _ => None,
         }
     }
 
     /// The closed form of its inside, if that is known.
+    #[cfg(feature = "patchwork")]
     pub(crate) fn volume(&self) -> Option<&Volume> {
         match self {
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => Some(blend.volume()),
             _ => None,
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::fit::{can_give_way, fitted, may_be_at_fault};
 use super::meshed::{Made, grid};
-use crate::design::{Design, Wall};
+use crate::design::{Address, Design, Wall};
 use crate::error::{Code, Error, Result};
 use crate::solid::{Pot, Product, Skin};
 use crate::solution::{Kept, Placed, Solution};
@@ -111,12 +111,12 @@ impl Solution {
         let placed = self.workable(part)?;
         let (_, of) = self.existing(part)?;
         if of.wall.is_some() && placed.solved().wall().is_none() {
-            let (what, message) = match placed.solved().volume() {
-                Some(_) => (
+            let (what, message) = match of.shape.address() {
+                Address::Volume => (
                     "open-sections",
                     "a wall goes round between two closed sections: expected a disc or an outline at both ends, or no wall; without one this is a solid",
                 ),
-                None => (
+                _ => (
                     "no-ends",
                     "a network of patches cannot carry a wall: expected none; what closes is a solid as it is",
                 ),

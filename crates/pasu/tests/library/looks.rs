@@ -209,6 +209,46 @@ fn every_format_with_colours_has_all_three() {
     );
 }
 
+#[test]
+fn step_has_the_colours_of_its_faces() {
+    let making = Making { tolerance: Some(0.02), ..Making::default() };
+    let of = |look: &str| String::from_utf8(write(&cup(look), Format::Step, &making).unwrap()).unwrap();
+    let entity =
+        |text: &str, id: &str| text.split(&format!("\n{id}=")).nth(1).unwrap().split(';').next().unwrap().to_owned();
+    // The colour of a style, by the chain of entities that leads to it.
+    let colour = |text: &str, style: &str| {
+        let mut id = style.to_owned();
+        loop {
+            let found = entity(text, &id);
+            if let Some(channels) = found.strip_prefix("COLOUR_RGB('',") {
+                return channels.trim_end_matches(')').to_owned();
+            }
+            id = format!("#{}", found.rsplit('#').next().unwrap().trim_end_matches(')'));
+        }
+    };
+    let text = of(THREE);
+    let items = text.lines().filter(|line| line.contains("=OVER_RIDING_STYLED_ITEM("));
+    let mut faces: Vec<(String, String)> = items
+        .map(|line| {
+            let mut ids = line.split('#').skip(2).map(|rest| format!("#{}", rest.split([',', ')']).next().unwrap()));
+            let (style, face) = (ids.next().unwrap(), ids.next().unwrap());
+            let kind = entity(&text, &face).split('\'').nth(1).unwrap().to_owned();
+            (kind, colour(&text, &style))
+        })
+        .collect();
+    faces.sort();
+    faces.dedup();
+    // What is round is several faces of STEP, of one colour.
+    let (red, clay) = ("1.,0.,0.".to_owned(), "1.,1.,1.".to_owned());
+    let expected = [("Floor", &red), ("Lining", &red), ("Underside", &clay)];
+    assert_eq!(faces, expected.map(|(kind, colour)| (kind.to_owned(), colour.clone())));
+    let whole = text.lines().find(|line| line.contains("=STYLED_ITEM(")).unwrap();
+    let style = format!("#{}", whole.split('#').nth(2).unwrap().trim_end_matches([')', ',']));
+    assert_eq!(colour(&text, style.split(')').next().unwrap()), "0.,0.,1.");
+    // Where all is of one look nothing is said of its faces.
+    assert!(!of("{}").contains("OVER_RIDING"));
+}
+
 /// A look that is the same everywhere changes no byte of a file but what the file says of itself: the goldens hold that.
 #[test]
 fn the_inside_alone_divides_nothing() {

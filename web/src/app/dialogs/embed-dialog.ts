@@ -6,7 +6,8 @@ import { pathText } from "../../document/path";
 import { DesignerElement } from "../../element/designer-element";
 import { familyIn } from "../../element/pot/controls";
 import "../../element/pot/define";
-import { lendSolver } from "../../element/pot/shared-solver";
+import { makers } from "../../element/pot/shared-maker";
+import { solvers } from "../../element/pot/shared-solver";
 import "../../ui/dialog";
 import { checks } from "../../ui/checks";
 import { icon } from "../../ui/icons";
@@ -31,13 +32,15 @@ export class PasuEmbed extends DesignerElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // The page has a solver: a second one would wait for the same cores.
-    lendSolver(this.designer.solver);
+    // The page has a solver, and perhaps a maker: a second one would wait for the same cores.
+    solvers.lend(this.designer.solver);
+    makers.lend(this.designer.made?.maker ?? null);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    lendSolver(null);
+    solvers.lend(null);
+    makers.lend(null);
   }
 
   private get embedding(): Embedding {

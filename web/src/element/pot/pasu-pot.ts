@@ -5,6 +5,7 @@ import { property, query, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
+import type { SolverClient } from "../../solver/client";
 import type { SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
 import { wheel } from "../../ui/wheel";
@@ -18,7 +19,9 @@ import type { Contract, PotChange, PotOrbit, PotPicture, PotProblem } from "./co
 import { familyIn, namesIn, shownFields } from "./controls";
 import { type Orbit, orbitOf, orbitText, USUAL } from "./orbit";
 import { potStyles } from "./pot-styles";
-import { type SolverShare, shareSolver } from "./shared-solver";
+import type { PotWall } from "./pot-wall";
+import type { Share } from "./shared";
+import { solvers } from "./shared-solver";
 import { type Sight, watchSight } from "./sights";
 import type { Hand } from "./sliders";
 import { sourceOf, textAt } from "./source";
@@ -73,11 +76,14 @@ export class PasuPotElement extends LitElement implements Contract {
     closing: () => {
       this.aimed = "";
       this.resizes.disconnect();
+      this.wall?.dispose();
+      this.wall = null;
     },
   });
   private readonly lane = `pot ${++count}`;
   private readonly resizes = new ResizeObserver(() => this.paint());
-  private share: SolverShare | null = null;
+  private share: Share<SolverClient> | null = null;
+  private wall: PotWall | null = null;
   private sight: Sight = { near: false, seen: false };
   private leave: readonly (() => void)[] = [];
   /** What is being fetched or read: what comes of anything older is not wanted any more. */
@@ -204,6 +210,7 @@ export class PasuPotElement extends LitElement implements Contract {
     this.untold = false;
     this.isLoaded = false;
     this.aimed = "";
+    this.wall?.rest();
     this.holder.stage?.show({ parts: [], bounds: null });
   }
 
@@ -224,8 +231,8 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** The solver, from when it is first wanted. */
   private get solver() {
-    this.share ??= shareSolver();
-    return this.share.solver;
+    this.share ??= solvers.take();
+    return this.share.it;
   }
 
   private async read(): Promise<void> {
@@ -293,6 +300,21 @@ export class PasuPotElement extends LitElement implements Contract {
     stage.show(stageModel(this.shown.design, this.solved));
     this.aim(true);
     this.turn();
+    void this.raise();
+  }
+
+  /** Draws the wall beside the surface, which does not wait for it; under the hand there is none. */
+  private async raise(): Promise<void> {
+    const { shown, solved } = this;
+    const { stage } = this.holder;
+    const walled = shown?.design.parts.some(({ wall }) => wall !== undefined) ?? false;
+    if (!walled && !this.wall) return;
+    // Without a network there is the surface alone.
+    const fetched = await import("./pot-wall").catch(() => null);
+    if (!fetched || !stage || !shown || !solved || stage !== this.holder.stage || shown !== this.shown) return;
+    this.wall ??= new fetched.PotWall(stage, this.lane);
+    if (this.held) this.wall.rest();
+    else await this.wall.show(shown.design, solved);
   }
 
   /** Looks from where the page says, once for every design. */

@@ -1,29 +1,15 @@
 //! What there is to know of a blend beside its fields.
 
-use std::borrow::Cow;
-
 use super::fields::{Blend, Form, Harmonic, Method, Section, TERMS};
-use crate::design::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use crate::design::declarations::{interface, union};
-#[cfg(feature = "typescript")]
-use crate::design::described::Family;
-use crate::design::described::{Address, Described, Spelling};
-use crate::design::handles::Handles;
+use crate::design::described::{Address, Described};
 use crate::design::number::rounded;
 #[cfg(feature = "typescript")]
 use crate::design::tables::{BLEND, HARMONIC, OUTLINE_SECTION, SECTION};
 use crate::error::{Code, Error, Result};
 
 impl Described for Blend {
-    #[cfg(feature = "typescript")]
-    const FAMILY: Option<Family> = None;
-    const SPELLING: Option<Spelling> = None;
-
-    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
-        None
-    }
-
     fn address(&self) -> Address {
         Address::Volume
     }
@@ -55,25 +41,12 @@ impl Described for Blend {
         self.harmonics().map(|(place, harmonic)| (format!("{place}.n"), harmonic.n)).collect()
     }
 
-    fn link(&self) -> Option<Vec<String>> {
-        None
-    }
-
-    /// None: its sections are no curves that a profile has.
-    fn handles(&self) -> Handles {
-        Handles::none()
-    }
-
     /// Refuses outlines without a wave, a method that the sections do not have, and numbers whose products leave the range of numbers.
     fn finite(self) -> Result<Self> {
         for (name, section) in self.sections() {
             section.finite().map_err(|error| error.inside_field(name))?;
             if self.method() == Method::Exact && matches!(section.form, Form::DiscInSquare(_)) {
-                let form = section.form.name();
-                let message = format!(
-                    "expected \"modal\" or \"collocation\", found \"exact\": a {form} has no closed form, as it is neither a polynomial nor a Fourier series"
-                );
-                return Err(Error::new(Code::OutOfRange, "method", message).with("form", form));
+                return Err(section.form.no_closed_form().inside_field("method"));
             }
         }
         Ok(self)
@@ -116,6 +89,15 @@ impl Form {
             Form::Outline { x, y } => [x, y],
             _ => [&[], &[]],
         }
+    }
+
+    /// That a section of this form has no closed form, which the method `exact` takes.
+    pub(crate) fn no_closed_form(&self) -> Error {
+        let form = self.name();
+        let message = format!(
+            "expected \"modal\" or \"collocation\", found \"exact\": a {form} has no closed form, as it is neither a polynomial nor a Fourier series"
+        );
+        Error::new(Code::OutOfRange, "", message).with("form", form)
     }
 }
 

@@ -7,8 +7,6 @@ use super::spelling;
 use crate::design::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use crate::design::declarations::interface;
-#[cfg(feature = "typescript")]
-use crate::design::described::Family;
 use crate::design::described::{Described, Spelling};
 use crate::design::handles::{Handle, HandleId, Handles, Restraint, steps};
 use crate::design::number::rounded;
@@ -18,8 +16,6 @@ use crate::error::{Code, Error, Result};
 
 // All that leads here is compiled where it is called, for size: see `Design::from_value`.
 impl Described for Rings {
-    #[cfg(feature = "typescript")]
-    const FAMILY: Option<Family> = None;
     const SPELLING: Option<Spelling> = Some(Spelling { names: spelling::NAMES, read: spelling::read });
 
     #[inline]

@@ -1,15 +1,9 @@
 //! What there is to know of a network of vertex-frames beside its fields.
 
-use std::borrow::Cow;
-
 use super::network::{FrameRule, VertexFrame};
-use crate::design::boundary_value::BoundaryValue;
 #[cfg(feature = "typescript")]
 use crate::design::declarations::{interface, union};
-#[cfg(feature = "typescript")]
-use crate::design::described::Family;
-use crate::design::described::{Address, Described, Spelling};
-use crate::design::handles::Handles;
+use crate::design::described::{Address, Described};
 use crate::design::number::{plain, rounded};
 #[cfg(feature = "typescript")]
 use crate::design::tables::{FORCE, FRAME_PATCH, VERTEX_FRAME};
@@ -19,14 +13,6 @@ use crate::error::{Code, Error, Result};
 
 // All that leads here is compiled where it is called, for size: see `Design::from_value`.
 impl Described for VertexFrame {
-    #[cfg(feature = "typescript")]
-    const FAMILY: Option<Family> = None;
-    const SPELLING: Option<Spelling> = None;
-
-    fn problem(&self) -> Option<Cow<'_, BoundaryValue>> {
-        None
-    }
-
     fn address(&self) -> Address {
         Address::Patches(self.patches.len())
     }
@@ -36,22 +22,6 @@ impl Described for VertexFrame {
         self.numbers_mut().for_each(|number| *number = rounded(*number));
         // Rounding may close a rectangle.
         self.finite()
-    }
-
-    fn cost(&self) -> usize {
-        0
-    }
-
-    fn waves(&self) -> Vec<(String, f64)> {
-        Vec::new()
-    }
-
-    fn link(&self) -> Option<Vec<String>> {
-        None
-    }
-
-    fn handles(&self) -> Handles {
-        Handles::none()
     }
 
     /// Refuses numbers of vertices and patches that there are not, and rectangles that do not ascend.

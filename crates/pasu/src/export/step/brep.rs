@@ -44,12 +44,17 @@ pub(super) fn sew(
     let n_panels = last.div_ceil(PANEL);
     let panels = (0..=n_panels).map(|panel| panel * last / n_panels).collect();
     let mut sewing = Sewing { into, fitted: &fitted, faces: &faces, boundaries: &boundaries, panels, ends: Vec::new() };
-    let shell: Vec<Id> = (0..faces.len()).flat_map(|face| sewing.face(face)).collect();
+    let mut advanced = Vec::new();
+    for (index, face) in faces.iter().enumerate() {
+        advanced.extend(sewing.face(index).into_iter().map(|id| (face.face.kind(), id)));
+    }
+    let shell: Vec<Id> = advanced.iter().map(|(_, id)| *id).collect();
     let shell = into.add(&format!("CLOSED_SHELL('',{})", list(&shell)));
     let solid = into.add(&format!("MANIFOLD_SOLID_BREP({},{shell})", string(name)));
     Ok(Sewn {
         shape: solid,
         is_closed: true,
+        faces: advanced,
         deviation: fitted.deviation,
         bound: fitted.bound,
         n_samples: fitted.n_samples,

@@ -9,11 +9,12 @@ mod sewn;
 mod spline;
 
 use self::exchange::{Entities, Id, list, real, string};
+use super::coats::{Coat, coat_of};
 use super::contents::{Notes, PROGRAM};
 use super::material::{Material, srgb};
 use crate::design::Look;
 use crate::error::Result;
-use crate::face::Face;
+use crate::face::{Face, FaceKind};
 use crate::solution::Placed;
 
 /// One part as CAD programs have it.
@@ -58,7 +59,7 @@ pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<V
         deviation = deviation.max(sewn.deviation);
         bound = bound.max(sewn.bound);
         n_samples += sewn.n_samples;
-        shapes.push(Shape { id: sewn.shape, is_closed: sewn.is_closed, look: part.look });
+        shapes.push(Shape { id: sewn.shape, is_closed: sewn.is_closed, faces: sewn.faces, look: part.look });
     }
     product(&mut data, &notes.title, &shapes);
     let accuracy = format!(
@@ -84,6 +85,7 @@ pub(super) fn write(notes: &Notes, parts: &[Part], millimetres: f64) -> Result<V
 struct Shape {
     id: Id,
     is_closed: bool,
+    faces: Vec<(FaceKind, Id)>,
     look: Look,
 }
 
@@ -126,12 +128,33 @@ fn product(data: &mut Entities, title: &str, shapes: &[Shape]) {
     let representation = data.add(&format!("{representation}({title},{},{context})", list(&items)));
     data.add(&format!("SHAPE_DEFINITION_REPRESENTATION({shape},{representation})"));
 
-    let styled: Vec<Id> = shapes.iter().map(|shape| styled(data, shape.id, shape.look)).collect();
+    let styled: Vec<Id> = shapes.iter().flat_map(|shape| styled(data, shape)).collect();
     data.add(&format!("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',{},{context})", list(&styled)));
 }
 
-/// A solid in the colour of its glaze.
-fn styled(data: &mut Entities, solid: Id, look: Look) -> Id {
+/// A solid in the colour of its glaze outside, and those of its faces that are covered otherwise. A face that the glaze line runs through is as it is above.
+fn styled(data: &mut Entities, Shape { id: solid, faces, look, .. }: &Shape) -> Vec<Id> {
+    let outside = style(data, Coat::Outside.of(*look));
+    let solid = data.add(&format!("STYLED_ITEM('',({outside}),{solid})"));
+    let mut items = vec![solid];
+    let mut styles: Vec<(Coat, Id)> = Vec::new();
+    for (kind, face) in faces {
+        let coat = coat_of(*kind, look.line > 0.0, look.line >= 1.0);
+        if coat.of(*look) == Coat::Outside.of(*look) {
+            continue;
+        }
+        let known = styles.iter().find(|(known, _)| *known == coat).map(|(_, style)| *style);
+        let own = known.unwrap_or_else(|| {
+            styles.push((coat, style(data, coat.of(*look))));
+            styles[styles.len() - 1].1
+        });
+        items.push(data.add(&format!("OVER_RIDING_STYLED_ITEM('',({own}),{face},{solid})")));
+    }
+    items
+}
+
+/// The style of a surface in the colour of a glaze.
+fn style(data: &mut Entities, look: Look) -> Id {
     let [red, green, blue] = Material::of(look).colour.map(|linear| real(f64::from(srgb(linear)) / 255.0));
     let colour = data.add(&format!("COLOUR_RGB('',{red},{green},{blue})"));
     let fill = data.add(&format!("FILL_AREA_STYLE_COLOUR('',{colour})"));
@@ -139,8 +162,7 @@ fn styled(data: &mut Entities, solid: Id, look: Look) -> Id {
     let fill = data.add(&format!("SURFACE_STYLE_FILL_AREA({fill})"));
     let side = data.add(&format!("SURFACE_SIDE_STYLE('',({fill}))"));
     let usage = data.add(&format!("SURFACE_STYLE_USAGE(.BOTH.,{side})"));
-    let style = data.add(&format!("PRESENTATION_STYLE_ASSIGNMENT(({usage}))"));
-    data.add(&format!("STYLED_ITEM('',({style}),{solid})"))
+    data.add(&format!("PRESENTATION_STYLE_ASSIGNMENT(({usage}))"))
 }
 
 /// Millimetres to the nanometre, never less than they are.
