@@ -61,7 +61,7 @@ test("by keys alone: a form, then a family of the equations one step further on"
   const cup = await pot.fingerprintOtherThan(jar);
   await begin(pot);
   expect(await form(pot, "new-dints").isVisible()).toBe(false);
-  const more = pot.page.locator("pasu-new summary");
+  const more = pot.page.locator("pasu-new summary").last();
   expect(await more.innerText()).toBe("By its equation");
   await more.focus();
   await pot.page.keyboard.press("Enter");

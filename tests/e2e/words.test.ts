@@ -144,7 +144,10 @@ test.each<[string, VisitOptions]>([
       }
     });
     await page.dialogue("New", async () => {
-      await pot.page.locator("pasu-new summary").click();
+      await pot.page.locator("pasu-new summary").first().click();
+      await pot.page.locator("pasu-new button[data-exhibit=own-star-dish]").waitFor();
+      await page.check("the dialogue “New”, with sections to choose from");
+      await pot.page.locator("pasu-new summary").last().click();
       await pot.page.locator("pasu-new button[data-exhibit=new-free]").waitFor();
       await page.check("the dialogue “New”, with the families of the equations");
     });
@@ -246,7 +249,7 @@ test("several parts, free boundary data and a pot that cannot be made are told f
   await page.check("a wall for which there is no room");
   await page.tab("Shape");
   await page.command("New");
-  await pot.page.locator("pasu-new summary").click();
+  await pot.page.locator("pasu-new summary").last().click();
   await pot.page.locator("pasu-new button[data-exhibit=new-free]").click();
   await pot.fingerprintOtherThan(scene);
   await pot.page.locator("pasu-modes").getByRole("combobox").first().waitFor();

@@ -72,7 +72,9 @@ pub use design::{
     Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Section, VertexFrame,
 };
 #[cfg(feature = "typescript")]
-pub use design::{typescript, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
+pub use design::{
+    typescript, typescript_of_blends, typescript_of_materials, typescript_of_sliders, typescript_of_tables,
+};
 pub use error::{Arg, Code, Error, Result};
 pub use evaluate::{Derivatives, derivatives, evaluate};
 #[cfg(feature = "patchwork")]

@@ -47,6 +47,7 @@ fn package_and_page_have_what_is_generated() {
         ("crates/pasu-wasm/js/design.d.ts", pasu::typescript()),
         ("crates/pasu-wasm/js/answers.d.ts", pasu::typescript_of_answers()),
         ("web/src/document/families.gen.ts", pasu::typescript_of_sliders()),
+        ("web/src/document/blend/tables.gen.ts", pasu::typescript_of_blends()),
         ("web/src/document/tables.gen.ts", pasu::typescript_of_tables()),
         ("web/src/render/materials.gen.ts", pasu::typescript_of_materials()),
     ] {

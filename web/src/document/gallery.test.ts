@@ -3,6 +3,7 @@ import { expect, test } from "vitest";
 import { realMaker } from "../../testing/real-maker";
 import { exhibitWords } from "../words/gallery";
 import { SHELVES } from "./gallery";
+import { BLENDED, EXAMPLES } from "./gallery/blends";
 import { designOf } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
@@ -27,17 +28,26 @@ test("the papers' figures are those of the reference, all of them", () => {
 
 test("every exhibit is on one shelf, under a title and a note of its own", () => {
   const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
-  expect(shown.length).toBe(PAPERS.length + OWN.length + RINGED.length);
+  expect(shown.length).toBe(PAPERS.length + OWN.length + RINGED.length + BLENDED.length + EXAMPLES.length);
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
   const told = shown.map(({ id }) => exhibitWords(id));
   expect(new Set(told.map(({ title }) => title)).size).toBe(shown.length);
   for (const { note } of told) expect(note.length).toBeGreaterThan(10);
 });
 
-test.each(RINGED.map((exhibit) => [exhibit.id, exhibit] as const))(
+test("the examples of the paper on blends are those of the reference", () => {
+  const blends = JSON.parse(
+    readFileSync(new URL("../../../tests/reference/blends.json", import.meta.url), "utf8"),
+  ) as readonly { readonly name: string; readonly shape: unknown }[];
+  const names = ["cubes", "elliptic to circular cylinder", "cylinder to cube"].map((name) => `${name}, collocation`);
+  const printed = names.map((name) => blends.find((each) => each.name === name)?.shape);
+  expect(EXAMPLES.map(({ shape }) => ({ ...shape, terms: [4, 4, 3] }))).toEqual(printed);
+});
+
+test.each([...RINGED, ...BLENDED].map((exhibit) => [exhibit.id, exhibit] as const))(
   "%s can be made with its wall, and stands",
   async (_, exhibit) => {
-    expect(exhibit.shape.kind).toBe("rings");
+    expect(exhibit.shape.kind).toMatch(/^(rings|blend)$/);
     const { maker } = realMaker({ free: true });
     const design = designOf(exhibit);
     const report = await maker.ask({ kind: "check", design, making: { craft: "clay" } });
@@ -61,8 +71,9 @@ test("an exhibit opens as a document of its own", () => {
   });
 });
 
-// The native tests measure meshes of the whole gallery. After a change: npx vitest -u src/document/gallery.test.ts
+// The native tests measure meshes of all surfaces of the gallery; blends have a reference of their own. After a change: npx vitest run src/document/gallery.test.ts -u
 test("the gallery that native tests read is this one", async () => {
-  const shown = SHELVES.flatMap((shelf) => shelf.exhibits).map(({ id, shape }) => JSON.stringify({ name: id, shape }));
+  const surfaces = SHELVES.flatMap((shelf) => shelf.exhibits).filter(({ shape }) => shape.kind !== "blend");
+  const shown = surfaces.map(({ id, shape }) => JSON.stringify({ name: id, shape }));
   await expect(`[\n${shown.join(",\n")}\n]\n`).toMatchFileSnapshot("../../../tests/reference/gallery.json");
 });

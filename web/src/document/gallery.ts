@@ -1,14 +1,15 @@
 /** The gallery: finished designs to start from, grouped by where they come from. */
 
+import { BLENDED, EXAMPLES } from "./gallery/blends";
 import type { Exhibit } from "./gallery/exhibit";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
 
-export type ExhibitId = (typeof OWN | typeof PAPERS | typeof RINGED)[number]["id"];
+export type ExhibitId = (typeof OWN | typeof PAPERS | typeof RINGED | typeof BLENDED | typeof EXAMPLES)[number]["id"];
 
 export interface Shelf {
-  readonly id: "own" | "rings" | "zhang-you" | "ishak-ali";
+  readonly id: "own" | "rings" | "blends" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
   readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
@@ -24,8 +25,17 @@ export const SHELVES: readonly Shelf[] = [
     exhibits: RINGED,
   },
   {
+    id: "blends",
+    exhibits: BLENDED,
+  },
+  {
     id: "zhang-you",
     exhibits: PAPERS.filter((exhibit) => exhibit.id.startsWith("zhang-you")),
+    printed: true,
+  },
+  {
+    id: "zhang-you-2004",
+    exhibits: EXAMPLES,
     printed: true,
   },
   {

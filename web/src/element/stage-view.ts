@@ -180,6 +180,10 @@ export class PasuStage extends DesignerElement {
   private hand() {
     const { designer, stage } = this;
     if (!designer.store.session.pulling || !stage || this.holder.mode !== "live") return nothing;
+    if (designer.state.design.parts[designer.state.part]?.shape.kind === "blend") {
+      import("./blend/section-handles").catch(() => designer.notices.say(page.unfetched));
+      return html`<pasu-section-handles .designer=${designer} .stage=${stage}></pasu-section-handles>`;
+    }
     import("./pull/pull-layer").catch(() => designer.notices.say(page.unfetched));
     return html`<pasu-pull .designer=${designer} .stage=${stage}></pasu-pull
       ><pasu-pull-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-pull-bar>`;

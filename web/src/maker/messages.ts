@@ -20,6 +20,7 @@ import type {
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
+import type { CellsAsk, MadeCells } from "./cells";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
@@ -136,6 +137,7 @@ export interface HeldShape {
 export type Ask =
   | PullAsk
   | HoldAsk
+  | CellsAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -174,6 +176,7 @@ export interface Answers {
   readonly pull: PulledShape;
   /** Null where that cannot be had. */
   readonly hold: HeldShape | null;
+  readonly cells: MadeCells;
   readonly solid: Solid;
   readonly quick: Quick;
   readonly measure: Measures;

@@ -5,6 +5,7 @@ import { check, fit as fitted, free, measure, mesh, paint, provenance, sketch, s
 import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { holding } from "./holding";
+import { cellsOf } from "./cells";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
 import { paintedOf } from "./painted";
@@ -40,6 +41,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return pulling(ask);
     case "hold":
       return holding(ask);
+    case "cells":
+      return cellsOf(ask);
     case "free":
       return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
     case "fit":

@@ -24,6 +24,7 @@ export interface SolveOptions extends GridSize {
 /** One part as it was solved. */
 interface Kept extends PartAnswer {
   readonly shape: Shape;
+  readonly hollow: boolean;
   readonly turn: Placement | undefined;
   readonly exact: boolean;
   /** The rows and columns that were asked for. */
@@ -80,8 +81,8 @@ export class Desk {
       const id = ids[place] as PartId;
       const kept = this.#kept.get(id);
       const wanted = meshWanted(design, part, options);
-      const there = kept?.shape === part.shape && this.#serves(kept, part, options, wanted);
-      const has = part.shape.kind !== "vertex-frame";
+      const there = isOf(kept, part) && this.#serves(kept, part, options, wanted);
+      const has = part.shape.kind !== "vertex-frame" && part.shape.kind !== "blend";
       const section = has && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
       return [askOf(part, id, place, there ? null : wanted, section)];
@@ -117,7 +118,7 @@ export class Desk {
     for (const [index, { id, mesh, told, lines, section }] of answer.parts.entries()) {
       const ask = asked.parts[index];
       if (!ask) continue;
-      const { shape, turn } = ask;
+      const { shape, hollow, turn } = ask;
       const old = this.#kept.get(id);
       if (mesh && told && ask.mesh) {
         const { exact, rows, columns } = ask.mesh;
@@ -129,6 +130,7 @@ export class Desk {
           told,
           lines,
           shape,
+          hollow,
           turn,
           exact,
           grid: { rows, columns },
@@ -144,7 +146,7 @@ export class Desk {
     const found: Kept[] = [];
     for (const [place, part] of design.parts.entries()) {
       const kept = this.#kept.get(ids[place] as PartId);
-      if (kept?.shape !== part.shape) return undefined;
+      if (!isOf(kept, part)) return undefined;
       found.push(kept);
     }
     this.#kept = new Map(found.map((kept) => [kept.id, kept]));
@@ -172,14 +174,18 @@ export function meshWanted(
   return { rows, columns, ware: wareGrid(design.parts.length, waves), lines, exact: settle };
 }
 
-export function askOf(
-  { shape, place: stands }: Part,
-  id: PartId,
-  place: number,
-  mesh: PartAsk["mesh"],
-  section: boolean,
-): PartAsk {
-  return { id, place, shape, turn: turnOf(stands), mesh, section };
+export function askOf(part: Part, id: PartId, place: number, mesh: PartAsk["mesh"], section: boolean): PartAsk {
+  const { shape, place: stands } = part;
+  return { id, place, shape, hollow: isHollow(part), turn: turnOf(stands), mesh, section };
+}
+
+/** Whether a wall takes the ends away that a solid has: a surface has none. */
+function isHollow({ shape, wall }: Part): boolean {
+  return shape.kind === "blend" && wall !== undefined;
+}
+
+function isOf(kept: Kept | undefined, part: Part): kept is Kept {
+  return kept?.shape === part.shape && kept.hollow === isHollow(part);
 }
 
 function wholeOf(design: Design, { rows, columns }: GridSize): WholeAsk {

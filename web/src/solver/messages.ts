@@ -98,6 +98,8 @@ export interface PartAsk {
   /** Its number in the design, by which refusals name it. */
   readonly place: number;
   readonly shape: Shape;
+  /** Whether it is a solid of which a wall leaves the flank alone. */
+  readonly hollow: boolean;
   /** How it is scaled and turned, for what is told of it and for how its glaze runs. */
   readonly turn: Placement | undefined;
   /** Null where its mesh is there. */

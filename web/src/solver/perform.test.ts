@@ -93,6 +93,30 @@ test("a network of patches is drawn as it is, without lines and a section, and i
   expect(worker.sent).toHaveLength(length);
 });
 
+test("a blend is drawn with its ends while it is a solid, and as a flank between two rims once it has a wall", async () => {
+  const shape = {
+    kind: "blend",
+    start: { form: "disc", radius: [3, 2], z: 0, taper: 0.5, dz: 6 },
+    end: { form: "disc", radius: [4, 4], z: 6, taper: 0, dz: 6 },
+  } as const;
+  const desk = solver.desk();
+  const options = { ...GRID, lines: true, section: 0, settle: true };
+  const solid = await desk.solve({ design: { pasu: 1, parts: [{ shape }] }, ids: [11] }, options);
+  const walled: Design = { pasu: 1, parts: [{ shape, wall: { thickness: 0.3, base: 0.3 } }] };
+  const vessel = await desk.solve({ design: walled, ids: [11] }, options);
+  if (solid.state !== "done" || vessel.state !== "done") throw new Error(JSON.stringify([solid, vessel]));
+  expect(solid.value.facts).toBeNull();
+  const [part] = vessel.value.parts;
+  expect(part?.mesh.positions.length).toBe(3 * 13 * 25);
+  expect(vessel.value.facts).toMatchObject({ closed: true, height: 6 });
+  expect([vessel.value.lines?.iso_u.length, vessel.value.section]).toEqual([11, null]);
+  // How thick the wall is changes nothing of it.
+  const { length } = worker.sent;
+  const thicker: Design = { ...walled, parts: [{ shape, wall: { thickness: 0.5, base: 0.3 } }] };
+  expect((await desk.solve({ design: thicker, ids: [11] }, { ...options, settle: false })).state).toBe("done");
+  expect(worker.sent).toHaveLength(length);
+});
+
 test("what cannot be a design is refused with its place", async () => {
   const outcome = await solver.parse('{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": 7 } }] }');
   expect(outcome).toMatchObject({ state: "refused", refusal: { path: "parts[0].shape.r" } });

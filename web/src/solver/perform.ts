@@ -17,7 +17,7 @@ import { bodyOf, type Grid, isClosed } from "../document/body";
 import { placedNormals } from "../document/placed-normals";
 import { matrixOf, placedAll } from "../document/placement";
 import { SHAPES } from "../document/tables.gen";
-import type { Sent, SentShape, Shape, TwoSided } from "../document/types";
+import type { Section as BlendSection, Sent, SentShape, Shape, TwoSided, Wall } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
@@ -107,10 +107,18 @@ function alone(shape: Shape): Sent {
   return { pasu: 1, parts: [{ shape: shape as SentShape }] };
 }
 
+/** Any wall: what is drawn of a part goes by whether there is one, and not by how thick. */
+const A_WALL: Wall = { thickness: 1, base: 0 };
+
+/** The flank of a solid, without its ends. */
+function flankOf(shape: Shape): Sent {
+  return { pasu: 1, parts: [{ shape: shape as SentShape, wall: A_WALL }] };
+}
+
 function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
   const { id, shape } = part;
-  const design = alone(shape);
-  if (shape.kind === "vertex-frame" || shape.kind === "blend") {
+  const design = part.hollow ? flankOf(shape) : alone(shape);
+  if (shape.kind === "vertex-frame" || (shape.kind === "blend" && !hasFlank(part))) {
     const made = part.mesh && patched(design, part.mesh, here, spent);
     return { id, mesh: made?.mesh ?? null, told: made?.told ?? null, lines: made?.lines ?? null, section: null };
   }
@@ -120,9 +128,18 @@ function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Sp
     id,
     mesh: sent,
     told: about,
-    lines: part.mesh?.lines && grid ? linesOf(grid, tangentsOf(design, shape)) : null,
-    section: part.section ? sectionOf(design, shape) : null,
+    lines:
+      part.mesh?.lines && grid ? linesOf(grid, shape.kind === "blend" ? NO_TANGENTS : tangentsOf(design, shape)) : null,
+    section: part.section && shape.kind !== "blend" ? sectionOf(design, shape) : null,
   };
+}
+
+const NO_TANGENTS: PartLines["tangents"] = { at: new Float64Array(), along: new Float64Array() };
+
+/** Whether it is a surface between two closed curves: any other blend stays a solid, of which making a pot is refused. */
+function hasFlank({ shape, hollow }: PartAsk): boolean {
+  const closed = ({ form }: BlendSection) => form === "disc" || form === "outline";
+  return hollow && shape.kind === "blend" && closed(shape.start) && closed(shape.end);
 }
 
 function meshed(
@@ -189,12 +206,11 @@ function patched(design: Sent, { rows, columns, ware: size }: MeshWanted, here: 
     closed: true,
     body: null,
   };
-  const none = new Float64Array();
   const lines: PartLines = {
     iso_u: [],
     iso_v: [],
     ends: [new Float32Array(), new Float32Array()],
-    tangents: { at: none, along: none },
+    tangents: NO_TANGENTS,
   };
   return { mesh: sent, told, lines };
 }

@@ -4,6 +4,7 @@
  */
 
 import type { beginnings } from "./english/beginnings";
+import type { blends } from "./english/blends";
 import type { controls } from "./english/controls";
 import type { description } from "./english/description";
 import type { drawing } from "./english/drawing";
@@ -40,6 +41,7 @@ import type { wedging } from "./english/wedging";
 
 export interface Catalogue {
   readonly beginnings: typeof beginnings;
+  readonly blends: typeof blends;
   readonly controls: typeof controls;
   readonly description: typeof description;
   readonly drawing: typeof drawing;

@@ -29,7 +29,7 @@ const ARGS = {
 /** By code, the words by which several things with one code are told apart. */
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
-  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed"],
+  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out"],
   "pinched-surface": ["no-area", "waist", "shrinks", "section", "corners"],
   "crosses-itself": ["surface", "surface-close", "outline", "does-not-close", "section", "sections", "edge", "region"],
   "no-room": [

@@ -74,6 +74,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       "no-inside": making.noInside,
       hollow: making.hollow,
       collapsed: making.collapsed,
+      "left-out": making.leftOut,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },

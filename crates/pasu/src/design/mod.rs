@@ -58,7 +58,7 @@ pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 pub(crate) use number::{plain, rounded};
 #[cfg(feature = "typescript")]
-pub use page::{typescript_of_materials, typescript_of_sliders, typescript_of_tables};
+pub use page::{typescript_of_blends, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub(crate) use parameter::Parameter;
 pub use part::Part;
 pub use placement::Placement;

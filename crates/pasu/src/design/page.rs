@@ -1,9 +1,10 @@
 //! The tables of the document as modules of TypeScript, for a page on which it is edited: what is edited, what holds of it whoever looks at it, and what it is made of.
 
+use super::blend::{BlendSlider, MOST_TERMS, Method, SECTION_SLIDERS, TERMS, WEIGHT_SLIDERS};
 use super::ceramics::{OWN_CLAY, OWN_GLAZE, OWN_OPACITY};
 use super::described::Family;
 use super::fields::{Dimension, Field, Need};
-use super::limits::{CHARACTERS, FORCE, MODES, PARTS, RINGS};
+use super::limits::{CHARACTERS, FORCE, HARMONICS, MODES, PARTS, RINGS};
 use super::look::{Clay, Glaze};
 use super::number::plain;
 use super::quantity::Size;
@@ -47,6 +48,31 @@ pub fn typescript_of_sliders() -> String {
         "WALL",
         &lines(wall, 0),
     );
+    text
+}
+
+/// What a person can change of a blend, as the text of a module that is fetched when there is one: the numbers of a section and of the equation with symbol, dimension, range and step, the
+/// terms that hold where none are given and the most of them, the methods, and the most harmonics of an outline.
+///
+/// ```
+/// assert!(pasu::typescript_of_blends().contains(r#"key: "taper", path: ["taper"], symbol: "κ", dimension: "one""#));
+/// ```
+pub fn typescript_of_blends() -> String {
+    let mut text = generated();
+    constant(&mut text, "The numbers of a section.", "SECTION", &lines(SECTION_SLIDERS.iter().map(of_blend_slider), 0));
+    let weights = lines(WEIGHT_SLIDERS.iter().map(of_blend_slider), 0);
+    constant(&mut text, "The weights of the equation, 1 where none are given.", "WEIGHTS", &weights);
+    let counts = [("usual", TERMS), ("most", MOST_TERMS)];
+    let counts = counts.map(|(name, terms)| (name.to_owned(), list(terms.iter().map(u32::to_string))));
+    constant(
+        &mut text,
+        "Terms along u, v and w: those that hold where none are given, and the most.",
+        "TERMS",
+        &record(counts, 0),
+    );
+    let methods = list(Method::NAMES.iter().map(|name| quoted(name)));
+    constant(&mut text, "How the equation can be solved.", "METHODS", &methods);
+    constant(&mut text, "The most harmonics of one coordinate of an outline.", "HARMONICS", &HARMONICS.to_string());
     text
 }
 
@@ -160,15 +186,30 @@ fn started(family: &Family, need: Need) -> Vec<String> {
     fields.map(|(field, start)| format!("{}: {}", field.name, written(field.size, &start))).collect()
 }
 
-/// One number, or those for `x` and for `y`.
-fn of_slider(slider: &Slider, field: &Field) -> Vec<String> {
-    let [least, most] = slider.range.map(plain);
-    let dimension = match field.dimension {
+fn measures(dimension: Dimension) -> &'static str {
+    match dimension {
         Dimension::One => "one",
         Dimension::Length => "length",
         Dimension::Waves => "waves",
         Dimension::Angle => "angle",
-    };
+    }
+}
+
+fn of_blend_slider(slider: &BlendSlider) -> String {
+    let [least, most] = slider.range.map(plain);
+    format!(
+        "{{ {}, symbol: {}, dimension: {}, min: {least}, max: {most}, step: {} }}",
+        place(slider.field, slider.which).remove(0),
+        quoted(slider.symbol),
+        quoted(measures(slider.dimension)),
+        plain(slider.step),
+    )
+}
+
+/// One number, or those for `x` and for `y`.
+fn of_slider(slider: &Slider, field: &Field) -> Vec<String> {
+    let [least, most] = slider.range.map(plain);
+    let dimension = measures(field.dimension);
     let places = place(slider.field, slider.which).into_iter().zip(["_x", "_y"]);
     places
         .map(|(place, axis)| {
@@ -263,7 +304,7 @@ fn record(entries: impl IntoIterator<Item = (String, String)>, level: usize) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::design::tables::WALL;
+    use crate::design::tables::{SECTION, WALL};
 
     fn count(size: Size) -> usize {
         match size {
@@ -320,6 +361,32 @@ mod tests {
             };
             assert_eq!(SLIDERS.iter().filter(|(field, ..)| *field == entry.name).count(), length, "{}", entry.name);
         }
+    }
+
+    #[test]
+    fn every_number_of_a_section_and_every_weight_has_one_slider() {
+        let numbers = |table: &[Entry]| -> Vec<(&str, usize)> {
+            let count = |entry: &Entry| match entry.typescript {
+                "number" => 1,
+                "readonly [number, number]" => 2,
+                _ => 0,
+            };
+            table.iter().flat_map(|entry| (0..count(entry)).map(|at| (entry.name, at))).collect()
+        };
+        let shown = |sliders: &[BlendSlider]| -> Vec<(&str, usize)> {
+            let at = |which: Which| match which {
+                Which::At(index) => index,
+                Which::Only | Which::Both => 0,
+            };
+            sliders.iter().map(|slider| (slider.field, at(slider.which))).collect()
+        };
+        assert_eq!(shown(&SECTION_SLIDERS), numbers(SECTION));
+        assert_eq!(shown(&WEIGHT_SLIDERS), [("weights", 0), ("weights", 1), ("weights", 2)]);
+        for slider in SECTION_SLIDERS.iter().chain(&WEIGHT_SLIDERS) {
+            let [least, most] = slider.range;
+            assert!(slider.step > 0.0 && slider.step <= (most - least) / 100.0, "{}", slider.field);
+        }
+        assert!(WEIGHT_SLIDERS.iter().all(|slider| slider.range[0] > 0.0 && slider.range[1] >= 1.0));
     }
 
     #[test]

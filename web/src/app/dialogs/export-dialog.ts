@@ -138,7 +138,7 @@ export class PasuExport extends DesignerElement {
         ${this.text("shrinkage", words.shrinkage, words.percent, problem)}
         ${fileFormat(this.format).triangles ? this.text("tolerance", words.tolerance, quantities.units.mm, problem, words.fine) : nothing}
       </div>
-      ${this.outcome(making)}
+      ${this.outcome(making)} ${this.cells()}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
         ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
@@ -150,6 +150,15 @@ export class PasuExport extends DesignerElement {
         ${words.save(words.formats[this.format].label)}
       </button>
     </pasu-dialog>`;
+  }
+
+  /** What is inside of a solid between two sections, for programs of analysis. */
+  private cells() {
+    const { design, part } = this.designer.state;
+    const { shape, wall } = design.parts[part] ?? {};
+    if (shape?.kind !== "blend" || wall) return nothing;
+    import("./export-cells").catch(() => this.designer.notices.say(page.unfetched));
+    return html`<pasu-export-cells .designer=${this.designer}></pasu-export-cells>`;
   }
 
   private products() {

@@ -4,13 +4,17 @@ import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { BEGINNINGS } from "../../document/beginnings";
 import { FORMS } from "../../document/forms";
+import { BLENDED } from "../../document/gallery/blends";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
+import { exhibitWords } from "../../words/gallery";
 import { CommandEvent } from "../command";
+import "./blend-chooser";
+import type { BlendChosenEvent } from "./blend-chooser";
 import { exhibitIn, Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
@@ -38,6 +42,12 @@ export class PasuNew extends DesignerElement {
         (id) => beginnings.forms[id],
         (form) => this.choose(form),
       )}
+      <details class="blends" @toggle=${show}>
+        <summary>${beginnings.blends}</summary>
+        <p>${beginnings.blendsLead}</p>
+        <pasu-blend-chooser @blend-chosen=${({ exhibit }: BlendChosenEvent) => this.choose(exhibit)}></pasu-blend-chooser>
+        ${tiles(BLENDED, exhibitWords, (pot) => this.choose(pot))}
+      </details>
       <details @toggle=${show}>
         <summary>${beginnings.equations}</summary>
         <p>${beginnings.equationsLead}</p>
@@ -61,7 +71,7 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BEGINNINGS]));
+    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...BEGINNINGS]));
     this.pictures.watch(this.renderRoot);
   }
 

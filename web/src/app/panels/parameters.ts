@@ -52,8 +52,8 @@ export class PasuParameters extends DesignerElement {
       return html`<p class="lead">${parameters.network(formatNumber(patches.length), formatNumber(vertices.length))}</p>`;
     }
     if (part.shape.kind === "blend") {
-      const { start, end } = part.shape;
-      return html`<p class="lead">${parameters.blend(start.form, end.form)}</p>`;
+      void import("./blend-cards");
+      return html`<pasu-blend-cards .designer=${this.designer}></pasu-blend-cards>`;
     }
     if (!family) {
       void import("./modes-table");

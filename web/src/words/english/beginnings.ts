@@ -30,6 +30,9 @@ export const beginnings = phrases("beginnings", {
     "form-moon-jar": { title: "Moon jar", note: "Nearly a ball, and not quite even." },
     "form-gourd": { title: "Gourd", note: "Two bellies and a waist." },
   } satisfies Readonly<Record<(typeof FORMS)[number]["id"], Told>>,
+  blends: "From one section into another",
+  blendsLead:
+    "Choose the section at the foot and the one at the rim: the wall flows from one into the other. Or begin with a pot that is made so.",
   equations: "By its equation",
   equationsLead: "Families of pots as the papers have them, each with numbers of its own.",
   families: {

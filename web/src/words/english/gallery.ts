@@ -14,6 +14,11 @@ export const gallery = phrases("gallery", {
   shelves: {
     own: { title: "Our own", source: "Designs that show what the equations can do" },
     rings: { title: "Through rings", source: "Pulled, squeezed, turned and cut, each with its wall" },
+    blends: { title: "Between two sections", source: "From one outline into another, each with its wall" },
+    "zhang-you-2004": {
+      title: "Zhang and You 2004",
+      source: "Blending solids with approximate analytical solution to PDE: solids, by the paper's own method",
+    },
     "zhang-you": {
       title: "Zhang and You",
       source: "Surface representation using second, fourth and mixed order partial differential equations, 2001",
@@ -181,6 +186,50 @@ export const gallery = phrases("gallery", {
     "zhang-you-5a": {
       title: "Zhang and You 2001, figure 5a",
       note: "Fourth order: the slopes at rim and foot are chosen (table 1, row a).",
+    },
+    "own-square-round-bowl": {
+      title: "Square to round bowl",
+      note: "A soft square foot that has forgotten its corners by the time it is a rim.",
+    },
+    "own-star-dish": {
+      title: "Star dish",
+      note: "A round foot; the five points come out of the wall only near the rim.",
+    },
+    "own-twisted-square": {
+      title: "Twisted square vase",
+      note: "The same square at both ends, the upper one turned by 75 degrees: the wall turns to follow.",
+    },
+    "own-petal-planter": {
+      title: "Petalled planter",
+      note: "An oval foot into an oval rim with eight petals, with a hole to drain.",
+    },
+    "own-three-sided-bottle": {
+      title: "Three-sided bottle",
+      note: "A triangle at the foot, a round neck, and no edge where one becomes the other.",
+    },
+    "own-six-sided-jar": {
+      title: "Six-sided jar",
+      note: "Hexagons at both ends; the belly between them is nearly round.",
+    },
+    "own-flower-bowl": {
+      title: "Flower bowl",
+      note: "Six petals in the rim that die away towards a round foot ring.",
+    },
+    "own-crossed-ovals": {
+      title: "Crossed ovals",
+      note: "Long one way at the foot, the other way at the rim.",
+    },
+    "zhang-you-2004-1": {
+      title: "Zhang and You 2004, example 1",
+      note: "From one cube into another: a square section into a rectangle, by 4 x 4 x 3 collocation points.",
+    },
+    "zhang-you-2004-2": {
+      title: "Zhang and You 2004, example 2",
+      note: "From an elliptic cylinder into a circular one. This one has a closed form too: choose Exact to compare.",
+    },
+    "zhang-you-2004-3": {
+      title: "Zhang and You 2004, example 3",
+      note: "From a cylinder into a cube: sections of different kinds, which nothing but the equation brings together.",
     },
     "zhang-you-5b": {
       title: "Zhang and You 2001, figure 5b",

@@ -35,6 +35,7 @@ export const making = phrases("making", {
     "A wall goes round between two closed sections: a disc or an outline at both ends. Without a wall this is a solid.",
   noInside: "Only of a blend is it known what is inside.",
   hollow: "A blend with a wall is hollow. Without one it is a solid.",
+  leftOut: "This shape takes more of Pasu than is here.",
   collapsed: "Cells of two discs in squares have no volume at two edges. Discs and outlines have none of these.",
   folded:
     "The inside of the solid is folded over itself, though its skin is not: cells for analysis are of no use there.",

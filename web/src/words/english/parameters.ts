@@ -196,15 +196,6 @@ const BLOOR_WILSON: Fields<"bloor-wilson"> = {
   },
 };
 
-/** What a blend flows from and into. */
-const SECTIONS = {
-  rectangle: "a rectangle",
-  "rectangle-reversed": "a rectangle",
-  disc: "a disc",
-  "disc-in-square": "a disc",
-  outline: "an outline",
-} as const;
-
 export const parameters = phrases("parameters", {
   kinds: {
     "second-order": "Second order",
@@ -239,9 +230,6 @@ export const parameters = phrases("parameters", {
   /** Of a network of patches, whose numbers have no fields. */
   network: (patches: string, vertices: string) =>
     `A network of ${patches} patches through ${vertices} points. It is drawn, measured and written to files as it is; its points are those of the document.`,
-  /** Of a solid between two sections. */
-  blend: (start: keyof typeof SECTIONS, end: keyof typeof SECTIONS) =>
-    `A solid that flows from ${SECTIONS[start]} into ${SECTIONS[end]}. It is drawn, measured and written to files as it is; its numbers are those of the document.`,
   explain: "Explain",
   inX: "in x",
   inY: "in y",

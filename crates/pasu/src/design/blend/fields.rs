@@ -91,10 +91,10 @@ pub struct Harmonic {
 }
 
 /// The terms of the paper's examples.
-pub(super) const TERMS: [u32; 3] = [4, 4, 3];
+pub(in crate::design) const TERMS: [u32; 3] = [4, 4, 3];
 
 /// The most terms along `u` and along `v`, and along `w`.
-pub(super) const MOST_TERMS: [u32; 3] = [256, 256, 64];
+pub(in crate::design) const MOST_TERMS: [u32; 3] = [256, 256, 64];
 
 impl Blend {
     /// How the equation is solved: as it is said, else [`Method::Exact`] between two closed sections, and [`Method::Modal`] between others.

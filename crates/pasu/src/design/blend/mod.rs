@@ -2,5 +2,11 @@
 
 mod described;
 mod fields;
+#[cfg(feature = "typescript")]
+mod sliders;
 
 pub use fields::{Blend, Form, Harmonic, Method, Section};
+#[cfg(feature = "typescript")]
+pub(super) use fields::{MOST_TERMS, TERMS};
+#[cfg(feature = "typescript")]
+pub(super) use sliders::{BlendSlider, SECTION_SLIDERS, WEIGHT_SLIDERS};

@@ -1,0 +1,212 @@
+// A blend: its two sections in the panel.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { stay } from "../support/stay.ts";
+import { PSEUDO, unmarked } from "../support/words.ts";
+
+const here = stay();
+
+/** An oval foot and a round rim, eight wide and twelve high, without a wall. */
+const OVAL = JSON.stringify({
+  pasu: 1,
+  parts: [
+    {
+      shape: {
+        kind: "blend",
+        start: { form: "disc", radius: [4, 3], z: 0, taper: 0.5, dz: 12 },
+        end: { form: "disc", radius: [3, 3], z: 12, taper: 0, dz: 12 },
+        weights: [1, 0.004, 1],
+      },
+    },
+  ],
+});
+
+async function opened() {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  await pot.dropFile("oval.json", OVAL);
+  return { pot, plain: await pot.fingerprintOtherThan(first) };
+}
+
+test("each section is changed by its numbers, and undo takes a step back", async () => {
+  const { pot, plain } = await opened();
+  const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");
+  await lower.waitFor();
+  await pot.type("Half width, lower", "6 cm");
+  const wide = await pot.fingerprintOtherThan(plain);
+  await pot.type("Turn, lower", "30");
+  const turned = await pot.fingerprintOtherThan(wide);
+  // What is turned is an outline now, and as wide as it was.
+  expect(await lower.locator("select").inputValue()).toBe("outline");
+  expect(await pot.page.getByRole("spinbutton", { name: "Half width, lower" }).inputValue()).toBe("6");
+  await pot.type("How many, lower", "6");
+  await pot.type("Petals, lower", "15");
+  const petals = await pot.fingerprintOtherThan(turned);
+  await pot.type("Corners, lower", "50");
+  await pot.fingerprintOtherThan(petals);
+  await pot.undo();
+  await pot.shows(petals);
+  await pot.undo();
+  await pot.shows(turned);
+  await pot.undo();
+  await pot.shows(wide);
+  await pot.undo();
+  await pot.shows(plain);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("a section takes another form, and the blend is solved another way", async () => {
+  const { pot, plain } = await opened();
+  const upper = pot.page.locator("pasu-blend-cards li[data-end=end]");
+  await upper.locator("select").selectOption("rectangle");
+  const box = await pot.fingerprintOtherThan(plain);
+  await pot.button("Make it an outline").click();
+  await pot.fingerprintOtherThan(box);
+  expect(await upper.locator("select").inputValue()).toBe("outline");
+  await pot.undo();
+  await pot.shows(box);
+  await pot.page.getByText("How it is solved").click();
+  expect(await pot.page.getByRole("radio", { name: "Modal" }).isChecked()).toBe(true);
+  // What sines add vanishes on the skin: the design is another one, and looks the same.
+  const before = await pot.address();
+  await pot.type("Terms, along u", "7");
+  await expect.poll(() => pot.address()).not.toBe(before);
+  const finer = await pot.address();
+  await pot.type("Weight round", "0.5");
+  await expect.poll(() => pot.address()).not.toBe(finer);
+  await pot.shows(box);
+  await pot.page.getByRole("radio", { name: "Collocation" }).check();
+  await pot.page.getByRole("spinbutton", { name: "Terms, along w" }).waitFor();
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("everything is from the catalogue", async () => {
+  const pot = await here.enter({ link: PSEUDO });
+  const first = await pot.fingerprint();
+  await pot.dropFile("oval.json", OVAL);
+  await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-blend-cards li").first().waitFor();
+  await pot.page.locator("pasu-blend-solving summary").click();
+  expect(await unmarked(pot)).toEqual([]);
+});
+
+test("a new blend is two pictures of sections, and a pot of the gallery opens with its wall", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  await pot.command("New");
+  await pot.page.getByText("From one section into another").click();
+  await pot.page.getByRole("group", { name: "At the foot" }).getByRole("radio", { name: "Star" }).check();
+  await pot.page.getByRole("group", { name: "At the rim" }).getByRole("radio", { name: "Oval" }).check();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Begin with Star to Oval").click();
+  const begun = await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-new").waitFor({ state: "detached" });
+  const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");
+  await lower.waitFor();
+  expect(await pot.page.getByRole("spinbutton", { name: "How many, lower" }).inputValue()).toBe("5");
+  await pot.undo();
+  await pot.shows(first);
+  await pot.command("Gallery");
+  await pot.page.locator('pasu-gallery button[data-exhibit="own-twisted-square"]').click();
+  expect(await pot.fingerprintOtherThan(first)).not.toBe(begun);
+  await expect.poll(() => pot.page.getByRole("spinbutton", { name: "Turn, upper" }).inputValue()).toBe("75");
+});
+
+test("a section is drawn in one stroke, or taken from a file, and says how far it is off", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await pot.button("Draw it…, Upper section").click();
+  const sheet = page.locator("pasu-section-sheet svg");
+  const { x, y, width } = (await sheet.boundingBox()) ?? { x: 0, y: 0, width: 0 };
+  const at = (turn: number): [number, number] => {
+    const reach = width * (0.3 + 0.05 * Math.cos(6 * Math.PI * turn));
+    return [x + width / 2 + reach * Math.sin(2 * Math.PI * turn), y + width / 2 - reach * Math.cos(2 * Math.PI * turn)];
+  };
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let step = 1; step < 60; step += 1) await page.mouse.move(...at(step / 60));
+  await page.mouse.up();
+  const dialogue = page.locator("pasu-section-dialog");
+  await dialogue.getByText(/^\d+ waves, 0\.0\d+ cm from the line at most\.$/).waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Use it").click();
+  const drawn = await pot.fingerprintOtherThan(plain);
+  expect(await page.locator("pasu-blend-cards li[data-end=end] select").inputValue()).toBe("outline");
+  // It stands as high as it did, and is about as large.
+  expect(await page.getByRole("spinbutton", { name: "Height, upper" }).inputValue()).toBe("12");
+  await pot.button("Draw it…, Upper section").click();
+  const chooser = page.waitForEvent("filechooser");
+  await pot.button("SVG file…").click();
+  const text = '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h60v40h-60z"/></svg>';
+  await (await chooser).setFiles({ name: "box.svg", mimeType: "image/svg+xml", buffer: Buffer.from(text) });
+  await dialogue.getByText(/waves, .* from the line at most/).waitFor();
+  await pot.button("Use it").click();
+  await pot.fingerprintOtherThan(drawn);
+  await pot.undo();
+  await pot.shows(drawn);
+  await pot.undo();
+  await pot.shows(plain);
+});
+
+test("both sections are pulled on the stage, by the pointer and by keys", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  await pot.button("Pull").click();
+  const handle = (name: string) => page.locator(`pasu-section-handles [data-grip="${name}"]`);
+  await handle("end height").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  const drag = async (name: string, dx: number, dy: number) => {
+    const box = await handle(name).boundingBox();
+    const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 4 });
+    await page.mouse.up();
+  };
+  const number = async (name: string) => {
+    const shown = await page.getByRole("spinbutton", { name }).inputValue();
+    return Number(shown.replace("\u2212", "-"));
+  };
+  await drag("end height", 0, -30);
+  const tall = await pot.fingerprintOtherThan(plain);
+  expect(await number("Height, upper")).toBeGreaterThan(12.5);
+  await drag("start tangent", -20, 10);
+  const leant = await pot.fingerprintOtherThan(tall);
+  expect(await number("Flare, lower")).not.toBe(0.5);
+  // A drag is one step.
+  await pot.undo();
+  await pot.shows(tall);
+  await handle("end width").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(tall);
+  expect(await number("Half width, upper")).toBeGreaterThan(3);
+  expect(await handle("end width").getAttribute("aria-label")).toMatch(/^Half width, Upper section: 3\.\d+ /);
+  await handle("start turn").focus();
+  await page.keyboard.press("Shift+ArrowLeft");
+  await expect.poll(() => number("Turn, lower")).toBe(-10);
+  await pot.undo();
+  await pot.undo();
+  await pot.shows(tall);
+  expect(leant).not.toBe(tall);
+  await pot.undo();
+  await pot.shows(plain);
+});
+
+test("the inside of a solid is saved as cells", async () => {
+  const { pot } = await opened();
+  await pot.command("Export");
+  await pot.page.getByText("Cells for analysis").click();
+  const told = pot.page.locator("pasu-export-cells .told");
+  await expect
+    .poll(() => told.innerText(), { timeout: 60_000 })
+    .toMatch(/^[\d,]+ cells, the least scaled Jacobian is 0\.\d+\.$/);
+  const before = await told.innerText();
+  expect(await findings(pot)).toEqual([]);
+  await pot.type("Cells, along w", "3");
+  await expect.poll(() => told.innerText(), { timeout: 60_000 }).toMatch(/^\d+ cells/);
+  expect(await told.innerText()).not.toBe(before);
+  const { name, bytes } = await pot.download("Save Gmsh (.msh)");
+  expect(name).toMatch(/\.msh$/);
+  expect(bytes.subarray(0, 11).toString()).toBe("$MeshFormat");
+});

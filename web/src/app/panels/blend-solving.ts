@@ -1,0 +1,200 @@
+/** How the equation of a blend is solved, for those who ask: folded until then. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import {
+  methodOf,
+  methodsFor,
+  termsOf,
+  termsUsed,
+  weightsOf,
+  withMethod,
+  withTerm,
+  withWeight,
+} from "../../document/blend/solving";
+import { WEIGHTS } from "../../document/blend/tables.gen";
+import { type Path, pathText } from "../../document/path";
+import type { Blend } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { changeBlend } from "../../state/blend-actions";
+import { choiceStyles, choices } from "../../ui/choices";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base } from "../../ui/styles";
+import { blends as words } from "../../words/english/blends";
+import { whyWords } from "../../words/refusals";
+
+@customElement("pasu-blend-solving")
+export class PasuBlendSolving extends DesignerElement {
+  override render() {
+    const { design, part } = this.designer.state;
+    const blend = design.parts[part]?.shape;
+    if (blend?.kind !== "blend") return nothing;
+    const method = methodOf(blend);
+    const used = termsUsed(method);
+    return html`<details>
+      <summary><h3>${words.solving}</h3><span>${words.solvingAbout}</span></summary>
+      ${this.weights(blend)}
+      ${choices(
+        words.method,
+        methodsFor(blend).map((value) => ({
+          value,
+          label: words.methods[value].name,
+          note: words.methods[value].help,
+        })),
+        method,
+        (chosen) => this.change((each) => withMethod(each, chosen)),
+      )}
+      ${
+        used === 0
+          ? nothing
+          : html`<div class="terms" role="group" aria-label=${words.terms}>
+              <h4>${words.terms}</h4>
+              ${termsOf(blend)
+                .slice(0, used)
+                .map((value, index) => this.term(value, index))}
+            </div>`
+      }
+    </details>`;
+  }
+
+  private weights(blend: Blend) {
+    const { designer } = this;
+    const opened = designer.origin.design.parts[designer.store.part]?.shape;
+    const before = weightsOf(opened?.kind === "blend" ? opened : blend);
+    const weights = weightsOf(blend);
+    return html`<p class="about">${methodOf(blend) === "exact" ? words.weightsHelp : words.insideOnly}</p>
+      ${WEIGHTS.map((field, index) => {
+        const set = (value: number, gesture: boolean) =>
+          this.change((each) => withWeight(each, index, value), gesture ? field.key : undefined);
+        return html`<pasu-number
+          data-field=${field.key}
+          data-at=${pathText(field.path)}
+          .label=${words.weight[index] ?? ""}
+          .symbol=${field.symbol}
+          .value=${weights[index] ?? 1}
+          .opened=${before[index] ?? 1}
+          .min=${field.min}
+          .max=${field.max}
+          .step=${field.step}
+          .problem=${this.problemOf(field.path)}
+          @number-change=${({ value, gesture }: NumberChangeEvent) => set(value, gesture)}
+          @number-done=${() => designer.store.endGesture()}
+          @number-cancel=${() => designer.store.cancelGesture()}
+          @number-reset=${() => set(before[index] ?? 1, false)}
+        ></pasu-number>`;
+      })}`;
+  }
+
+  private term(value: number, index: number) {
+    const label = words.along[index] ?? "";
+    return html`<span class="cell"
+      ><span aria-hidden="true">${label}</span
+      ><pasu-number
+        compact
+        .label=${words.of(words.terms, label)}
+        .value=${value}
+        .step=${1}
+        .problem=${this.problemOf(["terms", index])}
+        @number-change=${(event: NumberChangeEvent) =>
+          this.change((each) => withTerm(each, index, event.value), event.gesture ? `terms ${index}` : undefined)}
+        @number-done=${() => this.designer.store.endGesture()}
+        @number-cancel=${() => this.designer.store.cancelGesture()}
+      ></pasu-number
+    ></span>`;
+  }
+
+  private change(edit: (blend: Blend) => Blend, key?: string): void {
+    this.designer.apply(changeBlend(this.designer.state, edit, key));
+  }
+
+  private problemOf(path: Path): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
+  }
+
+  static override readonly styles = [
+    base,
+    choiceStyles,
+    css`
+      :host {
+        display: block;
+      }
+      details {
+        border-top: 1px solid var(--line);
+        padding-bottom: 8px;
+      }
+      summary {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        min-height: var(--touch);
+        border-radius: 8px;
+        cursor: pointer;
+        list-style: none;
+      }
+      summary::-webkit-details-marker {
+        display: none;
+      }
+      summary::after {
+        content: "";
+        width: 7px;
+        height: 7px;
+        margin-left: auto;
+        margin-right: 6px;
+        border: solid var(--soft);
+        border-width: 0 1.6px 1.6px 0;
+        rotate: 45deg;
+        translate: 0 -2px;
+      }
+      details:not([open]) > summary::after {
+        rotate: -45deg;
+        translate: 0;
+      }
+      h3 {
+        font-size: 0.95rem;
+        font-weight: 650;
+      }
+      summary span,
+      .about {
+        color: var(--soft);
+        font-size: 0.86rem;
+      }
+      .about {
+        padding-bottom: 6px;
+        text-wrap: pretty;
+      }
+      .terms {
+        display: grid;
+        grid-template-columns: 58px repeat(3, minmax(0, 1fr));
+        align-items: end;
+        gap: 6px 8px;
+        padding-top: 12px;
+      }
+      h4 {
+        font-size: 0.88rem;
+        font-weight: 600;
+        padding-bottom: 8px;
+      }
+      .cell {
+        display: grid;
+        gap: 3px;
+        min-width: 0;
+        color: var(--soft);
+        font-size: 0.82rem;
+      }
+      .cell pasu-number {
+        padding: 0;
+        color: var(--ink);
+        font-size: 0.94rem;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-blend-solving": PasuBlendSolving;
+  }
+}

@@ -1,0 +1,125 @@
+/** A blend: its sections and how its equation is solved. */
+
+import type { CellShape, CellsFormat } from "../../document/blend/cells";
+import type { GripName } from "../../document/blend/grips";
+import type { Form, SectionKey } from "../../document/blend/section";
+import type { Method } from "../../document/blend/solving";
+import type { PlanName } from "../../document/gallery/section-choices";
+import { phrases, plural } from "../../language";
+import { formatNumber } from "../../number";
+
+interface Told {
+  readonly name: string;
+  readonly help: string;
+}
+
+export const blends = phrases("blends", {
+  lead: "A blend.",
+  about: "It flows from one section into the other, and leaves each as steeply as you say.",
+  upper: "Upper section",
+  lower: "Lower section",
+  /** Beside a number of one of them. */
+  short: { upper: "upper", lower: "lower" },
+  of: (what: string, section: string) => `${what}, ${section}`,
+  form: "Form",
+  forms: {
+    disc: "Round or oval",
+    outline: "Corners, petals or drawn",
+    rectangle: "Rectangle",
+    "rectangle-reversed": "Rectangle, reversed",
+    "disc-in-square": "Disc over a square",
+  } satisfies Readonly<Record<Form, string>>,
+  fields: {
+    "radius-0": { name: "Half width", help: "From the middle to the side, along x." },
+    "radius-1": { name: "Half depth", help: "From the middle to the side, along y." },
+    z: { name: "Height", help: "Where the section stands." },
+    taper: {
+      name: "Flare",
+      help: "How fast the solid widens on its way up, in parts of its size. Below 0 it narrows.",
+    },
+    dz: { name: "Rise", help: "How fast it goes up there: the larger, the longer it keeps the section's direction." },
+  } satisfies Readonly<Record<SectionKey, Told>>,
+  turn: "Turn",
+  turnHelp: "From above, anticlockwise. What is turned at one end alone is twisted in between.",
+  degree: "°",
+  ornament: "Corners and petals",
+  count: "How many",
+  petals: "Petals",
+  corners: "Corners",
+  place: "Turned by",
+  rest: (count: number) => plural(count, { one: "1 wave of it was drawn.", other: `${count} waves of it were drawn.` }),
+  drawing: (form: string, width: string, depth: string) => `${form} from above, ${width} by ${depth}`,
+  asOutline: "Make it an outline",
+  asOutlineAbout: "An outline can be turned, and between two outlines or discs the blend can have a wall.",
+
+  solving: "How it is solved",
+  solvingAbout: "method, terms and weights",
+  method: "Method",
+  methods: {
+    exact: { name: "Exact", help: "Each wave in closed form" },
+    modal: { name: "Modal", help: "Sines across, closed form from end to end" },
+    collocation: { name: "Collocation", help: "As in the paper, to compare with" },
+  } satisfies Readonly<Record<Method, Told>>,
+  terms: "Terms",
+  along: ["along u", "along v", "along w"] as const,
+  weights: "Weights",
+  weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
+  insideOnly: "Sines vanish on the skin: weights and terms change what is inside alone.",
+  weight: ["Weight across", "Weight round", "Weight from end to end"] as const,
+
+  rim: "At the rim",
+  foot: "At the foot",
+  plans: {
+    round: "Round",
+    oval: "Oval",
+    square: "Square",
+    triangle: "Triangle",
+    hexagon: "Hexagon",
+    star: "Star",
+    flower: "Flower",
+  } satisfies Readonly<Record<PlanName, string>>,
+  begin: (foot: string, rim: string) => `Begin with ${foot} to ${rim}`,
+
+  drawIt: "Draw it…",
+  drawItOf: (section: string) => `Draw it…, ${section}`,
+  draw: (section: string) => `Draw the section: ${section}`,
+  drawLead:
+    "Draw it as it is seen from above, in one stroke round the middle; its end meets its beginning. Or take it from an SVG file.",
+  sheet: "Sheet to draw a section on",
+  toleranceHelp: "How far the section may be from the line. Less takes more waves.",
+  noArea: "This line goes round nothing. Draw it once round the middle.",
+  found: (waves: number, distance: string) =>
+    plural(waves, {
+      one: `1 wave, ${distance} from the line at most.`,
+      other: `${waves} waves, ${distance} from the line at most.`,
+    }),
+
+  handles: "Handles of the sections",
+  handleKeys:
+    "Arrow keys move a handle, with shift further. Of a tangent, left and right change its flare, up and down its rise.",
+  grips: {
+    height: "Height",
+    width: "Half width",
+    depth: "Half depth",
+    turn: "Turn",
+    tangent: "Tangent",
+  } satisfies Readonly<Record<GripName, string>>,
+  grip: (what: string, section: string, at: string) => `${what}, ${section}: ${at}`,
+  degrees: (degrees: number) => `${formatNumber(degrees)} degrees`,
+  leaves: (flare: number, rise: string) => `flare ${formatNumber(flare)}, rise ${rise}`,
+
+  cells: "Cells for analysis",
+  cellsAbout: "The inside of the solid, cut into cells that a finite element program reads. In millimetres.",
+  cellCounts: "Cells",
+  cellShape: "Shape of the cells",
+  cellShapes: { hexahedron: "Hexahedra", tetrahedron: "Tetrahedra" } satisfies Readonly<Record<CellShape, string>>,
+  cellFormats: { vtu: "Save VTK (.vtu)", msh: "Save Gmsh (.msh)", inp: "Save Abaqus (.inp)" } satisfies Readonly<
+    Record<CellsFormat, string>
+  >,
+  cellsTold: (count: string, least: string) => `${count} cells, the least scaled Jacobian is ${least}.`,
+  cellsUseless: (count: number) =>
+    plural(count, {
+      one: "1 of them is turned inside out and of no use.",
+      other: `${count} of them are turned inside out and of no use.`,
+    }),
+});
