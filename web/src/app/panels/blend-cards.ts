@@ -124,7 +124,7 @@ export class PasuBlendCards extends DesignerElement {
           <button class="button outlined draw" type="button" aria-label=${words.drawItOf(name)} @click=${() => void this.openDrawing(end, name)}>
             ${words.drawIt}
           </button>
-          ${this.problem(this.problemAt([end]))}
+          ${this.problem(this.problemWithin([end]))}
         </div>
         <div class="drawing">${sectionDrawing(section, other, reach, this.drawn(section))}</div>
       </div>
@@ -171,7 +171,7 @@ export class PasuBlendCards extends DesignerElement {
       .unit=${field.dimension === "length" ? unitOf(designer.store.design) : ""}
       .help=${told.help}
       .explain=${designer.store.session.explain}
-      .problem=${this.problemOf([end, ...field.path])}
+      .problem=${this.problemAt([end, ...field.path])}
       .value=${numberOf(section, key)}
       .opened=${numberOf(opened, key)}
       .min=${size * field.min}
@@ -270,15 +270,8 @@ export class PasuBlendCards extends DesignerElement {
     return text === "" ? nothing : html`<p class="problem" role="status">${text}</p>`;
   }
 
-  /** The solver's objection, when it names this number. */
-  private problemOf(path: Path): string {
-    const { state, surface } = this.designer;
-    const { problem } = surface;
-    return problem?.path === pathText(["parts", state.part, "shape", ...path]) ? whyWords(problem) : "";
-  }
-
-  /** And when it names the section, or what has no field. */
-  private problemAt(path: Path): string {
+  /** The solver's objection, when it names a section, or what of it has no field. */
+  private problemWithin(path: Path): string {
     const { state, surface } = this.designer;
     const { problem } = surface;
     if (!problem) return "";
