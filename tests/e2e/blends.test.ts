@@ -99,7 +99,7 @@ test("a new blend is two pictures of sections, and a pot of the gallery opens wi
   await pot.page.getByRole("group", { name: "At the foot" }).getByRole("radio", { name: "Star" }).check();
   await pot.page.getByRole("group", { name: "At the rim" }).getByRole("radio", { name: "Oval" }).check();
   expect(await findings(pot)).toEqual([]);
-  await pot.button("Begin with Star to Oval").click();
+  await pot.button("Begin with star to oval").click();
   const begun = await pot.fingerprintOtherThan(first);
   await pot.page.locator("pasu-new").waitFor({ state: "detached" });
   const lower = pot.page.locator("pasu-blend-cards li[data-end=start]");

@@ -24,7 +24,7 @@ export const blends = phrases("blends", {
   form: "Form",
   forms: {
     disc: "Round or oval",
-    outline: "Corners, petals or drawn",
+    outline: "Any outline",
     rectangle: "Rectangle",
     "rectangle-reversed": "Rectangle, reversed",
     "disc-in-square": "Disc over a square",
@@ -78,7 +78,7 @@ export const blends = phrases("blends", {
     star: "Star",
     flower: "Flower",
   } satisfies Readonly<Record<PlanName, string>>,
-  begin: (foot: string, rim: string) => `Begin with ${foot} to ${rim}`,
+  begin: (foot: string, rim: string) => `Begin with ${foot.toLowerCase()} to ${rim.toLowerCase()}`,
 
   drawIt: "Draw it…",
   drawItOf: (section: string) => `Draw it…, ${section}`,
