@@ -11,6 +11,8 @@ mod finite;
 mod fit;
 mod fitted;
 mod flood;
+mod frame_refusals;
+mod frame_solids;
 mod frames;
 mod handles;
 mod hostile;
