@@ -14,6 +14,9 @@ const LATER: [&str; 1] = ["octant"];
 /// Kinds of shapes that a build without the feature `patchwork` leaves out.
 const LEFT_OUT: &[&str] = if cfg!(feature = "patchwork") { &[] } else { &["vertex-frame", "blend"] };
 
+/// By which a list of words is known to be that of all kinds of shapes: no other has this one.
+const KIND: &str = "boundary-value";
+
 /// Every refusal that a type can make while it is read: what was expected, and what was found in its place. The path begins where the error was made; what reads a
 /// list or a group of fields puts its own part before it (`Error::inside_field`, `Error::inside_item`).
 impl de::Error for Error {
@@ -120,6 +123,10 @@ fn described(found: Unexpected) -> String {
 
 /// A word that is none of those that may stand here.
 pub(super) fn unknown_name(found: &str, known: &[&str]) -> Error {
+    // Whoever is told what kinds there are can have the whole.
+    let left_out = if known.contains(&KIND) { LEFT_OUT } else { &[] };
+    let all: Vec<&str> = known.iter().chain(left_out).copied().collect();
+    let known = all.as_slice();
     let expected = alternatives(known);
     if LEFT_OUT.contains(&found) {
         let message =
