@@ -32,7 +32,7 @@ export class PasuExportCells extends DesignerElement {
   @state() private told: MadeCells | null = null;
   @state() private refusal: Refusal | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private opened = false;
+  @state() private opened = false;
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
