@@ -24,9 +24,10 @@ import type { Blend, Section } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
 import { changeSection } from "../../state/blend-actions";
+import { cells } from "../../ui/cells";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
-import { base, buttons, fields } from "../../ui/styles";
+import { base, buttons, fields, pointed } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { page } from "../../words/english/page";
 import { parameters } from "../../words/english/parameters";
@@ -285,17 +286,12 @@ export class PasuBlendCards extends DesignerElement {
     base,
     buttons,
     fields,
+    pointed,
+    cells,
     drawingStyles,
     css`
       :host {
         display: block;
-      }
-      pasu-number[data-pointed] {
-        border-radius: 8px;
-        background: var(--accent-wash);
-        box-shadow: 0 0 0 4px var(--accent-wash);
-        outline: 2px solid var(--accent);
-        outline-offset: 4px;
       }
       .intro {
         display: flex;
@@ -357,18 +353,6 @@ export class PasuBlendCards extends DesignerElement {
         align-items: end;
         gap: 6px 8px;
         padding: 8px 0 4px;
-      }
-      .cell {
-        display: grid;
-        gap: 3px;
-        min-width: 0;
-        color: var(--soft);
-        font-size: 0.82rem;
-      }
-      .cell pasu-number {
-        padding: 0;
-        color: var(--ink);
-        font-size: 0.94rem;
       }
       .rest,
       .offer p {

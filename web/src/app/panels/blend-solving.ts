@@ -17,10 +17,11 @@ import { type Path, pathText } from "../../document/path";
 import type { Blend } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { changeBlend } from "../../state/blend-actions";
+import { cells } from "../../ui/cells";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
-import { base } from "../../ui/styles";
+import { base, disclosure } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { whyWords } from "../../words/refusals";
 
@@ -117,6 +118,8 @@ export class PasuBlendSolving extends DesignerElement {
   static override readonly styles = [
     base,
     choiceStyles,
+    disclosure,
+    cells,
     css`
       :host {
         display: block;
@@ -125,43 +128,9 @@ export class PasuBlendSolving extends DesignerElement {
         border-top: 1px solid var(--line);
         padding-bottom: 8px;
       }
-      summary {
-        display: flex;
-        align-items: center;
-        gap: 10px;
-        min-height: var(--touch);
-        border-radius: 8px;
-        cursor: pointer;
-        list-style: none;
-      }
-      summary::-webkit-details-marker {
-        display: none;
-      }
-      summary::after {
-        content: "";
-        width: 7px;
-        height: 7px;
-        margin-left: auto;
-        margin-right: 6px;
-        border: solid var(--soft);
-        border-width: 0 1.6px 1.6px 0;
-        rotate: 45deg;
-        translate: 0 -2px;
-      }
-      details:not([open]) > summary::after {
-        rotate: -45deg;
-        translate: 0;
-      }
-      h3 {
-        font-size: 0.95rem;
-        font-weight: 650;
-      }
-      summary span,
       .about {
         color: var(--soft);
         font-size: 0.86rem;
-      }
-      .about {
         padding-bottom: 6px;
         text-wrap: pretty;
       }
@@ -176,18 +145,6 @@ export class PasuBlendSolving extends DesignerElement {
         font-size: 0.88rem;
         font-weight: 600;
         padding-bottom: 8px;
-      }
-      .cell {
-        display: grid;
-        gap: 3px;
-        min-width: 0;
-        color: var(--soft);
-        font-size: 0.82rem;
-      }
-      .cell pasu-number {
-        padding: 0;
-        color: var(--ink);
-        font-size: 0.94rem;
       }
     `,
   ];
