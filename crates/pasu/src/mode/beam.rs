@@ -14,6 +14,7 @@ use super::series;
 use super::solution::{ModeData, ModeSolution};
 use super::stiffness::Stiffness;
 use super::unsolvable::Unsolvable;
+use crate::numeric::horner;
 use crate::numeric::tridiagonal::Tridiagonal;
 
 /// Rings nearer each other than this are refused: a slope, a value over a gap, would have fewer digits than a mesh shows.
@@ -70,6 +71,30 @@ pub(crate) struct Deflection {
     pieces: Vec<ModeSolution>,
     /// `q'` at both ends of every bay, where there is more than one: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
+}
+
+/// A place on a beam: the number of a bay, and how far along it from 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spot {
+    bay: usize,
+    x: f64,
+}
+
+/// How values follow from others of the same beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Likeness {
+    Same,
+    Opposite,
+}
+
+impl Likeness {
+    /// The value. Sums that cancel are 0, never -0, of either sign of their terms: so is what is left of 0.
+    pub(crate) fn of(self, value: f64) -> f64 {
+        match self {
+            Likeness::Same => value,
+            Likeness::Opposite => 0.0 - value,
+        }
+    }
 }
 
 /// Why a beam has no answer, and between which `u`.
@@ -216,29 +241,39 @@ impl Beam {
 
     /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
     pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_in(self.bay_at(u), of, u)
+        self.jets_at(self.spot(u), of)
     }
 
-    /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
-    pub(crate) fn jets_along<const N: usize, const M: usize>(
+    /// Where `u` in [0, 1] lies; at a ring on the side of larger `u`.
+    pub(crate) fn spot(&self, u: f64) -> Spot {
+        let bay = self.bay_at(u);
+        Spot { bay, x: self.bays.get(bay).map_or(0.0, |bay| bay.within(u)) }
+    }
+
+    /// Where any `u` lies by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
+    pub(crate) fn spot_along(&self, u: f64, [low, high]: [f64; 2]) -> Spot {
+        let bay = self.bay_at(u.min(high.next_down()).max(low));
+        Spot { bay, x: self.bays.get(bay).map_or(0.0, |bay| bay.beyond(u)) }
+    }
+
+    /// Several deflections somewhere, each with its derivatives up to order `N - 1`.
+    pub(crate) fn jets_at<const N: usize, const M: usize>(&self, spot: Spot, of: [&Deflection; M]) -> [[f64; N]; M] {
+        let polynomials = of.map(|deflection| {
+            let (coefficients, x) = deflection.polynomial(spot);
+            horner::derivatives(coefficients.iter().rev().copied(), x)
+        });
+        self.jets_on(polynomials, spot, of)
+    }
+
+    /// As [`Beam::jets_at`], where each deflection's [polynomial](Deflection::polynomial) there is known already.
+    pub(crate) fn jets_on<const N: usize, const M: usize>(
         &self,
+        polynomials: [[f64; N]; M],
+        Spot { bay: index, x }: Spot,
         of: [&Deflection; M],
-        u: f64,
-        [low, high]: [f64; 2],
     ) -> [[f64; N]; M] {
-        let index = self.bay_at(u.min(high.next_down()).max(low));
-        let x = self.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
-        self.jets_of(index, of, x)
-    }
-
-    fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        let x = self.bays.get(index).map_or(0.0, |bay| bay.within(u));
-        self.jets_of(index, of, x)
-    }
-
-    fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
         let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| &deflection.pieces[index]), x);
+        let mut jets = bay.equation.jets_on(polynomials, of.map(|deflection| &deflection.pieces[index]), x);
         if self.bays.len() == 1 && self.chains.is_empty() {
             return jets;
         }
@@ -381,6 +416,32 @@ impl Deflection {
     /// Whether `q` is 0 everywhere.
     pub(crate) fn is_zero(&self) -> bool {
         self.pieces.iter().all(ModeSolution::is_zero)
+    }
+
+    /// The polynomial that it is the sum of there, beside the equation's own functions, lowest power first, and what that is taken at. No coefficients are 0.
+    pub(crate) fn polynomial(&self, spot: Spot) -> (&[f64], f64) {
+        (self.pieces.get(spot.bay).map_or(&[], ModeSolution::particular), spot.x - 0.5)
+    }
+
+    /// Whether it is the other one, or what is left of 0 without that, in every bit of every value.
+    pub(crate) fn likeness(&self, other: &Deflection) -> Option<Likeness> {
+        let likenesses = [Likeness::Same, Likeness::Opposite];
+        likenesses.into_iter().find(|likeness| {
+            let agree = |one: f64, other: f64| one.to_bits() == likeness.of(other).to_bits();
+            let pieces = || self.pieces.iter().zip(&other.pieces);
+            self.pieces.len() == other.pieces.len()
+                && self.slopes.len() == other.slopes.len()
+                && pieces().all(|(one, other)| {
+                    one.particular().len() == other.particular().len()
+                        && one.numbers().zip(other.numbers()).all(|(one, other)| agree(one, other))
+                })
+                && self
+                    .slopes
+                    .iter()
+                    .flatten()
+                    .zip(other.slopes.iter().flatten())
+                    .all(|(one, other)| agree(*one, *other))
+        })
     }
 
     /// The closed form where there is one from end to end.

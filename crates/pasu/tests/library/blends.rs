@@ -3,7 +3,9 @@
 use core::f64::consts::PI;
 
 use glam::DVec3;
-use pasu::{CellShape, CellsOptions, Code, Design, Format, Making, MeasureOptions, Mesh, MeshOptions, Product};
+use pasu::{
+    CellShape, CellsOptions, Code, Design, Format, Making, MeasureOptions, Mesh, MeshOptions, Product, Solution,
+};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -363,34 +365,34 @@ fn volumes_are_those_of_the_slices() {
 fn a_solid_is_written_in_every_format_and_a_vessel_is_a_pot() {
     let making = Making::default();
     for (name, shape) in solids() {
-        let design = design(&shape);
-        let report = pasu::check(&design, &making).unwrap();
+        let solution = Solution::of(&design(&shape));
+        let report = solution.check(&making).unwrap();
         assert!(report.is_ok(), "{name}: {:?}", report.findings);
         assert_eq!(report.meshes[0].genus, Some(0), "{name}");
         for format in [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply] {
-            assert!(pasu::write(&design, format, &making).unwrap().len() > 1000, "{name}");
+            assert!(solution.write(format, &making).unwrap().len() > 1000, "{name}");
         }
-        let step = String::from_utf8(pasu::write(&design, Format::Step, &making).unwrap()).unwrap();
+        let step = String::from_utf8(solution.write(Format::Step, &making).unwrap()).unwrap();
         assert!(step.contains("MANIFOLD_SOLID_BREP"), "{name}");
     }
     let wall = json!({ "wall": { "thickness": 0.2, "base": 0.3 } });
     for (name, shape) in solids() {
-        let vessel = read(&shape, &wall).unwrap();
-        pasu::mesh(&vessel, &MeshOptions::default()).unwrap().validate().unwrap();
+        let vessel = Solution::of(&read(&shape, &wall).unwrap());
+        vessel.mesh(&MeshOptions::default()).unwrap().validate().unwrap();
         match name {
             "discs" | "petals" => {
-                let report = pasu::check(&vessel, &making).unwrap();
+                let report = vessel.check(&making).unwrap();
                 assert!(report.is_ok(), "{name}: {:?}", report.findings);
-                let measures = pasu::measure(&vessel, &MeasureOptions::default()).unwrap();
+                let measures = vessel.measure(&MeasureOptions::default()).unwrap();
                 let (_, solid, _) = measured(&shape, &json!({}));
                 let clay = measures.parts[0].body.clay.as_ref().unwrap().volume.value;
                 assert!(clay > 0.05 * solid && clay < 0.6 * solid, "{name}: {clay} of {solid}");
                 for format in [Format::Stl, Format::Step, Format::Svg] {
-                    pasu::write(&vessel, format, &making).unwrap();
+                    vessel.write(format, &making).unwrap();
                 }
             }
             _ => {
-                let error = pasu::write(&vessel, Format::Stl, &making).unwrap_err();
+                let error = vessel.write(Format::Stl, &making).unwrap_err();
                 assert_eq!((error.code(), error.path()), (Code::UnsupportedShape, "parts[0].wall"), "{name}: {error}");
             }
         }

@@ -9,7 +9,7 @@ use crate::support::{design, gallery, table};
 use glam::DVec3;
 use pasu::{
     Code, CurvatureRange, Error, Face, FaceKind, Making, Map, MeasureOptions, Measures, MeshOptions, Pot, Product,
-    Quantity, Size, measure, mesh, paint, water,
+    Quantity, Size, Solution, measure, mesh, paint, water,
 };
 
 fn measured(json: &str) -> Measures {
@@ -441,15 +441,15 @@ fn water_rises_as_its_surface_says() {
         ("own-leaning", ""),
         ("own-dint", r#", "place": { "axis": [0.3, 1, 0], "angle": 0.3, "shift": [0, 0, -5] }"#),
     ] {
-        let design = design(&exhibit(name, "flat", extra));
-        let capacity = measure(&design, &MeasureOptions::default()).unwrap().whole.capacity.unwrap();
+        let pot = Solution::of(&design(&exhibit(name, "flat", extra)));
+        let capacity = pot.measure(&MeasureOptions::default()).unwrap().whole.capacity.unwrap();
         let (low, high) = (capacity.floor, capacity.spill.level.value);
-        assert_eq!(water(&design, low - 1.0).unwrap(), Default::default());
+        assert_eq!(pot.water(low - 1.0).unwrap(), Default::default());
         let mut before = 0.0;
         for i in 1..=9 {
             let level = low + (high - low) * f64::from(i) / 9.3;
             let d = 1e-3 * (high - low);
-            let [below, here, above] = [level - d, level, level + d].map(|level| water(&design, level).unwrap());
+            let [below, here, above] = [level - d, level, level + d].map(|level| pot.water(level).unwrap());
             assert!(here.volume > before, "{name}: {level}");
             before = here.volume;
             // The volume is the integral of the surface.
@@ -466,7 +466,7 @@ fn water_rises_as_its_surface_says() {
             }
             assert!((sum - here.area).abs() < 5e-3 * here.area, "{name}: {sum} {}", here.area);
         }
-        let full = water(&design, high).unwrap();
+        let full = pot.water(high).unwrap();
         assert!((full.volume - capacity.brim.value).abs() <= full.error + capacity.brim.error, "{name}");
     }
 }

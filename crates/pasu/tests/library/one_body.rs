@@ -1,7 +1,7 @@
 //! One pot, one truth: what is measured, checked and meshed is the same body. The links are of designs that others found told wrongly.
 
 use crate::support::random::Random;
-use pasu::{Design, Making, MeasureOptions, Measures, Product, Size, SolidMesh, check, measure, solid};
+use pasu::{Design, Making, MeasureOptions, Measures, Product, Size, SolidMesh, Solution, check, measure, solid};
 
 /// A lip that rolls over, whose lining is higher than the surface.
 const LIP: &str = "#1~eNqVj8EOgjAQRP9lzsUAEjX9FWNMgSYQsDTdIiLh392Wg8Ybl2Y7O_tmd4FVNEJmggvnCfK6gBplNeSCrjU1JMphNLVyc_JU_aghQFYZ1nPb8ucVnIOrtYMsuBdhHjIVmOL7GGq9gU3sVQOFEfIcCHkW0CHlKDblztskWRRjma_rbRWY96ZQa_anvHelpP-3XH7oWfGlnwKd8ZPq-2D3TVt1RhPPpgdeqVSkQ1kE3wfwG3hQ";
@@ -63,9 +63,10 @@ fn enclosed(corners: &[[f64; 3]], indices: &[u32]) -> (f64, f64) {
 /// Holds the measures of a pot against its triangles; `false` where there are none.
 fn agree(name: &str, design: &Design, tolerance: Option<f64>) -> bool {
     let making = Making { tolerance, ..Making::default() };
-    let Ok(meshes) = solid(design, &making) else { return false };
+    let solution = Solution::of(design);
+    let Ok(meshes) = solution.solid(&making) else { return false };
     let millimetres = making.scale(design).expect("a scale").millimetres;
-    let found = measured(design);
+    let found = solution.measure(&MeasureOptions::default()).expect("measures");
     for (mesh, part) in meshes.iter().zip(&found.parts) {
         let corners = corners(mesh, millimetres);
         let (volume, area) = enclosed(&corners, &mesh.indices);

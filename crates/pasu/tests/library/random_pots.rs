@@ -1,6 +1,6 @@
 //! Random designs: each is made and passes every check, with its ring fitted where that has no room, or is refused with a reason, a place in the document and a remedy.
 //!
-//! What its time buys: designs that nobody has thought of. What went wrong on pots went wrong on random ones. `POTS=1000 cargo test -p pasu --test library random_pots` makes as many.
+//! What its time buys: designs that nobody has thought of. What went wrong on pots went wrong on random ones. `POTS=1000 cargo test -p pasu --test library random_pots` makes as many; continuous integration makes 400.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Mutex;
@@ -11,13 +11,13 @@ use crate::support::random::Random;
 use pasu::{Making, Product, Severity, SolidMesh, Solution};
 
 /// In every run.
-const POTS: u64 = 400;
+const POTS: u64 = 150;
 
 /// More than this is made of what the generator asks for; the others want a ring under a round bottom, or clay where there is no room for any.
 const LEAST_MADE: f64 = 0.98;
 
-/// Fewer would say that nothing was fitted.
-const LEAST_FITTED: usize = 6;
+/// One of so many at least: fewer would say that nothing was fitted.
+const LEAST_FITTED: u64 = 70;
 
 /// What is written behind the reason of a refusal without a remedy.
 const UNHELPED: &str = ", without a remedy";
@@ -69,7 +69,7 @@ fn all_are_made_or_refused_with_a_reason() {
     let n_fitted = n_fitted.into_inner();
     println!("{n_fitted:3} fitted");
     assert!(made > LEAST_MADE, "only {made} of all were made");
-    assert!(n_fitted >= LEAST_FITTED, "only {n_fitted} were fitted");
+    assert!(n_fitted as u64 >= pots / LEAST_FITTED, "only {n_fitted} were fitted");
     assert!(!refusals.keys().any(|reason| reason.ends_with(UNHELPED)), "{:?}", refusals.keys());
 }
 

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 use pasu::{
-    Code, Design, Error, Face, FaceKind, Format, Making, MeasureOptions, Pot, Product, Severity, SolidMesh, check,
-    measure, solid, write,
+    Code, Design, Error, Face, FaceKind, Format, Making, MeasureOptions, Pot, Product, Severity, SolidMesh, Solution,
+    check, measure, solid, write,
 };
 
 /// A bottle whose profile is straight from one sharp ring to the next.
@@ -392,9 +392,9 @@ fn bottle(seed: u64) -> Design {
 fn random_bottles_are_one_body_whatever_is_asked() {
     let (mut n_made, mut n_refused, mut n_long) = (0, 0, 0);
     for seed in 0..24 {
-        let design = bottle(seed);
-        let report = check(&design, &Making::default()).unwrap();
-        let measures = match measure(&design, &MeasureOptions::default()) {
+        let bottle = Solution::of(&bottle(seed));
+        let report = bottle.check(&Making::default()).unwrap();
+        let measures = match bottle.measure(&MeasureOptions::default()) {
             Ok(measures) => measures,
             // Columns that are led beside themselves share no rows, and are more work than anybody would wait for where there are many waves.
             Err(error) => {
@@ -403,7 +403,7 @@ fn random_bottles_are_one_body_whatever_is_asked() {
                 continue;
             }
         };
-        let meshes = match solid(&design, &Making::default()) {
+        let meshes = match bottle.solid(&Making::default()) {
             Ok(meshes) => meshes,
             Err(error) => {
                 assert!(error.place().is_some(), "{seed}: {error}");
@@ -415,13 +415,13 @@ fn random_bottles_are_one_body_whatever_is_asked() {
         n_made += 1;
         let clay = measures.whole.clay.unwrap();
         let allowed = meshes[0].bound * clay.area.value + clay.volume.error;
-        let stl = within_stl(&write(&design, Format::Stl, &Making::default()).unwrap());
+        let stl = within_stl(&bottle.write(Format::Stl, &Making::default()).unwrap());
         for volume in [within(&meshes[0]), stl] {
             let off = (volume - clay.volume.value).abs();
             assert!(off <= allowed && off < 5e-3 * clay.volume.value, "{seed}: {volume} {:?}", clay.volume);
         }
         if seed % 4 == 0 {
-            let step = write(&design, Format::Step, &Making::default()).unwrap();
+            let step = bottle.write(Format::Step, &Making::default()).unwrap();
             let text = String::from_utf8(step).unwrap();
             let deviation = text.split("pasu-deviation: ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
             assert!(deviation.parse::<f64>().unwrap() < 2e-3, "{seed}: {deviation}");

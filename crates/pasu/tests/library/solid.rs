@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use crate::support::{Exhibit, design, gallery, table};
-use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, check, solid};
+use pasu::{Design, Face, FaceKind, Making, Pot, Product, SolidMesh, Solution, check, solid};
 
 /// A cylinder of radius 2 and height 5 with a wall.
 fn cylinder(wall: &str) -> Design {
@@ -133,10 +133,12 @@ fn walled(exhibit: &Exhibit) -> (Design, Making) {
 fn every_gallery_design_can_be_made() {
     for exhibit in gallery() {
         let (design, making) = walled(&exhibit);
+        let solution = Solution::of(&design);
         for product in [Product::Pot, Product::Solid] {
-            let mesh = made(&design, &Making { product, ..making });
-            assert_eq!(closed(&mesh), 2, "{}", exhibit.name);
-            let report = check(&design, &Making { product, ..making }).unwrap();
+            let making = Making { product, ..making };
+            let meshes = solution.solid(&making).unwrap_or_else(|error| panic!("{}: {error}", exhibit.name));
+            assert_eq!(meshes.iter().map(closed).collect::<Vec<_>>(), [2], "{}", exhibit.name);
+            let report = solution.check(&making).unwrap();
             assert!(report.is_ok() && report.meshes[0].genus == Some(0), "{}", report.to_json());
         }
     }

@@ -208,7 +208,7 @@ fn grids_that_are_given_are_bounded_too() {
             }
             let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
             assert_eq!(mesh(&exhibit.design(), &options).unwrap().bound, None);
-            check(&exhibit.name, &exhibit.design(), &options, 3);
+            check(&exhibit.name, &exhibit.design(), &options, 11);
         }
     }
 }

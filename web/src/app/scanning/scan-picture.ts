@@ -46,6 +46,16 @@ export class PasuScanPicture extends LitElement {
   @state() private turn = 0;
   @query("canvas") private readonly canvas!: HTMLCanvasElement | null;
 
+  /** How far out the scan reaches and in which direction, which every point of the picture asks for. */
+  private widest = 0;
+  private front = 0;
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (!changed.has("levels")) return;
+    this.widest = widestOf(this.levels);
+    this.front = frontOf(this.levels);
+  }
+
   override render() {
     const { levels, fitted } = this;
     const spot = (radius: number, height: number) => this.spot(radius, height).join(" ");
@@ -123,12 +133,12 @@ export class PasuScanPicture extends LitElement {
 
   /** The direction that is seen at the right. */
   private get right(): number {
-    return frontOf(this.levels) + (this.turn * DIRECTIONS) / 360;
+    return this.front + (this.turn * DIRECTIONS) / 360;
   }
 
   private spot(across: number, up: number): [number, number] {
     const { height } = this.levels;
-    const scale = (SIZE - 2 * MARGIN) / Math.max(height, 2 * widestOf(this.levels));
+    const scale = (SIZE - 2 * MARGIN) / Math.max(height, 2 * this.widest);
     const rounded = (value: number) => Math.round(10 * value) / 10;
     return [rounded(SIZE / 2 + scale * across), rounded(SIZE / 2 + scale * (height / 2 - up))];
   }
