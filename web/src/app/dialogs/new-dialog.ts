@@ -6,6 +6,7 @@ import { BEGINNINGS } from "../../document/beginnings";
 import { FORMS } from "../../document/forms";
 import { BLENDED } from "../../document/gallery/blends";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
+import { NETWORKED } from "../../document/gallery/networks";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
@@ -48,6 +49,11 @@ export class PasuNew extends DesignerElement {
         <pasu-blend-chooser @blend-chosen=${({ exhibit }: BlendChosenEvent) => this.choose(exhibit)}></pasu-blend-chooser>
         ${tiles(BLENDED, exhibitWords, (pot) => this.choose(pot))}
       </details>
+      <details class="networks" @toggle=${show}>
+        <summary>${beginnings.networks}</summary>
+        <p>${beginnings.networksLead}</p>
+        ${tiles(NETWORKED, exhibitWords, (pot) => this.choose(pot))}
+      </details>
       <details @toggle=${show}>
         <summary>${beginnings.equations}</summary>
         <p>${beginnings.equationsLead}</p>
@@ -71,7 +77,7 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...BEGINNINGS]));
+    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...NETWORKED, ...BEGINNINGS]));
     this.pictures.watch(this.renderRoot);
   }
 
