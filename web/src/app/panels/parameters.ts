@@ -18,7 +18,6 @@ import {
 } from "../../document/schema";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { formatNumber } from "../../number";
 import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
@@ -48,8 +47,8 @@ export class PasuParameters extends DesignerElement {
       return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>`;
     }
     if (part.shape.kind === "vertex-frame") {
-      const { vertices, patches } = part.shape;
-      return html`<p class="lead">${parameters.network(formatNumber(patches.length), formatNumber(vertices.length))}</p>`;
+      void import("./network-panel");
+      return html`<pasu-network-panel .designer=${this.designer}></pasu-network-panel>`;
     }
     if (part.shape.kind === "blend") {
       void import("./blend-cards");

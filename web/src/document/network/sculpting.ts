@@ -33,8 +33,11 @@ export function heightOf({ a1 = ONES, a2 = ONES }: Patch, { f0 }: Force): Triple
 
 /** The force that moves it so far. */
 export function forceFor({ a1 = ONES, a2 = ONES }: Patch, height: Triple): Triple {
+  const exact = (axis: 0 | 1 | 2) => -height[axis] * Math.PI ** 2 * (a1[axis] + a2[axis]);
+  const most = Math.max(...([0, 1, 2] as const).map((axis) => Math.abs(exact(axis))));
+  // Beside the others it is rounding.
   const one = (axis: 0 | 1 | 2) =>
-    Number((-height[axis] * Math.PI ** 2 * (a1[axis] + a2[axis])).toPrecision(DIGITS)) + 0;
+    Math.abs(exact(axis)) < 1e-6 * most ? 0 : Number(exact(axis).toPrecision(DIGITS)) + 0;
   return [one(0), one(1), one(2)];
 }
 
@@ -76,6 +79,11 @@ export function pointAt(network: Network, laid: readonly Unfolded[], [x, y]: Pai
     if (u >= -near && u <= 1 + near && v >= -near && v <= 1 + near) return pointOn(network, each.patch, u, v);
   }
   return null;
+}
+
+/** Of several places those that there are. */
+export function pointsAt(network: Network, laid: readonly Unfolded[], places: readonly Pair[]): readonly Triple[] {
+  return places.map((place) => pointAt(network, laid, place)).filter((point) => point !== null);
 }
 
 /** A smooth force on the rectangle between two places of the laid out patches. */

@@ -103,7 +103,7 @@ export class Hand implements Tool {
     return (point) => {
       const [px, py, pz] = by(model, [...point, 1]);
       const [x, y, , w] = by(lens, by(look, [scale * (px - cx), scale * (py - cy), scale * (pz - cz), 1]));
-      return w > 0 ? { x: width * (0.5 + (0.5 * x) / w), y: height * (0.5 - (0.5 * y) / w) } : null;
+      return w > 0 ? { x: width * (0.5 + (0.5 * x) / w), y: height * (0.5 - (0.5 * y) / w), depth: w } : null;
     };
   }
 

@@ -227,9 +227,6 @@ export const parameters = phrases("parameters", {
     "fourth-order": FOURTH_ORDER,
     "bloor-wilson": BLOOR_WILSON,
   } satisfies { readonly [K in FamilyKind]: Fields<K> },
-  /** Of a network of patches, whose numbers have no fields. */
-  network: (patches: string, vertices: string) =>
-    `A network of ${patches} patches through ${vertices} points. It is drawn, measured and written to files as it is; its points are those of the document.`,
   explain: "Explain",
   inX: "in x",
   inY: "in y",
