@@ -12,7 +12,9 @@ import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
+import { networks } from "../../words/english/networks";
 import { exhibitWords } from "../../words/gallery";
+import { openObj } from "../../work/network-files";
 import { CommandEvent } from "../command";
 import "./blend-chooser";
 import type { BlendChosenEvent } from "./blend-chooser";
@@ -52,6 +54,7 @@ export class PasuNew extends DesignerElement {
       <details class="networks" @toggle=${show}>
         <summary>${beginnings.networks}</summary>
         <p>${beginnings.networksLead}</p>
+        <p><button class="button outlined" type="button" @click=${this.openObj}>${icon("open")}<span>${networks.openObj}</span></button></p>
         ${tiles(NETWORKED, exhibitWords, (pot) => this.choose(pot))}
       </details>
       <details @toggle=${show}>
@@ -86,6 +89,10 @@ export class PasuNew extends DesignerElement {
     this.designer.opening.open(designOf(beginning));
     this.close();
   }
+
+  private readonly openObj = async (): Promise<void> => {
+    if (await openObj(this.designer)) this.close();
+  };
 
   private readonly draw = (): void => {
     this.close();

@@ -25,6 +25,7 @@ import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
 import { MOTIONS, type NetworkDesk, networkDesk, TOUCHES, WAYS } from "../../work/network-desk";
+import { openObj, saveObj } from "../../work/network-files";
 import "./network-patch";
 
 const BUILDS = {
@@ -74,6 +75,14 @@ export class PasuNetworkPanel extends DesignerElement {
         </div>
       </section>
       <pasu-network-patch .designer=${this.designer}></pasu-network-patch>
+      <section aria-label=${words.file}>
+        <h3>${words.file}</h3>
+        <p class="told">${words.fileAbout}</p>
+        <div class="acts">
+          <button class="button outlined" type="button" @click=${() => saveObj(this.designer, network)}>${words.saveObj}</button>
+          <button class="button outlined" type="button" @click=${() => void openObj(this.designer)}>${words.openObj}</button>
+        </div>
+      </section>
     `;
   }
 
@@ -96,8 +105,8 @@ export class PasuNetworkPanel extends DesignerElement {
       ["ring", () => ringThrough(network, picks), words.ringHelp],
       ["patchOf", () => patchesOf(network, picks), words.patchOfHelp],
     ] as const;
-    const one = vertices.size === 1 ? ([...vertices][0] ?? -1) + 1 : 0;
-    const square = patches.size === 1 ? ([...patches][0] ?? -1) + 1 : 0;
+    const one = ([...vertices][0] ?? -1) + 1;
+    const square = ([...patches][0] ?? -1) + 1;
     return html`<section aria-label=${words.pick}>
       <h3>${words.pick}</h3>
       <div class="acts">
@@ -188,7 +197,7 @@ export class PasuNetworkPanel extends DesignerElement {
               ${middleOf(network, picks.vertices).map((value, axis) =>
                 this.cell(
                   words.place[axis] ?? "",
-                  Number(value.toPrecision(6)),
+                  Number(value.toPrecision(4)) + 0,
                   Number((sizeOf(network) / 100).toPrecision(1)),
                   (next, gesture) => this.place(axis, next, gesture),
                   unit,
@@ -261,7 +270,7 @@ export class PasuNetworkPanel extends DesignerElement {
         gap: 6px;
       }
       .choices label {
-        padding: 6px 10px;
+        padding: 6px 4px;
         text-align: center;
       }
       section {

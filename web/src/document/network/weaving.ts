@@ -6,15 +6,15 @@ import type { Frame, Network, Patch } from "./network";
 /** Points that go round: corners at even places, the middles of edges between them. */
 export type Ring = readonly Triple[];
 
-/** Points nearer than this are one. */
-const NEAR = 1e-9;
-/** Digits of what is written. */
-const DIGITS = 6;
+/** Decimals of what is written. */
+const DECIMALS = 6;
 
 export class Weaving {
   readonly #places = new Map<string, number>();
   readonly #vertices: Triple[] = [];
   readonly #patches: Patch[] = [];
+
+  constructor(private readonly decimals = DECIMALS) {}
 
   /** A patch through eight points, from a corner on, with middles between them. */
   patch(points: readonly Triple[], more: Omit<Patch, "frame"> = {}): void {
@@ -56,8 +56,8 @@ export class Weaving {
   }
 
   #vertex(point: Triple): number {
-    const neat = point.map((value) => Number(value.toFixed(DIGITS)) + 0) as unknown as Triple;
-    const key = neat.map((value) => Math.round(value / NEAR)).join();
+    const neat = point.map((value) => Number(value.toFixed(this.decimals)) + 0) as unknown as Triple;
+    const key = neat.join();
     const known = this.#places.get(key);
     if (known !== undefined) return known;
     this.#places.set(key, this.#vertices.length);

@@ -28,6 +28,8 @@ export interface Placed {
 /** How an edge is divided to be drawn. */
 const PIECES = 6;
 const RIM = 6;
+/** More points than these are a crowd: they are drawn smaller. */
+const CROWD = 150;
 
 export interface Colours {
   readonly line: string;
@@ -76,11 +78,13 @@ export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple |
   const depths = placed.map(({ seen }) => seen.depth);
   const [near, far] = [Math.min(...ends(depths, -1)), Math.max(...ends(depths, 1))];
   const middle = (near + far) / 2;
+  const isWorkedWith = ({ kind }: Item) => kind === "pivot" || kind === "crest";
+  const isPicked = (item: Item) => item.kind === "vertex" && picks.vertices.has(item.index);
+  // Among many points those behind would only be in the way.
+  const crowded = network.vertices.length > CROWD;
   return placed
-    .map((each) => ({
-      ...each,
-      front: each.item.kind === "pivot" || each.item.kind === "crest" || each.seen.depth <= middle,
-    }))
+    .map((each) => ({ ...each, front: isWorkedWith(each.item) || each.seen.depth <= middle }))
+    .filter(({ item, front }) => front || !crowded || isPicked(item))
     .sort((a, b) => a.seen.depth - b.seen.depth);
 }
 
@@ -155,7 +159,8 @@ export function drawNetwork(
   if (box) context.rect(box[0].x, box[0].y, box[1].x - box[0].x, box[1].y - box[0].y);
   context.stroke();
   context.setLineDash([]);
-  for (const each of placed.toReversed()) drawItem(context, each, picks, colours);
+  const large = network.vertices.length > CROWD ? 0.75 : 1;
+  for (const each of placed.toReversed()) drawItem(context, each, picks, colours, large);
   context.globalAlpha = 1;
 }
 
@@ -164,6 +169,7 @@ function drawItem(
   { item, seen, front }: Placed,
   picks: Picks,
   colours: Colours,
+  large: number,
 ): void {
   const isPicked =
     (item.kind === "vertex" && picks.vertices.has(item.index)) ||
@@ -176,10 +182,10 @@ function drawItem(
   const { x, y } = seen;
   switch (item.kind) {
     case "vertex":
-      context.arc(x, y, isPicked ? 5 : 3.6, 0, 2 * Math.PI);
+      context.arc(x, y, large * (isPicked ? 5 : 3.6), 0, 2 * Math.PI);
       break;
     case "patch":
-      context.rect(x - 3.5, y - 3.5, 7, 7);
+      context.rect(x - 3.5 * large, y - 3.5 * large, 7 * large, 7 * large);
       break;
     case "crest":
       context.moveTo(x, y - 7);

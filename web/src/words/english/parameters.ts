@@ -233,6 +233,7 @@ export const parameters = phrases("parameters", {
   same: "Same in x and y",
   sameOf: (name: string) => `${name}: same in x and y`,
   free: "Make it rings…",
+  patches: "Make it patches…",
   freeAbout: "To pull it where you like, with petals, tilts and corners of your own:",
   opensByDints: "The wall does not close. It closes when the number of dints is a whole number.",
   opensByPetals: "The wall does not close. It closes when the petals and the turns are whole numbers.",
