@@ -1,7 +1,7 @@
 /** Moving, turning and scaling what is picked of a network: with its mirror image, and to a grid. */
 
 import type { Triple } from "../types";
-import { at, faultOf, type Network, sizeOf } from "./network";
+import { at, CORNERS, type Network, sizeOf } from "./network";
 import { meanOf, minus, plus } from "./topology";
 
 export type Axis = "x" | "y" | "z";
@@ -93,5 +93,19 @@ export function moved(
     vertices[image] = to.map((value, each) => (each === axis ? -value + 0 : value)) as unknown as Triple;
   }
   const next = { ...network, vertices };
-  return faultOf(next) === null ? next : network;
+  return standsApart(next, new Set([...picked, ...[...picked].flatMap((vertex) => images?.get(vertex) ?? [])]))
+    ? next
+    : network;
+}
+
+/** Whether no corners meet of the patches round these vertices: nothing else comes of moving them. */
+function standsApart(network: Network, vertices: ReadonlySet<number>): boolean {
+  const round = network.patches.filter(({ frame }) => frame.some((vertex) => vertices.has(vertex)));
+  for (const vertex of vertices) if (!at(network, vertex).every(Number.isFinite)) return false;
+  return round.every(({ frame }) => {
+    const corners = CORNERS.map((place) => at(network, frame[place]));
+    return corners.every(([x, y, z], one) =>
+      corners.every((other, place) => place <= one || other[0] !== x || other[1] !== y || other[2] !== z),
+    );
+  });
 }

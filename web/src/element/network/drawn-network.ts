@@ -1,6 +1,6 @@
 /** The network as it is drawn over the stage: edges, points, middles of patches, regions; those behind the middle fainter. */
 
-import { edgesOf, type Network } from "../../document/network/network";
+import { at, edgesOf, type Frame, type Network } from "../../document/network/network";
 import { crestOf, heightOf, pointAt, pointsAt, rimOf, unfolded } from "../../document/network/sculpting";
 import type { Picks } from "../../document/network/selection";
 import { pointOn } from "../../document/network/surface";
@@ -28,6 +28,8 @@ export interface Placed {
 /** How an edge is divided to be drawn. */
 const PIECES = 6;
 const RIM = 6;
+/** Of more patches than these edges are drawn from point to point. */
+const MANY = 300;
 /** More points than these are a crowd: they are drawn smaller. */
 const CROWD = 150;
 
@@ -51,15 +53,27 @@ export class NetworkCurves {
   readonly middles: readonly Triple[];
 
   constructor(readonly network: Network) {
-    // Of very many edges a straight line is enough.
-    const pieces = network.patches.length > 300 ? 2 : PIECES;
+    // Among very many patches the points themselves are line enough.
+    const many = network.patches.length > MANY;
     this.edges = [...edgesOf(network).values()].flatMap(({ sides: [side] }) => {
       const along = side && ALONG[side.side];
       if (!along) return [];
-      return [Array.from({ length: pieces + 1 }, (_, piece) => pointOn(network, side.patch, ...along(piece / pieces)))];
+      if (many) return [side.vertices.map((vertex) => at(network, vertex))];
+      return [Array.from({ length: PIECES + 1 }, (_, piece) => pointOn(network, side.patch, ...along(piece / PIECES)))];
     });
-    this.middles = network.patches.map((_, patch) => pointOn(network, patch, 0.5, 0.5));
+    this.middles = network.patches.map(({ frame }) => middleOf(network, frame));
   }
+}
+
+/** Where a patch is halfway along both ways: no cubic term reaches there. */
+function middleOf(network: Network, frame: Frame): Triple {
+  const sum: [number, number, number] = [0, 0, 0];
+  for (const [place, vertex] of frame.entries()) {
+    const point = at(network, vertex);
+    const weight = place % 2 === 0 ? -0.25 : 0.5;
+    for (const axis of [0, 1, 2] as const) sum[axis] += weight * point[axis];
+  }
+  return sum;
 }
 
 /** Everything that a hand can take, the nearest first. */

@@ -32,6 +32,8 @@ interface Held {
   readonly picks: Picks;
   readonly grasp: Grasp;
   readonly more: boolean;
+  /** Whether it was picked when it was touched. */
+  readonly fresh: boolean;
   /** Where on which patch a region begins. */
   readonly begun: { readonly patch: number; readonly at: Pair } | null;
   now: Spot;
@@ -173,7 +175,9 @@ export class PasuNetworkHandles extends DesignerElement {
     const frame = this.getBoundingClientRect();
     const from = { x: event.clientX - frame.left, y: event.clientY - frame.top };
     const { touch } = this.desk.settings;
-    const found = this.nearest(from, NEAR[event.pointerType as keyof typeof NEAR] ?? NEAR.mouse);
+    const reach = NEAR[event.pointerType as keyof typeof NEAR] ?? NEAR.mouse;
+    // Who draws a region means the surface, and not the points on it.
+    const found = this.nearest(from, reach, touch === "region");
     const begun = !found && touch === "region" ? touched(network, see, from) : null;
     if (!found && touch !== "box" && !begun) return;
     event.preventDefault();
@@ -193,7 +197,8 @@ export class PasuNetworkHandles extends DesignerElement {
       network,
       picks,
       grasp: this.grasp(network, picks, item, found?.at ?? null, see, from),
-      more: more && picks === was,
+      more,
+      fresh: picks !== was,
       begun: begun ? { patch: begun.patch, at: [begun.u, begun.v] } : null,
       now: from,
       moves: false,
@@ -205,12 +210,12 @@ export class PasuNetworkHandles extends DesignerElement {
     window.addEventListener("pointercancel", this.release);
   };
 
-  private nearest(spot: Spot, reach: number): Placed | null {
+  private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
     let best: Placed | null = null;
     let least = Number.POSITIVE_INFINITY;
     for (const placed of this.placed) {
       const far = Math.hypot(placed.seen.x - spot.x, placed.seen.y - spot.y);
-      if (far > reach) continue;
+      if (far > reach || (onlyCrests && placed.item.kind !== "crest")) continue;
       // What is behind is taken where nothing before it is as near; what is worked with goes first.
       const score =
         far +
@@ -332,7 +337,7 @@ export class PasuNetworkHandles extends DesignerElement {
       this.desk.pick(network, withVertices(picks, inside, held.more));
       return;
     }
-    if (held.moves) return;
+    if (held.moves || held.fresh) return;
     if (item.kind === "vertex") this.desk.pick(network, withVertex(picks, item.index, held.more));
     if (item.kind === "patch") this.desk.pick(network, withPatch(network, picks, item.index, held.more));
   }
@@ -476,10 +481,19 @@ export class PasuNetworkHandles extends DesignerElement {
     const { held } = this;
     const box = held && !held.item && !held.begun && held.moves ? ([held.grasp.from, held.now] as const) : null;
     drawNetwork(context, this.curves, this.placed, picks, see, colours, box, this.outline(network, see));
-    for (const { item, seen } of this.placed) {
-      const handle = this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`);
-      handle?.style.setProperty("transform", `translate(${seen.x.toFixed(1)}px, ${seen.y.toFixed(1)}px)`);
+    for (const handle of this.renderRoot.querySelectorAll<HTMLElement>("[data-item]")) {
+      const spot = this.spotOf(handle.dataset.item ?? "", network, see);
+      if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
     }
+  }
+
+  /** Where a handle is seen, also one that is not drawn because it is behind. */
+  private spotOf(name: string, network: Network, see: See): Spot | null {
+    const [kind, index = ""] = name.split(" ");
+    const place = Number(index);
+    if (kind === "vertex") return network.vertices[place] ? see(network.vertices[place]) : null;
+    if (kind === "patch") return this.curves?.middles[place] ? see(this.curves.middles[place]) : null;
+    return this.placed.find(({ item }) => nameOf(item) === name)?.seen ?? null;
   }
 
   /** Round the region that is being drawn. */
