@@ -2,6 +2,8 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { overhang, unreachable } from "../support/reach.ts";
+import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, type Visit } from "../support/visit.ts";
 import { PSEUDO, unmarked } from "../support/words.ts";
@@ -285,4 +287,72 @@ test("a network is saved as OBJ and opened again", async () => {
   await pot.fingerprintOtherThan(before);
   expect(await told(pot)).toContain("2 patches through 13 points");
   expect(await pot.page.title()).toBe("roof · Pasu");
+});
+
+test("points are picked in a box, keep to a grid and to their mirror image, and are turned and scaled", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  pot.page.setDefaultTimeout(20_000);
+  await points(pot);
+  await page.locator("pasu-stage .host").press("4");
+  await atRest(pot);
+  // Both corners at the right, with the middle between them.
+  await page.getByRole("radio", { name: "picks in a box" }).check();
+  const [[left, top], [right, bottom]] = [await middle(pot, "vertex 4"), await middle(pot, "vertex 2")];
+  await page.mouse.move(Math.min(left, right) - 14, Math.min(top, bottom) - 25);
+  await page.mouse.down();
+  await page.mouse.move(Math.max(left, right) + 60, Math.max(top, bottom) + 25, { steps: 4 });
+  await page.mouse.up();
+  const status = page.locator("pasu-network-panel .told").first();
+  await expect.poll(() => status.innerText()).toMatch(/^3 points/);
+  await page.getByRole("radio", { name: "Turn", exact: true }).check();
+  await drag(pot, "vertex 2", 30, 10);
+  const turned = await pot.fingerprintOtherThan(plain);
+  await page.getByRole("radio", { name: "Scale", exact: true }).check();
+  await drag(pot, "vertex 2", 10, 30);
+  await pot.fingerprintOtherThan(turned);
+  await pot.undo();
+  await pot.shows(turned);
+  await pot.undo();
+  await pot.shows(plain);
+  await page.getByRole("radio", { name: "Move", exact: true }).check();
+  await page.getByLabel("Mirror").selectOption("x");
+  await page.getByLabel("To a grid of").check();
+  await page.getByRole("radio", { name: "turns the view" }).check();
+  await pot.button("None").click();
+  await drag(pot, "vertex 3", 37, 11);
+  await pot.fingerprintOtherThan(plain);
+  const place = async (name: string) =>
+    (/: (.*)$/.exec((await item(pot, name).getAttribute("aria-label")) ?? "")?.[1] ?? "")
+      .split(", ")
+      .map((each) => Number.parseFloat(each.replace("\u2212", "-")));
+  const [[x = 0, y = 0], [mx = 0, my = 0]] = [await place("vertex 3"), await place("vertex 7")];
+  expect(x).toBeGreaterThan(7);
+  expect([2 * x, 2 * y].map((each) => Math.abs(each - Math.round(each)) < 1e-6)).toEqual([true, true]);
+  expect([mx, my]).toEqual([-x, y]);
+  // What cannot be done is said in words, and nothing changes.
+  const before = await pot.fingerprint();
+  await pot.button("Bridge").click();
+  await page.getByText("Pick two whole rims first").waitFor();
+  await pot.shows(before);
+});
+
+test("on a phone the panel fits, and everything in it can be pressed", async () => {
+  const { pot } = await opened({ ...PHONE });
+  await pot.page.locator("pasu-network-panel [data-pick=all]").tap();
+  await pot.page.locator("pasu-network-patch .acts button").first().tap();
+  await pot.page.locator("pasu-network-patch .force").waitFor();
+  expect(await overhang(pot)).toBeLessThanOrEqual(0);
+  expect(await unreachable(pot)).toEqual([]);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("a new network is one of the pictures", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  await pot.command("New");
+  await pot.page.getByText("From patches").click();
+  await pot.page.locator('pasu-new button[data-exhibit="own-mug"]').click();
+  await pot.fingerprintOtherThan(first);
+  expect(await told(pot)).toContain("110 patches through 330 points");
 });
