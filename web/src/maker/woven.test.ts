@@ -7,7 +7,7 @@ import type { Design, Shape } from "../document/types";
 const { maker } = realMaker({ free: true });
 const CYLINDER: Shape = { kind: "second-order", r: [3, 0, 3, 0], height: 8 };
 
-async function woven(shape: Shape, rows: number, columns: number) {
+async function woven(shape: Shape, rows: number, columns: number | null) {
   const design: Design = { pasu: 1, parts: [{ shape }] };
   const found = await maker.ask({ kind: "woven", design, part: 0, rows, columns, span: spanOf(shape) });
   if (found.state !== "done") throw new Error(JSON.stringify(found));
@@ -26,7 +26,8 @@ test("a cylinder becomes a tube of patches, the nearer the more there are", asyn
 });
 
 test("a form with petals becomes a network too", async () => {
-  const found = await woven({ kind: "second-order", r: [2, 0.2, 1, 0.1] }, 6, 32);
-  expect([found.shape.patches.length, faultOf(found.shape)]).toEqual([192, null]);
+  const found = await woven({ kind: "second-order", r: [2, 0.2, 1, 0.1] }, 6, null);
+  // Eight petals take four patches each.
+  expect([found.columns, found.shape.patches.length, faultOf(found.shape)]).toEqual([32, 192, null]);
   expect(found.distance).toBeLessThan(0.2);
 });

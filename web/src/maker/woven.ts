@@ -4,6 +4,7 @@ import { evaluate } from "pasu";
 import type { Network } from "../document/network/network";
 import { Weaving } from "../document/network/weaving";
 import type { Design, Sent, Triple } from "../document/types";
+import { highestFrequency } from "../document/waves";
 
 export interface WovenAsk {
   readonly kind: "woven";
@@ -11,21 +12,28 @@ export interface WovenAsk {
   readonly part: number;
   /** Patches from end to end, and round. */
   readonly rows: number;
-  readonly columns: number;
+  /** Null for as many as its waves take. */
+  readonly columns: number | null;
   /** How far `v` goes. */
   readonly span: number;
 }
 
 export interface WovenShape {
   readonly shape: Network;
+  readonly columns: number;
   /** The largest distance between points at the same parameters, of all that were compared. */
   readonly distance: number;
 }
 
+/** Round a circle, for each wave, and at most where nobody says how many. */
+const [ROUND, WAVE, MOST] = [12, 4, 120];
+
 /** Points of each patch at which both are compared, along each way: among them none that both have in common. */
 const COMPARED = 7;
 
-export function wovenOf({ design, part, rows, columns, span }: WovenAsk): WovenShape {
+export function wovenOf({ design, part, rows, columns: wanted, span }: WovenAsk): WovenShape {
+  const form = design.parts[part]?.shape;
+  const columns = wanted ?? Math.min(Math.max(ROUND, WAVE * Math.ceil(form ? highestFrequency(form) : 1)), MOST);
   const at: number[] = [];
   for (let row = 0; row <= 2 * rows; row += 1) {
     for (let column = 0; column <= 2 * columns; column += 1) at.push(row / (2 * rows), (span * column) / (2 * columns));
@@ -54,10 +62,13 @@ export function wovenOf({ design, part, rows, columns, span }: WovenAsk): WovenS
     }
   }
   const shape = weaving.network();
-  return { shape, distance: apart({ design, part, rows, columns, span }, shape) };
+  return { shape, columns, distance: apart({ design, part, rows, columns, span }, shape) };
 }
 
-function apart({ design, part, rows, columns, span }: Omit<WovenAsk, "kind">, shape: Network): number {
+function apart(
+  { design, part, rows, columns, span }: Omit<WovenAsk, "kind" | "columns"> & { readonly columns: number },
+  shape: Network,
+): number {
   const [own, there]: [number[], number[]] = [[], []];
   const share = (step: number) => (step + 0.5) / COMPARED;
   for (let patch = 0; patch < rows * columns; patch += 1) {

@@ -6,7 +6,6 @@ import { unitOf } from "../../document/look";
 import { faultOf } from "../../document/network/network";
 import { spanOf } from "../../document/network/span";
 import type { Part, Shape } from "../../document/types";
-import { highestFrequency } from "../../document/waves";
 import { DesignerElement } from "../../element/designer-element";
 import type { WovenShape } from "../../maker/woven";
 import { card } from "../../ui/card";
@@ -23,8 +22,7 @@ import { Seeking } from "../seeking";
 /** Lengths that say how far off: more digits are of no use. */
 const DIGITS = 2;
 const PAUSE_MS = 120;
-/** A wave takes so many patches at least, and nobody needs more than these. */
-const WAVE = 4;
+/** Nobody needs more than these either way. */
 const MOST = 120;
 
 interface Found extends WovenShape {
@@ -35,14 +33,14 @@ interface Found extends WovenShape {
 export class PasuPatchCard extends DesignerElement {
   private readonly seeking = new Seeking<Found>(this, PAUSE_MS);
   @state() private rows = 6;
-  @state() private columns = 0;
+  /** As many as the waves of the form take until somebody says otherwise. */
+  @state() private columns: number | null = null;
   private asked: Shape | null = null;
 
   override willUpdate(): void {
     const { store } = this.designer;
     const shape = this.chosen?.shape ?? null;
     if (!shape || shape === this.asked || store.inGesture) return;
-    if (this.columns === 0) this.columns = Math.min(Math.max(12, WAVE * Math.ceil(highestFrequency(shape))), MOST);
     this.ask(shape);
   }
 
@@ -70,7 +68,7 @@ export class PasuPatchCard extends DesignerElement {
       ><pasu-number
         compact
         .label=${label}
-        .value=${this[key]}
+        .value=${this[key] ?? this.seeking.ready?.columns ?? 0}
         .step=${1}
         @number-change=${({ value }: NumberChangeEvent) => {
           this[key] = Math.min(Math.max(Math.round(value), least), MOST);
