@@ -1,22 +1,14 @@
 /** What a person works with on a network: what is picked of it, and how a hand moves that. Fetched with the panel, and kept as long as the page is open. */
 
 import { signal } from "@preact/signals-core";
+import type { Doing, Touch, Way } from "../document/network/grasping";
 import type { Axis } from "../document/network/moving";
 import type { Network } from "../document/network/network";
 import { NOTHING, type Picks, within } from "../document/network/selection";
 import type { Designer } from "./designer";
 
-export type Motion = "move" | "turn" | "scale";
-export const MOTIONS = ["move", "turn", "scale"] as const satisfies readonly Motion[];
-/** In the plane across the view, along an axis, or along the normal. */
-export type Way = "view" | Axis | "normal";
-export const WAYS = ["view", "x", "y", "z", "normal"] as const satisfies readonly Way[];
-/** What a pointer does where it touches no point: turns the view, picks what is in a box, or draws a region to sculpt. */
-export type Touch = "view" | "box" | "region";
-export const TOUCHES = ["view", "box", "region"] as const satisfies readonly Touch[];
-
 export interface Settings {
-  readonly motion: Motion;
+  readonly motion: Doing;
   readonly way: Way;
   readonly touch: Touch;
   readonly grid: boolean;

@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
+import { DOINGS, TOUCHES, WAYS } from "../../document/network/grasping";
 import { AXES, type Axis, middleOf, moved, shiftBy } from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import {
@@ -24,7 +25,7 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
-import { MOTIONS, type NetworkDesk, networkDesk, TOUCHES, WAYS } from "../../work/network-desk";
+import { type NetworkDesk, networkDesk } from "../../work/network-desk";
 import { openObj, saveObj } from "../../work/network-files";
 import "./network-patch";
 
@@ -164,7 +165,7 @@ export class PasuNetworkPanel extends DesignerElement {
       all.map((value) => ({ value, label: names[value] }));
     return html`<section aria-label=${words.move}>
       <h3>${words.move}</h3>
-      ${choices(words.motion, named(MOTIONS, words.motions), motion, (next) => desk.set({ motion: next }))}
+      ${choices(words.motion, named(DOINGS, words.motions), motion, (next) => desk.set({ motion: next }))}
       ${choices(words.way, named(WAYS, words.ways), way, (next) => desk.set({ way: next }))}
       ${choices(words.touch, named(TOUCHES, words.touches), touch, (next) => desk.set({ touch: next }))}
       <div class="snaps">

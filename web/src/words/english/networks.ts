@@ -1,10 +1,10 @@
 /** A network of patches: picking and moving its points, building with its patches, and what pushes them. */
 
+import type { Doing, Touch, Way } from "../../document/network/grasping";
 import type { Axis } from "../../document/network/moving";
 import type { Objection } from "../../document/network/topology";
 import { phrases, plural } from "../../language";
 import { formatNumber } from "../../number";
-import type { Motion, Touch, Way } from "../../work/network-desk";
 
 const points = (count: number) => plural(count, { one: "1 point", other: `${formatNumber(count)} points` });
 const patches = (count: number) => plural(count, { one: "1 patch", other: `${formatNumber(count)} patches` });
@@ -26,7 +26,7 @@ export const networks = phrases("networks", {
   numberOfPoint: "Point",
   numberOfPatch: "Patch",
   move: "Move",
-  motions: { move: "Move", turn: "Turn", scale: "Scale" } satisfies Readonly<Record<Motion, string>>,
+  motions: { move: "Move", turn: "Turn", scale: "Scale" } satisfies Readonly<Record<Doing, string>>,
   motion: "What a hand does",
   way: "Along",
   ways: { view: "View", x: "x", y: "y", z: "z", normal: "Normal" } satisfies Readonly<Record<Way, string>>,
