@@ -2,14 +2,22 @@
 
 import { BLENDED, EXAMPLES } from "./gallery/blends";
 import type { Exhibit } from "./gallery/exhibit";
+import { NETWORKED } from "./gallery/networks";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
 
-export type ExhibitId = (typeof OWN | typeof PAPERS | typeof RINGED | typeof BLENDED | typeof EXAMPLES)[number]["id"];
+export type ExhibitId = (
+  | typeof OWN
+  | typeof PAPERS
+  | typeof RINGED
+  | typeof BLENDED
+  | typeof NETWORKED
+  | typeof EXAMPLES
+)[number]["id"];
 
 export interface Shelf {
-  readonly id: "own" | "rings" | "blends" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
+  readonly id: "own" | "rings" | "blends" | "networks" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
   readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
@@ -27,6 +35,10 @@ export const SHELVES: readonly Shelf[] = [
   {
     id: "blends",
     exhibits: BLENDED,
+  },
+  {
+    id: "networks",
+    exhibits: NETWORKED,
   },
   {
     id: "zhang-you",

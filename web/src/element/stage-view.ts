@@ -180,7 +180,12 @@ export class PasuStage extends DesignerElement {
   private hand() {
     const { designer, stage } = this;
     if (!designer.store.session.pulling || !stage || this.holder.mode !== "live") return nothing;
-    if (designer.state.design.parts[designer.state.part]?.shape.kind === "blend") {
+    const kind = designer.state.design.parts[designer.state.part]?.shape.kind;
+    if (kind === "vertex-frame") {
+      import("./network/network-handles").catch(() => designer.notices.say(page.unfetched));
+      return html`<pasu-network-handles .designer=${designer} .stage=${stage}></pasu-network-handles>`;
+    }
+    if (kind === "blend") {
       import("./blend/section-handles").catch(() => designer.notices.say(page.unfetched));
       return html`<pasu-section-handles .designer=${designer} .stage=${stage}></pasu-section-handles>`;
     }

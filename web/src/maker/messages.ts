@@ -21,6 +21,7 @@ import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
+import type { WovenAsk, WovenShape } from "./woven";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
 export interface Solid {
@@ -138,6 +139,7 @@ export type Ask =
   | PullAsk
   | HoldAsk
   | CellsAsk
+  | WovenAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -177,6 +179,7 @@ export interface Answers {
   /** Null where that cannot be had. */
   readonly hold: HeldShape | null;
   readonly cells: MadeCells;
+  readonly woven: WovenShape;
   readonly solid: Solid;
   readonly quick: Quick;
   readonly measure: Measures;

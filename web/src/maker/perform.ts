@@ -11,6 +11,7 @@ import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } fr
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
 import { solidOf } from "./solid";
+import { wovenOf } from "./woven";
 
 /** `tell` hears how far the work is that may take long: from 0 to 1. */
 export function perform({ ask }: Request, tell: (done: number) => void): Answers[Kind] {
@@ -43,6 +44,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return holding(ask);
     case "cells":
       return cellsOf(ask);
+    case "woven":
+      return wovenOf(ask);
     case "free":
       return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
     case "fit":

@@ -29,8 +29,10 @@ const pulled = (shape: Shape, at: readonly [number, number], by: Partial<Move>, 
   pulling({ kind: "pull", shape, at, by: { ...STILL, ...by }, brush, keep: [] });
 
 test("of every surface of the gallery a point comes out by as much as the hand, at one side, all round and at petals", () => {
-  // The sections of a blend have handles of their own.
-  const surfaces = SHELVES.flatMap(({ exhibits }) => exhibits).filter(({ shape }) => shape.kind !== "blend");
+  // The sections of a blend and the points of a network have handles of their own.
+  const surfaces = SHELVES.flatMap(({ exhibits }) => exhibits).filter(
+    ({ shape }) => shape.kind !== "blend" && shape.kind !== "vertex-frame",
+  );
   for (const { id, shape } of surfaces) {
     const at = [0.4, 0.3 * spanOf(shape)] as const;
     const before = point(shape, at);

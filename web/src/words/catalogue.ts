@@ -20,6 +20,7 @@ import type { making } from "./english/making";
 import type { maps } from "./english/maps";
 import type { measures } from "./english/measures";
 import type { modes } from "./english/modes";
+import type { networks } from "./english/networks";
 import type { orders } from "./english/orders";
 import type { page } from "./english/page";
 import type { parameters } from "./english/parameters";
@@ -57,6 +58,7 @@ export interface Catalogue {
   readonly maps: typeof maps;
   readonly measures: typeof measures;
   readonly modes: typeof modes;
+  readonly networks: typeof networks;
   readonly orders: typeof orders;
   readonly page: typeof page;
   readonly parameters: typeof parameters;

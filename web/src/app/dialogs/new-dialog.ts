@@ -6,12 +6,15 @@ import { BEGINNINGS } from "../../document/beginnings";
 import { FORMS } from "../../document/forms";
 import { BLENDED } from "../../document/gallery/blends";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
+import { NETWORKED } from "../../document/gallery/networks";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
+import { networks } from "../../words/english/networks";
 import { exhibitWords } from "../../words/gallery";
+import { openObj } from "../../work/network-files";
 import { CommandEvent } from "../command";
 import "./blend-chooser";
 import type { BlendChosenEvent } from "./blend-chooser";
@@ -48,6 +51,12 @@ export class PasuNew extends DesignerElement {
         <pasu-blend-chooser @blend-chosen=${({ exhibit }: BlendChosenEvent) => this.choose(exhibit)}></pasu-blend-chooser>
         ${tiles(BLENDED, exhibitWords, (pot) => this.choose(pot))}
       </details>
+      <details class="networks" @toggle=${show}>
+        <summary>${beginnings.networks}</summary>
+        <p>${beginnings.networksLead}</p>
+        <p><button class="button outlined" type="button" @click=${this.openObj}>${icon("open")}<span>${networks.openObj}</span></button></p>
+        ${tiles(NETWORKED, exhibitWords, (pot) => this.choose(pot))}
+      </details>
       <details @toggle=${show}>
         <summary>${beginnings.equations}</summary>
         <p>${beginnings.equationsLead}</p>
@@ -71,7 +80,7 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...BEGINNINGS]));
+    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...NETWORKED, ...BEGINNINGS]));
     this.pictures.watch(this.renderRoot);
   }
 
@@ -80,6 +89,10 @@ export class PasuNew extends DesignerElement {
     this.designer.opening.open(designOf(beginning));
     this.close();
   }
+
+  private readonly openObj = async (): Promise<void> => {
+    if (await openObj(this.designer)) this.close();
+  };
 
   private readonly draw = (): void => {
     this.close();

@@ -18,7 +18,6 @@ import {
 } from "../../document/schema";
 import type { Shape } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { formatNumber } from "../../number";
 import { toggleExplain } from "../../state/actions";
 import { resetFields, setFields, setLock } from "../../state/shape-actions";
 import { icon } from "../../ui/icons";
@@ -37,6 +36,8 @@ export class PasuParameters extends DesignerElement {
   @property({ attribute: false }) groups: readonly Group[] | null = null;
   /** Whether rings are looked for instead of it. */
   @state() private freeing = false;
+  /** Whether it is about to become patches. */
+  @state() private weaving = false;
 
   override render() {
     const { state } = this.designer;
@@ -45,11 +46,11 @@ export class PasuParameters extends DesignerElement {
     const family = familyOf(part.shape.kind);
     if (part.shape.kind === "rings") {
       void import("./ring-cards");
-      return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>`;
+      return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>${this.patching()}`;
     }
     if (part.shape.kind === "vertex-frame") {
-      const { vertices, patches } = part.shape;
-      return html`<p class="lead">${parameters.network(formatNumber(patches.length), formatNumber(vertices.length))}</p>`;
+      void import("./network-panel");
+      return html`<pasu-network-panel .designer=${this.designer}></pasu-network-panel>`;
     }
     if (part.shape.kind === "blend") {
       void import("./blend-cards");
@@ -85,9 +86,28 @@ export class PasuParameters extends DesignerElement {
     if (this.freeing)
       return html`<pasu-free-card .designer=${this.designer} @free-closed=${this.closeFree}></pasu-free-card>`;
     return html`<div class="offer">
-      <p>${parameters.freeAbout}</p>
-      <button class="button outlined" type="button" @click=${this.openFree}>${parameters.free}</button>
-    </div>`;
+        <p>${parameters.freeAbout}</p>
+        <button class="button outlined" type="button" @click=${this.openFree}>${parameters.free}</button>
+      </div>
+      ${this.patching()}`;
+  }
+
+  /** Any form may become patches. */
+  private patching() {
+    if (this.weaving)
+      return html`<pasu-patch-card .designer=${this.designer} @patch-closed=${() => this.weave(false)}></pasu-patch-card>`;
+    return html`<button class="button outlined patching" type="button" @click=${() => this.weave(true)}>${parameters.patches}</button>`;
+  }
+
+  private async weave(on: boolean): Promise<void> {
+    try {
+      if (on) await import("./patch-card");
+      this.weaving = on;
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
+    await this.updateComplete;
+    if (!on) this.renderRoot.querySelector<HTMLElement>(".patching")?.focus();
   }
 
   private readonly openFree = async (): Promise<void> => {
@@ -241,6 +261,9 @@ export class PasuParameters extends DesignerElement {
       .offer {
         border-top: 1px solid var(--line);
         padding: 12px 0 14px;
+      }
+      .patching {
+        margin-bottom: 14px;
       }
       .offer p {
         padding-bottom: 8px;

@@ -57,8 +57,9 @@ test("points are seen as from where the camera was, whatever becomes of it", () 
   hand.prepare(there.camera, 800, 600);
   const see = hand.sight(0);
   const middle = see?.([0, 0, 1.5]);
-  expect(middle).toEqual({ x: expect.closeTo(400, 3), y: expect.closeTo(300, 3) });
+  expect(middle).toEqual({ x: expect.closeTo(400, 3), y: expect.closeTo(300, 3), depth: expect.any(Number) });
   const [above, right] = [see?.([0, 0, 2.5]), see?.([0, 1, 1.5])];
+  expect(middle?.depth).toBeGreaterThan(0);
   expect(above?.y).toBeLessThan(300);
   expect(right?.x).toBeGreaterThan(400);
   expect(see?.([100, 0, 1.5])).toBeNull();

@@ -4,6 +4,8 @@ import type { Triple } from "../triple";
 export interface Spot {
   readonly x: number;
   readonly y: number;
+  /** How far from the eye, where that is known: more is further. */
+  readonly depth?: number;
 }
 
 /** From a point of a part, before placement, to the screen as it was when the hand took hold; null behind the eye. */

@@ -33,6 +33,8 @@ export const beginnings = phrases("beginnings", {
   blends: "From one section into another",
   blendsLead:
     "Choose the section at the foot and the one at the rim: the wall flows from one into the other. Or begin with a pot that is made so.",
+  networks: "From patches",
+  networksLead: "A few points with smooth patches between them: drag points, sculpt, add patches where you need them.",
   equations: "By its equation",
   equationsLead: "Families of pots as the papers have them, each with numbers of its own.",
   families: {

@@ -15,6 +15,10 @@ export const gallery = phrases("gallery", {
     own: { title: "Our own", source: "Designs that show what the equations can do" },
     rings: { title: "Through rings", source: "Pulled, squeezed, turned and cut, each with its wall" },
     blends: { title: "Between two sections", source: "From one outline into another, each with its wall" },
+    networks: {
+      title: "Networks of patches",
+      source: "What no wheel throws, through a few points that a hand can drag",
+    },
     "zhang-you-2004": {
       title: "Zhang and You 2004",
       source: "Blending solids with approximate analytical solution to PDE: solids, by the paper's own method",
@@ -231,6 +235,15 @@ export const gallery = phrases("gallery", {
       title: "Zhang and You 2004, example 3",
       note: "From a cylinder into a cube: sections of different kinds, which nothing but the equation brings together.",
     },
+    "own-mug": { title: "Mug with a handle", note: "A third of a litre, of one surface with its handle." },
+    "own-basket": { title: "Basket with a handle", note: "An arch from rim to rim." },
+    "own-spouted": { title: "Teapot with a spout", note: "Body, handle and a spout that pours." },
+    "own-hat": { title: "Hat", note: "A brim that turns up at the sides." },
+    "own-dress": { title: "Dress", note: "Eight folds, a waist, and cloth of four millimetres." },
+    "own-face": { title: "Face", note: "Twenty patches: nose, eyes and mouth are forces." },
+    "own-leaf": { title: "One patch", note: "Eight points, and the smooth surface through them." },
+    "own-leaf-pushed": { title: "One patch, pushed", note: "A force on the whole of it; its edges stay." },
+    "own-leaf-regions": { title: "One patch, two regions", note: "One rectangle is raised, another dented." },
     "zhang-you-5b": {
       title: "Zhang and You 2001, figure 5b",
       note: "Fourth order: the slopes at rim and foot are chosen (table 1, row b).",

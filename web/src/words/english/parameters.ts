@@ -227,15 +227,13 @@ export const parameters = phrases("parameters", {
     "fourth-order": FOURTH_ORDER,
     "bloor-wilson": BLOOR_WILSON,
   } satisfies { readonly [K in FamilyKind]: Fields<K> },
-  /** Of a network of patches, whose numbers have no fields. */
-  network: (patches: string, vertices: string) =>
-    `A network of ${patches} patches through ${vertices} points. It is drawn, measured and written to files as it is; its points are those of the document.`,
   explain: "Explain",
   inX: "in x",
   inY: "in y",
   same: "Same in x and y",
   sameOf: (name: string) => `${name}: same in x and y`,
   free: "Make it rings…",
+  patches: "Make it patches…",
   freeAbout: "To pull it where you like, with petals, tilts and corners of your own:",
   opensByDints: "The wall does not close. It closes when the number of dints is a whole number.",
   opensByPetals: "The wall does not close. It closes when the petals and the turns are whole numbers.",

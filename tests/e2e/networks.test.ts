@@ -1,0 +1,358 @@
+// A network of patches: its points on the stage, what is built with it, and what pushes it.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { overhang, unreachable } from "../support/reach.ts";
+import { atRest } from "../support/sight.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, type Visit } from "../support/visit.ts";
+import { PSEUDO, unmarked } from "../support/words.ts";
+
+const here = stay();
+
+/** Eight points: a leaf of 12 by 12. */
+const LEAF = JSON.stringify({
+  pasu: 1,
+  parts: [
+    {
+      shape: {
+        kind: "vertex-frame",
+        vertices: [
+          [-6, -6, 0],
+          [0, -7, 3],
+          [6, -6, 0],
+          [7, 0, -2],
+          [6, 6, 0],
+          [0, 7, 3],
+          [-6, 6, 0],
+          [-7, 0, -2],
+        ],
+        patches: [{ frame: [0, 1, 2, 3, 4, 5, 6, 7] }],
+      },
+    },
+  ],
+});
+
+async function opened(options: Parameters<typeof here.enter>[0] = {}) {
+  const pot = await here.enter(options);
+  const first = await pot.fingerprint();
+  await pot.dropFile("leaf.json", LEAF);
+  const plain = await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-network-panel").waitFor();
+  return { pot, plain };
+}
+
+const item = (pot: Visit, name: string) => pot.page.locator(`pasu-network-handles [data-item="${name}"]`);
+
+async function middle(pot: Visit, name: string): Promise<readonly [number, number]> {
+  const box = await item(pot, name).boundingBox();
+  return [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+}
+
+async function drag(pot: Visit, name: string, dx: number, dy: number): Promise<void> {
+  const [x, y] = await middle(pot, name);
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(x + dx, y + dy, { steps: 4 });
+  await pot.page.mouse.up();
+}
+
+async function points(pot: Visit): Promise<void> {
+  await pot.button("Points on the stage").click();
+  await item(pot, "vertex 0").waitFor();
+}
+
+const number = async (pot: Visit, name: string) =>
+  Number((await pot.page.getByRole("spinbutton", { name, exact: true }).inputValue()).replace("\u2212", "-"));
+
+test("points are dragged by the mouse, along axes too, and a drag is one step", async () => {
+  const { pot, plain } = await opened();
+  await points(pot);
+  expect(await findings(pot)).toEqual([]);
+  await drag(pot, "vertex 2", 30, -40);
+  const dragged = await pot.fingerprintOtherThan(plain);
+  expect(await item(pot, "vertex 2").getAttribute("aria-pressed")).toBe("true");
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.redo();
+  await pot.shows(dragged);
+  await pot.page.getByRole("radio", { name: "z", exact: true }).check();
+  const [x, y] = [await number(pot, "x"), await number(pot, "y")];
+  await drag(pot, "vertex 2", 0, -40);
+  await pot.fingerprintOtherThan(dragged);
+  expect([await number(pot, "x"), await number(pot, "y")]).toEqual([x, y]);
+  // Typed to a place.
+  await pot.type("z", "9");
+  expect(await item(pot, "vertex 2").getAttribute("aria-label")).toMatch(/, 9 cm$/);
+});
+
+test("everything is from the catalogue", async () => {
+  const pot = await here.enter({ link: PSEUDO });
+  const first = await pot.fingerprint();
+  await pot.dropFile("leaf.json", LEAF);
+  await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-network-panel [data-pick=all]").click();
+  await pot.page.locator("pasu-network-patch .acts button").first().click();
+  await pot.page.locator("pasu-network-patch .force").waitFor();
+  expect(await unmarked(pot)).toEqual([]);
+});
+
+/** A can of five rows of four patches, open at both ends: it has no handle. */
+function can(): string {
+  const [vertices, patches]: [number[][], object[]] = [[], []];
+  const places = new Map<string, number>();
+  const vertex = (place: number, level: number) => {
+    const key = `${place % 8} ${level}`;
+    const known = places.get(key);
+    if (known !== undefined) return known;
+    const angle = (Math.PI * (place - 1)) / 4;
+    const point = [4 * Math.cos(angle), 4 * Math.sin(angle), level].map((value) => Number(value.toFixed(6)));
+    places.set(key, vertices.push(point) - 1);
+    return vertices.length - 1;
+  };
+  for (let row = 0; row < 5; row += 1) {
+    for (let column = 0; column < 4; column += 1) {
+      const at = (right: number, up: number) => vertex(2 * column + right, 2 * row + up);
+      patches.push({ frame: [at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1)] });
+    }
+  }
+  return JSON.stringify({ pasu: 1, parts: [{ shape: { kind: "vertex-frame", vertices, patches } }] });
+}
+
+/** Patches of the can that look to the front, below and above: out of these comes a handle. */
+const [LOWER, UPPER] = ["patch 7", "patch 15"];
+
+async function openCan(options: Parameters<typeof here.enter>[0] = {}) {
+  const pot = await here.enter(options);
+  pot.page.setDefaultTimeout(20_000);
+  const first = await pot.fingerprint();
+  await pot.dropFile("can.json", can());
+  const plain = await pot.fingerprintOtherThan(first);
+  await points(pot);
+  return { pot, plain };
+}
+
+/** What a handle is when it is built: a ring on the stage for all that is picked, and more patches. */
+async function told(pot: Visit): Promise<string> {
+  return (await pot.page.locator("pasu-network-panel .intro p").innerText()).trim();
+}
+
+test("a mug's handle is built with the mouse", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan();
+  const { page } = pot;
+  const click = async (name: string, more = false) => {
+    const [x, y] = await middle(pot, name);
+    if (more) await page.keyboard.down("Shift");
+    await page.mouse.click(x, y);
+    if (more) await page.keyboard.up("Shift");
+    await expect.poll(() => item(pot, name).getAttribute("aria-pressed")).toBe("true");
+  };
+  await click(LOWER);
+  await click(UPPER, true);
+  await pot.button("Delete").click();
+  const opened = await pot.fingerprintOtherThan(plain);
+  expect(await told(pot)).toContain("18 patches");
+  // The rims of both openings are picked, and are drawn out and joined.
+  await pot.button("Extrude").click();
+  await pot.button("Bridge").click();
+  await expect.poll(() => told(pot)).toContain("30 patches");
+  const bridged = await pot.fingerprintOtherThan(opened);
+  await drag(pot, "pivot", 40, 10);
+  const drawn = await pot.fingerprintOtherThan(bridged);
+  await pot.undo();
+  await pot.shows(bridged);
+  await pot.redo();
+  await pot.shows(drawn);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("a mug's handle is built with the keyboard", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan();
+  const { page } = pot;
+  const press = async (name: string) => {
+    await page.getByRole("button", { name, exact: true }).focus();
+    await page.keyboard.press("Enter");
+  };
+  await item(pot, LOWER).focus();
+  await page.keyboard.press("Enter");
+  await item(pot, UPPER).focus();
+  await page.keyboard.press("Shift+Enter");
+  expect(await page.locator("pasu-network-panel .told").first().innerText()).toMatch(/^16 points and 2 patches/);
+  await press("Delete");
+  const opened = await pot.fingerprintOtherThan(plain);
+  await press("Extrude");
+  await press("Bridge");
+  await expect.poll(() => told(pot)).toContain("30 patches");
+  const bridged = await pot.fingerprintOtherThan(opened);
+  await page.getByRole("radio", { name: "y", exact: true }).focus();
+  await page.keyboard.press("Space");
+  const before = await number(pot, "y");
+  await item(pot, "pivot").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(bridged);
+  expect(await number(pot, "y")).toBeGreaterThan(before + 0.5);
+  await pot.undo();
+  await pot.shows(bridged);
+});
+
+test("a mug's handle is built with a finger", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan({ ...PHONE });
+  const { page } = pot;
+  const cdp = await pot.context.newCDPSession(page);
+  const touch = async (name: string, dx = 0, dy = 0) => {
+    const [x, y] = await middle(pot, name);
+    await cdp.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+    for (let step = 1; step <= 4 && (dx !== 0 || dy !== 0); step += 1) {
+      const there = { x: x + (dx * step) / 4, y: y + (dy * step) / 4 };
+      await cdp.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [there] });
+    }
+    await cdp.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  };
+  const tap = (name: string) => page.getByRole("button", { name, exact: true }).tap();
+  await page.evaluate(() => scrollTo(0, 0));
+  await touch(UPPER);
+  await expect.poll(() => item(pot, UPPER).getAttribute("aria-pressed")).toBe("true");
+  await tap("Delete");
+  const once = await pot.fingerprintOtherThan(plain);
+  await tap("Extrude");
+  const drawn = await pot.fingerprintOtherThan(once);
+  // A finger has no shift: the other opening is made in its turn.
+  await page.evaluate(() => scrollTo(0, 0));
+  await touch(LOWER);
+  await expect.poll(() => item(pot, LOWER).getAttribute("aria-pressed")).toBe("true");
+  await tap("Delete");
+  await tap("Extrude");
+  const both = await pot.fingerprintOtherThan(drawn);
+  await expect.poll(() => told(pot)).toContain("26 patches");
+  await page.evaluate(() => scrollTo(0, 0));
+  await touch("pivot", 20, 10);
+  const moved = await pot.fingerprintOtherThan(both);
+  await pot.undo();
+  await pot.shows(both);
+  expect(moved).not.toBe(both);
+});
+
+test("a region is drawn across patches and pulled, and its numbers follow", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan();
+  const { page } = pot;
+  await page.getByRole("radio", { name: "draws a region" }).check();
+  const [x, y] = await middle(pot, "patch 11");
+  await page.mouse.move(x - 18, y - 22);
+  await page.mouse.down();
+  await page.mouse.move(x + 24, y + 20, { steps: 5 });
+  await page.mouse.up();
+  const pushed = await pot.fingerprintOtherThan(plain);
+  await page.locator("pasu-network-patch .force").waitFor();
+  const height = await number(pot, "Height, force 1");
+  expect(Math.abs(height)).toBeGreaterThan(0.05);
+  await item(pot, "crest 11 0").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(pushed);
+  await expect.poll(async () => Math.abs(await number(pot, "Height, force 1"))).toBeGreaterThan(Math.abs(height) + 0.1);
+  await pot.undo();
+  await pot.shows(pushed);
+  await pot.button("Remove force 1").click();
+  await pot.shows(plain);
+});
+
+test("a vase becomes patches, no further off than is said", { timeout: 120_000 }, async () => {
+  const pot = await here.enter({ link: "#1/fourth-order?r0=3&r1=2&rm=4&h1=9" });
+  const vase = await pot.fingerprint();
+  await pot.button("Make it patches…").click();
+  const found = pot.page.locator("pasu-patch-card .found");
+  await expect.poll(() => found.innerText(), { timeout: 30_000 }).toMatch(/^No further than [\d.]+ cm from the form/);
+  const off = async () => Number(/[\d.]+/.exec(await found.innerText())?.[0]);
+  const coarse = await off();
+  await pot.type("Patches round", "24");
+  await pot.type("Patches from end to end", "12");
+  await expect.poll(off).toBeLessThan(coarse);
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Use it").click();
+  await pot.fingerprintOtherThan(vase);
+  expect(await told(pot)).toContain("288 patches");
+  await pot.undo();
+  await pot.shows(vase);
+});
+
+test("a network is saved as OBJ and opened again", async () => {
+  const { pot } = await opened();
+  const { name, bytes } = await pot.download("Save as OBJ");
+  expect(name).toMatch(/\.obj$/);
+  expect(bytes.toString()).toContain("f 1 2 3 4 5 6 7 8");
+  const before = await pot.fingerprint();
+  const quads = "v 0 0 0\nv 4 0 0\nv 4 4 1\nv 0 4 0\nv 8 0 1\nv 8 4 2\nf 1 2 3 4\nf 2 5 6 3\n";
+  const choosing = pot.page.waitForEvent("filechooser");
+  await pot.button("Open OBJ quads…").click();
+  await (await choosing).setFiles({ name: "roof.obj", mimeType: "model/obj", buffer: Buffer.from(quads) });
+  await pot.fingerprintOtherThan(before);
+  expect(await told(pot)).toContain("2 patches through 13 points");
+  expect(await pot.page.title()).toBe("roof · Pasu");
+});
+
+test("points are picked in a box, keep to a grid and to their mirror image, and are turned and scaled", async () => {
+  const { pot, plain } = await opened();
+  const { page } = pot;
+  pot.page.setDefaultTimeout(20_000);
+  await points(pot);
+  await page.locator("pasu-stage .host").press("4");
+  await atRest(pot);
+  // Both corners at the right, with the middle between them.
+  await page.getByRole("radio", { name: "picks in a box" }).check();
+  const [[left, top], [right, bottom]] = [await middle(pot, "vertex 4"), await middle(pot, "vertex 2")];
+  await page.mouse.move(Math.min(left, right) - 14, Math.min(top, bottom) - 25);
+  await page.mouse.down();
+  await page.mouse.move(Math.max(left, right) + 60, Math.max(top, bottom) + 25, { steps: 4 });
+  await page.mouse.up();
+  const status = page.locator("pasu-network-panel .told").first();
+  await expect.poll(() => status.innerText()).toMatch(/^3 points/);
+  await page.getByRole("radio", { name: "Turn", exact: true }).check();
+  await drag(pot, "vertex 2", 30, 10);
+  const turned = await pot.fingerprintOtherThan(plain);
+  await page.getByRole("radio", { name: "Scale", exact: true }).check();
+  await drag(pot, "vertex 2", 10, 30);
+  await pot.fingerprintOtherThan(turned);
+  await pot.undo();
+  await pot.shows(turned);
+  await pot.undo();
+  await pot.shows(plain);
+  await page.getByRole("radio", { name: "Move", exact: true }).check();
+  await page.getByLabel("Mirror").selectOption("x");
+  await page.getByLabel("To a grid of").check();
+  await page.getByRole("radio", { name: "turns the view" }).check();
+  await pot.button("None").click();
+  await drag(pot, "vertex 3", 37, 11);
+  await pot.fingerprintOtherThan(plain);
+  const place = async (name: string) =>
+    (/: (.*)$/.exec((await item(pot, name).getAttribute("aria-label")) ?? "")?.[1] ?? "")
+      .split(", ")
+      .map((each) => Number.parseFloat(each.replace("\u2212", "-")));
+  const [[x = 0, y = 0], [mx = 0, my = 0]] = [await place("vertex 3"), await place("vertex 7")];
+  expect(x).toBeGreaterThan(7);
+  expect([2 * x, 2 * y].map((each) => Math.abs(each - Math.round(each)) < 1e-6)).toEqual([true, true]);
+  expect([mx, my]).toEqual([-x, y]);
+  // What cannot be done is said in words, and nothing changes.
+  const before = await pot.fingerprint();
+  await pot.button("Bridge").click();
+  await page.getByText("Pick two whole rims first").waitFor();
+  await pot.shows(before);
+});
+
+test("on a phone the panel fits, and everything in it can be pressed", async () => {
+  const { pot } = await opened({ ...PHONE });
+  await pot.page.locator("pasu-network-panel [data-pick=all]").tap();
+  await pot.page.locator("pasu-network-patch .acts button").first().tap();
+  await pot.page.locator("pasu-network-patch .force").waitFor();
+  expect(await overhang(pot)).toBeLessThanOrEqual(0);
+  expect(await unreachable(pot)).toEqual([]);
+  expect(await findings(pot)).toEqual([]);
+});
+
+test("a new network is one of the pictures", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  await pot.command("New");
+  await pot.page.getByText("From patches").click();
+  await pot.page.locator('pasu-new button[data-exhibit="own-mug"]').click();
+  await pot.fingerprintOtherThan(first);
+  expect(await told(pot)).toContain("110 patches through 330 points");
+});

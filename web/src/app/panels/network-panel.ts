@@ -1,0 +1,354 @@
+/** A network: what is picked of it, how a hand moves that, and what is built with it. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { DOINGS, TOUCHES, WAYS } from "../../document/network/grasping";
+import { AXES, type Axis, middleOf, moved, shiftBy } from "../../document/network/moving";
+import { type Network, sizeOf } from "../../document/network/network";
+import {
+  everything,
+  NOTHING,
+  type Picks,
+  ringThrough,
+  withPatch,
+  withVertices,
+} from "../../document/network/selection";
+import { type Building, bridged, extruded, filled, removed, split } from "../../document/network/topology";
+import type { Triple } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { togglePulling } from "../../state/actions";
+import { changeNetwork } from "../../state/network-actions";
+import { cells } from "../../ui/cells";
+import { choiceStyles, choices } from "../../ui/choices";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons, disclosure, fields } from "../../ui/styles";
+import { networks as words } from "../../words/english/networks";
+import { type NetworkDesk, networkDesk } from "../../work/network-desk";
+import { openObj, saveObj } from "../../work/network-files";
+import "./network-patch";
+
+const BUILDS = {
+  extrude: (network, picks) => extruded(network, picks.vertices),
+  split: (network, picks) => split(network, picks.vertices),
+  bridge: (network, picks) => bridged(network, picks.vertices),
+  fill: (network, picks) => filled(network, picks.vertices),
+  remove: (network, picks) => removed(network, picks.patches),
+} as const satisfies Readonly<Record<string, (network: Network, picks: Picks) => Building>>;
+
+type Build = keyof typeof BUILDS;
+
+@customElement("pasu-network-panel")
+export class PasuNetworkPanel extends DesignerElement {
+  override render() {
+    const { design, part, session } = this.designer.state;
+    const network = design.parts[part]?.shape;
+    if (network?.kind !== "vertex-frame") return nothing;
+    const picks = this.desk.picksOf(network);
+    return html`
+      <div class="intro">
+        <p><strong>${words.lead}</strong> ${words.about(network.patches.length, network.vertices.length)}</p>
+        <button
+          class="button outlined"
+          type="button"
+          aria-pressed=${session.pulling ? "true" : "false"}
+          @click=${() => this.designer.apply(togglePulling(this.designer.state))}
+        >
+          ${words.onStage}
+        </button>
+      </div>
+      ${this.picking(network, picks)} ${this.moving(network, picks)}
+      <section aria-label=${words.build}>
+        <h3>${words.build}</h3>
+        <div class="acts">
+          ${(Object.keys(BUILDS) as Build[]).map(
+            (build) => html`<button
+              class="button outlined"
+              type="button"
+              data-build=${build}
+              title=${words.builds[build].help}
+              @click=${() => this.build(build)}
+            >
+              ${words.builds[build].name}
+            </button>`,
+          )}
+        </div>
+      </section>
+      <pasu-network-patch .designer=${this.designer}></pasu-network-patch>
+      <section aria-label=${words.file}>
+        <h3>${words.file}</h3>
+        <p class="told">${words.fileAbout}</p>
+        <div class="acts">
+          <button class="button outlined" type="button" @click=${() => saveObj(this.designer, network)}>${words.saveObj}</button>
+          <button class="button outlined" type="button" @click=${() => void openObj(this.designer)}>${words.openObj}</button>
+        </div>
+      </section>
+    `;
+  }
+
+  private get desk(): NetworkDesk {
+    return networkDesk(this.designer);
+  }
+
+  private get network(): Network | null {
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    return shape?.kind === "vertex-frame" ? shape : null;
+  }
+
+  private picking(network: Network, picks: Picks) {
+    const { vertices, patches } = picks;
+    const pick = (next: Picks) => this.desk.pick(network, next);
+    const acts = [
+      ["all", () => everything(network), ""],
+      ["none", () => NOTHING, ""],
+      ["ring", () => ringThrough(network, picks), words.ringHelp],
+      ["patchOf", () => patchesOf(network, picks), words.patchOfHelp],
+    ] as const;
+    const one = ([...vertices][0] ?? -1) + 1;
+    const square = ([...patches][0] ?? -1) + 1;
+    return html`<section aria-label=${words.pick}>
+      <h3>${words.pick}</h3>
+      <div class="acts">
+        ${acts.map(
+          ([name, next, help]) =>
+            html`<button class="button outlined" type="button" data-pick=${name} title=${help || nothing} @click=${() => pick(next())}>
+              ${words[name]}
+            </button>`,
+        )}
+      </div>
+      <p class="told" role="status">
+        ${vertices.size === 0 ? words.pickedNone : words.picked(vertices.size, patches.size)}
+      </p>
+      <div class="two">
+        ${this.cell(words.numberOfPoint, one, 1, (value) => {
+          const vertex = Math.round(value) - 1;
+          if (network.vertices[vertex]) pick(withVertices(NOTHING, [vertex], false));
+        })}
+        ${this.cell(words.numberOfPatch, square, 1, (value) => {
+          const patch = Math.round(value) - 1;
+          if (network.patches[patch]) pick(withPatch(network, NOTHING, patch, false));
+        })}
+      </div>
+    </section>`;
+  }
+
+  private cell(
+    label: string,
+    value: number,
+    step: number,
+    set: (value: number, gesture: boolean) => void,
+    unit = "",
+    help = "",
+  ) {
+    return html`<span class="cell" title=${help || nothing}
+      ><span aria-hidden="true">${label}</span
+      ><pasu-number
+        compact
+        .label=${label}
+        .unit=${unit}
+        .value=${value}
+        .step=${step}
+        @number-change=${(event: NumberChangeEvent) => set(event.value, event.gesture)}
+        @number-done=${() => this.designer.store.endGesture()}
+        @number-cancel=${() => this.designer.store.cancelGesture()}
+      ></pasu-number
+    ></span>`;
+  }
+
+  private moving(network: Network, picks: Picks) {
+    const { desk } = this;
+    const { motion, way, touch, grid, step, meet, mirror } = desk.settings;
+    const unit = unitOf(this.designer.store.design);
+    const named = <T extends string>(all: readonly T[], names: Readonly<Record<T, string>>) =>
+      all.map((value) => ({ value, label: names[value] }));
+    return html`<section aria-label=${words.move}>
+      <h3>${words.move}</h3>
+      ${choices(words.motion, named(DOINGS, words.motions), motion, (next) => desk.set({ motion: next }))}
+      ${choices(words.way, named(WAYS, words.ways), way, (next) => desk.set({ way: next }))}
+      ${choices(words.touch, named(TOUCHES, words.touches), touch, (next) => desk.set({ touch: next }))}
+      <div class="snaps">
+        <label class="check">
+          <input type="checkbox" .checked=${grid} @change=${() => desk.set({ grid: !grid })} /><span>${words.grid}</span>
+        </label>
+        <pasu-number
+          compact
+          .label=${words.gridStep}
+          .unit=${unit}
+          .value=${step}
+          .step=${0.1}
+          @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ step: value })}
+        ></pasu-number>
+        <label class="check">
+          <input type="checkbox" .checked=${meet} @change=${() => desk.set({ meet: !meet })} /><span>${words.meet}</span>
+        </label>
+      </div>
+      <label class="mirror">
+        <span>${words.mirror}</span>
+        <select class="field" .value=${mirror ?? ""} @change=${(event: Event) => this.mirror(event)}>
+          <option value="" ?selected=${mirror === null}>${words.noMirror}</option>
+          ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mirror}>${words.mirrors[axis]}</option>`)}
+        </select>
+      </label>
+      ${
+        picks.vertices.size === 0
+          ? nothing
+          : html`<div class="three">
+              ${middleOf(network, picks.vertices).map((value, axis) =>
+                this.cell(
+                  words.place[axis] ?? "",
+                  Number(value.toPrecision(4)) + 0,
+                  Number((sizeOf(network) / 100).toPrecision(1)),
+                  (next, gesture) => this.place(axis, next, gesture),
+                  unit,
+                  words.placeHelp,
+                ),
+              )}
+            </div>`
+      }
+    </section>`;
+  }
+
+  private mirror(event: Event): void {
+    const { value } = event.target as HTMLSelectElement;
+    this.desk.set({ mirror: AXES.find((axis): axis is Axis => axis === value) ?? null });
+  }
+
+  private place(axis: number, value: number, gesture: boolean): void {
+    const { network, desk } = this;
+    if (!network) return;
+    const { vertices } = desk.picksOf(network);
+    const by = value - (middleOf(network, vertices)[axis] ?? 0);
+    const way = [0, 1, 2].map((each) => (each === axis ? by : 0)) as unknown as Triple;
+    const next = moved(network, vertices, shiftBy(way), desk.settings.mirror);
+    if (next === network && by !== 0) this.designer.notices.say(words.objections.collapsed);
+    this.designer.apply(changeNetwork(this.designer.state, () => next, gesture ? `place ${axis}` : undefined));
+  }
+
+  private build(build: Build): void {
+    const { network, desk, designer } = this;
+    if (!network) return;
+    const building = BUILDS[build](network, desk.picksOf(network));
+    if ("refused" in building) {
+      designer.notices.say(words.objections[building.refused]);
+      return;
+    }
+    desk.pick(network, desk.picksOf(network));
+    designer.apply(changeNetwork(designer.state, () => building.network));
+    const now = this.network;
+    if (now) desk.pick(now, { vertices: building.picked, patches: new Set() });
+    designer.notices.say(words.built[build]);
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    fields,
+    cells,
+    disclosure,
+    choiceStyles,
+    css`
+      :host {
+        display: block;
+      }
+      .intro {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: 10px;
+        padding-bottom: 10px;
+        color: var(--soft);
+      }
+      .intro .button {
+        flex: none;
+      }
+      .intro strong {
+        color: var(--ink);
+      }
+      .choices div {
+        grid-template-columns: repeat(auto-fit, minmax(3.6rem, 1fr));
+        gap: 6px;
+      }
+      .choices label {
+        padding: 6px 4px;
+        text-align: center;
+      }
+      section {
+        padding: 10px 0 12px;
+        border-top: 1px solid var(--line);
+      }
+      h3 {
+        padding-bottom: 8px;
+        font-size: 0.95rem;
+        font-weight: 650;
+      }
+      .acts {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 8px;
+      }
+      .told {
+        padding: 8px 0;
+        color: var(--soft);
+        font-size: 0.92rem;
+        text-wrap: pretty;
+      }
+      .two,
+      .three {
+        display: grid;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        gap: 8px;
+      }
+      .three {
+        grid-template-columns: repeat(3, minmax(0, 1fr));
+        padding-top: 10px;
+      }
+      .snaps {
+        display: grid;
+        grid-template-columns: auto minmax(0, 7rem) auto;
+        align-items: center;
+        gap: 4px 12px;
+        padding: 8px 0;
+      }
+      .check {
+        display: flex;
+        align-items: center;
+        gap: 8px;
+        min-height: 32px;
+      }
+      @media (pointer: coarse) {
+        .check {
+          min-height: var(--touch);
+        }
+        .snaps {
+          grid-template-columns: auto minmax(0, 1fr);
+        }
+      }
+      .mirror {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+      }
+      .mirror .field {
+        flex: 1;
+        min-width: 0;
+      }
+    `,
+  ];
+}
+
+/** The patches of which a point is picked, with all their points. */
+function patchesOf(network: Network, { vertices }: Picks): Picks {
+  let picks = NOTHING;
+  for (const [patch, { frame }] of network.patches.entries()) {
+    if (frame.some((vertex) => vertices.has(vertex))) picks = { ...picks, patches: new Set([...picks.patches, patch]) };
+  }
+  return { ...picks, vertices: new Set([...picks.patches].flatMap((patch) => network.patches[patch]?.frame ?? [])) };
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-network-panel": PasuNetworkPanel;
+  }
+}

@@ -1,0 +1,108 @@
+import { expect, test } from "vitest";
+import { NETWORKED } from "../gallery/networks";
+import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, turnBy } from "./moving";
+import type { Network } from "./network";
+import { crestOf, forceFor, heightOf, laidAt, pointAt, regionBetween, rimOf, unfolded } from "./sculpting";
+import { pointOn } from "./surface";
+
+function model(id: string): Network {
+  const shape = NETWORKED.find((each) => each.id === id)?.shape;
+  if (shape?.kind !== "vertex-frame") throw new Error(id);
+  return shape;
+}
+
+const leaf = model("own-leaf");
+
+test("what is picked is moved, turned and scaled, and nothing else", () => {
+  const picked = new Set([0, 2]);
+  const up = moved(leaf, picked, shiftBy([0, 0, 1.5]));
+  expect(up.vertices.map(([, , z], place) => z - (leaf.vertices[place]?.[2] ?? 0))).toEqual([
+    1.5, 0, 1.5, 0, 0, 0, 0, 0,
+  ]);
+  expect(middleOf(leaf, picked)).toEqual([0, -6, 0]);
+  const turned = moved(leaf, picked, turnBy([0, -6, 0], [0, 0, 1], Math.PI / 2));
+  expect([turned.vertices[0], turned.vertices[2]]).toEqual([
+    [0, -12, 0],
+    [0, 0, 0],
+  ]);
+  const wide = moved(leaf, picked, scaleBy([0, -6, 0], 2, [1, 0, 0]));
+  expect([wide.vertices[0], wide.vertices[2]]).toEqual([
+    [-12, -6, 0],
+    [12, -6, 0],
+  ]);
+  expect(moved(leaf, picked, scaleBy([0, 0, 0], 0.5, null)).vertices[0]).toEqual([-3, -3, 0]);
+});
+
+test("corners that would meet stay apart", () => {
+  expect(moved(leaf, new Set([0]), () => leaf.vertices[2] ?? [0, 0, 0])).toBe(leaf);
+});
+
+test("the image in a mirror follows, and what is in it stays there", () => {
+  expect([...imagesOf(leaf, "x")].sort()).toEqual([
+    [0, 2],
+    [1, 1],
+    [2, 0],
+    [3, 7],
+    [4, 6],
+    [5, 5],
+    [6, 4],
+    [7, 3],
+  ]);
+  const pulled = moved(leaf, new Set([3]), shiftBy([1, 2, 3]), "x");
+  expect([pulled.vertices[3], pulled.vertices[7]]).toEqual([
+    [8, 2, 1],
+    [-8, 2, 1],
+  ]);
+  const held = moved(leaf, new Set([1]), shiftBy([1, 2, 3]), "x");
+  expect(held.vertices[1]).toEqual([0, -5, 6]);
+});
+
+test("points go to a grid along the ways that they move", () => {
+  expect(onGrid([1.2, 3.4, -0.6], 0.5)).toEqual([1, 3.5, -0.5]);
+  expect(onGrid([1.2, 3.4, -0.6], 0.5, [0, 0, 1])).toEqual([1.2, 3.4, -0.5]);
+});
+
+test("patches round one are laid out so that every point on a common edge has one place", () => {
+  for (const id of ["own-face", "own-mug", "own-spouted"]) {
+    const network = model(id);
+    for (const patch of [0, 3, 7]) {
+      const laid = unfolded(network, patch);
+      expect(laid.length).toBeGreaterThan(3);
+      for (const [x, y] of [
+        [0.3, 0],
+        [1, 0.7],
+        [0.2, 1],
+        [0, 0.6],
+      ] as const) {
+        const own = pointOn(network, patch, x, y);
+        const near = laid.slice(1).flatMap((each) => {
+          const [dx, dy] = [x - each.origin[0], y - each.origin[1]];
+          const [u, v] = [dx * each.along[0] + dy * each.along[1], dx * each.across[0] + dy * each.across[1]];
+          if (u < -1e-9 || u > 1 + 1e-9 || v < -1e-9 || v > 1 + 1e-9) return [];
+          expect(laidAt(each, u, v).map((value) => (Math.abs(value) < 1e-12 ? 0 : value))).toEqual(
+            [x, y].map((value) => expect.closeTo(value, 12)),
+          );
+          return [pointOn(network, each.patch, u, v)];
+        });
+        for (const point of near.slice(0, 1)) {
+          expect(Math.hypot(...point.map((value, axis) => value - (own[axis] ?? 0)))).toBeLessThan(1e-9);
+        }
+      }
+    }
+  }
+});
+
+test("a region is drawn between two places, and pushes as far as it is told", () => {
+  const face = model("own-face");
+  const patch = face.patches[5];
+  if (!patch) throw new Error("the face has no such patch");
+  const force = regionBetween(patch, [1.4, 0.2], [0.6, 0.9], [0, -2, 0]);
+  expect([force.u, force.v, force.falloff]).toEqual([[0.6, 1.4], [0.2, 0.9], "smooth"]);
+  expect(heightOf(patch, force)[1]).toBeCloseTo(-2, 3);
+  expect(forceFor(patch, [0, 0, 0])).toEqual([0, 0, 0]);
+  expect(crestOf(force)).toEqual([1, 0.55]);
+  expect(rimOf(force, 4).length).toBe(16);
+  const laid = unfolded(face, 5);
+  for (const place of rimOf(force, 4)) expect(pointAt(face, laid, place)).not.toBe(null);
+  expect(pointAt(face, laid, [9, 9])).toBe(null);
+});

@@ -1,0 +1,163 @@
+/** Regions that forces push: how far, where on the patches, and what a rectangle is that a hand draws across several of them. */
+
+import type { Pair, Triple } from "../types";
+import { edgesOf, keyOf, type Network, type Patch, sideOf } from "./network";
+import { pointOn } from "./surface";
+
+export type Force = NonNullable<Patch["forces"]>[number];
+
+const UNIT: Pair = [0, 1];
+const ONES: Triple = [1, 1, 1];
+/** A region is no narrower. */
+const NARROWEST = 0.05;
+/** So many patches away a region may reach. */
+const REACH = 3;
+const DIGITS = 4;
+
+/** A patch beside another one, and where its unit square lies from the other's. */
+export interface Unfolded {
+  readonly patch: number;
+  readonly origin: Pair;
+  readonly along: Pair;
+  readonly across: Pair;
+}
+
+/** How far a force moves the surface at its crest. */
+export function heightOf({ a1 = ONES, a2 = ONES }: Patch, { f0 }: Force): Triple {
+  const one = (axis: 0 | 1 | 2) => {
+    const under = Math.PI ** 2 * (a1[axis] + a2[axis]);
+    return under === 0 ? 0 : -f0[axis] / under;
+  };
+  return [one(0), one(1), one(2)];
+}
+
+/** The force that moves it so far. */
+export function forceFor({ a1 = ONES, a2 = ONES }: Patch, height: Triple): Triple {
+  const exact = (axis: 0 | 1 | 2) => -height[axis] * Math.PI ** 2 * (a1[axis] + a2[axis]);
+  const most = Math.max(...([0, 1, 2] as const).map((axis) => Math.abs(exact(axis))));
+  // Beside the others it is rounding.
+  const one = (axis: 0 | 1 | 2) =>
+    Math.abs(exact(axis)) < 1e-6 * most ? 0 : Number(exact(axis).toPrecision(DIGITS)) + 0;
+  return [one(0), one(1), one(2)];
+}
+
+/** The patch and those round it, laid flat: the nearest first. */
+export function unfolded(network: Network, patch: number): readonly Unfolded[] {
+  const found: Unfolded[] = [{ patch, origin: [0, 0], along: [1, 0], across: [0, 1] }];
+  const cells = new Set(["0 0"]);
+  let level: readonly Unfolded[] = found.slice();
+  for (let step = 0; step < REACH; step += 1) {
+    const next: Unfolded[] = [];
+    for (const from of level) {
+      for (let side = 0; side < 4; side += 1) {
+        const beside = across(network, from, side);
+        if (!beside) continue;
+        const cell = cellOf(beside).join(" ");
+        if (cells.has(cell)) continue;
+        cells.add(cell);
+        next.push(beside);
+      }
+    }
+    found.push(...next);
+    level = next;
+  }
+  return found;
+}
+
+/** Where a point of the unit square of the first patch lies. */
+export function laidAt({ origin, along, across }: Unfolded, u: number, v: number): Pair {
+  return [origin[0] + u * along[0] + v * across[0], origin[1] + u * along[1] + v * across[1]];
+}
+
+/** The point of the surface at a place of the laid out patches; null beyond them. */
+export function pointAt(network: Network, laid: readonly Unfolded[], [x, y]: Pair): Triple | null {
+  const near = 1e-9;
+  for (const each of laid) {
+    const [dx, dy] = [x - each.origin[0], y - each.origin[1]];
+    const u = dx * each.along[0] + dy * each.along[1];
+    const v = dx * each.across[0] + dy * each.across[1];
+    if (u >= -near && u <= 1 + near && v >= -near && v <= 1 + near) return pointOn(network, each.patch, u, v);
+  }
+  return null;
+}
+
+/** Of several places those that there are. */
+export function pointsAt(network: Network, laid: readonly Unfolded[], places: readonly Pair[]): readonly Triple[] {
+  return places.map((place) => pointAt(network, laid, place)).filter((point) => point !== null);
+}
+
+/** A smooth force on the rectangle between two places of the laid out patches. */
+export function regionBetween(patch: Patch, from: Pair, to: Pair, height: Triple): Force {
+  const range = (axis: 0 | 1): Pair => {
+    const [low, high] = [Math.min(from[axis], to[axis]), Math.max(from[axis], to[axis])].map(neat) as [number, number];
+    if (high - low >= NARROWEST) return [low, high];
+    const middle = (low + high) / 2;
+    return [neat(middle - NARROWEST / 2), neat(middle + NARROWEST / 2)];
+  };
+  return { f0: forceFor(patch, height), u: range(0), v: range(1), falloff: "smooth" };
+}
+
+/** The middle of what a force pushes. */
+export function crestOf({ u = UNIT, v = UNIT }: Force): Pair {
+  return [(u[0] + u[1]) / 2, (v[0] + v[1]) / 2];
+}
+
+/** The rim of what it pushes, in so many steps a side. */
+export function rimOf({ u = UNIT, v = UNIT }: Force, steps: number): readonly Pair[] {
+  const shares = Array.from({ length: steps }, (_, each) => each / steps);
+  const mix = ([from, to]: Pair, share: number) => from + share * (to - from);
+  return [
+    ...shares.map((share): Pair => [mix(u, share), v[0]]),
+    ...shares.map((share): Pair => [u[1], mix(v, share)]),
+    ...shares.map((share): Pair => [mix(u, 1 - share), v[1]]),
+    ...shares.map((share): Pair => [u[0], mix(v, 1 - share)]),
+  ];
+}
+
+const OUT: readonly Pair[] = [
+  [0, -1],
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+];
+const STARTS: readonly Pair[] = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+  [0, 0],
+];
+
+function across(network: Network, from: Unfolded, side: number): Unfolded | null {
+  const vertices = sideOf((network.patches[from.patch] as Patch).frame, side);
+  const other = edgesOf(network)
+    .get(keyOf(vertices))
+    ?.sides.find((each) => each.patch !== from.patch || each.side !== side);
+  if (!other) return null;
+  const way: Pair = side % 2 === 0 ? [1, 0] : [0, 1];
+  const start = STARTS[side] as Pair;
+  const out = OUT[side] as Pair;
+  const same = other.vertices[0] === vertices[0];
+  const turn = ([x, y]: Pair): Pair => [x * from.along[0] + y * from.across[0], x * from.along[1] + y * from.across[1]];
+  const edge = laidAt(from, ...(same ? start : ([start[0] + way[0], start[1] + way[1]] as const)));
+  const on = turn(same ? way : [-way[0] + 0, -way[1] + 0]);
+  const away = turn(out);
+  const [first, second] = other.side % 2 === 0 ? [on, away] : [away, on];
+  // Sides at v = 0 and u = 0 have the patch ahead of them; the others behind.
+  const ahead = other.side === 0 || other.side === 3;
+  const back: Pair = [-away[0] + 0, -away[1] + 0];
+  const origin: Pair = ahead ? edge : [edge[0] + away[0], edge[1] + away[1]];
+  if (ahead) return { patch: other.patch, origin, along: first, across: second };
+  return other.side === 2
+    ? { patch: other.patch, origin, along: on, across: back }
+    : { patch: other.patch, origin, along: back, across: on };
+}
+
+/** The lower left corner of its unit square. */
+function cellOf(each: Unfolded): Pair {
+  const corners = [laidAt(each, 0, 0), laidAt(each, 1, 1)];
+  return [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
+}
+
+function neat(value: number): number {
+  return Math.round(1000 * value) / 1000 + 0;
+}

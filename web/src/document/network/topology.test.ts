@@ -1,0 +1,170 @@
+import { expect, test } from "vitest";
+import { NETWORKED } from "../gallery/networks";
+import type { Triple } from "../types";
+import { edgesOf, faultOf, isFree, type Network } from "./network";
+import { ringThrough } from "./selection";
+import { pointOn } from "./surface";
+import { type Building, type Built, bridged, extruded, filled, outsides, removed, rowsOf, split } from "./topology";
+import { ringOf, Weaving } from "./weaving";
+
+function model(id: string): Network {
+  const shape = NETWORKED.find((each) => each.id === id)?.shape;
+  if (shape?.kind !== "vertex-frame") throw new Error(id);
+  return shape;
+}
+
+function done(building: Building): Built {
+  if ("refused" in building) throw new Error(building.refused);
+  return building;
+}
+
+const free = (network: Network) => [...edgesOf(network).values()].filter(isFree);
+const turnsAlike = (network: Network) => {
+  const signs = outsides(network);
+  return [...edgesOf(network).values()].every(({ sides: [one, other] }) => {
+    if (!one || !other) return true;
+    const along = (side: number, [a, , c]: Triple) => (side < 2 ? c : a);
+    const same = along(one.side, one.vertices) !== along(other.side, other.vertices);
+    return same === (signs[one.patch]?.sign === signs[other.patch]?.sign);
+  });
+};
+
+/** A can: a wall of six patches between two rims. */
+function can(): Network {
+  const weaving = new Weaving();
+  const [low, middle, high] = [0, 2, 4].map((z) =>
+    ringOf(6, (angle) => [3 * Math.cos(angle), 3 * Math.sin(angle), z]),
+  ) as [readonly Triple[], readonly Triple[], readonly Triple[]];
+  weaving.wall(low, middle, high);
+  return weaving.network();
+}
+
+test("a patch is put on a free edge, and goes on from the one behind it", () => {
+  const leaf = model("own-leaf");
+  const { network, picked } = done(extruded(leaf, new Set([3])));
+  expect([network.patches.length, network.vertices.length, picked.size]).toEqual([2, 13, 3]);
+  expect(free(network).length).toBe(6);
+  expect(turnsAlike(network)).toBe(true);
+  const far = [...picked].map((vertex) => network.vertices[vertex]?.[0] ?? 0);
+  expect(Math.min(...far)).toBeGreaterThan(12);
+  expect(extruded(leaf, new Set([0]))).toEqual({ refused: "no-edge" });
+  expect(extruded(network, new Set([3]))).toEqual({ refused: "no-free-edge" });
+});
+
+test("a mug grows a handle: two openings, drawn out, bridged", () => {
+  const mug = model("own-mug");
+  expect(turnsAlike(mug)).toBe(true);
+  const before = free(mug).length;
+  // Two patches in the wall against the handle, one above the other.
+  const middles = mug.patches.map((_, patch) => pointOn(mug, patch, 0.5, 0.5));
+  const holes = [2.5, 6.8].map((z) =>
+    middles.findIndex((at) => at[0] < -3.9 && Math.abs(at[1]) < 0.1 && Math.abs(at[2] - z) < 0.2),
+  );
+  expect(holes.every((each) => each >= 0)).toBe(true);
+  const opened = done(removed(mug, new Set(holes)));
+  expect([before, free(opened.network).length]).toEqual([0, 8]);
+  const drawn = done(extruded(opened.network, opened.picked));
+  const reach = [...drawn.picked].map((vertex) => drawn.network.vertices[vertex]?.[0] ?? 0);
+  expect(Math.max(...reach)).toBeLessThan(-4.2);
+  const closed = done(bridged(drawn.network, drawn.picked));
+  expect(free(closed.network)).toEqual([]);
+  expect(turnsAlike(closed.network)).toBe(true);
+  expect(new Set(outsides(closed.network).map(({ body }) => body)).size).toBe(1);
+  // The way over is out of the mug, its outer side above and below.
+  const over = [...closed.picked].map((vertex) => closed.network.vertices[vertex]?.[0] ?? 0);
+  expect(Math.min(...over)).toBeLessThan(Math.min(...reach) - 0.5);
+  // What was taken away can be closed again.
+  expect(done(filled(opened.network, opened.picked)).network.patches.length).toBe(mug.patches.length);
+});
+
+test("a strip is split all the way round, and the surface stays where it was", () => {
+  const round = can();
+  const edge = [...edgesOf(round).values()].find((each) => !isFree(each));
+  const across = new Set([edge?.sides[0]?.vertices[1] ?? -1]);
+  const { network } = done(split(round, across));
+  expect([network.patches.length, free(network).length, faultOf(network)]).toEqual([12, 12, null]);
+  expect(turnsAlike(network)).toBe(true);
+  const rims = rowsOf(free(network)) ?? [];
+  expect(rims.map(({ closed, edges }) => [closed, edges.length])).toEqual([
+    [true, 6],
+    [true, 6],
+  ]);
+  for (const [patch, { frame }] of round.patches.entries()) {
+    expect(frame.length).toBe(8);
+    const [u, v] = [0.3, 0.2];
+    const before = pointOn(round, patch, u, v);
+    const after = pointOn(network, 2 * patch, u, 2 * v);
+    expect(Math.hypot(...before.map((value, axis) => value - (after[axis] ?? 0)))).toBeLessThan(1e-4);
+  }
+});
+
+test("rings are found from one edge", () => {
+  const round = can();
+  const [rim] = free(round);
+  const picks = ringThrough(round, { vertices: new Set([rim?.sides[0]?.vertices[1] ?? -1]), patches: new Set() });
+  expect(picks.vertices.size).toBe(12);
+  const upright = [...edgesOf(round).values()].find((each) => !isFree(each));
+  const ring = ringThrough(round, { vertices: new Set([upright?.sides[0]?.vertices[1] ?? -1]), patches: new Set() });
+  expect(ring.vertices.size).toBe(18);
+});
+
+test("what cannot be done is refused by name", () => {
+  const leaf = model("own-leaf");
+  expect(removed(leaf, new Set([0]))).toEqual({ refused: "last-patch" });
+  expect(removed(leaf, new Set())).toEqual({ refused: "no-patch" });
+  expect(bridged(leaf, new Set([1, 3]))).toEqual({ refused: "no-rings" });
+  expect(filled(can(), new Set(can().vertices.keys()))).toEqual({ refused: "no-hole" });
+  expect(split(leaf, new Set([0]))).toEqual({ refused: "no-edge" });
+  // A region of the face lies on several patches: what divides one of them would move it.
+  const face = model("own-face");
+  const everywhere = [...edgesOf(face).values()].map(({ sides }) =>
+    split(face, new Set(sides.slice(0, 1).map((side) => side.vertices[1]))),
+  );
+  expect(everywhere.some((each) => "refused" in each && each.refused === "spanned")).toBe(true);
+});
+
+/** Numbers that are the same on every machine. */
+function dice(seed: number) {
+  let state = seed;
+  return (below: number) => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return Math.floor((state / 2 ** 32) * below);
+  };
+}
+
+test.each([1, 2, 3, 4, 5, 6, 7, 8])("whatever is done to networks leaves networks, or is refused: %d", (seed) => {
+  const roll = dice(seed);
+  let network = [model("own-leaf"), can(), model("own-mug"), model("own-face")][seed % 4] as Network;
+  let [changed, refused] = [0, 0];
+  for (let step = 0; step < 60; step += 1) {
+    const edges = free(network);
+    const all = [...edgesOf(network).values()];
+    const some = <T>(from: readonly T[], count: number) =>
+      Array.from({ length: count }, () => from[roll(from.length)] as T);
+    const middles = (from: typeof all) => new Set(from.flatMap((edge) => edge?.sides[0]?.vertices[1] ?? []));
+    const rims = rowsOf(edges) ?? [];
+    const ring = (rim: (typeof rims)[number] | undefined) => rim?.edges ?? [];
+    const acts: readonly (() => Building)[] = [
+      () => extruded(network, middles(some(edges, 1 + roll(3)))),
+      () => extruded(network, middles(ring(rims[roll(rims.length || 1)]) as typeof all)),
+      () => split(network, middles(some(all, 1))),
+      () => removed(network, new Set(some([...network.patches.keys()], 1 + roll(2)))),
+      () => bridged(network, middles(some(rims, 2).flatMap((rim) => ring(rim)))),
+      () => bridged(network, middles(some(edges, 2))),
+      () => filled(network, middles(edges)),
+    ];
+    const building = (acts[roll(acts.length)] as () => Building)();
+    if ("refused" in building) {
+      refused += 1;
+      continue;
+    }
+    changed += 1;
+    expect(faultOf(building.network)).toBe(null);
+    for (const vertex of building.picked) expect(building.network.vertices[vertex]).toBeDefined();
+    const used = new Set(building.network.patches.flatMap(({ frame }) => frame));
+    expect(used.size).toBe(building.network.vertices.length);
+    if (building.network.patches.length < 400) network = building.network;
+  }
+  expect(changed).toBeGreaterThan(10);
+  expect(refused).toBeLessThan(50);
+});

@@ -1,0 +1,447 @@
+/** Building with patches: grown from edges, split, joined and taken away. What comes of it is a network, or is refused by name. */
+
+import type { Triple } from "../types";
+import {
+  at,
+  compacted,
+  type Edge,
+  edgesOf,
+  edgesThrough,
+  type Fault,
+  type Frame,
+  faultOf,
+  isFree,
+  keyOf,
+  type Network,
+  type Patch,
+  sideOf,
+  sizeOf,
+} from "./network";
+import { cross, dot, neighboursOf, pointOn, unit } from "./surface";
+
+export type Objection =
+  | Fault
+  | "no-edge"
+  | "no-free-edge"
+  | "no-patch"
+  | "last-patch"
+  | "crossing"
+  | "spanned"
+  | "no-rings"
+  | "unequal-rings"
+  | "no-hole"
+  | "branching";
+
+/** A network and the vertices that a person goes on with. */
+export interface Built {
+  readonly network: Network;
+  readonly picked: ReadonlySet<number>;
+}
+
+export type Building = Built | { readonly refused: Objection };
+
+/** A ring of free edges, or a row of them: its vertices in turn, corners and middles. */
+export interface Row {
+  readonly vertices: readonly number[];
+  readonly closed: boolean;
+  readonly edges: readonly Edge[];
+}
+
+/** Takes patches away, and with them the vertices that nothing else uses. The edges of the hole are picked. */
+export function removed(network: Network, patches: ReadonlySet<number>): Building {
+  if (patches.size === 0) return { refused: "no-patch" };
+  const kept = network.patches.filter((_, patch) => !patches.has(patch));
+  if (kept.length === 0) return { refused: "last-patch" };
+  const { network: left, places } = compacted({ ...network, patches: kept, ...seeded(network, patches) });
+  const bared = [...edgesOf(network).values()].filter(
+    ({ sides }) => sides.some(({ patch }) => patches.has(patch)) && sides.some(({ patch }) => !patches.has(patch)),
+  );
+  const picked = new Set(
+    bared.flatMap(({ sides }) => (sides[0]?.vertices ?? []).map((vertex) => places[vertex] ?? -1)),
+  );
+  return checked({ network: left, picked });
+}
+
+/** A rule that begins with a patch goes on beginning there, or where it is gone, everywhere at once. */
+function seeded({ rule = "global" }: Network, gone: ReadonlySet<number>): Pick<Network, "rule"> {
+  if (rule === "global") return {};
+  if (gone.has(rule.seed)) return { rule: "global" };
+  return { rule: { seed: rule.seed - [...gone].filter((patch) => patch < rule.seed).length } };
+}
+
+/** A patch on each free edge whose middle is picked; those that meet share a side. The new edges are picked. */
+export function extruded(network: Network, picked: ReadonlySet<number>): Building {
+  const edges = edgesThrough(network, picked);
+  if (edges.length === 0) return { refused: "no-edge" };
+  const free = edges.filter(isFree);
+  if (free.length === 0) return { refused: "no-free-edge" };
+  const rows = rowsOf(free);
+  if (!rows) return { refused: "branching" };
+  const vertices = [...network.vertices];
+  const add = (point: Triple) => vertices.push(point) - 1;
+  const patches: Patch[] = [];
+  const next = new Set<number>();
+  for (const row of rows) {
+    const steps = stepsOf(network, row);
+    const moved = new Map<number, readonly [middle: number, far: number]>();
+    const grown = (vertex: number, isCorner: boolean) => {
+      const known = moved.get(vertex);
+      if (known) return known;
+      const step = steps.get(vertex) ?? [0, 0, 0];
+      const from = at(network, vertex);
+      const made = [isCorner ? add(plus(from, step, 0.5)) : -1, add(plus(from, step, 1))] as const;
+      moved.set(vertex, made);
+      next.add(made[1]);
+      return made;
+    };
+    for (const edge of row.edges) {
+      const [side] = edge.sides;
+      if (!side) continue;
+      // Against the direction in which the patch beside it has the edge where that makes both turn alike.
+      const [a, b, c] = alongOf(side.side, side.vertices);
+      const [[am, af], [, bf], [cm, cf]] = [grown(a, true), grown(b, false), grown(c, true)];
+      const { a1, a2 } = network.patches[side.patch] ?? {};
+      const turned = side.side % 2 === 1;
+      const [own, other] = turned ? [a2, a1] : [a1, a2];
+      patches.push({ frame: [a, b, c, cm, cf, bf, af, am], ...(own && { a1: own }), ...(other && { a2: other }) });
+    }
+  }
+  return checked({ network: { ...network, vertices, patches: [...network.patches, ...patches] }, picked: next });
+}
+
+/** The vertices of a side so that the patch beyond it goes round as its own does. */
+function alongOf(side: number, [a, b, c]: Triple): Triple {
+  return side === 0 || side === 1 ? [c, b, a] : [a, b, c];
+}
+
+/** How far each vertex of a row goes out: on from the patch behind it; of a closed ring, all alike along its axis where that is the longer way. */
+function stepsOf(network: Network, row: Row): ReadonlyMap<number, Triple> {
+  const steps = new Map<number, Triple[]>();
+  for (const { sides } of row.edges) {
+    const [side] = sides;
+    const frame = side && network.patches[side.patch]?.frame;
+    if (!side || !frame) continue;
+    const behind = sideOf(frame, (side.side + 2) % 4);
+    for (const [place, vertex] of side.vertices.entries()) {
+      const way = minus(at(network, vertex), at(network, behind[place] as number));
+      steps.set(vertex, [...(steps.get(vertex) ?? []), way]);
+    }
+  }
+  const mean = new Map([...steps].map(([vertex, all]) => [vertex, meanOf(all)] as const));
+  if (!row.closed) return mean;
+  const axis = axisOf(network, row);
+  const along = meanOf([...mean.values()]);
+  const lengths = row.edges.map(({ sides }) => {
+    const [from, , to] = sides[0]?.vertices ?? [0, 0, 0];
+    return Math.hypot(...minus(at(network, to), at(network, from)));
+  });
+  const length = lengths.reduce((sum, each) => sum + each, 0) / (lengths.length || 1);
+  // A tube goes on as it came; the rim of a hole in a wall goes out of the wall.
+  const straight = Math.abs(dot(along, axis)) > 0.3 * Math.hypot(...meanOfLengths([...mean.values()]));
+  const out = straight ? (dot(along, axis) < 0 ? -1 : 1) : outwardOf(network, row, axis);
+  const step: Triple = [out * length * axis[0], out * length * axis[1], out * length * axis[2]];
+  return new Map([...mean.keys()].map((vertex) => [vertex, step] as const));
+}
+
+function meanOfLengths(all: readonly Triple[]): Triple {
+  return [all.reduce((sum, each) => sum + Math.hypot(...each), 0) / (all.length || 1), 0, 0];
+}
+
+/** Away from the middle of the whole. */
+function outwardOf(network: Network, { vertices }: Row, axis: Triple): 1 | -1 {
+  const centre = meanOf(network.vertices);
+  const middle = meanOf(vertices.map((vertex) => at(network, vertex)));
+  return dot(minus(middle, centre), axis) < 0 ? -1 : 1;
+}
+
+/** The direction that a ring goes round: of the area that it has. */
+export function axisOf(network: Network, { vertices }: Row): Triple {
+  let sum: Triple = [0, 0, 0];
+  const middle = meanOf(vertices.map((vertex) => at(network, vertex)));
+  for (const [place, vertex] of vertices.entries()) {
+    const next = vertices[(place + 1) % vertices.length] as number;
+    sum = plus(sum, cross(minus(at(network, vertex), middle), minus(at(network, next), middle)), 1);
+  }
+  return unit(sum) ?? [0, 0, 1];
+}
+
+/** Edges that hang together, each in turn; null where three of them meet. */
+export function rowsOf(edges: readonly Edge[]): readonly Row[] | null {
+  const meeting = new Map<number, Edge[]>();
+  for (const edge of edges) {
+    const [from, , to] = edge.sides[0]?.vertices ?? [0, 0, 0];
+    for (const end of [from, to]) meeting.set(end, [...(meeting.get(end) ?? []), edge]);
+  }
+  if ([...meeting.values()].some((each) => each.length > 2)) return null;
+  const left = new Set(edges);
+  const rows: Row[] = [];
+  while (left.size > 0) {
+    // A row that is open begins at an end.
+    const starts = [...left].flatMap((edge) => {
+      const [from, , to] = edge.sides[0]?.vertices ?? [0, 0, 0];
+      return [from, to].filter((end) => meeting.get(end)?.length === 1);
+    });
+    const first = [...left][0]?.sides[0]?.vertices[0] ?? 0;
+    let end = starts[0] ?? first;
+    const begin = end;
+    const vertices: number[] = [];
+    const found: Edge[] = [];
+    for (;;) {
+      const edge = (meeting.get(end) ?? []).find((each) => left.has(each));
+      const side = edge?.sides[0];
+      if (!edge || !side) break;
+      left.delete(edge);
+      found.push(edge);
+      const [from, middle, to] = side.vertices;
+      vertices.push(end, middle);
+      end = end === from ? to : from;
+    }
+    const closed = end === begin && found.length > 1;
+    if (!closed) vertices.push(end);
+    rows.push({ vertices, closed, edges: found });
+  }
+  return rows;
+}
+
+/** Divides every patch of the strips that the picked edges run across, in the middle. */
+export function split(network: Network, picked: ReadonlySet<number>): Building {
+  const edges = edgesThrough(network, picked);
+  if (edges.length === 0) return { refused: "no-edge" };
+  const crossed = new Map<string, Edge>();
+  const ways = new Map<number, number>();
+  const queue = edges.slice(0, 1);
+  while (queue.length > 0) {
+    const edge = queue.pop();
+    if (!edge || crossed.has(edge.key)) continue;
+    crossed.set(edge.key, edge);
+    for (const { patch, side } of edge.sides) {
+      const way = side % 2;
+      const before = ways.get(patch);
+      if (before !== undefined && before !== way) return { refused: "crossing" };
+      ways.set(patch, way);
+      const opposite = edgesOf(network).get(keyOf(sideOf((network.patches[patch] as Patch).frame, (side + 2) % 4)));
+      if (opposite) queue.push(opposite);
+    }
+  }
+  if ([...ways.keys()].some((patch) => isSpanned(network, patch))) return { refused: "spanned" };
+  const vertices = [...network.vertices];
+  const add = (point: Triple) => vertices.push(point) - 1;
+  // Two new middles for each edge that is divided, from its first end on; what was its middle is a corner.
+  const halves = new Map<string, Triple>();
+  for (const { key, sides } of crossed.values()) {
+    const [side] = sides;
+    if (!side) continue;
+    const on = (share: number) => pointOn(network, side.patch, ...placeOn(side.side, share));
+    halves.set(key, [side.vertices[0], add(on(0.25)), add(on(0.75))]);
+  }
+  const halvesOf = (edge: Triple): readonly [number, number] => {
+    const [first, near, far] = halves.get(keyOf(edge)) ?? [0, 0, 0];
+    return edge[0] === first ? [near, far] : [far, near];
+  };
+  const next = new Set<number>();
+  const patches = network.patches.flatMap((patch, index): readonly Patch[] => {
+    const way = ways.get(index);
+    if (way === undefined) return [patch];
+    const { frame } = patch;
+    const centre = add(pointOn(network, index, 0.5, 0.5));
+    next.add(centre);
+    const [p0, p1, p2, p3, p4, p5, p6, p7] = frame;
+    const [one, other]: readonly [Frame, Frame] =
+      way === 0
+        ? ((([s, e], [t, f]) => [
+            [p0, s, p1, centre, p5, t, p6, p7],
+            [p1, e, p2, p3, p4, f, p5, centre],
+          ])(halvesOf([p0, p1, p2]), halvesOf([p6, p5, p4])) as readonly [Frame, Frame])
+        : ((([s, e], [t, f]) => [
+            [p0, p1, p2, t, p3, centre, p7, s],
+            [p7, centre, p3, f, p4, p5, p6, e],
+          ])(halvesOf([p0, p7, p6]), halvesOf([p2, p3, p4])) as readonly [Frame, Frame]);
+    return [
+      { ...withForces(patch, way, 0), frame: one },
+      { ...withForces(patch, way, 1), frame: other },
+    ];
+  });
+  for (const edge of crossed.values()) if (edge.sides[0]) next.add(edge.sides[0].vertices[1]);
+  return checked({ network: { ...network, vertices, patches, ...(network.rule && { rule: "global" }) }, picked: next });
+}
+
+function placeOn(side: number, share: number): readonly [number, number] {
+  return (
+    (
+      [
+        [share, 0],
+        [1, share],
+        [share, 1],
+        [0, share],
+      ] as const
+    )[side] ?? [0, 0]
+  );
+}
+
+/** Whether a force goes over the edges of the patch, or one of a patch beside it may come in. */
+function isSpanned(network: Network, patch: number): boolean {
+  const spans = (index: number) =>
+    (network.patches[index]?.forces ?? []).some(({ u = UNIT, v = UNIT }) =>
+      [...u, ...v].some((each) => each < 0 || each > 1),
+    );
+  return spans(patch) || (neighboursOf(network)[patch] ?? []).some(spans);
+}
+
+const UNIT = [0, 1] as const;
+
+/** What of the forces of a patch falls to its half: a rectangle across the new edge goes on from the first half to the second. */
+function withForces({ forces, ...patch }: Patch, way: number, half: 0 | 1): Patch {
+  if (!forces) return patch;
+  const key = way === 0 ? "u" : "v";
+  const own = forces.flatMap((force) => {
+    const [from, to] = force[key] ?? UNIT;
+    const isSecond = from >= 0.5;
+    if ((half === 1) !== isSecond) return [];
+    const shift = isSecond ? 1 : 0;
+    return [{ ...force, [key]: [2 * from - shift, 2 * to - shift] as const }];
+  });
+  return own.length > 0 ? { ...patch, forces: own } : patch;
+}
+
+/** Patches between two rings, or two rows, of as many free edges: what turns with the patches round them, and leaves each as its axis points. */
+export function bridged(network: Network, picked: ReadonlySet<number>): Building {
+  const rows = rowsOf(edgesThrough(network, picked).filter(isFree));
+  if (!rows) return { refused: "branching" };
+  const [one, other] = rows;
+  if (rows.length !== 2 || !one || !other || one.closed !== other.closed) return { refused: "no-rings" };
+  if (one.edges.length !== other.edges.length) return { refused: "unequal-rings" };
+  const from = one.vertices;
+  const to = matched(network, one, other);
+  const [out, back] = [one, other].map((row) => leaving(network, row)) as [Triple, Triple];
+  const vertices = [...network.vertices];
+  const middles = new Map<number, number>();
+  const next = new Set<number>();
+  const between = (place: number): number => {
+    const index = place % from.length;
+    const known = middles.get(index);
+    if (known !== undefined) return known;
+    const [a, b] = [at(network, from[index] as number), at(network, to[index] as number)];
+    const far = Math.hypot(...minus(b, a));
+    const bulge: Triple = [out[0] + back[0], out[1] + back[1], out[2] + back[2]];
+    const made = vertices.push(plus(meanOf([a, b]), bulge, one.closed ? far / 5 : 0)) - 1;
+    middles.set(index, made);
+    next.add(made);
+    return made;
+  };
+  const patches: Patch[] = [];
+  for (let place = 0; place < 2 * one.edges.length; place += 2) {
+    const [a, b, c] = [0, 1, 2].map((by) => from[(place + by) % from.length]) as [number, number, number];
+    const [d, e, f] = [0, 1, 2].map((by) => to[(place + by) % to.length]) as [number, number, number];
+    patches.push({ frame: [a, b, c, between(place + 2), f, e, d, between(place)] });
+  }
+  return checked({ network: { ...network, vertices, patches: [...network.patches, ...patches] }, picked: next });
+}
+
+/** The direction in which a ring opens: away from the patches behind it, or where they lie flat round it, out of the whole. */
+function leaving(network: Network, row: Row): Triple {
+  const [step] = stepsOf(network, row).values();
+  return unit(step ?? [0, 0, 0]) ?? [0, 0, 0];
+}
+
+/** The vertices of the second row in the order in which they stand over against the first: of all ways that turn rightly, the one on which they are nearest. */
+function matched(network: Network, one: Row, other: Row): readonly number[] {
+  const { vertices } = other;
+  const count = vertices.length;
+  const turns: (readonly number[])[] = [];
+  for (const reversed of [false, true]) {
+    const starts = other.closed ? Array.from({ length: count / 2 }, (_, each) => 2 * each) : [reversed ? count - 1 : 0];
+    for (const start of starts) {
+      turns.push(
+        vertices.map(
+          (_, place) => vertices[(((start + (reversed ? -place : place)) % count) + count) % count] as number,
+        ),
+      );
+    }
+  }
+  const right = turns.filter((turn) => turnsRightly(network, one.vertices, turn, one, other));
+  const far = (turn: readonly number[]) =>
+    turn.reduce((sum, vertex, place) => {
+      const gap = minus(at(network, vertex), at(network, one.vertices[place] as number));
+      return sum + dot(gap, gap);
+    }, 0);
+  return (right.length > 0 ? right : turns).reduce((best, turn) => (far(turn) < far(best) ? turn : best));
+}
+
+/** Whether patches between both would have one outside with those behind them; of rows on bodies of their own either way is right. */
+function turnsRightly(network: Network, from: readonly number[], to: readonly number[], one: Row, other: Row): boolean {
+  const signs = outsides(network);
+  const sense = (row: Row, order: readonly number[]) => {
+    const [side] = row.edges[0]?.sides ?? [];
+    if (!side) return null;
+    const [a, b] = alongOf(side.side, side.vertices);
+    const forward = order[(order.indexOf(a) + 1) % order.length] === b;
+    const { body, sign } = signs[side.patch] ?? { body: -1, sign: 1 };
+    return { body, turn: (forward ? 1 : -1) * sign };
+  };
+  const [first, second] = [sense(one, from), sense(other, to)];
+  return !first || !second || first.body !== second.body || first.turn !== second.turn;
+}
+
+/** For every patch which body it is of, and whether it goes round as the first of that body does. */
+export function outsides(network: Network): readonly { readonly body: number; readonly sign: 1 | -1 }[] {
+  const found: ({ readonly body: number; readonly sign: 1 | -1 } | undefined)[] = network.patches.map(() => undefined);
+  for (const seed of network.patches.keys()) {
+    if (found[seed]) continue;
+    found[seed] = { body: seed, sign: 1 };
+    const queue = [seed];
+    while (queue.length > 0) {
+      const patch = queue.pop() as number;
+      const own = found[patch]?.sign ?? 1;
+      for (let side = 0; side < 4; side += 1) {
+        const vertices = sideOf((network.patches[patch] as Patch).frame, side);
+        for (const beside of edgesOf(network).get(keyOf(vertices))?.sides ?? []) {
+          if (found[beside.patch]) continue;
+          // Two that turn alike run along a common edge against each other.
+          const same = alongOf(side, vertices)[0] !== alongOf(beside.side, beside.vertices)[0];
+          found[beside.patch] = { body: seed, sign: same ? own : own === 1 ? -1 : 1 };
+          queue.push(beside.patch);
+        }
+      }
+    }
+  }
+  return found.map((each, patch) => each ?? { body: patch, sign: 1 });
+}
+
+/** Closes a hole of four free edges by a patch. */
+export function filled(network: Network, picked: ReadonlySet<number>): Building {
+  const rows = rowsOf(edgesThrough(network, picked).filter(isFree));
+  const holes = (rows ?? []).filter(({ closed, edges }) => closed && edges.length === 4);
+  if (holes.length === 0) return { refused: "no-hole" };
+  const patches = holes.map(({ vertices }): Patch => ({ frame: vertices as unknown as Frame }));
+  const next = new Set(holes.flatMap(({ vertices }) => vertices));
+  return checked({ network: { ...network, patches: [...network.patches, ...patches] }, picked: next });
+}
+
+function checked(built: Built): Building {
+  const fault = faultOf(built.network);
+  return fault === null ? { ...built, network: written(built.network) } : { refused: fault };
+}
+
+/** New points with as many digits as a person needs. */
+function written(network: Network): Network {
+  const digits = 6 - Math.floor(Math.log10(sizeOf(network)));
+  const step = 10 ** Math.min(Math.max(digits, 0), 12);
+  const vertices = network.vertices.map(
+    (point) => point.map((value) => Math.round(value * step) / step + 0) as unknown as Triple,
+  );
+  return { ...network, vertices };
+}
+
+export function minus(a: Triple, b: Triple): Triple {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+export function plus(a: Triple, b: Triple, times: number): Triple {
+  return [a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]];
+}
+
+export function meanOf(all: readonly Triple[]): Triple {
+  let sum: Triple = [0, 0, 0];
+  for (const each of all) sum = plus(sum, each, 1 / (all.length || 1));
+  return sum;
+}

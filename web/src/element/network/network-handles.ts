@@ -1,0 +1,574 @@
+/** What lies over the stage while the tool that pulls is taken up and the selected part is a network: its points, for pointers, fingers and keys. */
+
+import { css, html, nothing } from "lit";
+import { customElement, property, query, state } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { AXES, type Axis, type Motion, middleOf, moved, scaleBy, shiftBy, turnBy } from "../../document/network/moving";
+import { type Network, sizeOf } from "../../document/network/network";
+import { forceFor, heightOf, laidAt, pointsAt, regionBetween, rimOf, unfolded } from "../../document/network/sculpting";
+import { type Picks, withPatch, withVertex, withVertices } from "../../document/network/selection";
+import { normalAt, normalOn, unit } from "../../document/network/surface";
+import { plus } from "../../document/network/topology";
+import type { Pair, Triple } from "../../document/types";
+import { formatNumber } from "../../number";
+import { Hand } from "../../render/pull/hand";
+import type { See, Spot } from "../../render/pull/reach";
+import type { Stage } from "../../render/stage";
+import { changeNetwork } from "../../state/network-actions";
+import { base } from "../../ui/styles";
+import { networks as words } from "../../words/english/networks";
+import { pull } from "../../words/english/pull";
+import { spokenLength } from "../../words/quantities";
+import { type NetworkDesk, networkDesk } from "../../work/network-desk";
+import { followed } from "../blend/grip-pull";
+import { DesignerElement } from "../designer-element";
+import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
+import { drawNetwork, type Item, NetworkCurves, type Placed, placedItems, touched } from "./drawn-network";
+
+interface Held {
+  readonly pointer: number;
+  readonly item: Item | null;
+  readonly network: Network;
+  readonly picks: Picks;
+  readonly grasp: Grasp;
+  readonly more: boolean;
+  /** Whether it was picked when it was touched. */
+  readonly fresh: boolean;
+  /** Where on which patch a region begins. */
+  readonly begun: { readonly patch: number; readonly at: Pair } | null;
+  now: Spot;
+  moves: boolean;
+}
+
+/** How far from a point a mouse takes it, and a finger, in pixels. */
+const NEAR = { mouse: 11, pen: 14, touch: 24 } as const;
+/** A hand that goes less far has clicked. */
+const STILL = 3;
+/** With more points buttons stand for what is picked alone: fields of the panel pick by number. */
+const MOST = 400;
+const COARSE = 10;
+const STEPS = 100;
+const TURN = Math.PI / 36;
+const SCALE = 1.02;
+/** A new region rises by so much of the size. */
+const RISE = 0.06;
+
+@customElement("pasu-network-handles")
+export class PasuNetworkHandles extends DesignerElement {
+  @property({ attribute: false }) stage: Stage | null = null;
+  @state() private spoken = "";
+  @query("canvas") private readonly canvas!: HTMLCanvasElement | null;
+  private hand: Hand | null = null;
+  private giveBack: (() => void) | null = null;
+  private held: Held | null = null;
+  private curves: NetworkCurves | null = null;
+  private placed: readonly Placed[] = [];
+  private over: Document | ShadowRoot | null = null;
+  private drags = 0;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    window.addEventListener("keydown", this.escape, { capture: true });
+    // Before the stage hears of it: what is no point of the network turns the view.
+    this.over = this.getRootNode() as ShadowRoot;
+    this.over.addEventListener("pointerdown", this.take, { capture: true });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    window.removeEventListener("keydown", this.escape, { capture: true });
+    this.over?.removeEventListener("pointerdown", this.take, { capture: true });
+    this.over = null;
+    if (this.held) this.designer.store.endGesture();
+    this.letGo();
+    this.leave();
+  }
+
+  private leave(): void {
+    this.giveBack?.();
+    this.giveBack = null;
+    this.hand = null;
+  }
+
+  override willUpdate(changed: Map<PropertyKey, unknown>): void {
+    if (changed.has("stage")) this.leave();
+    if (!this.stage || this.hand || !this.isConnected) return;
+    const { tool, giveBack } = this.stage.lend((bench) => new Hand(bench));
+    tool.onFrame = () => this.follow();
+    this.hand = tool;
+    this.giveBack = giveBack;
+  }
+
+  override render() {
+    const { network } = this;
+    if (!network) return nothing;
+    const picks = this.desk.picksOf(network);
+    const { vertices } = network;
+    const shown =
+      vertices.length > MOST ? [...picks.vertices].sort((a, b) => a - b).slice(0, MOST) : [...vertices.keys()];
+    const patches = network.patches.length > MOST ? [...picks.patches] : [...network.patches.keys()];
+    return html`
+      <canvas aria-hidden="true"></canvas>
+      <div class="handles" role="group" aria-label=${words.handles} aria-describedby="keys">
+        ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), true) : nothing}
+        ${shown.map((index) => this.handle({ kind: "vertex", index }, this.reading(network, index), picks.vertices.has(index)))}
+        ${patches.map((index) => this.handle({ kind: "patch", index }, words.patch(formatNumber(index + 1)), picks.patches.has(index)))}
+        ${[...picks.patches].flatMap((patch) =>
+          (network.patches[patch]?.forces ?? []).map((_, index) =>
+            this.handle({ kind: "crest", patch, index }, words.crest(formatNumber(index + 1)), false),
+          ),
+        )}
+      </div>
+      <p id="keys" class="spoken">${words.handleKeys}</p>
+      <p class="spoken" role="status">${this.spoken}</p>
+    `;
+  }
+
+  override updated(): void {
+    this.follow();
+  }
+
+  private get desk(): NetworkDesk {
+    return networkDesk(this.designer);
+  }
+
+  private get network(): Network | null {
+    const { design, part } = this.designer.state;
+    const shape = design.parts[part]?.shape;
+    return shape?.kind === "vertex-frame" ? shape : null;
+  }
+
+  private handle(item: Item, label: string, picked: boolean) {
+    return html`<button
+      type="button"
+      class=${item.kind}
+      data-item=${nameOf(item)}
+      aria-roledescription=${pull.handle}
+      aria-pressed=${picked ? "true" : "false"}
+      aria-label=${label}
+      @keydown=${(event: KeyboardEvent) => this.key(event, item)}
+      @keyup=${() => this.designer.store.endGesture()}
+      @blur=${() => this.designer.store.endGesture()}
+    ></button>`;
+  }
+
+  private reading(network: Network, index: number): string {
+    const unitName = unitOf(this.designer.store.design);
+    const at = (network.vertices[index] ?? []).map((value) => spokenLength(value, unitName)).join(", ");
+    return words.point(formatNumber(index + 1), at);
+  }
+
+  // Pointers
+
+  private readonly take = (event: Event): void => {
+    const { network, hand } = this;
+    if (!(event instanceof PointerEvent) || event.button !== 0 || this.held || !network) return;
+    // Tools that lie over the stage are pressed as ever.
+    const on = event.composedPath()[0];
+    if (
+      !(on instanceof HTMLCanvasElement) &&
+      !(on instanceof HTMLElement && (on.classList.contains("host") || on.closest(".host")))
+    )
+      return;
+    const see = hand?.sight(this.designer.store.part);
+    if (!see) return;
+    const frame = this.getBoundingClientRect();
+    const from = { x: event.clientX - frame.left, y: event.clientY - frame.top };
+    const { touch } = this.desk.settings;
+    const reach = NEAR[event.pointerType as keyof typeof NEAR] ?? NEAR.mouse;
+    // Who draws a region means the surface, and not the points on it.
+    const found = this.nearest(from, reach, touch === "region");
+    const begun = !found && touch === "region" ? touched(network, see, from) : null;
+    if (!found && touch !== "box" && !begun) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const more = event.shiftKey;
+    let picks = this.desk.picksOf(network);
+    const item = found?.item ?? null;
+    // What is not picked yet is picked at once, so that it can be dragged; what is, only when nothing was dragged.
+    if (item?.kind === "vertex" && !picks.vertices.has(item.index)) picks = withVertex(picks, item.index, more);
+    if (item?.kind === "patch" && !picks.patches.has(item.index)) picks = withPatch(network, picks, item.index, more);
+    const was = this.desk.picksOf(network);
+    if (picks !== was) this.desk.pick(network, picks);
+    this.drags += 1;
+    this.held = {
+      pointer: event.pointerId,
+      item,
+      network,
+      picks,
+      grasp: this.grasp(network, picks, item, found?.at ?? null, see, from),
+      more,
+      fresh: picks !== was,
+      begun: begun ? { patch: begun.patch, at: [begun.u, begun.v] } : null,
+      now: from,
+      moves: false,
+    };
+    if (item)
+      this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`)?.focus({ preventScroll: true });
+    window.addEventListener("pointermove", this.move);
+    window.addEventListener("pointerup", this.release);
+    window.addEventListener("pointercancel", this.release);
+  };
+
+  private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
+    let best: Placed | null = null;
+    let least = Number.POSITIVE_INFINITY;
+    for (const placed of this.placed) {
+      const far = Math.hypot(placed.seen.x - spot.x, placed.seen.y - spot.y);
+      if (far > reach || (onlyCrests && placed.item.kind !== "crest")) continue;
+      // What is behind is taken where nothing before it is as near; what is worked with goes first.
+      const score =
+        far +
+        (placed.front ? 0 : reach) -
+        (placed.item.kind === "pivot" || placed.item.kind === "crest" ? reach / 2 : 0);
+      if (score < least) [best, least] = [placed, score];
+    }
+    return best;
+  }
+
+  private grasp(network: Network, picks: Picks, item: Item | null, at: Triple | null, see: See, from: Spot): Grasp {
+    const { way, grid, step } = this.desk.settings;
+    const pivot = middleOf(network, picks.vertices);
+    return {
+      see,
+      at: at ?? pivot,
+      pivot,
+      way: this.wayOf(network, picks, item, way),
+      size: sizeOf(network),
+      grid: grid ? step : null,
+      from,
+    };
+  }
+
+  private wayOf(network: Network, picks: Picks, item: Item | null, way: string): Triple | null {
+    const axis = AXES.indexOf(way as Axis);
+    if (axis >= 0) return [0, 1, 2].map((each) => (each === axis ? 1 : 0)) as unknown as Triple;
+    if (way !== "normal") return null;
+    if (item?.kind === "patch") return normalOn(network, item.index, 0.5, 0.5);
+    if (item?.kind === "vertex") return normalAt(network, item.index);
+    let sum: Triple = [0, 0, 0];
+    for (const vertex of picks.vertices) sum = plus(sum, normalAt(network, vertex) ?? [0, 0, 0], 1);
+    return unit(sum);
+  }
+
+  private readonly move = (event: PointerEvent): void => {
+    const { held } = this;
+    if (held?.pointer !== event.pointerId) return;
+    const frame = this.getBoundingClientRect();
+    held.now = { x: event.clientX - frame.left, y: event.clientY - frame.top };
+    const { from } = held.grasp;
+    const by = { x: held.now.x - from.x, y: held.now.y - from.y };
+    if (!held.moves && Math.hypot(by.x, by.y) < STILL) return;
+    held.moves = true;
+    if (!held.item) {
+      this.follow();
+      return;
+    }
+    if (held.item.kind === "crest") {
+      this.raise(held, held.item, by);
+      return;
+    }
+    const { motion } = this.desk.settings;
+    const act: Motion =
+      motion === "turn"
+        ? turning(held.grasp, by)
+        : motion === "scale"
+          ? scaling(held.grasp, by)
+          : moving(held.grasp, by, this.met(held));
+    this.change(held.network, held.picks, act, `drag ${this.drags}`);
+  };
+
+  /** The point that the hand is over, where points meet. */
+  private met({ item, picks, now }: Held): Triple | null {
+    if (!this.desk.settings.meet || item?.kind !== "vertex") return null;
+    const other = this.placed.find(
+      ({ item: each, seen }) =>
+        each.kind === "vertex" &&
+        !picks.vertices.has(each.index) &&
+        Math.hypot(seen.x - now.x, seen.y - now.y) < NEAR.mouse,
+    );
+    return other?.at ?? null;
+  }
+
+  /** Pulls the crest of a force out along the way that it points, or the normal. */
+  private raise({ network, grasp }: Held, item: Extract<Item, { kind: "crest" }>, by: Spot): void {
+    const patch = network.patches[item.patch];
+    const force = patch?.forces?.[item.index];
+    if (!patch || !force) return;
+    const height = heightOf(patch, force);
+    const way = unit(height) ?? normalOn(network, item.patch, 0.5, 0.5) ?? [0, 0, 1];
+    const [far = 0] = followed(grasp.see, grasp.at, [way], by);
+    const f0 = forceFor(patch, plus(height, way, far));
+    const patches = network.patches.map((each, index) =>
+      index === item.patch
+        ? { ...each, forces: (each.forces ?? []).map((one, place) => (place === item.index ? { ...one, f0 } : one)) }
+        : each,
+    );
+    this.edit(() => ({ ...network, patches }), `crest ${this.drags}`);
+  }
+
+  private readonly release = (event: PointerEvent): void => {
+    const { held, network } = this;
+    if (held?.pointer !== event.pointerId) return;
+    this.letGo();
+    if (event.type === "pointercancel") {
+      this.designer.store.cancelGesture();
+      return;
+    }
+    if (network) this.finish(held, network);
+    this.designer.store.endGesture();
+    this.requestUpdate();
+  };
+
+  private finish(held: Held, network: Network): void {
+    const { item, begun, picks, grasp, now } = held;
+    if (begun) {
+      this.sculpt(held, begun);
+      return;
+    }
+    if (!item) {
+      const [left, right] = [Math.min(grasp.from.x, now.x), Math.max(grasp.from.x, now.x)];
+      const [top, bottom] = [Math.min(grasp.from.y, now.y), Math.max(grasp.from.y, now.y)];
+      const inside = this.placed.flatMap(({ item: each, seen }) =>
+        each.kind === "vertex" && seen.x >= left && seen.x <= right && seen.y >= top && seen.y <= bottom
+          ? [each.index]
+          : [],
+      );
+      this.desk.pick(network, withVertices(picks, inside, held.more));
+      return;
+    }
+    if (held.moves || held.fresh) return;
+    if (item.kind === "vertex") this.desk.pick(network, withVertex(picks, item.index, held.more));
+    if (item.kind === "patch") this.desk.pick(network, withPatch(network, picks, item.index, held.more));
+  }
+
+  /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. */
+  private sculpt({ network, grasp, now }: Held, begun: NonNullable<Held["begun"]>): void {
+    const patch = network.patches[begun.patch];
+    const end = this.endOf(network, begun.patch, grasp.see, now);
+    if (!patch || !end) return;
+    const normal = normalOn(network, begun.patch, ...begun.at) ?? [0, 0, 1];
+    const eye = towardsEye(grasp.see, grasp.at, grasp.size);
+    const out = normal[0] * eye[0] + normal[1] * eye[1] + normal[2] * eye[2] < 0 ? -1 : 1;
+    const far = out * RISE * grasp.size;
+    const force = regionBetween(patch, begun.at, end, [far * normal[0], far * normal[1], far * normal[2]]);
+    const patches = network.patches.map((each, index) =>
+      index === begun.patch ? { ...each, forces: [...(each.forces ?? []), force] } : each,
+    );
+    this.edit((before) => ({ ...before, patches }));
+    const after = this.network;
+    if (after) this.desk.pick(after, withPatch(after, { vertices: new Set(), patches: new Set() }, begun.patch, false));
+    this.desk.set({ touch: "view" });
+  }
+
+  /** Where a region ends: on the patches round the one that it begins on, laid flat. */
+  private endOf(network: Network, patch: number, see: See, spot: Spot): Pair | null {
+    const found = touched(network, see, spot);
+    if (!found) return null;
+    const laid = unfolded(network, patch).find((each) => each.patch === found.patch);
+    return laid ? laidAt(laid, found.u, found.v) : null;
+  }
+
+  private letGo(): void {
+    this.held = null;
+    window.removeEventListener("pointermove", this.move);
+    window.removeEventListener("pointerup", this.release);
+    window.removeEventListener("pointercancel", this.release);
+  }
+
+  private readonly escape = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape" || !this.held) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.letGo();
+    this.designer.store.cancelGesture();
+    this.requestUpdate();
+  };
+
+  // Keys
+
+  private key(event: KeyboardEvent, item: Item): void {
+    const { network, hand } = this;
+    if (event.ctrlKey || event.metaKey || event.altKey || !network) return;
+    const was = this.desk.picksOf(network);
+    if (event.key === "Enter" || event.key === " ") {
+      event.preventDefault();
+      event.stopPropagation();
+      if (item.kind === "vertex") this.desk.pick(network, withVertex(was, item.index, event.shiftKey));
+      if (item.kind === "patch") this.desk.pick(network, withPatch(network, was, item.index, event.shiftKey));
+      return;
+    }
+    const arrow = ARROWS[event.key];
+    const see = hand?.sight(this.designer.store.part);
+    if (!arrow || !see) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const times = event.shiftKey ? COARSE : 1;
+    if (item.kind === "crest") {
+      this.raiseBy(network, item, (times * (arrow[0] + arrow[1]) * sizeOf(network)) / STEPS);
+      return;
+    }
+    let picks = was;
+    if (item.kind === "vertex" && !was.vertices.has(item.index)) picks = withVertex(was, item.index, false);
+    if (item.kind === "patch" && !was.patches.has(item.index)) picks = withPatch(network, was, item.index, false);
+    if (picks !== was) this.desk.pick(network, picks);
+    const grasp = this.grasp(network, picks, item, null, see, { x: 0, y: 0 });
+    this.change(network, picks, this.nudge(grasp, arrow, times), `keys ${nameOf(item)}`);
+    const now = this.network;
+    if (now && item.kind === "vertex") this.spoken = this.reading(now, item.index);
+  }
+
+  private nudge({ see, pivot, way, size, grid }: Grasp, [right, up]: readonly [number, number], times: number): Motion {
+    const { motion } = this.desk.settings;
+    if (motion === "turn") return turnBy(pivot, way ?? towardsEye(see, pivot, size), -(right - up) * times * TURN);
+    if (motion === "scale") return scaleBy(pivot, SCALE ** (times * (right + up)), way);
+    const step = times * (grid ?? Number((size / STEPS).toPrecision(1)));
+    if (way) return shiftBy([way[0] * step * (right + up), way[1] * step * (right + up), way[2] * step * (right + up)]);
+    const along = unit(acrossView(see, pivot, size, { x: right, y: -up })) ?? [0, 0, 0];
+    return shiftBy([along[0] * step, along[1] * step, along[2] * step]);
+  }
+
+  private raiseBy(network: Network, item: Extract<Item, { kind: "crest" }>, far: number): void {
+    const patch = network.patches[item.patch];
+    const force = patch?.forces?.[item.index];
+    if (!patch || !force) return;
+    const height = heightOf(patch, force);
+    const way = unit(height) ?? normalOn(network, item.patch, 0.5, 0.5) ?? [0, 0, 1];
+    const f0 = forceFor(patch, plus(height, way, far));
+    const forces = (patch.forces ?? []).map((each, place) => (place === item.index ? { ...each, f0 } : each));
+    const patches = network.patches.map((each, index) => (index === item.patch ? { ...each, forces } : each));
+    this.edit((before) => ({ ...before, patches }), `crest ${nameOf(item)}`);
+  }
+
+  private change(from: Network, picks: Picks, motion: Motion, key: string): void {
+    const { mirror } = this.desk.settings;
+    this.edit((before) => {
+      const next = moved(from, picks.vertices, motion, mirror);
+      return next === from && before !== from ? before : next;
+    }, key);
+  }
+
+  private edit(edit: (network: Network) => Network, key?: string): void {
+    const before = this.network;
+    const picks = before && this.desk.picksOf(before);
+    this.designer.apply(changeNetwork(this.designer.state, edit, key));
+    const { network } = this;
+    if (network && picks && network !== before) this.desk.pick(network, picks);
+  }
+
+  /** Draws the network where it is seen, and puts the handles there. */
+  private follow(): void {
+    const { hand, network, canvas } = this;
+    const context = canvas?.getContext("2d");
+    if (!hand || !network || !canvas || !context) return;
+    const see = hand.sight(this.designer.store.part);
+    const ratio = window.devicePixelRatio;
+    const [width, height] = [this.clientWidth, this.clientHeight];
+    if (canvas.width !== Math.round(ratio * width) || canvas.height !== Math.round(ratio * height)) {
+      canvas.width = Math.round(ratio * width);
+      canvas.height = Math.round(ratio * height);
+    }
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    if (!see) return;
+    const picks = this.desk.picksOf(network);
+    if (this.curves?.network !== network) this.curves = new NetworkCurves(network);
+    const pivot = picks.vertices.size > 1 ? middleOf(network, picks.vertices) : null;
+    this.placed = placedItems(this.curves, picks, pivot, see);
+    const style = getComputedStyle(this);
+    const colour = (name: string) => style.getPropertyValue(name).trim();
+    const colours = { line: colour("--ink"), picked: colour("--accent"), ground: colour("--sheet") };
+    const { held } = this;
+    const box = held && !held.item && !held.begun && held.moves ? ([held.grasp.from, held.now] as const) : null;
+    drawNetwork(context, this.curves, this.placed, picks, see, colours, box, this.outline(network, see));
+    for (const handle of this.renderRoot.querySelectorAll<HTMLElement>("[data-item]")) {
+      const spot = this.spotOf(handle.dataset.item ?? "", network, see);
+      if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
+    }
+  }
+
+  /** Where a handle is seen, also one that is not drawn because it is behind. */
+  private spotOf(name: string, network: Network, see: See): Spot | null {
+    const [kind, index = ""] = name.split(" ");
+    const place = Number(index);
+    if (kind === "vertex") return network.vertices[place] ? see(network.vertices[place]) : null;
+    if (kind === "patch") return this.curves?.middles[place] ? see(this.curves.middles[place]) : null;
+    return this.placed.find(({ item }) => nameOf(item) === name)?.seen ?? null;
+  }
+
+  /** Round the region that is being drawn. */
+  private outline(network: Network, see: See): readonly Triple[] {
+    const { held } = this;
+    if (!held?.begun || !held.moves) return [];
+    const { patch, at } = held.begun;
+    const own = network.patches[patch];
+    const end = this.endOf(network, patch, see, held.now);
+    if (!own || !end) return [];
+    const laid = unfolded(network, patch);
+    return pointsAt(network, laid, rimOf(regionBetween(own, at, end, [0, 0, 0]), 8));
+  }
+
+  static override readonly styles = [
+    base,
+    css`
+      :host {
+        position: absolute;
+        z-index: 1;
+        inset: 0;
+        overflow: hidden;
+        pointer-events: none;
+      }
+      canvas {
+        position: absolute;
+        inset: 0;
+        width: 100%;
+        height: 100%;
+      }
+      .handles {
+        position: absolute;
+        inset: 0;
+      }
+      button {
+        position: absolute;
+        top: -12px;
+        left: -12px;
+        width: 24px;
+        height: 24px;
+        padding: 0;
+        border: 0;
+        border-radius: 50%;
+        background: none;
+      }
+      .pivot {
+        top: -16px;
+        left: -16px;
+        width: 32px;
+        height: 32px;
+      }
+    `,
+  ];
+}
+
+function nameOf(item: Item): string {
+  switch (item.kind) {
+    case "pivot":
+      return "pivot";
+    case "crest":
+      return `crest ${item.patch} ${item.index}`;
+    default:
+      return `${item.kind} ${item.index}`;
+  }
+}
+
+const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-network-handles": PasuNetworkHandles;
+  }
+}

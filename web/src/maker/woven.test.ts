@@ -1,0 +1,33 @@
+import { expect, test } from "vitest";
+import { realMaker } from "../../testing/real-maker";
+import { edgesOf, faultOf, isFree } from "../document/network/network";
+import { spanOf } from "../document/network/span";
+import type { Design, Shape } from "../document/types";
+
+const { maker } = realMaker({ free: true });
+const CYLINDER: Shape = { kind: "second-order", r: [3, 0, 3, 0], height: 8 };
+
+async function woven(shape: Shape, rows: number, columns: number | null) {
+  const design: Design = { pasu: 1, parts: [{ shape }] };
+  const found = await maker.ask({ kind: "woven", design, part: 0, rows, columns, span: spanOf(shape) });
+  if (found.state !== "done") throw new Error(JSON.stringify(found));
+  return found.value;
+}
+
+test("a cylinder becomes a tube of patches, the nearer the more there are", async () => {
+  const coarse = await woven(CYLINDER, 10, 6);
+  expect([coarse.shape.patches.length, faultOf(coarse.shape)]).toEqual([60, null]);
+  // Closed round the axis, with two rims.
+  expect([...edgesOf(coarse.shape).values()].filter(isFree).length).toBe(12);
+  expect(coarse.distance).toBeGreaterThan(1e-3);
+  expect(coarse.distance).toBeLessThan(0.05);
+  const fine = await woven(CYLINDER, 20, 24);
+  expect(fine.distance).toBeLessThan(coarse.distance / 10);
+});
+
+test("a form with petals becomes a network too", async () => {
+  const found = await woven({ kind: "second-order", r: [2, 0.2, 1, 0.1] }, 6, null);
+  // Eight petals take four patches each.
+  expect([found.columns, found.shape.patches.length, faultOf(found.shape)]).toEqual([32, 192, null]);
+  expect(found.distance).toBeLessThan(0.2);
+});

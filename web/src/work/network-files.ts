@@ -1,0 +1,27 @@
+/** Frame models as OBJ files, in and out. */
+
+import type { Network } from "../document/network/network";
+import { readObj, writeObj } from "../document/network/obj";
+import { networks as words } from "../words/english/networks";
+import type { Designer } from "./designer";
+import { fileName, pickFile, saveBlob } from "./files";
+
+/** Text of some hundred thousand points. */
+const MOST = 32 * 1024 * 1024;
+
+/** Opens the network of a file that a person chooses, as a design of its own; whether it did. */
+export async function openObj(designer: Designer): Promise<boolean> {
+  const file = await pickFile(".obj,model/obj");
+  if (!file) return false;
+  const read = file.size > MOST ? ({ trouble: "large" } as const) : readObj(await file.text());
+  if ("trouble" in read) {
+    designer.notices.say(words.objTrouble[read.trouble]);
+    return false;
+  }
+  designer.opening.open({ pasu: 1, title: file.name.replace(/\.obj$/i, ""), parts: [{ shape: read.network }] });
+  return true;
+}
+
+export function saveObj(designer: Designer, network: Network): void {
+  saveBlob(new Blob([writeObj(network)], { type: "model/obj" }), fileName(designer.store.title, "obj"));
+}
