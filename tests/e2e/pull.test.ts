@@ -331,7 +331,7 @@ test("the wall keeps its slope at rim and foot while a ring is pulled, until its
   await pot.page.getByRole("radio", { name: "All round" }).check();
   await pot.page.locator("pasu-pull-bar").getByRole("button", { name: "Keep" }).press("Enter");
   const keep = pot.page.getByRole("group", { name: "Keep" });
-  await keep.getByRole("checkbox", { name: "Slope at rim and foot" }).press("Space");
+  await keep.getByRole("checkbox", { name: "Slope of both ends" }).press("Space");
   await pot.page.keyboard.press("Escape");
   await ring(pot, 1).focus();
   await pot.page.keyboard.press("Shift+ArrowRight");

@@ -36,7 +36,7 @@ export const pull = phrases("pull", {
     rim: "Rim",
     foot: "Foot",
     height: "Height",
-    slopes: "Slope at rim and foot",
+    slopes: "Slope of both ends",
     capacity: "What it holds",
   } satisfies Readonly<Record<Lock, string>>,
   keepHelp: "What is ticked stays as it is while you pull.",
