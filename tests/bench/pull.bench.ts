@@ -41,20 +41,19 @@ test("pull", async () => {
 /** Pulls the belly outwards and takes it back. */
 async function pulled(pot: Visit): Promise<readonly Passage[]> {
   const { mouse } = pot.page;
+  const before = await pot.fingerprint();
   const from = await spotOf(ring(pot, 1));
   const passages: Passage[] = [];
   await mouse.move(from.x, from.y);
   await mouse.down();
-  // A hand that has just come down waits for a few pixels before it pulls.
-  await mouse.move(from.x + 2 * STEP, from.y);
   for (let i = 0; i < WARM + MOVES; i += 1) {
     const passage = pot.page.evaluate(() => (globalThis as unknown as Measuring).pasuPassage());
-    await mouse.move(from.x + (i + 3) * STEP, from.y);
+    await mouse.move(from.x + (i + 2) * STEP, from.y);
     passages.push(await passage);
   }
   await pot.page.keyboard.press("Escape");
   await mouse.up();
-  await pot.fingerprint();
+  await pot.shows(before);
   return passages;
 }
 
@@ -71,11 +70,20 @@ function tell(passages: readonly Passage[]): void {
         note: "The pull itself among it, in a worker of its own.",
       },
       {
-        name: "solve to upload",
-        samples: samples(({ mesh, coarse, glaze, back, page, upload }) => mesh + coarse + glaze + back + page + upload),
+        name: "hand-over",
+        samples: samples(({ there, back }) => there + back),
+        note: "Where software draws, the answer waits until the ring under the hand is drawn where it was.",
       },
+      { name: "solve and sample", samples: samples(({ mesh }) => mesh) },
+      { name: "glaze and bounds", samples: samples(({ coarse, glaze }) => coarse + glaze) },
+      { name: "wait for the page's thread", samples: samples(({ busy }) => busy) },
+      { name: "page and panels", samples: samples(({ page }) => page) },
       { name: "wait for a frame", samples: samples(({ frame }) => frame) },
-      { name: "draw", samples: samples(({ draw }) => draw), note: "By software: SwiftShader." },
+      {
+        name: "upload and draw",
+        samples: samples(({ upload, draw }) => upload + draw),
+        note: "By software, SwiftShader: what is drawn of the rings is uploaded among the pot, and waits for it.",
+      },
       { name: "event to drawn", samples: samples(({ whole }) => whole) },
     ],
   });
