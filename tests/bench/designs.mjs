@@ -30,3 +30,22 @@ export function withOneEquation(vase) {
   }
   return design;
 }
+
+/** How far rings are from where they would stand evenly, as parts of their distance. */
+const ASIDE = [-0.25, 0, 0.25];
+
+/** The same through so many rings, no two neighbouring gaps of one length: between its ends, a little wider and narrower in turn. */
+export function withRings(vase, count) {
+  const design = structuredClone(vase);
+  const { shape } = design.parts[0];
+  const places = Array.from({ length: count }, (_, index) => (index + 1 + ASIDE[index % 3]) / (count + 1));
+  shape.rings = places.map((u) => ({ u }));
+  for (const mode of [shape.x, shape.y, shape.z].flatMap(({ modes }) => modes)) {
+    const datum = mode.cos ?? mode.sin;
+    const { start = 0, end = 0 } = datum;
+    datum.rings = places.map(
+      (u, index) => start + (end - start) * u + (start - end) * (index % 2 === 0 ? 0.05 : -0.05),
+    );
+  }
+  return design;
+}

@@ -9,7 +9,7 @@ import {
   PARAMETRIC_GEOMETRY,
   PLAIN_LOOPS,
 } from "./contenders/index.mjs";
-import { firstModes, withEveryWave, withOneEquation } from "./designs.mjs";
+import { firstModes, withEveryWave, withOneEquation, withRings } from "./designs.mjs";
 import { takeTurns } from "./rounds.mjs";
 
 /** Modes in each component. */
@@ -40,6 +40,13 @@ const MESH_OF_SAMPLING = 4;
 /** How many microseconds solving 64 modes in each component is to take at most. */
 const SOLVING = 50;
 
+/** The same through 64 rings, in milliseconds; and how many times longer than through 8: there are 65 stretches between rings and ends, and 9. */
+const THROUGH_RINGS = 3;
+const PER_RING = 65 / 9;
+
+/** How many microseconds a pull is to take at most, of a pot of 8 rings with 16 modes in each component. */
+const PULLING = 500;
+
 /**
  * Measures and yields one group after the other.
  *
@@ -51,6 +58,8 @@ export async function* groups({ bench, pasu, vase, turned }, { quick }) {
   yield await everyWave(bench, withEveryWave(firstModes(vase, 4)), firstModes(vase, 4), rounds);
   yield await memory(bench, vase, turned, 2 * rounds + 1);
   yield await solving(bench, vase, 2 * rounds + 1);
+  yield await rings(bench, vase, 2 * rounds + 1);
+  yield await pulling(bench, pasu, withRings(firstModes(vase, 16), 8), 2 * rounds + 1);
   yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
   for (const side of [65, 129, 257, 513]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
 }
@@ -180,6 +189,66 @@ async function solving(bench, vase, rounds) {
         against: "Pasu, an equation for each component",
         note,
       },
+    ],
+  };
+}
+
+/** Solving through rings: in proportion to how many there are. */
+async function rings(bench, vase, rounds) {
+  const subjects = [64, 8, 0].map(
+    (count) => new bench.Subject(JSON.stringify(count > 0 ? withRings(vase, count) : vase)),
+  );
+  const samples = await takeTurns(
+    subjects.map((subject) => ({ run: (times) => subject.solve(times) })),
+    rounds,
+  );
+  for (const used of subjects) used.free();
+  return {
+    group: "Solving 64 modes per component through rings",
+    unit: "ms",
+    rows: [
+      {
+        name: "64 rings",
+        samples: samples[0],
+        against: "8 rings",
+        at_most: PER_RING,
+        median_at_most: THROUGH_RINGS,
+      },
+      { name: "8 rings", samples: samples[1] },
+      { name: "none", samples: samples[2] },
+    ],
+  };
+}
+
+/** A pull on a ring, and where one is put first; in the module, and by the package, from a plain object to the next. */
+async function pulling(bench, pasu, design, rounds) {
+  const text = JSON.stringify(design);
+  const places = design.parts[0].shape.rings.map(({ u }) => u);
+  const [on, between] = [places[3], (places[3] + places[4]) / 2];
+  const subject = new bench.Subject(text);
+  const pulls = [on, between].map((u) => new bench.Pulled(text, u));
+  const read = pasu.parse(design);
+  const [x, y, z] = pasu.evaluate(read, 0, [on, 0.3]);
+  const hand = { at: [on, 0.3], to: [x + 0.2, y, z], width: 1 };
+  const samples = await takeTurns(
+    [
+      { run: (times) => subject.solve(times) },
+      ...pulls.map((pull) => ({ run: (times) => pull.pull(times) })),
+      { run: (times) => repeat(() => pasu.pull(read, 0, hand), times), litters: true },
+    ],
+    rounds,
+  );
+  for (const used of [subject, ...pulls]) used.free();
+  const [solve, ring, put, whole] = samples.map((list) => scaled(list, 1e3));
+  const against = "solving";
+  return {
+    group: "Pulling a pot of 8 rings, 16 modes per component",
+    unit: "us",
+    rows: [
+      { name: against, samples: solve },
+      { name: "pull on a ring", samples: ring, against, median_at_most: PULLING },
+      { name: "pull between rings", samples: put, against, median_at_most: PULLING },
+      { name: "pull() of the package", samples: whole, against },
     ],
   };
 }

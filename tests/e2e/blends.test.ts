@@ -81,6 +81,28 @@ test("a section takes another form, and the blend is solved another way", async 
   expect(await findings(pot)).toEqual([]);
 });
 
+test("a round and a square section that fold through each other are told at once, and agree by a button", async () => {
+  const { pot, plain } = await opened();
+  const cards = pot.page.locator("pasu-blend-cards");
+  const told = cards.getByText("This solid folds through itself");
+  await cards.waitFor();
+  expect(await told.count()).toBe(0);
+  await pot.page.getByRole("combobox", { name: "Form, Upper section" }).selectOption("rectangle");
+  const folded = await pot.fingerprintOtherThan(plain);
+  await told.waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Lay the disc over a square").click();
+  await pot.fingerprintOtherThan(folded);
+  await told.waitFor({ state: "detached" });
+  const forms = await cards
+    .locator("select")
+    .evaluateAll((all) => all.map((each) => (each as HTMLSelectElement).value));
+  expect(forms).toEqual(["rectangle-reversed", "disc-in-square"]);
+  await pot.undo();
+  await pot.shows(folded);
+  await told.waitFor();
+});
+
 test("everything is from the catalogue", async () => {
   const pot = await here.enter({ link: PSEUDO });
   const first = await pot.fingerprint();

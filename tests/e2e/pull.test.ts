@@ -323,3 +323,26 @@ test("what is kept of a pot of rings stays while its belly and its foot are pull
   await pot.undo();
   await pot.shows(before);
 });
+
+test("the wall keeps its slope at rim and foot while a ring is pulled, until its end is freed", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  await pot.page.locator("pasu-pull-bar").getByRole("button", { name: "Keep" }).press("Enter");
+  const keep = pot.page.getByRole("group", { name: "Keep" });
+  await keep.getByRole("checkbox", { name: "Slope of both ends" }).press("Space");
+  await pot.page.keyboard.press("Escape");
+  await ring(pot, 1).focus();
+  await pot.page.keyboard.press("Shift+ArrowRight");
+  const pulled = await pot.fingerprintOtherThan(before);
+  await expect.poll(() => pot.address()).toMatch(/foot=.*rim=/);
+  await pot.button("Change Foot").click();
+  await pot.button("Free the slope here").click();
+  await pot.fingerprintOtherThan(pulled);
+  expect(await pot.address()).not.toContain("foot=");
+  await pot.undo();
+  await pot.shows(pulled);
+  await pot.undo();
+  await pot.shows(before);
+});

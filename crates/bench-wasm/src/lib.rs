@@ -7,7 +7,7 @@ use std::hint::black_box;
 use bench::designs;
 use bench::finite_difference::{Fourier, Problem};
 use js_sys::Float32Array;
-use pasu::{BoundaryValue, Design, MeshOptions, Sampler, Surface};
+use pasu::{BoundaryValue, Design, Hand, MeshOptions, Sampler, Surface};
 use wasm_bindgen::prelude::*;
 
 /// A design, parsed once, with the arrays that its samples are written to.
@@ -77,6 +77,40 @@ impl Subject {
     pub fn solve(&self, times: usize) -> Result<(), JsError> {
         for _ in 0..times {
             black_box(Surface::solve(&self.shape, "shape")?);
+        }
+        Ok(())
+    }
+}
+
+/// A hand that pulls a point of a design's first part by a fifth of a unit along `x`.
+#[wasm_bindgen]
+pub struct Pulled {
+    design: Design,
+    hand: Hand,
+}
+
+#[wasm_bindgen]
+impl Pulled {
+    /// Reads a design, and takes hold of its point at `u`.
+    ///
+    /// # Errors
+    /// When it is none.
+    #[wasm_bindgen(constructor)]
+    pub fn new(design: &str, u: f64) -> Result<Pulled, JsError> {
+        const V: f64 = 0.3;
+        let design = Design::parse(design)?;
+        let from = pasu::evaluate(&design, 0, &[u, V])?;
+        let hand = Hand { width: Some(1.0), ..Hand::new([u, V], [from[0] + 0.2, from[1], from[2]]) };
+        Ok(Pulled { design, hand })
+    }
+
+    /// Pulls so many times.
+    ///
+    /// # Errors
+    /// When it cannot be pulled.
+    pub fn pull(&self, times: usize) -> Result<(), JsError> {
+        for _ in 0..times {
+            black_box(pasu::pull(&self.design, 0, &self.hand)?);
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! The designs of `tests/bench`, from which JavaScript takes the same ones.
 
 use pasu::{BoundaryValue, Design, Result};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// A vase of 64 modes in each component, each with a profile of its own.
 const VASE: &str = include_str!("../../../tests/bench/vase.json");
@@ -28,7 +28,7 @@ pub fn vase_of_every_wave(modes: usize) -> Result<Design> {
         for mode in component["modes"].as_array_mut().into_iter().flatten().filter(|mode| mode["n"] != 0) {
             let (here, other) = if mode["cos"].is_object() { ("cos", "sin") } else { ("sin", "cos") };
             let half = |datum: &str| mode[here][datum].as_f64().unwrap_or(0.0) / 2.0;
-            mode[other] = serde_json::json!({
+            mode[other] = json!({
                 "start": half("end"), "end": half("start"), "start_u": half("end_u"), "end_u": half("start_u")
             });
         }
@@ -73,6 +73,33 @@ pub fn vase_of_second_order(modes: usize) -> Result<Design> {
     Design::parse(&document.to_string())
 }
 
+/// How far the rings of [`vase_of_rings`] are from where they would stand evenly, as parts of their distance.
+const ASIDE: [f64; 3] = [-0.25, 0.0, 0.25];
+
+/// The vase through so many rings, no two neighbouring gaps of one length: between its ends, a little wider and narrower in turn.
+///
+/// # Errors
+/// When the file is no design.
+pub fn vase_of_rings(modes: usize, rings: usize) -> Result<Design> {
+    let mut document = document(modes);
+    let places: Vec<f64> =
+        (0..rings).map(|index| ((index + 1) as f64 + ASIDE[index % 3]) / (rings + 1) as f64).collect();
+    let shape = &mut document["parts"][0]["shape"];
+    shape["rings"] = places.iter().map(|u| json!({ "u": u })).collect();
+    for name in ["x", "y", "z"] {
+        for mode in shape[name]["modes"].as_array_mut().into_iter().flatten() {
+            let datum = if mode["cos"].is_object() { &mut mode["cos"] } else { &mut mode["sin"] };
+            let [start, end] = ["start", "end"].map(|field| datum[field].as_f64().unwrap_or(0.0));
+            let value = |(index, u): (usize, &f64)| {
+                let wider = if index % 2 == 0 { 0.05 } else { -0.05 };
+                start + (end - start) * u + (start - end) * wider
+            };
+            datum["rings"] = places.iter().enumerate().map(value).collect();
+        }
+    }
+    Design::parse(&document.to_string())
+}
+
 fn document(modes: usize) -> Value {
     let mut document: Value = serde_json::from_str(VASE).unwrap_or_default();
     for component in ["x", "y", "z"] {
@@ -111,6 +138,17 @@ mod tests {
         for modes in [1, 4, 8, 64] {
             let shape = shape(&vase(modes).unwrap());
             assert_eq!([&shape.x, &shape.y, &shape.z].map(|component| component.modes.len()), [modes; 3]);
+        }
+    }
+
+    #[test]
+    fn the_vase_goes_through_as_many_rings_as_asked_for() {
+        for rings in [8, 64] {
+            let shape = shape(&vase_of_rings(16, rings).unwrap());
+            assert_eq!(shape.rings.len(), rings);
+            for mode in [&shape.x, &shape.y, &shape.z].iter().flat_map(|component| &component.modes) {
+                assert!(mode.cos.rings.len() == rings || mode.sin.rings.len() == rings, "{}", mode.n);
+            }
         }
     }
 

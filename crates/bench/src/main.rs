@@ -6,7 +6,7 @@ use std::hint::black_box;
 use bench::designs;
 use bench::finite_difference::{Fourier, Problem};
 use bench::rounds::{Contender, take_turns};
-use pasu::{Design, MeshOptions, Result, Sampler, Surface};
+use pasu::{Design, Hand, MeshOptions, Result, Sampler, Surface};
 use serde_json::{Value, json};
 
 /// Turns of every contender, and with `--quick`.
@@ -21,6 +21,8 @@ fn main() -> Result<()> {
     every_wave(rounds)?;
     memory(rounds)?;
     solving(rounds)?;
+    rings(rounds)?;
+    pulling(rounds)?;
     baseline("order 4", &designs::vase(8)?, rounds)?;
     baseline("order 2", &designs::vase_of_second_order(8)?, rounds)
 }
@@ -113,6 +115,53 @@ fn solving(rounds: usize) -> Result<()> {
     fast["against"] = json!(each.name);
     fast["note"] = json!(format!("{rows} x {columns} points, error {error:.1e}"));
     print("Solving 64 modes per component", "us", vec![row(each, 1e6), row(one, 1e6), fast]);
+    Ok(())
+}
+
+/// Solving 64 modes in each component through rings: in proportion to how many there are.
+fn rings(rounds: usize) -> Result<()> {
+    let [many, few, none] = [64, 8, 0].map(|rings| designs::vase_of_rings(64, rings));
+    let [many, few, none] = [designs::shape(&many?), designs::shape(&few?), designs::shape(&none?)];
+    let mut contenders = [
+        Contender::new("64 rings", || Surface::solve(&many, "shape")),
+        Contender::new("8 rings", || Surface::solve(&few, "shape")),
+        Contender::new("none", || Surface::solve(&none, "shape")),
+    ];
+    take_turns(&mut contenders, rounds);
+    let [mut many, few, none] = contenders.each_ref().map(|contender| row(contender, 1e3));
+    many["against"] = few["name"].clone();
+    many["at_most"] = json!(PER_RING);
+    print("Solving 64 modes per component through rings", "ms", vec![many, few, none]);
+    Ok(())
+}
+
+/// 65 stretches between 64 rings and the ends, and 9 between 8.
+const PER_RING: f64 = 65.0 / 9.0;
+
+/// A pull, from a design to the next: on a ring, and where one is put first.
+fn pulling(rounds: usize) -> Result<()> {
+    let design = designs::vase_of_rings(16, 8)?;
+    let ring = designs::shape(&design).rings[3].u;
+    let hand = |u: f64| -> Result<Hand> {
+        let from = pasu::evaluate(&design, 0, &[u, 0.3])?;
+        Ok(Hand { width: Some(1.0), ..Hand::new([u, 0.3], [from[0] + 0.2, from[1], from[2]]) })
+    };
+    let (on, between) = (hand(ring)?, hand(0.5 * (ring + designs::shape(&design).rings[4].u))?);
+    let shape = designs::shape(&design);
+    let mut contenders = [
+        Contender::new("solving", || Surface::solve(&shape, "shape")),
+        Contender::new("pull on a ring", || pasu::pull(&design, 0, &on)),
+        Contender::new("pull between rings", || pasu::pull(&design, 0, &between)),
+    ];
+    take_turns(&mut contenders, rounds);
+    let rows = contenders.iter().enumerate().map(|(index, contender)| {
+        let mut row = row(contender, 1e6);
+        if index > 0 {
+            row["against"] = json!("solving");
+        }
+        row
+    });
+    print("Pulling a pot of 8 rings, 16 modes per component", "us", rows.collect());
     Ok(())
 }
 

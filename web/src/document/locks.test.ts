@@ -17,11 +17,11 @@ test("a lock is put on and taken off, in the order in which they stand", () => {
   expect(withLock(["rim", "height"], "rim", false)).toEqual(["height"]);
 });
 
-test("every family and every pot of rings has a rim, a foot and a height to lock, and rings with a wall what they hold", () => {
+test("every family has a rim, a foot and a height to lock, rings their slopes too, and with a wall what they hold", () => {
   for (const { reset } of FAMILIES) expect(locksOf(reset, true)).toEqual(LOCKS);
-  expect(locksOf(BOTTLE, false)).toEqual(LOCKS);
-  expect(locksOf(BOTTLE, true)).toEqual([...LOCKS, "capacity"]);
-  expect(locksOf(WRITTEN, true)).toEqual([]);
+  expect(locksOf(BOTTLE, false)).toEqual([...LOCKS, "slopes"]);
+  expect(locksOf(BOTTLE, true)).toEqual([...LOCKS, "slopes", "capacity"]);
+  expect(locksOf(WRITTEN, true)).toEqual([...LOCKS, "slopes"]);
 });
 
 test("of rings an end stays where it is locked, as high as it is where the height is, and others as they are", () => {
@@ -29,7 +29,19 @@ test("of rings an end stays where it is locked, as high as it is where the heigh
   expect(keptBy(BOTTLE, ["foot", "height"], 1)).toEqual(["z"]);
   expect(keptBy(BOTTLE, ["rim"], 0.995)).toEqual(["r", "z", "v"]);
   expect(keptBy(BOTTLE, LOCKS, 0.35)).toEqual([]);
-  expect(keptBy(WRITTEN, LOCKS, 0)).toEqual([]);
+  expect(keptBy(BOTTLE, ["slopes"], 0.35)).toEqual(["slopes"]);
+  expect(keptBy(BOTTLE, ["rim", "slopes"], 1)).toEqual(["r", "z", "v", "slopes"]);
+});
+
+test("of data that are written out the lower end is the foot, whichever comes first", () => {
+  expect(keptBy(WRITTEN, ["foot"], 0)).toEqual(["x", "y", "z"]);
+  expect(keptBy(WRITTEN, ["rim"], 0)).toEqual([]);
+  expect(keptBy(WRITTEN, ["height"], 1)).toEqual(["z"]);
+  expect(keptBy(WRITTEN, LOCKS, 0.35)).toEqual([]);
+  const mode = { n: 0, cos: { start: 20, end: 0, rings: [15, 6] } };
+  const turned = { ...WRITTEN, z: { ...WRITTEN.z, modes: [mode] } };
+  expect(keptBy(turned, ["foot"], 0)).toEqual([]);
+  expect(keptBy(turned, ["foot"], 1)).toEqual(["x", "y", "z"]);
 });
 
 test("what a pot holds is made up for by its height, or by the width of rings that neither a hand nor a lock is on", () => {

@@ -1,35 +1,43 @@
 /** What of a pot stays while a hand pulls it, as a potter thinks of it: groups of a family's numbers, or ends of a pot of rings, and what that holds. */
 
-import { curveUnder } from "./curves";
+import { curvesOf, curveUnder, pointOn, spanOf } from "./curves";
 import { pathText } from "./path";
 import { familyOf } from "./schema";
-import type { Rings, Shape } from "./types";
+import type { BoundaryValue, Rings, Shape } from "./types";
 
 /** Those that numbers say. */
 export const LOCKS = ["rim", "foot", "height"] as const;
 
-/** What a pot holds is no number of it: its height makes up for what the hand does, or the width of other rings. */
-const ALL = [...LOCKS, "capacity"] as const;
+/** How the wall leaves the foot and comes to the rim, of what has rings. What a pot holds is no number of it: its height makes up for what the hand does, or the width of other rings. */
+const ALL = [...LOCKS, "slopes", "capacity"] as const;
+
+/** What a pull is told that leaves the slopes at both ends as they are. The solver has no name for it: they are given to it before. */
+export const SLOPES = "slopes";
 
 export type Lock = (typeof ALL)[number];
 
 /** Those that a shape has numbers for; what it holds, of a pot of rings with a wall. */
 export function locksOf(shape: Shape, walled: boolean): readonly Lock[] {
-  if (shape.kind === "rings") return walled ? ALL : LOCKS;
+  if (shape.kind === "rings" && walled) return ALL;
+  if (shape.kind === "rings" || shape.kind === "boundary-value") return [...LOCKS, SLOPES];
   const fields = familyOf(shape.kind)?.fields ?? [];
   return LOCKS.filter((lock) => fields.some(({ group }) => group === lock));
 }
 
-/** What stays of a shape that is pulled at `u`, by the names of the solver. Of a pot of rings that is what its end may not do: the other rings stay as they are. */
+/** What stays of a shape that is pulled at `u`, by the names of the solver. Of what has rings that is what its end may not do, and the slopes: the other rings stay as they are. */
 export function keptBy(shape: Shape, locked: readonly Lock[], u: number): readonly string[] {
-  if (shape.kind === "rings") {
-    const end = endUnder(shape, u);
-    if (end === null) return [];
-    if (locked.includes(end)) return ["r", "z", "v"];
-    return locked.includes("height") ? ["z"] : [];
+  if (shape.kind === "rings" || shape.kind === "boundary-value") {
+    const slopes = locked.includes(SLOPES) ? [SLOPES] : [];
+    return [...keptOfEnd(shape, locked, endUnder(shape, u)), ...slopes];
   }
   const fields = familyOf(shape.kind)?.fields ?? [];
   return fields.filter(({ group }) => locked.some((lock) => lock === group)).map(({ path }) => pathText(path));
+}
+
+function keptOfEnd({ kind }: Shape, locked: readonly Lock[], end: "foot" | "rim" | null): readonly string[] {
+  if (end === null) return [];
+  if (locked.includes(end)) return kind === "rings" ? ["r", "z", "v"] : ["x", "y", "z"];
+  return locked.includes("height") ? ["z"] : [];
 }
 
 /** What makes up for what a hand does to what a pot holds: how high or how wide some of its rings are, by their numbers. */
@@ -49,10 +57,20 @@ export function makingUp(shape: Rings, locked: readonly Lock[], u: number): Maki
   return { along: "r", rings: all.filter(free) };
 }
 
-function endUnder(shape: Shape, u: number): "foot" | "rim" | null {
+function endUnder(shape: Rings | BoundaryValue, u: number): "foot" | "rim" | null {
   const curve = curveUnder(shape, u);
   if (!curve?.end) return null;
-  return curve.index === 0 ? "foot" : "rim";
+  return (curve.index === 0) === beginsAtFoot(shape) ? "foot" : "rim";
+}
+
+/** Rings begin at the foot; data that are written out begin at either end. */
+function beginsAtFoot(shape: Rings | BoundaryValue): boolean {
+  const last = curvesOf(shape).length - 1;
+  const height = (index: number) => {
+    const span = spanOf(shape);
+    return [0, 0.25, 0.5, 0.75].reduce((sum, share) => sum + (pointOn(shape, index, share * span)?.[2] ?? 0), 0);
+  };
+  return shape.kind === "rings" || height(0) <= height(last);
 }
 
 /** The same with one more locked, or no longer. */

@@ -1,6 +1,16 @@
 import { expect, test } from "vitest";
 import { BOTTLE } from "../../testing/bottle";
-import { type Hoop, madeRound, restOf, SWING_NAMES, swingOf, withMean, withSharp, withSwing } from "./ring-numbers";
+import {
+  type Hoop,
+  madeRound,
+  restOf,
+  SWING_NAMES,
+  swingOf,
+  withFreeEnd,
+  withMean,
+  withSharp,
+  withSwing,
+} from "./ring-numbers";
 
 const ROUND: Hoop = { u: 0.5, r: { mean: 5 }, z: { mean: 8 } };
 
@@ -41,4 +51,11 @@ test("a ring becomes sharp and smooth again, wider and higher", () => {
   expect(withSharp(ROUND, true).sharp).toBe(true);
   expect(withMean(ROUND, "r", 7).r.mean).toBe(7);
   expect(withMean(ROUND, "z", 8)).toBe(ROUND);
+});
+
+test("an end is freed of its slope alone", () => {
+  const slopes = { r: { mean: 1 }, z: { mean: 9 } };
+  const pot = { ...BOTTLE, foot: slopes, rim: slopes };
+  expect(withFreeEnd(pot, "foot")).toEqual({ ...BOTTLE, rim: slopes });
+  expect(withFreeEnd(withFreeEnd(pot, "rim"), "foot")).toEqual(BOTTLE);
 });

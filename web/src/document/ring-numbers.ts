@@ -117,3 +117,9 @@ function rounded(value: number): number {
   const short = Number(value.toPrecision(DIGITS));
   return Math.abs(short) < 1e-12 ? 0 : short;
 }
+
+/** The pot with an end whose slope nothing gives any more: the wall comes to it as straight as it can. */
+export function withFreeEnd(pot: Rings, end: "foot" | "rim"): Rings {
+  const { foot, rim, ...rest } = pot;
+  return end === "foot" ? { ...rest, ...(rim && { rim }) } : { ...rest, ...(foot && { foot }) };
+}

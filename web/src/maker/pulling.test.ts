@@ -1,5 +1,5 @@
 import { readFile } from "node:fs/promises";
-import init, { evaluate, link } from "pasu";
+import init, { derivatives, evaluate, link } from "pasu";
 import { beforeAll, expect, test } from "vitest";
 import { BOTTLE, WRITTEN } from "../../testing/bottle";
 import { type Brush, bumpOf, NEW_BRUSH, SPREADS, WIDTHS } from "../document/brush";
@@ -19,6 +19,7 @@ beforeAll(async () => {
 const SIDE: Brush = { ...NEW_BRUSH, spread: "side", width: 60 };
 const ALL: Brush = { ...NEW_BRUSH, spread: "all" };
 const PETALS: Brush = { ...NEW_BRUSH, spread: "petals", petals: 5 };
+const ANGLES = [0, 0.7, 1.9, 3.1, 4.4, 5.6];
 const STILL: Move = { out: 0, up: 0, round: 0 };
 
 const designOf = (shape: Shape) => ({ pasu: 1, parts: [{ shape }] }) as unknown as Sent;
@@ -119,4 +120,50 @@ test("up moves up, and round the axis moves what is pulled", () => {
   const turned = pulled(WRITTEN, [0.7, 0], { round: 0.2 }, SIDE);
   const [x, y] = point(turned.shape, turned.at);
   expect(Math.atan2(y, x)).toBeCloseTo(0.2, 6);
+});
+
+test("slopes that are kept stay at both ends, all round, while a ring is pulled, and before it the pot is as it was", () => {
+  const round: Rings = { ...BOTTLE, rings: BOTTLE.rings.map(({ u, r, z }) => ({ u, r: { mean: r.mean }, z })) };
+  // What waves of a radius are shifted round the axis by, between rings, is lost as it is where a ring is put.
+  for (const [shape, lost] of [
+    [round, 1e-9],
+    [WRITTEN, 1e-9],
+    [BOTTLE, 5e-3],
+  ] as const) {
+    const du = (of: Shape, u: number) =>
+      derivatives(
+        designOf(of),
+        0,
+        ANGLES.flatMap((v) => [u, v]),
+      ).du;
+    const off = (one: ArrayLike<number>, other: ArrayLike<number>) =>
+      Math.max(...Array.from(one, (value, index) => Math.abs(value - (other[index] ?? 0))));
+    const held = (by: Partial<Move>, brush: Brush) =>
+      pulling({ kind: "pull", shape, at: [0.7, 1], by: { ...STILL, ...by }, brush, keep: ["slopes"] }).shape;
+    const still = held({}, SIDE);
+    for (const u of [0.1, 0.5, 0.9])
+      for (const v of ANGLES) expect(away(point(still, [u, v]), point(shape, [u, v]))).toBeLessThan(lost);
+    for (const brush of [SIDE, ALL, PETALS]) {
+      const [after, loose] = [
+        held({ out: 0.8, up: 0.3 }, brush),
+        pulled(shape, [0.7, 1], { out: 0.8, up: 0.3 }, brush),
+      ];
+      for (const u of [0, 1]) {
+        expect(off(du(after, u), du(still, u))).toBeLessThan(1e-8);
+        expect(off(du(loose.shape, u), du(still, u))).toBeGreaterThan(0.1);
+      }
+    }
+  }
+});
+
+test("of written data an end that is kept stays, and the hand goes on alone", () => {
+  for (const brush of [SIDE, ALL, PETALS]) {
+    const ask = { kind: "pull", shape: WRITTEN, at: [1, 0], by: { ...STILL, out: 0.5, up: 0.25 }, brush } as const;
+    const whole = pulling({ ...ask, keep: ["x", "y", "z"] });
+    expect(away(point(whole.shape, [1, 0]), point(WRITTEN, [1, 0]))).toBeLessThan(1e-12);
+    expect(whole.behind).toBeCloseTo(Math.hypot(0.5, 0.25), 9);
+    const level = pulling({ ...ask, keep: ["z"] });
+    expect(point(level.shape, [1, 0])[2]).toBeCloseTo(20, 9);
+    expect(point(level.shape, [1, 0])[0]).toBeCloseTo(2.7, 9);
+  }
 });

@@ -3,12 +3,17 @@
 import { evaluate, type Hand, parse, pulled } from "pasu";
 import { type Bump, bumpOf, spreadOf, takesRings } from "../document/brush";
 import { curveUnder } from "../document/curves";
+import { SLOPES } from "../document/locks";
 import { isRound, pulledRound, type RadialMove } from "../document/radial-pull";
 import { type Hoop, turnedSeries } from "../document/ring-numbers";
 import type { Rings, Sent, SentShape, Series, Shape, Triple } from "../document/types";
+import { withSlopes } from "./end-slopes";
 import type { PullAsk, PulledShape } from "./messages";
 
-export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
+export function pulling(ask: PullAsk): PulledShape {
+  const { at, by, brush } = ask;
+  const keep = ask.keep.filter((name) => name !== SLOPES);
+  const shape = ask.keep.includes(SLOPES) ? withSlopes(ask.shape) : ask.shape;
   const design = alone(shape);
   const [x = 0, y = 0, z = 0] = evaluate(design, 0, at);
   const angle = (x === 0 && y === 0 ? at[1] : Math.atan2(y, x)) + by.round;
@@ -18,8 +23,11 @@ export function pulling({ shape, at, by, brush, keep }: PullAsk): PulledShape {
   if (shape.kind === "rings" && brush.spread === "all" && by.round !== 0 && !keep.includes("v"))
     return turning(shape, { at, by, brush, keep });
   // At several places, and all round, written data are to move away from the axis, not all the same way.
-  if (shape.kind === "boundary-value" && brush.spread !== "side" && by.round === 0 && isRound(shape))
-    return { shape: spread(design, at, { ...by, lean: angle - at[1] }, bumpOf(brush)), at, behind: 0 };
+  if (shape.kind === "boundary-value" && brush.spread !== "side" && by.round === 0 && isRound(shape)) {
+    const move = { out: keep.includes("x") ? 0 : by.out, up: keep.includes("z") ? 0 : by.up, lean: angle - at[1] };
+    const behind = Math.hypot(by.out - move.out, by.up - move.up);
+    return { shape: spread(design, at, move, bumpOf(brush)), at, behind };
+  }
   const { design: made, ...followed } = pulled(design, 0, {
     at,
     to,

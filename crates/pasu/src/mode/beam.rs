@@ -56,6 +56,9 @@ struct Chain {
     factors: Tridiagonal,
 }
 
+/// `q = 0`.
+static NOTHING: ModeSolution = ModeSolution::zero();
+
 /// What is given of a beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<'a> {
@@ -68,8 +71,9 @@ pub(crate) struct Held<'a> {
 /// `q(u)` of a beam: its solutions bay by bay.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Deflection {
+    /// None where it is 0 from end to end, as one half of most modes is.
     pieces: Vec<ModeSolution>,
-    /// `q'` at both ends of every bay, where there is more than one: neighbours have the same bits.
+    /// `q'` at both ends of every bay that has a piece, where there is more than one: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
 }
 
@@ -193,8 +197,7 @@ impl Beam {
             return Ok(Deflection { pieces: vec![equation.solve(&ends).map_err(broken)?], slopes: Vec::new() });
         }
         if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
-            let pieces = self.bays.iter().map(|_| ModeSolution::zero()).collect();
-            return Ok(Deflection { pieces, slopes: vec![[0.0; 2]; self.bays.len()] });
+            return Ok(Deflection { pieces: Vec::new(), slopes: Vec::new() });
         }
         let inner = (0..self.bays.len() - 1).map(|index| rings.get(index).copied().unwrap_or(0.0));
         let values: Vec<f64> = [ends.start].into_iter().chain(inner).chain([ends.end]).collect();
@@ -273,15 +276,18 @@ impl Beam {
         of: [&Deflection; M],
     ) -> [[f64; N]; M] {
         let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let mut jets = bay.equation.jets_on(polynomials, of.map(|deflection| &deflection.pieces[index]), x);
+        let mut jets = bay.equation.jets_on(polynomials, of.map(|deflection| deflection.piece(index)), x);
         if self.bays.len() == 1 && self.chains.is_empty() {
             return jets;
         }
         for (jet, deflection) in jets.iter_mut().zip(of) {
             bay.lengthen(jet);
             let end = [0.0, 1.0].into_iter().position(|end| x == end);
-            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), bay.equation.order) {
-                *slope = deflection.slopes[index][end];
+            let slopes = deflection.slopes.get(index);
+            if let (Some(end), Some(slopes), Some(slope), Order::Fourth) =
+                (end, slopes, jet.get_mut(1), bay.equation.order)
+            {
+                *slope = slopes[end];
             }
         }
         jets
@@ -299,7 +305,7 @@ impl Beam {
         let among = self.bays.iter().enumerate().skip(first);
         let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
         for (index, bay) in among {
-            let pieces = of.map(|deflection| &deflection.pieces[index]);
+            let pieces = of.map(|deflection| deflection.piece(index));
             let mut here = bay.equation.suprema::<N, M>(pieces, bay.within(from), bay.within(to));
             for (most, here) in suprema.iter_mut().zip(&mut here) {
                 bay.lengthen(here);
@@ -420,7 +426,7 @@ impl Deflection {
 
     /// The polynomial that it is the sum of there, beside the equation's own functions, lowest power first, and what that is taken at. No coefficients are 0.
     pub(crate) fn polynomial(&self, spot: Spot) -> (&[f64], f64) {
-        (self.pieces.get(spot.bay).map_or(&[], ModeSolution::particular), spot.x - 0.5)
+        (self.piece(spot.bay).particular(), spot.x - 0.5)
     }
 
     /// Whether it is the other one, or what is left of 0 without that, in every bit of every value.
@@ -444,9 +450,15 @@ impl Deflection {
         })
     }
 
+    /// The closed form between two neighbours.
+    fn piece(&self, index: usize) -> &ModeSolution {
+        self.pieces.get(index).unwrap_or(&NOTHING)
+    }
+
     /// The closed form where there is one from end to end.
     fn single(&self) -> Option<&ModeSolution> {
         match &self.pieces[..] {
+            [] => Some(&NOTHING),
             [piece] => Some(piece),
             _ => None,
         }

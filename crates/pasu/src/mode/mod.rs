@@ -18,6 +18,7 @@ mod beam;
 mod equation;
 mod expansion;
 mod force;
+mod fundamental;
 mod order;
 mod pair;
 mod rate;

@@ -42,7 +42,7 @@ impl ModeData<'_> {
 
 impl ModeSolution {
     /// The solution that is 0.
-    pub(super) fn zero() -> Self {
+    pub(super) const fn zero() -> Self {
         ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0 }
     }
 

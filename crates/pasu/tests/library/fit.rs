@@ -233,7 +233,7 @@ fn a_pot_is_found_again_from_its_own_profile() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 40) as f64 / (1u64 << 24) as f64
     };
-    for _ in 0..15 {
+    for _ in 0..100 {
         let n = 3 + (chance() * 4.0) as usize;
         let radii: Vec<String> = (0..n).map(|_| format!("{:.2}", 2.0 + 6.0 * chance())).collect();
         let heights: Vec<String> =
@@ -251,6 +251,34 @@ fn a_pot_is_found_again_from_its_own_profile() {
         assert!(found.distance <= 0.02 && off <= 0.022, "{link}: {} {off}", found.distance);
         assert!(pot(&found.design).rings.len() <= 4 * n, "{link}: {}", pot(&found.design).rings.len());
     }
+}
+
+/// Every pot of the gallery, from points of its own profile: the curve is found again to the tolerance, both ways.
+#[test]
+fn every_pot_of_the_gallery_is_found_again_from_its_own_points() {
+    const POINTS: u32 = 300;
+    let gallery: Vec<serde_json::Value> =
+        serde_json::from_str(include_str!("../reference/gallery.json")).expect("the gallery is JSON");
+    let mut found_again = 0;
+    for exhibit in gallery {
+        let document = serde_json::json!({ "pasu": 1, "parts": [{ "shape": exhibit["shape"] }] });
+        let design = Design::parse(&document.to_string()).unwrap();
+        if design.parts()[0].shape.boundary_value().is_none() {
+            continue;
+        }
+        let at: Vec<f64> = (0..=POINTS).flat_map(|i| [f64::from(i) / f64::from(POINTS), 0.0]).collect();
+        let points = evaluate(&design, 0, &at).unwrap();
+        let line: Vec<f64> = points.chunks_exact(3).flat_map(|p| [p[0].hypot(p[1]), p[2]]).collect();
+        let size = line.iter().fold(0.0f64, |size, x| size.max(x.abs()));
+        let tolerance = 0.003 * size;
+        let found =
+            fit(&Profile::new(line.clone()), tolerance).unwrap_or_else(|error| panic!("{}: {error}", exhibit["name"]));
+        // Points of either line are compared with pieces between points of the other.
+        let off = off(&found.design, 0.0, &line);
+        assert!(found.distance <= tolerance && off <= 1.1 * tolerance, "{}: {off} of {tolerance}", exhibit["name"]);
+        found_again += 1;
+    }
+    assert!(found_again >= 40, "{found_again}");
 }
 
 #[test]

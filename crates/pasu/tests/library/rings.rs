@@ -479,6 +479,78 @@ fn rings_too_near_each_other_and_resonance_are_refused_by_ring_and_mode() {
     }
 }
 
+/// With `t < 0` what is between two corners swings by itself where whole half waves fit in: refused with the mode and the rings between which they do, at every such `t`, and solved a little beside it.
+#[test]
+fn what_swings_between_two_rings_is_refused_by_them_and_its_mode() {
+    let places = [0.0, 0.2, 0.55, 1.0];
+    for order in [Order::Second, Order::Fourth] {
+        for (bay, pair) in places.windows(2).enumerate() {
+            for half_waves in 1..=3 {
+                let n = 2.0;
+                let rate = f64::from(half_waves) * std::f64::consts::PI / (n * (pair[1] - pair[0]));
+                let problem = |t: f64| Problem {
+                    order,
+                    equation: [1.0, t, 0.0],
+                    n,
+                    rings: [0.2, 0.55].map(|u| Ring { u, sharp: true }).to_vec(),
+                    free: Free { start: order == Order::Fourth, end: order == Order::Fourth },
+                    datum: Datum { start: 0.3, rings: vec![1.0, -0.5], ..Datum::default() },
+                };
+                let error = Surface::solve(&problem(-rate * rate).shape(), "shape").unwrap_err();
+                let between = format!("from u = {} to u = {}", pair[0], pair[1]);
+                assert_eq!((error.code(), error.path()), (Code::ResonantProblem, "shape.x.modes[0]"));
+                assert!(
+                    error.message().contains("n = 2") && error.message().contains(&between),
+                    "{order:?} {bay}: {error}"
+                );
+                let beside = problem(-1.003 * rate * rate).solved().unwrap();
+                // It still passes through what it is given, and is no larger than a swing so near its own can be.
+                assert_eq!(along(&beside, 0.2)[0], 1.0);
+                let largest = (0..=200).map(|i| along(&beside, f64::from(i) / 200.0)[0].abs()).fold(0.0, f64::max);
+                assert!(largest < 1e4, "{order:?} {bay}: {largest}");
+            }
+        }
+    }
+}
+
+/// Whatever `t < 0` and the rings: refused by mode and rings, or so well decided that a change of the data by a millionth of a millionth is not seen in the ninth digit.
+#[test]
+fn with_negative_t_there_is_a_sound_answer_or_a_refusal() {
+    let (mut solved, mut refused) = (0, 0);
+    for order in [Order::Second, Order::Fourth] {
+        for sharp in [false, true] {
+            for step in 1..=2000 {
+                let t = -0.05 * f64::from(step);
+                let problem = |by: f64| Problem {
+                    order,
+                    equation: [1.0, t, 0.0],
+                    n: 3.0,
+                    rings: vec![Ring { u: 0.3, sharp }, Ring { u: 0.45, sharp: false }, Ring { u: 0.8, sharp }],
+                    free: Free { start: order == Order::Fourth, end: false },
+                    datum: Datum { start: 1.0, end: 0.4, rings: vec![0.7 + by, -0.2, 0.9], ..Datum::default() },
+                };
+                let (one, other) = match (Surface::solve(&problem(0.0).shape(), ""), problem(1e-12).solved()) {
+                    (Ok(one), Some(other)) => (one, other),
+                    (Err(error), None) => {
+                        assert_eq!(error.code(), Code::ResonantProblem, "{error}");
+                        assert!(error.message().contains("n = 3") && error.message().contains("from u = "), "{error}");
+                        refused += 1;
+                        continue;
+                    }
+                    (first, _) => panic!("one of two neighbours is refused: {first:?}"),
+                };
+                solved += 1;
+                for i in 0..=20 {
+                    let u = f64::from(i) / 20.0;
+                    let [q, p] = [&one, &other].map(|surface| along(surface, u)[0]);
+                    assert!(q.is_finite() && (q - p).abs() < 1e-6, "{order:?} t = {t} at {u}: {q} {p}");
+                }
+            }
+        }
+    }
+    assert!(solved > 7900 && solved + refused == 8000, "{solved} solved, {refused} refused");
+}
+
 #[test]
 fn a_shape_without_rings_is_written_as_it_was() {
     let text = |rings: &str, free: &str| {

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { agreed, clashOf, type Remedy, remediesOf } from "../../document/blend/agreement";
 import { COUNTS, figureOf, type Ornament, restOf } from "../../document/blend/figure";
 import {
   ENDS,
@@ -23,7 +24,7 @@ import { type Path, pathText } from "../../document/path";
 import type { Blend, Section } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
-import { changeSection } from "../../state/blend-actions";
+import { changeBlend, changeSection } from "../../state/blend-actions";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
@@ -69,6 +70,7 @@ export class PasuBlendCards extends DesignerElement {
           ${parameters.explain}
         </button>
       </div>
+      ${this.clash(blend)}
       <ol>
         ${order.map((end) => this.card(blend, origin, end, end === upper ? "upper" : "lower", factor, reach))}
       </ol>
@@ -86,6 +88,24 @@ export class PasuBlendCards extends DesignerElement {
           : nothing
       }
     `;
+  }
+
+  /** Said as soon as it is so, not only when it is to be made. */
+  private clash(blend: Blend) {
+    const clash = clashOf(blend);
+    const agree = (remedy: Remedy) =>
+      this.designer.apply(changeBlend(this.designer.state, (each) => agreed(each, remedy)));
+    return html`<div class="clash" role="status" ?hidden=${clash === null}>
+      ${
+        clash === null
+          ? nothing
+          : html`<p>${words.clashes[clash]}</p>
+            ${remediesOf(blend).map(
+              (remedy) =>
+                html`<button class="button outlined" type="button" @click=${() => agree(remedy)}>${words.remedies[clash][remedy]}</button>`,
+            )}`
+      }
+    </div>`;
   }
 
   private async openDrawing(end: End, name: string): Promise<void> {
@@ -303,6 +323,23 @@ export class PasuBlendCards extends DesignerElement {
       }
       .intro .button {
         flex: none;
+      }
+      .clash {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 8px;
+        margin-bottom: 10px;
+        padding: 10px 12px;
+        border: 1px solid var(--warn);
+        border-radius: 12px;
+      }
+      .clash[hidden] {
+        display: none;
+      }
+      .clash p {
+        flex: 1 0 100%;
+        font-size: 0.92rem;
+        text-wrap: pretty;
       }
       .intro strong {
         color: var(--ink);

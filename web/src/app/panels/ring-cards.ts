@@ -15,6 +15,7 @@ import {
   type Swing,
   type SwingName,
   swingOf,
+  withFreeEnd,
   withMean,
   withSharp,
   withSwing,
@@ -23,7 +24,7 @@ import type { Rings } from "../../document/types";
 import { heightOf, widthOf } from "../../document/whole-pot";
 import { DesignerElement } from "../../element/designer-element";
 import { togglePulling } from "../../state/actions";
-import { changeRing, removeRing } from "../../state/ring-actions";
+import { changeRing, changeRings, removeRing } from "../../state/ring-actions";
 import { cells } from "../../ui/cells";
 import { checks } from "../../ui/checks";
 import "../../ui/menu";
@@ -83,6 +84,7 @@ export class PasuRingCards extends DesignerElement {
     const last = shape.rings.length - 1;
     const name = index === 0 ? words.foot : index === last ? words.rim : words.ring(index);
     const between = index > 0 && index < last;
+    const end = index === 0 ? "foot" : index === last ? "rim" : null;
     const tags = tagsOf(ring);
     const { radius, height } = this.reach ?? reachOf(shape);
     const low = shape.rings[0]?.z.mean ?? 0;
@@ -93,6 +95,7 @@ export class PasuRingCards extends DesignerElement {
           ${index < last ? this.item("up", words.above, () => this.add(shape, index)) : nothing}
           ${index > 0 ? this.item("down", words.below, () => this.add(shape, index - 1)) : nothing}
           ${tags.length > 0 ? this.item("reset", words.makeRound, () => this.change(index, madeRound)) : nothing}
+          ${end && shape[end] ? this.item("reset", words.freeEnd, () => this.designer.apply(changeRings(this.designer.state, (pot) => withFreeEnd(pot, end)))) : nothing}
           ${between ? this.item("remove", words.remove, () => this.designer.apply(removeRing(this.designer.state, index))) : nothing}
         </pasu-menu>
       </div>

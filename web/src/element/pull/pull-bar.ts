@@ -61,7 +61,7 @@ export class PasuPullBar extends DesignerElement {
         ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
         ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
         ${whole ? this.locks(shape) : this.detail(brush)}
-        ${shape?.kind === "rings" ? this.ringLocks(shape) : nothing}
+        ${shape && takesRings(shape) ? this.ringLocks(shape) : nothing}
       </div>
       <div class="note" ?hidden=${note === ""}>
         <p role="status">${this.cannot === "" ? note : this.cannot}</p>
@@ -84,13 +84,13 @@ export class PasuPullBar extends DesignerElement {
     this.dispatchEvent(new Event("bar-shown"));
   }
 
-  /** What of a pot of rings stays: there is no room for it beside how rings are pulled. */
+  /** What of what has rings stays: there is no room for it beside how rings are pulled. */
   private ringLocks(shape: Shape) {
     const { pull } = this.designer;
     const locked = pull?.locked.length ?? 0;
     return html`<pasu-menu label=${words.keep} icon=${locked > 0 ? "locked" : "unlocked"} bare>
       ${this.locks(shape)}
-      ${this.walled ? html`<p class="about">${words.keepCapacity}</p>` : nothing}
+      ${shape.kind === "rings" && this.walled ? html`<p class="about">${words.keepCapacity}</p>` : nothing}
     </pasu-menu>`;
   }
 

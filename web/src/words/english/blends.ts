@@ -1,5 +1,6 @@
 /** A blend: its sections and how its equation is solved. */
 
+import type { Clash, Remedy } from "../../document/blend/agreement";
 import type { CellShape, CellsFormat } from "../../document/blend/cells";
 import type { GripName } from "../../document/blend/grips";
 import type { Form, SectionKey } from "../../document/blend/section";
@@ -79,6 +80,16 @@ export const blends = phrases("blends", {
     flower: "Flower",
   } satisfies Readonly<Record<PlanName, string>>,
   begin: (foot: string, rim: string) => `Begin with ${foot.toLowerCase()} to ${rim.toLowerCase()}`,
+
+  clashes: {
+    kinds:
+      "This solid folds through itself: one section goes round its middle, the other from side to side, and no method joins them well.",
+    ways: "This solid is drawn together to nothing half way: its sections go from side to side in opposite directions.",
+  } satisfies Readonly<Record<Clash, string>>,
+  remedies: {
+    kinds: { "disc-in-square": "Lay the disc over a square", outline: "Take both as outlines" },
+    ways: { "disc-in-square": "Reverse the rectangle", outline: "Take both as outlines" },
+  } satisfies Readonly<Record<Clash, Readonly<Record<Remedy, string>>>>,
 
   drawIt: "Draw it…",
   drawItOf: (section: string) => `Draw it…, ${section}`,

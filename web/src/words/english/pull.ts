@@ -32,9 +32,13 @@ export const pull = phrases("pull", {
   places: "Places to pull at",
   keysOfFamily: "Arrow keys pull the pot here, with shift further, with alt round the axis.",
   keep: "Keep",
-  locks: { rim: "Rim", foot: "Foot", height: "Height", capacity: "What it holds" } satisfies Readonly<
-    Record<Lock, string>
-  >,
+  locks: {
+    rim: "Rim",
+    foot: "Foot",
+    height: "Height",
+    slopes: "Slope of both ends",
+    capacity: "What it holds",
+  } satisfies Readonly<Record<Lock, string>>,
   keepHelp: "What is ticked stays as it is while you pull.",
   keepCapacity:
     "When you let go, the pot becomes lower or higher until it holds what it held; with the rim or the height kept as well, its other rings become narrower or wider.",

@@ -46,6 +46,7 @@ export const rings = phrases("rings", {
   above: "Add a ring above",
   below: "Add a ring below",
   makeRound: "Make it round",
+  freeEnd: "Free the slope here",
   remove: "Delete",
   noRoom: "There is no room for one more ring here.",
 
