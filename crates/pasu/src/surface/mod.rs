@@ -9,6 +9,7 @@ mod patch;
 mod recent;
 mod row;
 mod row_table;
+mod row_term;
 mod solve;
 mod supremum;
 mod table;

@@ -1,21 +1,10 @@
 //! The coefficients of one row.
 
+use super::row_term::RowTerm;
 use super::term::Term;
 use crate::mode::{Beam, Spot};
 use crate::numeric::horner;
 use crate::patch::SurfaceJet;
-
-/// Coefficients of `cos(k v)` and `sin(k v)` at one row.
-#[derive(Debug, Clone)]
-pub(crate) struct RowTerm<const N: usize> {
-    /// Index of the distinct `n` in the [`ColumnTable`].
-    pub(crate) column: usize,
-    pub(crate) k: f64,
-    /// Derivatives of `A` up to order `N - 1`.
-    pub(crate) cos: [f64; N],
-    /// Derivatives of `B` up to order `N - 1`.
-    pub(crate) sin: [f64; N],
-}
 
 /// What one row of constant `u` needs of the solution.
 #[derive(Debug, Clone, Default)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::row_table::RowTerm;
+use super::row_term::RowTerm;
 use crate::mode::{Beam, Deflection, Likeness};
 
 /// One `n` of one component.

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 use pasu::{
     Code, Design, Error, Face, FaceKind, Format, Making, MeasureOptions, Pot, Product, Severity, SolidMesh, Solution,
-    check, measure, solid, write,
+    measure, solid,
 };
 
 /// A bottle whose profile is straight from one sharp ring to the next.
