@@ -14,7 +14,6 @@ use super::series;
 use super::solution::{ModeData, ModeSolution};
 use super::stiffness::Stiffness;
 use super::unsolvable::Unsolvable;
-use crate::numeric::horner;
 use crate::numeric::tridiagonal::Tridiagonal;
 
 /// Rings nearer each other than this are refused: a slope, a value over a gap, would have fewer digits than a mesh shows.
@@ -75,13 +74,6 @@ pub(crate) struct Deflection {
     pieces: Vec<ModeSolution>,
     /// `q'` at both ends of every bay that has a piece, where there is more than one: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
-}
-
-/// A place on a beam: the number of a bay, and how far along it from 0 to 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Spot {
-    bay: usize,
-    x: f64,
 }
 
 /// How values follow from others of the same beam.
@@ -244,39 +236,29 @@ impl Beam {
 
     /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
     pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_at(self.spot(u), of)
+        self.jets_in(self.bay_at(u), of, u)
     }
 
-    /// Where `u` in [0, 1] lies; at a ring on the side of larger `u`.
-    pub(crate) fn spot(&self, u: f64) -> Spot {
-        let bay = self.bay_at(u);
-        Spot { bay, x: self.bays.get(bay).map_or(0.0, |bay| bay.within(u)) }
-    }
-
-    /// Where any `u` lies by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
-    pub(crate) fn spot_along(&self, u: f64, [low, high]: [f64; 2]) -> Spot {
-        let bay = self.bay_at(u.min(high.next_down()).max(low));
-        Spot { bay, x: self.bays.get(bay).map_or(0.0, |bay| bay.beyond(u)) }
-    }
-
-    /// Several deflections somewhere, each with its derivatives up to order `N - 1`.
-    pub(crate) fn jets_at<const N: usize, const M: usize>(&self, spot: Spot, of: [&Deflection; M]) -> [[f64; N]; M] {
-        let polynomials = of.map(|deflection| {
-            let (coefficients, x) = deflection.polynomial(spot);
-            horner::derivatives(coefficients.iter().rev().copied(), x)
-        });
-        self.jets_on(polynomials, spot, of)
-    }
-
-    /// As [`Beam::jets_at`], where each deflection's [polynomial](Deflection::polynomial) there is known already.
-    pub(crate) fn jets_on<const N: usize, const M: usize>(
+    /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
+    pub(crate) fn jets_along<const N: usize, const M: usize>(
         &self,
-        polynomials: [[f64; N]; M],
-        Spot { bay: index, x }: Spot,
         of: [&Deflection; M],
+        u: f64,
+        [low, high]: [f64; 2],
     ) -> [[f64; N]; M] {
+        let index = self.bay_at(u.min(high.next_down()).max(low));
+        let x = self.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
+        self.jets_of(index, of, x)
+    }
+
+    fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
+        let x = self.bays.get(index).map_or(0.0, |bay| bay.within(u));
+        self.jets_of(index, of, x)
+    }
+
+    fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
         let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let mut jets = bay.equation.jets_on(polynomials, of.map(|deflection| deflection.piece(index)), x);
+        let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
         if self.bays.len() == 1 && self.chains.is_empty() {
             return jets;
         }
@@ -424,29 +406,19 @@ impl Deflection {
         self.pieces.iter().all(ModeSolution::is_zero)
     }
 
-    /// The polynomial that it is the sum of there, beside the equation's own functions, lowest power first, and what that is taken at. No coefficients are 0.
-    pub(crate) fn polynomial(&self, spot: Spot) -> (&[f64], f64) {
-        (self.piece(spot.bay).particular(), spot.x - 0.5)
-    }
-
     /// Whether it is the other one, or what is left of 0 without that, in every bit of every value.
     pub(crate) fn likeness(&self, other: &Deflection) -> Option<Likeness> {
-        let likenesses = [Likeness::Same, Likeness::Opposite];
-        likenesses.into_iter().find(|likeness| {
+        [Likeness::Same, Likeness::Opposite].into_iter().find(|likeness| {
             let agree = |one: f64, other: f64| one.to_bits() == likeness.of(other).to_bits();
-            let pieces = || self.pieces.iter().zip(&other.pieces);
+            let slopes = || self.slopes.as_flattened().iter().zip(other.slopes.as_flattened());
+            let mut pieces = self.pieces.iter().zip(&other.pieces);
             self.pieces.len() == other.pieces.len()
                 && self.slopes.len() == other.slopes.len()
-                && pieces().all(|(one, other)| {
+                && slopes().all(|(one, other)| agree(*one, *other))
+                && pieces.all(|(one, other)| {
                     one.particular().len() == other.particular().len()
                         && one.numbers().zip(other.numbers()).all(|(one, other)| agree(one, other))
                 })
-                && self
-                    .slopes
-                    .iter()
-                    .flatten()
-                    .zip(other.slopes.iter().flatten())
-                    .all(|(one, other)| agree(*one, *other))
         })
     }
 

@@ -31,7 +31,7 @@ mod stiffness;
 mod supremum;
 mod unsolvable;
 
-pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held, Likeness, Spot};
+pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held, Likeness};
 pub use equation::Equation;
 pub(crate) use expansion::{Expansion, ROUNDING, TERMS};
 pub use order::Order;

@@ -124,20 +124,10 @@ impl Equation {
     /// # Ok::<(), pasu::Unsolvable>(())
     /// ```
     pub fn jets<const N: usize, const M: usize>(&self, solutions: [&ModeSolution; M], u: f64) -> [[f64; N]; M] {
-        self.jets_on(solutions.map(|solution| series::jet::<N>(&solution.particular, u)), solutions, u)
-    }
-
-    /// As [`Equation::jets`], where the polynomials of the solutions are known already.
-    pub(super) fn jets_on<const N: usize, const M: usize>(
-        &self,
-        polynomials: [[f64; N]; M],
-        solutions: [&ModeSolution; M],
-        u: f64,
-    ) -> [[f64; N]; M] {
         let needs_basis = solutions.iter().any(|solution| solution.factors != [0.0; 4]);
         let basis = if needs_basis { self.basis.jets::<N>(u) } else { [[0.0; N]; 4] };
-        core::array::from_fn(|index| {
-            let (mut jet, solution) = (polynomials[index], solutions[index]);
+        solutions.map(|solution| {
+            let mut jet = series::jet::<N>(&solution.particular, u);
             for (factor, function) in solution.factors.iter().zip(&basis) {
                 // A factor 0 marks a function that is absent, and may stand beside an infinite derivative.
                 if *factor != 0.0 {

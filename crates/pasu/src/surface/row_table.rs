@@ -2,8 +2,6 @@
 
 use super::row_term::RowTerm;
 use super::term::Term;
-use crate::mode::{Beam, Spot};
-use crate::numeric::horner;
 use crate::patch::SurfaceJet;
 
 /// What one row of constant `u` needs of the solution.
@@ -23,36 +21,21 @@ impl<const N: usize> RowTable<N> {
     /// As [`RowTable::at`], by the closed form between two rings or ends, which goes on beyond them.
     pub(crate) fn along(terms: &[Vec<Term>; 3], distinct: &[f64], u: f64, between: [f64; 2]) -> Self {
         let mut table = RowTable::default();
-        table.take_by(terms, distinct, |beam| beam.spot_along(u, between));
+        table.take_by(terms, distinct, |term| term.beam.jets_along::<N, 2>([&term.cos, &term.sin], u, between));
         table
     }
 
     /// Takes the coefficients at another `u`.
     pub(crate) fn take(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], u: f64) {
-        self.take_by(terms, distinct, |beam| beam.spot(u));
+        self.take_by(terms, distinct, |term| term.beam.jets::<N, 2>([&term.cos, &term.sin], u));
     }
 
-    fn take_by(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], spot: impl Fn(&Beam) -> Spot) {
-        // All polynomials of a row at once, which takes a quarter of the time.
-        let n_terms = terms.iter().map(Vec::len).sum();
-        let (mut spots, mut polynomials) = (Vec::with_capacity(n_terms), Vec::with_capacity(2 * n_terms));
-        for term in terms.iter().flatten() {
-            let spot = spot(&term.beam);
-            spots.push(spot);
-            if term.found.is_none() {
-                polynomials.extend([&term.cos, &term.sin].map(|deflection| deflection.polynomial(spot)));
-            }
-        }
-        let mut jets = horner::derivatives_of_all::<N>(&polynomials).into_iter();
-        let mut spots = spots.into_iter();
+    fn take_by(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], jets: impl Fn(&Term) -> [[f64; N]; 2]) {
         let [x, others @ ..] = &mut self.components;
-        let mut take = |row: &mut Vec<RowTerm<N>>, terms: &[Term], known: &[RowTerm<N>]| {
+        let take = |row: &mut Vec<RowTerm<N>>, terms: &[Term], known: &[RowTerm<N>]| {
             row.clear();
-            row.extend(terms.iter().zip(&mut spots).map(|(term, spot)| {
-                let [cos, sin] = term.found_in(known).unwrap_or_else(|| {
-                    let polynomials = [0; 2].map(|_| jets.next().unwrap_or([0.0; N]));
-                    term.beam.jets_on(polynomials, spot, [&term.cos, &term.sin])
-                });
+            row.extend(terms.iter().map(|term| {
+                let [cos, sin] = term.found_in(known).unwrap_or_else(|| jets(term));
                 let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
                 RowTerm { column, k: term.k, cos, sin }
             }));
