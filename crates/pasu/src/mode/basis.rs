@@ -1,10 +1,10 @@
 //! Functions that span the solutions of a mode's equation and stay independent in its regime.
 
-use super::fundamental::Fundamental;
 use super::order::Order;
 use super::pair::Pair;
 use super::rate::Rate;
 use super::roots::{largest_rate, squared_roots};
+use super::series::{self, continue_series};
 use super::unsolvable::Unsolvable;
 
 /// Below this rate an order 4 equation is solved by power series about the middle: at 4 the series of the four fundamental solutions
@@ -22,7 +22,7 @@ pub(super) enum Basis {
     Single(Rate),
     /// Rates at most [`SERIES_RATE`], of any regime: the power series with initial data 1, `x`, `x^2 / 2`, `x^3 / 6`, which is what
     /// they are when all rates vanish.
-    Series(Fundamental),
+    Series(Box<[Vec<f64>; 4]>),
     /// Roots `+-sigma +-delta` near each other, double, or complex (then `delta^2 < 0`): `C C`, `S S`, `S C`, `C S` of both. The squares
     /// `(b +- 2 sqrt(c)) / 4` are real for every `c > 0`, so that no regime needs complex numbers and the double root nothing at all.
     Products { sigma: Rate, delta: Rate },
@@ -35,7 +35,16 @@ impl Basis {
     pub(super) fn of(order: Order, b: f64, c: f64) -> Result<(Self, [Pair; 2]), Unsolvable> {
         let basis = match order {
             Order::Second => Basis::Single(Rate::new(b)),
-            Order::Fourth if largest_rate(order, b, c) <= SERIES_RATE => Basis::Series(Fundamental::of(b, c)),
+            Order::Fourth if largest_rate(order, b, c) <= SERIES_RATE => {
+                let feedback = [(2, b), (0, -c)];
+                let unit = |start: [f64; 4]| continue_series(&start, &feedback, &[]);
+                Basis::Series(Box::new([
+                    unit([1.0, 0.0, 0.0, 0.0]),
+                    unit([0.0, 0.0, 0.5, 0.0]),
+                    unit([0.0, 1.0, 0.0, 0.0]),
+                    unit([0.0, 0.0, 0.0, 1.0 / 6.0]),
+                ]))
+            }
             Order::Fourth => {
                 let sigma_squared = 0.25 * (b + 2.0 * c.max(0.0).sqrt());
                 let delta_squared = 0.25 * (b - 2.0 * c.max(0.0).sqrt());
@@ -104,14 +113,11 @@ impl Basis {
     /// The same solution with as much of it in the polynomial as can be: power series add up to one of their own.
     pub(super) fn absorbed(&self, factors: [f64; 4], mut polynomial: Vec<f64>) -> ([f64; 4], Vec<f64>) {
         let Basis::Series(functions) = self else { return (factors, polynomial) };
-        let used = || factors.into_iter().enumerate().filter(|(_, factor)| *factor != 0.0);
-        // At once: there are thousands of these where there are rings.
-        let n = used().map(|(index, _)| functions.powers(index).len()).max().unwrap_or(0);
-        if polynomial.len() < n {
-            polynomial.resize(n, 0.0);
-        }
-        for (index, factor) in used() {
-            for (sum, term) in polynomial.iter_mut().zip(functions.powers(index)) {
+        for (factor, function) in factors.iter().zip(functions.iter()).filter(|(factor, _)| **factor != 0.0) {
+            if polynomial.len() < function.len() {
+                polynomial.resize(function.len(), 0.0);
+            }
+            for (sum, term) in polynomial.iter_mut().zip(function) {
                 *sum += factor * term;
             }
         }
@@ -125,7 +131,12 @@ impl Basis {
                 let (even, odd) = rate.jets(u);
                 [even, [0.0; N], odd, [0.0; N]]
             }
-            Basis::Series(functions) => functions.jets(u),
+            Basis::Series(functions) => [
+                series::jet(&functions[0], u),
+                series::jet(&functions[1], u),
+                series::jet(&functions[2], u),
+                series::jet(&functions[3], u),
+            ],
             Basis::Products { sigma, delta } => {
                 let ((c, s), (c_delta, s_delta)) = (sigma.jets(u), delta.jets(u));
                 [product(&c, &c_delta), product(&s, &s_delta), product(&s, &c_delta), product(&c, &s_delta)]

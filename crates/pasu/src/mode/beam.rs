@@ -55,9 +55,6 @@ struct Chain {
     factors: Tridiagonal,
 }
 
-/// `q = 0`.
-static NOTHING: ModeSolution = ModeSolution::zero();
-
 /// What is given of a beam.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Held<'a> {
@@ -70,27 +67,9 @@ pub(crate) struct Held<'a> {
 /// `q(u)` of a beam: its solutions bay by bay.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Deflection {
-    /// None where it is 0 from end to end, as one half of most modes is.
     pieces: Vec<ModeSolution>,
-    /// `q'` at both ends of every bay that has a piece, where there is more than one: neighbours have the same bits.
+    /// `q'` at both ends of every bay, where there is more than one: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
-}
-
-/// How values follow from others of the same beam.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Likeness {
-    Same,
-    Opposite,
-}
-
-impl Likeness {
-    /// The value. Sums that cancel are 0, never -0, of either sign of their terms: so is what is left of 0.
-    pub(crate) fn of(self, value: f64) -> f64 {
-        match self {
-            Likeness::Same => value,
-            Likeness::Opposite => 0.0 - value,
-        }
-    }
 }
 
 /// Why a beam has no answer, and between which `u`.
@@ -189,7 +168,8 @@ impl Beam {
             return Ok(Deflection { pieces: vec![equation.solve(&ends).map_err(broken)?], slopes: Vec::new() });
         }
         if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
-            return Ok(Deflection { pieces: Vec::new(), slopes: Vec::new() });
+            let pieces = self.bays.iter().map(|_| ModeSolution::zero()).collect();
+            return Ok(Deflection { pieces, slopes: vec![[0.0; 2]; self.bays.len()] });
         }
         let inner = (0..self.bays.len() - 1).map(|index| rings.get(index).copied().unwrap_or(0.0));
         let values: Vec<f64> = [ends.start].into_iter().chain(inner).chain([ends.end]).collect();
@@ -258,18 +238,15 @@ impl Beam {
 
     fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
         let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
+        let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| &deflection.pieces[index]), x);
         if self.bays.len() == 1 && self.chains.is_empty() {
             return jets;
         }
         for (jet, deflection) in jets.iter_mut().zip(of) {
             bay.lengthen(jet);
             let end = [0.0, 1.0].into_iter().position(|end| x == end);
-            let slopes = deflection.slopes.get(index);
-            if let (Some(end), Some(slopes), Some(slope), Order::Fourth) =
-                (end, slopes, jet.get_mut(1), bay.equation.order)
-            {
-                *slope = slopes[end];
+            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), bay.equation.order) {
+                *slope = deflection.slopes[index][end];
             }
         }
         jets
@@ -287,7 +264,7 @@ impl Beam {
         let among = self.bays.iter().enumerate().skip(first);
         let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
         for (index, bay) in among {
-            let pieces = of.map(|deflection| deflection.piece(index));
+            let pieces = of.map(|deflection| &deflection.pieces[index]);
             let mut here = bay.equation.suprema::<N, M>(pieces, bay.within(from), bay.within(to));
             for (most, here) in suprema.iter_mut().zip(&mut here) {
                 bay.lengthen(here);
@@ -406,31 +383,9 @@ impl Deflection {
         self.pieces.iter().all(ModeSolution::is_zero)
     }
 
-    /// Whether it is the other one, or what is left of 0 without that, in every bit of every value.
-    pub(crate) fn likeness(&self, other: &Deflection) -> Option<Likeness> {
-        [Likeness::Same, Likeness::Opposite].into_iter().find(|likeness| {
-            let agree = |one: f64, other: f64| one.to_bits() == likeness.of(other).to_bits();
-            let slopes = || self.slopes.as_flattened().iter().zip(other.slopes.as_flattened());
-            let mut pieces = self.pieces.iter().zip(&other.pieces);
-            self.pieces.len() == other.pieces.len()
-                && self.slopes.len() == other.slopes.len()
-                && slopes().all(|(one, other)| agree(*one, *other))
-                && pieces.all(|(one, other)| {
-                    one.particular().len() == other.particular().len()
-                        && one.numbers().zip(other.numbers()).all(|(one, other)| agree(one, other))
-                })
-        })
-    }
-
-    /// The closed form between two neighbours.
-    fn piece(&self, index: usize) -> &ModeSolution {
-        self.pieces.get(index).unwrap_or(&NOTHING)
-    }
-
     /// The closed form where there is one from end to end.
     fn single(&self) -> Option<&ModeSolution> {
         match &self.pieces[..] {
-            [] => Some(&NOTHING),
             [piece] => Some(piece),
             _ => None,
         }

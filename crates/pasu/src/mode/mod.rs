@@ -18,7 +18,6 @@ mod beam;
 mod equation;
 mod expansion;
 mod force;
-mod fundamental;
 mod order;
 mod pair;
 mod rate;
@@ -31,7 +30,7 @@ mod stiffness;
 mod supremum;
 mod unsolvable;
 
-pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held, Likeness};
+pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held};
 pub use equation::Equation;
 pub(crate) use expansion::{Expansion, ROUNDING, TERMS};
 pub use order::Order;

@@ -19,18 +19,18 @@ pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &
     // As many as most take, so that they are moved once at most.
     let mut terms = Vec::with_capacity(order + force.len() + USUAL_TERMS);
     terms.extend_from_slice(start);
-    let mut quiet = Quiet::default();
-    for (power, term) in start.iter().enumerate() {
-        quiet.begin(*term, power);
-    }
-    while terms.len() < force.len() + MAX_TERMS && !(quiet.has_ended(order) && terms.len() >= force.len() + order) {
+    let mut largest = terms.iter().enumerate().fold(0.0f64, |m, (i, a)| m.max(a.abs() * power_of_half(i)));
+    let mut quiet = 0;
+    while terms.len() < force.len() + MAX_TERMS && !(quiet >= order && terms.len() >= force.len() + order) {
         let m = terms.len() - order;
         let mut sum = force.get(m).copied().unwrap_or(0.0);
         for &(j, factor) in feedback {
             sum += factor * falling(m + j, j) * terms[m + j];
         }
         let next = sum / falling(m + order, order);
-        quiet.hear(next, m + order);
+        let size = next.abs() * power_of_half(m + order);
+        largest = largest.max(size);
+        quiet = if size <= NEGLIGIBLE * largest { quiet + 1 } else { 0 };
         terms.push(next);
     }
     while terms.last() == Some(&0.0) {
@@ -39,37 +39,7 @@ pub(super) fn continue_series(start: &[f64], feedback: &[(usize, f64)], force: &
     terms
 }
 
-/// How many terms in a row have been negligible at `|x| = 1/2` against the largest.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Quiet {
-    largest: f64,
-    terms: usize,
-}
-
-impl Quiet {
-    /// A term that is given.
-    #[inline]
-    pub(super) fn begin(&mut self, term: f64, power: usize) {
-        self.largest = self.largest.max(term.abs() * power_of_half(power));
-    }
-
-    /// A term that follows.
-    #[inline]
-    pub(super) fn hear(&mut self, term: f64, power: usize) {
-        let size = term.abs() * power_of_half(power);
-        self.largest = self.largest.max(size);
-        self.terms = if size <= NEGLIGIBLE * self.largest { self.terms + 1 } else { 0 };
-    }
-
-    /// Whether a series that goes on from its last `order` terms has ended.
-    #[inline]
-    pub(super) fn has_ended(&self, order: usize) -> bool {
-        self.terms >= order
-    }
-}
-
 /// `n (n - 1) .. (n - j + 1)`, the factor of the `j`-th derivative of `x^n`.
-#[inline]
 pub(super) fn falling(n: usize, j: usize) -> f64 {
     let n = n as f64;
     match j {
@@ -81,7 +51,6 @@ pub(super) fn falling(n: usize, j: usize) -> f64 {
 }
 
 /// `2^-n` for the counts of terms that there are, far below the smallest double.
-#[inline]
 fn power_of_half(n: usize) -> f64 {
     const BIAS: u64 = 1023;
     f64::from_bits(BIAS.saturating_sub(n as u64) << 52)

@@ -42,7 +42,7 @@ impl ModeData<'_> {
 
 impl ModeSolution {
     /// The solution that is 0.
-    pub(super) const fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0 }
     }
 
@@ -88,11 +88,6 @@ impl ModeSolution {
     /// The number of coefficients of the force.
     pub(super) fn force_len(&self) -> usize {
         self.force_len
-    }
-
-    /// Every number that its values are formed from.
-    pub(super) fn numbers(&self) -> impl Iterator<Item = f64> + '_ {
-        self.factors.iter().chain(&self.particular).chain(self.ends.as_flattened()).copied()
     }
 
     /// Whether `q` is 0 everywhere.

@@ -43,16 +43,14 @@ impl Stiffness {
                 }
             }
             // Rates are small, and the functions are near 1, x, x^2 / 2, x^3 / 6: nothing cancels but what is next to nothing.
-            Basis::Series(functions) => {
-                let [one, two, three, four] = functions.bent();
-                let [even, odd] = [(even, one, two), (odd, three, four)].map(|(pair, f_uu, g_uu)| {
-                    let Pair { first: [f, f_u], second: [g, g_u], determinant } = *pair;
-                    [(f * g_uu - g * f_uu) / determinant, (g_u * f_uu - f_u * g_uu) / determinant]
+            Basis::Series(_) | Basis::Single(_) => {
+                let [one, two, three, four] = equation.basis.jets::<3>(1.0);
+                let [even, odd] = [[one, two], [three, four]].map(|[f, g]| {
+                    let Pair { determinant, .. } = Pair::by_subtraction([f[0], f[1]], [g[0], g[1]]);
+                    [(f[0] * g[2] - g[0] * f[2]) / determinant, (g[1] * f[2] - f[1] * g[2]) / determinant]
                 });
                 Stiffness { slope: [even[0], odd[0]], value: [even[1], odd[1]] }
             }
-            // Order 2 does not bend.
-            Basis::Single(_) => Stiffness { slope: [0.0; 2], value: [0.0; 2] },
         }
     }
 

@@ -21,7 +21,7 @@ impl Equation {
         let basis = if needs_basis { self.basis.suprema::<N>(from, to) } else { [[0.0; N]; 4] };
         let reach = (from - 0.5).abs().max((to - 0.5).abs());
         solutions.map(|solution| {
-            let mut suprema = polynomial::<N>(solution.particular().iter().copied(), reach);
+            let mut suprema = polynomial::<N>(solution.particular(), reach);
             for (factor, function) in solution.factors().iter().zip(&basis).filter(|(factor, _)| **factor != 0.0) {
                 for (sum, value) in suprema.iter_mut().zip(function) {
                     *sum += factor.abs() * value;
@@ -42,7 +42,7 @@ impl Basis {
             }
             Basis::Series(functions) => {
                 let reach = (from - 0.5).abs().max((to - 0.5).abs());
-                [0, 1, 2, 3].map(|index| polynomial(functions.powers(index), reach))
+                functions.each_ref().map(|function| polynomial(function, reach))
             }
             Basis::Products { sigma, delta } => {
                 let ((c, s), (c_delta, s_delta)) = (sigma.suprema(from, to), delta.suprema(from, to));
@@ -76,8 +76,8 @@ impl Rate {
 }
 
 /// Bounds of a polynomial in `x` and its derivatives for `|x| <= reach`.
-fn polynomial<const N: usize>(coefficients: impl DoubleEndedIterator<Item = f64>, reach: f64) -> [f64; N] {
-    horner::derivatives(coefficients.rev().map(f64::abs), reach)
+fn polynomial<const N: usize>(coefficients: &[f64], reach: f64) -> [f64; N] {
+    horner::derivatives(coefficients.iter().rev().map(|coefficient| coefficient.abs()), reach)
 }
 
 #[cfg(test)]

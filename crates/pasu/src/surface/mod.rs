@@ -9,7 +9,6 @@ mod patch;
 mod recent;
 mod row;
 mod row_table;
-mod row_term;
 mod solve;
 mod supremum;
 mod table;

@@ -72,7 +72,7 @@ impl Recent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::row_term::RowTerm;
+    use crate::surface::row_table::RowTerm;
 
     fn row(u: f64) -> RowTable<3> {
         let term = RowTerm { column: 0, k: u, cos: [u; 3], sin: [u; 3] };

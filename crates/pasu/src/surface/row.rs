@@ -4,8 +4,7 @@
 //! coefficients are made once per column and row.
 
 use super::curves::Curves;
-use super::row_table::RowTable;
-use super::row_term::RowTerm;
+use super::row_table::{RowTable, RowTerm};
 use super::solve::Surface;
 use super::table::Block;
 

@@ -1,8 +1,19 @@
 //! The coefficients of one row.
 
-use super::row_term::RowTerm;
 use super::term::Term;
 use crate::patch::SurfaceJet;
+
+/// Coefficients of `cos(k v)` and `sin(k v)` at one row.
+#[derive(Debug, Clone)]
+pub(crate) struct RowTerm<const N: usize> {
+    /// Index of the distinct `n` in the [`ColumnTable`].
+    pub(crate) column: usize,
+    pub(crate) k: f64,
+    /// Derivatives of `A` up to order `N - 1`.
+    pub(crate) cos: [f64; N],
+    /// Derivatives of `B` up to order `N - 1`.
+    pub(crate) sin: [f64; N],
+}
 
 /// What one row of constant `u` needs of the solution.
 #[derive(Debug, Clone, Default)]
@@ -31,18 +42,13 @@ impl<const N: usize> RowTable<N> {
     }
 
     fn take_by(&mut self, terms: &[Vec<Term>; 3], distinct: &[f64], jets: impl Fn(&Term) -> [[f64; N]; 2]) {
-        let [x, others @ ..] = &mut self.components;
-        let take = |row: &mut Vec<RowTerm<N>>, terms: &[Term], known: &[RowTerm<N>]| {
+        for (row, terms) in self.components.iter_mut().zip(terms) {
             row.clear();
             row.extend(terms.iter().map(|term| {
-                let [cos, sin] = term.found_in(known).unwrap_or_else(|| jets(term));
+                let [cos, sin] = jets(term);
                 let column = distinct.iter().position(|n| *n == term.n).unwrap_or(0);
                 RowTerm { column, k: term.k, cos, sin }
             }));
-        };
-        take(x, &terms[0], &[]);
-        for (row, terms) in others.iter_mut().zip(&terms[1..]) {
-            take(row, terms, x);
         }
     }
 }

@@ -7,7 +7,7 @@ use super::circle;
 use super::ends::Ends;
 use super::recent::{KeptRow, Recent};
 use super::row_table::RowTable;
-use super::term::{Found, Term};
+use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
@@ -105,7 +105,7 @@ impl Surface {
                 let solved = beam.and_then(|beam| {
                     let cos = beam.solve(&Held::from(&mode.cos))?;
                     let sin = beam.solve(&Held::from(&mode.sin))?;
-                    Ok(Term { n: mode.n, k, beam, cos, sin, found: None })
+                    Ok(Term { n: mode.n, k, beam, cos, sin })
                 });
                 let term = solved.map_err(|why| unsolvable(why, shape, axis, index, path))?;
                 if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
@@ -114,12 +114,7 @@ impl Surface {
             }
             Ok(terms)
         };
-        let mut components =
-            [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
-        let [x, y, _] = &mut components;
-        for term in y {
-            term.found = Found::among(x, term);
-        }
+        let components = [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
         let mut distinct = Vec::with_capacity(4);
         for term in components.iter().flatten() {
             if !distinct.contains(&term.n) {
