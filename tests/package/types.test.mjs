@@ -29,6 +29,7 @@ for (const part of design.parts) {
     case "rings": { const radius: number | undefined = shape.rings[0]?.r.mean; void radius; break; }
     case "boundary-value": { const span: number | "2pi" = shape.span; void span; break; }
     case "vertex-frame": { const corner: number | undefined = shape.patches[0]?.frame[7]; void corner; break; }
+    case "octant": { const exponent: number = shape.exponents[2]; void exponent; break; }
     case "blend": { const height: number = shape.start.z; void height; break; }
     default: { const none: never = shape; void none; }
   }

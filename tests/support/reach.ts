@@ -39,6 +39,23 @@ export async function unreachable(pot: Visit, inside?: string): Promise<string[]
         if (node === outer) return true;
       return false;
     };
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    /** Where it is once it is in the middle and nothing moves it any more: what is measured comes when it is there, and pushes down what stands beneath. */
+    const settled = async (pressed: Element) => {
+      const moved = () => {
+        pressed.scrollIntoView({ block: "center", inline: "nearest" });
+        return pressed.getBoundingClientRect();
+      };
+      let [before, box] = [moved(), null as DOMRect | null];
+      for (let n = 0; n < 60; n += 1) {
+        await frame();
+        box = moved();
+        if (box.x === before.x && box.y === before.y && box.width === before.width && box.height === before.height)
+          break;
+        before = box;
+      }
+      return box ?? before;
+    };
     const problems: string[] = [];
     const panel = document
       .querySelector("pasu-app")
@@ -51,9 +68,7 @@ export async function unreachable(pot: Visit, inside?: string): Promise<string[]
       if (!pressed.checkVisibility({ visibilityProperty: true }) || control.matches(":disabled, .skip")) continue;
       if (modal && !within(modal, pressed)) continue;
       if (only && !control.closest(only)) continue;
-      pressed.scrollIntoView({ block: "center", inline: "nearest" });
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-      const box = pressed.getBoundingClientRect();
+      const box = await settled(pressed);
       if (box.width === 0 || box.height === 0) continue;
       const name = control.getAttribute("aria-label") ?? control.textContent?.trim() ?? control.tagName;
       const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];

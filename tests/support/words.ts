@@ -9,7 +9,7 @@ export const PSEUDO = "?lang=en-XA";
 const EXCUSED = [
   "This link is damaged or cut short \\([^)]*\\); copy it once more, from its first to its last letter\\.",
   "This is neither a design nor a link to one: .*; a link looks like .*\\.",
-  "second-order, mixed-order, fourth-order, bloor-wilson, boundary-value, rings, vertex-frame, or blend",
+  "second-order, mixed-order, fourth-order, bloor-wilson, boundary-value, rings, vertex-frame, blend, or octant",
   "“[^”]*”",
 ];
 

@@ -45,6 +45,10 @@ fn designs() -> Vec<String> {
         designs.push(json!({ "pasu": 1, "unit": "mm", "parts": [{ "shape": shape }] }));
     }
     designs.push(json!({ "pasu": 1, "parts": [{ "shape": closed_network(), "place": place }] }));
+    for exponents in [[2.0, 2.0, 2.0], [0.05, 1.0, 50.0]] {
+        let shape = json!({ "kind": "octant", "exponents": exponents });
+        designs.push(json!({ "pasu": 1, "parts": [{ "shape": shape, "place": place }] }));
+    }
     let (one, other) = (designs[0]["parts"][0].clone(), designs[3]["parts"][0].clone());
     designs.push(json!({ "pasu": 1, "title": "Two", "unit": "in", "parts": [
         { "name": "a", "shape": one["shape"], "look": { "glaze": "celadon", "clay": "black" } },

@@ -309,3 +309,29 @@ export interface Ringed {
   /** How far it is from what it stands for: the largest distance that was found between both. An estimate: it is looked for at samples. */
   readonly distance: number;
 }
+
+/** How a scene differs from another. Every part of the first is kept, moved, changed or gone, every part of the second kept, moved, changed or added. Titles and names are not compared, but what differs is looked for under its name first. */
+export interface Difference {
+  /** Whether both are one scene: the same parts in the same places, glued in the same way, in the same unit. */
+  readonly isSame: boolean;
+  /** Parts that are the same in both. */
+  readonly kept: readonly Counterpart[];
+  /** Parts that stand elsewhere, or are of another size by their placement. */
+  readonly moved: readonly Counterpart[];
+  /** Parts of one name, or of one kind in one place, whose shape, wall or look is another. */
+  readonly changed: readonly Counterpart[];
+  /** Numbers of the parts that only the first scene has. */
+  readonly gone: readonly number[];
+  /** Numbers of the parts that only the second scene has. */
+  readonly added: readonly number[];
+  /** Of the parts that both have, those that are glued to others of them than before. */
+  readonly reglued: readonly Counterpart[];
+}
+
+/** A part that is in both scenes, by its number in each. */
+export interface Counterpart {
+  /** In the first scene. */
+  readonly before: number;
+  /** In the second scene. */
+  readonly after: number;
+}

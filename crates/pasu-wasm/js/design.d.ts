@@ -32,7 +32,16 @@ export interface Part {
 export type Unit = "cm" | "mm" | "in";
 
 /** A surface. */
-export type Shape = SecondOrder | MixedOrder | FourthOrder | BloorWilson | BoundaryValue | Rings | VertexFrame | Blend;
+export type Shape =
+  | SecondOrder
+  | MixedOrder
+  | FourthOrder
+  | BloorWilson
+  | BoundaryValue
+  | Rings
+  | VertexFrame
+  | Blend
+  | Octant;
 
 /** The vase of ZY01 equations 1 to 8. */
 export interface SecondOrder {
@@ -359,6 +368,14 @@ export interface Harmonic {
 
 /** How the equation of a blend is solved. */
 export type Method = "exact" | "modal" | "collocation";
+
+/** The octant x^a + y^b + z^c <= 1 of a supersphere. */
+export interface Octant {
+  /** The octant x^a + y^b + z^c <= 1 of a supersphere, where no coordinate is negative. */
+  readonly kind: "octant";
+  /** a, b and c. 0.05 to 50. */
+  readonly exponents: readonly [number, number, number];
+}
 
 /** Scaled, then turned, then moved. */
 export interface Placement {

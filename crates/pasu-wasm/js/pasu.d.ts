@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Measures, Pulled, Report, Ringed } from "./answers.js";
+import type { Difference, Measures, Pulled, Report, Ringed } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -390,6 +390,9 @@ export function sketch(
 
 /** One number for each vertex of {@link mesh} with the same options, in the same order. */
 export function paint(source: DesignSource, map: MapName, options?: MeshOptions & Watch): Painted;
+
+/** Whether two designs are one scene, whatever the order of their parts, and otherwise what became of each part. */
+export function compare(before: DesignSource, after: DesignSource): Difference;
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

@@ -61,6 +61,7 @@ const cells = (source, part, options) => call("cells", source, part, options);
 const cellsFile = (source, part, format, options) => call("cellsFile", source, part, format, options);
 const inside = (source, part) => call("inside", source, part);
 const insideValues = (source, part, map, at) => call("insideValues", source, part, map, at);
+const compare = (before, after) => call("compare", before, after);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -70,6 +71,7 @@ export {
   cells,
   cellsFile,
   check,
+  compare,
   convert,
   derivatives,
   evaluate,

@@ -25,6 +25,8 @@ mod plain;
 mod points;
 #[cfg(feature = "making")]
 mod pull;
+#[cfg(feature = "making")]
+mod scene;
 mod shape;
 #[cfg(feature = "making")]
 mod sketch;
@@ -44,6 +46,8 @@ pub use crate::interior::{cells, cells_file, inside, inside_values};
 pub use crate::making::{check, measure, obj_materials, open, paint, provenance, solid, water, write};
 #[cfg(feature = "making")]
 pub use crate::pull::{pull, pulled};
+#[cfg(feature = "making")]
+pub use crate::scene::compare;
 pub use crate::shape::{convert, handles};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;

@@ -4,7 +4,8 @@
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pasu_wasm::{
-    check, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, watched, water, write,
+    check, compare, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, watched, water,
+    write,
 };
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -126,6 +127,23 @@ fn measures_are_plain_data() {
     assert!((mass - 2.0 * 16.387_064).abs() < 1e-9, "{mass} g per cubic inch");
     assert!(at(&measure(&cup, &js(r#"{ "product": "solid" }"#)).expect("measures"), "capacity").is_null());
     measure(&cup, &JsValue::UNDEFINED).expect("options may be left out");
+}
+
+#[wasm_bindgen_test]
+fn scenes_are_compared() {
+    let part = |x: f64| {
+        format!(r#"{{ "shape": {{ "kind": "octant", "exponents": [2, 2, 2] }}, "place": {{ "shift": [{x}, 0, 0] }} }}"#)
+    };
+    let scene = |first: f64, second: f64| {
+        JsValue::from(format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, part(first), part(second)))
+    };
+    let same = compare(&scene(0.0, 2.0), &scene(2.0, 0.0)).expect("a difference");
+    assert_eq!(at(&same, "isSame"), JsValue::TRUE);
+    assert_eq!(at(&same, "kept.0.after").as_f64(), Some(1.0));
+    let moved = compare(&scene(0.0, 2.0), &scene(2.0, 3.0)).expect("a difference");
+    assert_eq!(at(&moved, "isSame"), JsValue::FALSE);
+    assert_eq!((at(&moved, "moved.0.before").as_f64(), at(&moved, "moved.0.after").as_f64()), (Some(0.0), Some(1.0)));
+    expect(compare(&scene(0.0, 2.0), &"nothing".into()), "damaged-link", "");
 }
 
 #[wasm_bindgen_test]

@@ -17,7 +17,7 @@ const PIECES: usize = 4;
 /// Sixteen hexadecimal digits: xxHash64 of the mesh at a fixed resolution (33 x 97 vertices a part; of a network of patches 5 x 5 a patch, and as many more between the rims of what sculpts it), positions as little-endian `f32`, then indices and groups
 /// as little-endian `u32`.
 ///
-/// The same on every machine, because every elementary function in the solver is computed by the same code in the same order. Title, names and looks do not change it;
+/// The same on every machine, because every elementary function in the solver is computed by the same code in the same order. Title, names, looks and the order of the parts do not change it;
 /// placement and every number of the shape do, unless too little to move a vertex by half a unit in its last place.
 ///
 /// # Errors
@@ -42,18 +42,26 @@ impl Solution {
     /// # Errors
     /// As [`fingerprint`].
     pub fn fingerprint(&self) -> Result<String> {
-        Ok(hashed(&exact_mesh(self, ROWS, COLUMNS, PIECES)?))
+        let order = self.design().order();
+        Ok(hashed(&exact_mesh(self, &order, ROWS, COLUMNS, PIECES)?, &order))
     }
 }
 
-fn hashed(mesh: &Mesh) -> String {
+/// Of a mesh whose parts stand in this order: which number they have in the design has no meaning.
+fn hashed(mesh: &Mesh, order: &[usize]) -> String {
     let mut hash = Xxh64::new(0);
     for position in &mesh.positions {
         // Adding 0 makes 0 of -0, which is the same place.
         hash.update(&(position + 0.0).to_le_bytes());
     }
-    for index in mesh.indices.iter().chain(&mesh.groups) {
+    for index in &mesh.indices {
         hash.update(&index.to_le_bytes());
+    }
+    for [first, count, part] in mesh.groups.as_chunks::<3>().0 {
+        let place = order.iter().position(|index| *index == *part as usize).unwrap_or_default() as u32;
+        for number in [*first, *count, place] {
+            hash.update(&number.to_le_bytes());
+        }
     }
     format!("{:016x}", hash.digest())
 }

@@ -51,8 +51,12 @@ mod measure;
 mod mesh;
 mod mode;
 mod numeric;
+#[cfg(feature = "patchwork")]
+mod octant;
 mod patch;
 mod pull;
+#[cfg(feature = "patchwork")]
+mod scene;
 mod solid;
 mod solution;
 mod surface;
@@ -69,7 +73,7 @@ pub use design::{
 };
 #[cfg(feature = "patchwork")]
 pub use design::{
-    Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Section, VertexFrame,
+    Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Octant, Section, VertexFrame,
 };
 #[cfg(feature = "typescript")]
 pub use design::{
@@ -89,8 +93,6 @@ pub use fit::{Profile, Ringed, fit, free};
 pub use glam;
 #[cfg(feature = "patchwork")]
 pub use interior::{CellShape, Cells, CellsOptions, cells, inside, inside_values};
-#[cfg(feature = "typescript")]
-pub use make::typescript_of_answers;
 pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};
 pub use measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads,
@@ -101,6 +103,10 @@ pub use mesh::{Mesh, MeshOptions, Sampler, VERTEX_LIMIT, bound, mesh};
 pub use mode::{Equation, ModeData, ModeSolution, Unsolvable};
 pub use patch::SurfaceJet;
 pub use pull::{Hand, Pulled, pull};
+#[cfg(feature = "typescript")]
+pub use scene::typescript_of_answers;
+#[cfg(feature = "patchwork")]
+pub use scene::{Counterpart, Difference, compare};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

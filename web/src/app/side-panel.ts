@@ -34,6 +34,11 @@ export class PasuPanel extends DesignerElement {
     const { parts } = this.designer.store.design;
     return parts.length === 1 && parts[0]?.shape.kind === "rings";
   });
+  /** A part among others stands somewhere, and an octant is as large as its placement says. */
+  readonly #isPlaced = computed(() => {
+    const { parts } = this.designer.store.design;
+    return parts.length > 1 || parts[0]?.shape.kind === "octant";
+  });
   private fetched: Tab | null = null;
   private listed = false;
 
@@ -95,7 +100,7 @@ export class PasuPanel extends DesignerElement {
     const { designer } = this;
     switch (tab) {
       case "shape":
-        return html`<pasu-parameters .designer=${designer}></pasu-parameters>`;
+        return html`<pasu-parameters .designer=${designer}></pasu-parameters>${this.placing()}`;
       case "profile":
         return html`<pasu-profile .designer=${designer}></pasu-profile>`;
       case "equation":
@@ -107,6 +112,12 @@ export class PasuPanel extends DesignerElement {
       case "measures":
         return html`<pasu-measures .designer=${designer}></pasu-measures>`;
     }
+  }
+
+  private placing() {
+    if (!this.#isPlaced.value) return nothing;
+    void import("./panels/place-card");
+    return html`<pasu-place .designer=${this.designer}></pasu-place>`;
   }
 
   /** A pot of rings can be mixed with another. */

@@ -6,6 +6,7 @@ import { SHELVES } from "./gallery";
 import { BLENDED, EXAMPLES } from "./gallery/blends";
 import { designOf } from "./gallery/exhibit";
 import { NETWORKED } from "./gallery/networks";
+import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
@@ -30,7 +31,7 @@ test("the papers' figures are those of the reference, all of them", () => {
 test("every exhibit is on one shelf, under a title and a note of its own", () => {
   const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
   expect(shown.length).toBe(
-    PAPERS.length + OWN.length + RINGED.length + BLENDED.length + NETWORKED.length + EXAMPLES.length,
+    PAPERS.length + OWN.length + RINGED.length + BLENDED.length + NETWORKED.length + OCTANTS.length + EXAMPLES.length,
   );
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
   const told = shown.map(({ id }) => exhibitWords(id));
@@ -74,10 +75,10 @@ test("an exhibit opens as a document of its own", () => {
   });
 });
 
-// The native tests measure meshes of all surfaces of the gallery; blends and networks have references of their own. After a change: npx vitest run src/document/gallery.test.ts -u
+// The native tests measure meshes of all surfaces of the gallery; blends, networks and octants have references of their own. After a change: npx vitest run src/document/gallery.test.ts -u
 test("the gallery that native tests read is this one", async () => {
   const surfaces = SHELVES.flatMap((shelf) => shelf.exhibits).filter(
-    ({ shape }) => shape.kind !== "blend" && shape.kind !== "vertex-frame",
+    ({ shape }) => shape.kind !== "blend" && shape.kind !== "vertex-frame" && shape.kind !== "octant",
   );
   const shown = surfaces.map(({ id, shape }) => JSON.stringify({ name: id, shape }));
   await expect(`[\n${shown.join(",\n")}\n]\n`).toMatchFileSnapshot("../../../tests/reference/gallery.json");

@@ -3,6 +3,7 @@
 import { BLENDED, EXAMPLES } from "./gallery/blends";
 import type { Exhibit } from "./gallery/exhibit";
 import { NETWORKED } from "./gallery/networks";
+import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
@@ -13,11 +14,12 @@ export type ExhibitId = (
   | typeof RINGED
   | typeof BLENDED
   | typeof NETWORKED
+  | typeof OCTANTS
   | typeof EXAMPLES
 )[number]["id"];
 
 export interface Shelf {
-  readonly id: "own" | "rings" | "blends" | "networks" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
+  readonly id: "own" | "rings" | "blends" | "networks" | "octants" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
   readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
@@ -39,6 +41,10 @@ export const SHELVES: readonly Shelf[] = [
   {
     id: "networks",
     exhibits: NETWORKED,
+  },
+  {
+    id: "octants",
+    exhibits: OCTANTS,
   },
   {
     id: "zhang-you",

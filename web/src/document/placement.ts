@@ -1,20 +1,22 @@
 /** Where a part stands: scaled, then turned, then moved, as `Placement::matrix` of the crate does it. For the screen: what is exact is the solver's. */
 
-import type { Placement, Triple } from "./types";
+import type { Placement } from "./types";
 
 /** Sixteen numbers, column by column: a point of the shape goes to where it stands. */
 export type Matrix = readonly number[];
 
 export const IDENTITY: Matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-const NOWHERE: Triple = [0, 0, 0];
-const AS_IT_IS: Triple = [1, 1, 1];
-const UPRIGHT: Triple = [0, 0, 1];
+/** All of a placement, defaults among them. */
+export type WholePlacement = Required<Placement>;
+
+/** Where the shape's own equations put it. */
+export const UNMOVED: WholePlacement = { scale: [1, 1, 1], axis: [0, 0, 1], angle: 0, shift: [0, 0, 0] };
 
 /** The matrix of a placement; null where it has none that can be undone, which the solver refuses in words. */
 export function matrixOf(place: Placement | undefined): Matrix | null {
   if (!place) return IDENTITY;
-  const { scale = AS_IT_IS, axis = UPRIGHT, angle = 0, shift = NOWHERE } = place;
+  const { scale, axis, angle, shift } = { ...UNMOVED, ...place };
   const length = Math.hypot(...axis);
   const [h, k, l] = [axis[0] / length, axis[1] / length, axis[2] / length];
   // Half a turn is exact.

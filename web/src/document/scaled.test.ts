@@ -98,3 +98,15 @@ test("a unit converts: there and back leads to the same document", () => {
     expect(again).toEqual(back);
   }
 });
+
+test("an octant grows by its placement: it has no length of its own", () => {
+  const octant = { kind: "octant", exponents: [2, 3, 0.5] } as const;
+  const design: Design = {
+    pasu: 1,
+    parts: [{ shape: octant }, { shape: octant, place: { scale: [1, -2, 3], shift: [1, 0, 2] } }],
+  };
+  expect(scaled(design, 2, "stay").parts).toEqual([
+    { shape: octant, place: { scale: [2, 2, 2] } },
+    { shape: octant, place: { scale: [2, -4, 6], shift: [2, 0, 4] } },
+  ]);
+});

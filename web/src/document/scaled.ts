@@ -43,6 +43,8 @@ export function inUnit(design: Design, unit: Unit): Design {
 
 function partBy(part: Part, factor: number, walls: Walls): Part {
   const { shape, place, wall } = part;
+  // An octant has no length of its own: it is as large as its placement makes it.
+  if (shape.kind === "octant") return { ...part, place: grownBy(place ?? {}, factor) };
   return {
     ...part,
     shape: shapeBy(shape, factor),
@@ -64,6 +66,7 @@ export function shapeBy(shape: Shape, factor: number): Shape {
   if (shape.kind === "rings") return ringsBy(shape, factor);
   if (shape.kind === "vertex-frame") return networkBy(shape, factor);
   if (shape.kind === "blend") return blendBy(shape, factor);
+  if (shape.kind === "octant") return shape;
   if (shape.kind !== "boundary-value") return familyBy(shape, FAMILIES[shape.kind].fields, factor);
   return {
     ...shape,
@@ -153,6 +156,10 @@ function datumBy<D extends object>(datum: D, factor: number): D {
     typeof value === "number" ? by(value, factor) : all(value, factor),
   ]);
   return Object.fromEntries(entries) as D;
+}
+
+function grownBy(place: Placement, factor: number): Placement {
+  return { ...placeBy(place, factor), scale: all(place.scale ?? [1, 1, 1], factor) };
 }
 
 function placeBy(place: Placement, factor: number): Placement {

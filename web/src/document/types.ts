@@ -45,7 +45,9 @@ export type VertexFrame = Frozen<pasu.VertexFrame>;
 /** A solid between two sections. */
 export type Blend = Frozen<pasu.Blend>;
 export type Section = Frozen<pasu.Section>;
-export type Shape = TwoSided | VertexFrame | Blend;
+/** An octant of a supersphere. */
+export type Octant = Frozen<pasu.Octant>;
+export type Shape = TwoSided | VertexFrame | Blend | Octant;
 export type Kind = Shape["kind"];
 
 /** What makes a surface a pot. */

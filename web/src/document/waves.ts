@@ -28,7 +28,7 @@ export function highestFrequency(shape: Shape): number {
     // What a radius does as it goes round is one wave more in x and in y.
     return Math.max(1, ...curves.flatMap(({ r, z }) => [1 + highest(r), highest(z)]));
   }
-  if (shape.kind === "vertex-frame") return 0;
+  if (shape.kind === "vertex-frame" || shape.kind === "octant") return 0;
   if (shape.kind === "blend") {
     const waves = [shape.start, shape.end].flatMap((section) =>
       section.form === "outline" ? [...section.x, ...section.y] : [],

@@ -11,7 +11,8 @@ const STEPS = 192;
 
 /** For each curve that one of these numbers is about, its points one after the other, three numbers each, before placement. */
 export function curvesOf(shape: Shape, places: readonly string[]): Float32Array[] {
-  if (places.length === 0 || shape.kind === "vertex-frame" || shape.kind === "blend") return [];
+  if (places.length === 0 || shape.kind === "vertex-frame" || shape.kind === "blend" || shape.kind === "octant")
+    return [];
   const problem = problemOf(shape);
   const wanted = new Set(places);
   const about = (amount: Amount | undefined) => amount?.at.some((place) => wanted.has(place)) ?? false;

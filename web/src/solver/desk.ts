@@ -82,7 +82,7 @@ export class Desk {
       const kept = this.#kept.get(id);
       const wanted = meshWanted(design, part, options);
       const there = isOf(kept, part) && this.#serves(kept, part, options, wanted);
-      const has = part.shape.kind !== "vertex-frame" && part.shape.kind !== "blend";
+      const has = !["vertex-frame", "blend", "octant"].includes(part.shape.kind);
       const section = has && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
       return [askOf(part, id, place, there ? null : wanted, section)];

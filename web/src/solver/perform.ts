@@ -118,7 +118,7 @@ function flankOf(shape: Shape): Sent {
 function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
   const { id, shape } = part;
   const design = part.hollow ? flankOf(shape) : alone(shape);
-  if (shape.kind === "vertex-frame" || (shape.kind === "blend" && !hasFlank(part))) {
+  if (shape.kind === "vertex-frame" || shape.kind === "octant" || (shape.kind === "blend" && !hasFlank(part))) {
     const made = part.mesh && patched(design, part.mesh, here, spent);
     return { id, mesh: made?.mesh ?? null, told: made?.told ?? null, lines: made?.lines ?? null, section: null };
   }

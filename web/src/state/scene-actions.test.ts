@@ -4,7 +4,7 @@ import { familyOf } from "../document/schema";
 import type { Design, Part } from "../document/types";
 import { partName } from "../words/parts";
 import { openDesign } from "./actions";
-import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "./scene-actions";
+import { addParts, deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "./scene-actions";
 import { hiddenParts, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
 import { setFields } from "./shape-actions";
@@ -152,4 +152,22 @@ test("a part that is hidden stays in the design, through undo too, and its copy 
   expect(hiddenParts(store.state)).toBe(1);
   store.apply(togglePart(store.state, lid));
   expect(store.session.hidden).toEqual([]);
+});
+
+test("what is added is an object of its own, where it is put, and takes no name that is there", () => {
+  const coming: Part[] = [
+    { ...part, name: "Lid", place: { shift: [1, 0, 0] } },
+    { ...part, name: "Knob", object: 1 },
+  ];
+  store.apply(addParts(store.state, coming, [10, 0, 2]));
+  expect(store.design.parts.slice(0, 3)).toEqual(SCENE.parts);
+  expect(store.design.parts.slice(3)).toEqual([
+    { ...part, object: 1, place: { shift: [11, 0, 2] } },
+    { ...part, name: "Knob", object: 2, place: { shift: [10, 0, 2] } },
+  ]);
+  expect(new Set(store.ids).size).toBe(5);
+  expect(store.part).toBe(3);
+  store.undo();
+  expect(store.design).toEqual(SCENE);
+  expect(addParts(store.state, [], [0, 0, 0]).undo).toBe("none");
 });

@@ -1,8 +1,8 @@
 /** What a person can do to the parts of a design as a whole: pure functions from a state to the change that they ask for. */
 
 import { setPath } from "../document/path";
-import type { Part } from "../document/types";
-import type { PartId } from "./parts";
+import type { Part, Triple } from "../document/types";
+import { freshIds, type PartId } from "./parts";
 import type { Change, State } from "./store";
 
 const NOTHING: Change = { undo: "none" };
@@ -61,6 +61,27 @@ export function duplicatePart(state: State, id: PartId, aside: number): Change {
     design: { ...design, parts: design.parts.toSpliced(place + 1, 0, copy) },
     ids: ids.toSpliced(place + 1, 0, fresh),
     session: { selection: [fresh] },
+    undo: "step",
+  };
+}
+
+/** Adds parts after all others, moved by so much, as an object of their own. The first of them is selected. */
+export function addParts(state: State, parts: readonly Part[], by: Triple): Change {
+  const { design, ids, fresh } = state;
+  if (parts.length === 0) return NOTHING;
+  const object = 1 + Math.max(...design.parts.map((part) => part.object ?? 0));
+  const names = new Set(design.parts.map(({ name }) => name));
+  const added = parts.map(({ name, place, ...rest }): Part => {
+    const [x, y, z] = place?.shift ?? [0, 0, 0];
+    const shift: Triple = [x + by[0], y + by[1], z + by[2]];
+    const kept = name === undefined || names.has(name) ? {} : { name };
+    return { ...rest, ...kept, object: object + (rest.object ?? 0), place: { ...place, shift } };
+  });
+  const more = freshIds(parts.length, fresh);
+  return {
+    design: { ...design, parts: [...design.parts, ...added] },
+    ids: [...ids, ...more],
+    session: { selection: more.slice(0, 1) },
     undo: "step",
   };
 }

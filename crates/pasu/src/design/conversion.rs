@@ -91,6 +91,8 @@ impl Shape {
                     "a solid between two sections cannot be converted: it is no vase of one of the families"
                 }
                 #[cfg(feature = "patchwork")]
+                Shape::Octant(_) => "an octant cannot be converted: it is no vase of one of the families",
+                #[cfg(feature = "patchwork")]
                 Shape::VertexFrame(_) => "a network of patches cannot be converted: it has no rim and no foot to keep",
                 _ => {
                     "boundary data that are written out cannot be converted as a whole: each component has an order of its own"

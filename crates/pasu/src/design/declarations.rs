@@ -10,6 +10,11 @@ const WIDTH: usize = 120;
 /// One of several names.
 pub(super) fn union(text: &mut String, name: &str, about: &str, names: &[&str]) {
     let names: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    alternatives(text, name, about, &names);
+}
+
+/// A type that is one of several, on one line if that is not too long.
+pub(super) fn alternatives(text: &mut String, name: &str, about: &str, names: &[String]) {
     let line = format!("export type {name} = {};\n", names.join(" | "));
     let declaration = match line.len() <= WIDTH + 1 {
         true => line,
@@ -44,6 +49,7 @@ pub(super) fn numbers(text: &mut String, name: &str, about: &str, kind: Option<&
             Range::Positive => " Greater than 0.",
             Range::NotNegative => " Not less than 0.",
             Range::Share => " 0 to 1.",
+            Range::Exponent => " 0.05 to 50.",
         };
         let lines: Vec<&str> = table.about.iter().map(|line| line.trim()).collect();
         field(text, table.name, table.need, &typescript, &format!("{}{range}", lines.join(" ")));

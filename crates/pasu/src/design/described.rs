@@ -15,6 +15,7 @@ use super::fields::Field;
 use super::fields::{self, Dimension, Fields};
 use super::handles::Handles;
 use super::parameter::Parameter;
+use super::placement::Placement;
 use super::quantity::Size;
 #[cfg(feature = "typescript")]
 use super::slider::Slider;
@@ -45,6 +46,12 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
     /// # Errors
     /// `overflow` when the numbers leave the range of numbers.
     fn canonical(self) -> Result<Self>;
+
+    /// This shape and its placement, both canonical by themselves, in the one way of writing the solid that they make: where a shape is its own image under some motion, placements differ that make the same of it.
+    /// The placement that was `given` has more digits than its canonical form.
+    fn standing(self, _given: &Placement, place: Placement) -> (Self, Placement) {
+        (self, place)
+    }
 
     /// How many modes have to be solved; 0 of what has none, whose own limits are told when it is read.
     fn cost(&self) -> usize {

@@ -97,6 +97,11 @@ impl Design {
         Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
     }
 
+    /// The same design with its parts in another way.
+    pub(super) fn with_parts(&self, parts: Vec<Part>) -> Design {
+        Design(Document { parts, ..self.0.clone() })
+    }
+
     /// Refuses a design whose document is too long.
     fn within_limit(self) -> Result<Design> {
         let length = self.to_json().len();

@@ -20,6 +20,9 @@ mod look;
 mod modes;
 mod names;
 mod number;
+#[cfg(feature = "patchwork")]
+mod octant;
+mod order;
 #[cfg(feature = "typescript")]
 mod page;
 mod parameter;
@@ -57,6 +60,10 @@ pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
 pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 pub(crate) use number::{plain, rounded};
+#[cfg(feature = "patchwork")]
+pub use octant::Octant;
+#[cfg(feature = "patchwork")]
+pub(crate) use order::Key;
 #[cfg(feature = "typescript")]
 pub use page::{typescript_of_blends, typescript_of_materials, typescript_of_sliders, typescript_of_tables};
 pub(crate) use parameter::Parameter;

@@ -38,12 +38,9 @@ impl Part {
     /// The one way of writing this part.
     #[inline]
     pub(crate) fn canonical(self) -> Result<Self> {
-        Ok(Part {
-            shape: self.shape.canonical().map_err(|error| error.inside_field("shape"))?,
-            place: self.place.canonical().map_err(|error| error.inside_field("place"))?,
-            wall: self.wall.map(Wall::canonical),
-            look: self.look.canonical(),
-            ..self
-        })
+        let shape = self.shape.canonical().map_err(|error| error.inside_field("shape"))?;
+        let place = self.place.canonical().map_err(|error| error.inside_field("place"))?;
+        let (shape, place) = shape.standing(&self.place, place);
+        Ok(Part { shape, place, wall: self.wall.map(Wall::canonical), look: self.look.canonical(), ..self })
     }
 }

@@ -44,15 +44,27 @@ impl Placement {
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         // Twelve decimals leave the axis a little off unit length.
         let length = norm(self.axis);
-        let [h, k, l] = self.axis.map(|c| c / length);
-        let (sin, cos) = if self.angle == -PI { (0.0, -1.0) } else { (libm::sin(self.angle), libm::cos(self.angle)) };
-        let turned = 1.0 - cos;
-        let rotation = [
-            [cos + h * h * turned, h * k * turned - l * sin, h * l * turned + k * sin],
-            [h * k * turned + l * sin, cos + k * k * turned, k * l * turned - h * sin],
-            [h * l * turned - k * sin, k * l * turned + h * sin, cos + l * l * turned],
-        ];
+        let rotation = rotation(self.axis.map(|c| c / length), self.angle);
         rotation.map(|row| [row[0] * self.scale[0], row[1] * self.scale[1], row[2] * self.scale[2]])
+    }
+
+    /// Where the coordinate axes of the shape point to, as unit vectors: a negative factor turns one round. `None` when the axis has no direction.
+    #[cfg(feature = "patchwork")]
+    pub(super) fn directions(&self) -> Option<[[f64; 3]; 3]> {
+        let rotation = rotation(unit(self.axis)?, even(self.angle));
+        Some([0, 1, 2].map(|axis| rotation.map(|row| if self.scale[axis] < 0.0 { -row[axis] } else { row[axis] })))
+    }
+
+    /// The canonical placement that takes the coordinate axes to these directions, which are at right angles to each other, each made so long. The shift is canonical.
+    #[cfg(feature = "patchwork")]
+    pub(super) fn along(directions: [[f64; 3]; 3], lengths: [f64; 3], shift: [f64; 3]) -> Placement {
+        let [x, y, z] = directions;
+        let across = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
+        let is_mirrored = (0..3).map(|i| across[i] * y[i]).sum::<f64>() < 0.0;
+        let y = if is_mirrored { y.map(|c| 0.0 - c) } else { y };
+        let Turn { axis, angle } = Turn::to([x, y, z]).oriented();
+        let [sx, sy, sz] = lengths.map(rounded);
+        Placement { scale: [sx, if is_mirrored { -sy } else { sy }, sz], axis, angle, shift }
     }
 
     /// The one placement that moves every point as this one does (ASB88; `math.md` section 4).
@@ -94,6 +106,25 @@ struct Turn {
 }
 
 impl Turn {
+    /// The rotation that takes the coordinate axes to these directions: of the four forms that a quaternion has, the one that divides by its largest number.
+    #[cfg(feature = "patchwork")]
+    fn to([x, y, z]: [[f64; 3]; 3]) -> Turn {
+        let forms = [
+            [1.0 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]],
+            [y[2] - z[1], 1.0 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]],
+            [z[0] - x[2], x[1] + y[0], 1.0 - x[0] + y[1] - z[2], y[2] + z[1]],
+            [x[1] - y[0], z[0] + x[2], y[2] + z[1], 1.0 - x[0] - y[1] + z[2]],
+        ];
+        let largest =
+            (1..4).fold(0, |largest, form| if forms[form][form] > forms[largest][largest] { form } else { largest });
+        let [w, vector @ ..] = forms[largest];
+        let angle = 2.0 * libm::atan2(norm(vector), w);
+        match normalised(vector) {
+            Some(axis) => Turn { axis, angle: principal(rounded_in_unit(angle)) },
+            None => Turn { axis: UPRIGHT, angle: 0.0 },
+        }
+    }
+
     /// This rotation applied after half a turn about one of the coordinate axes: a product of quaternions.
     fn after_half_turn(self, about: usize) -> Turn {
         // cos(pi/2) as computed is not 0; half a turn must not leave noise in place of zeros.
@@ -143,6 +174,11 @@ fn direction(axis: [f64; 3]) -> Option<[f64; 3]> {
 }
 
 fn normalised(vector: [f64; 3]) -> Option<[f64; 3]> {
+    unit(vector).map(|vector| vector.map(rounded_in_unit))
+}
+
+/// The vector of length 1 along a vector of any length; `None` when it is zero.
+fn unit(vector: [f64; 3]) -> Option<[f64; 3]> {
     let largest = vector.iter().fold(0.0f64, |largest, c| largest.max(c.abs()));
     if largest == 0.0 {
         return None;
@@ -150,7 +186,18 @@ fn normalised(vector: [f64; 3]) -> Option<[f64; 3]> {
     // By the largest first: the squares of very large or small components leave the range of numbers.
     let scaled = vector.map(|c| c / largest);
     let length = norm(scaled);
-    Some(scaled.map(|c| rounded_in_unit(c / length)))
+    Some(scaled.map(|c| c / length))
+}
+
+/// The rows of the matrix of a turn about a unit vector (Rodrigues' formula). By 0 and by half a turn they are exact.
+fn rotation([h, k, l]: [f64; 3], angle: f64) -> [[f64; 3]; 3] {
+    let (sin, cos) = if angle == -PI { (0.0, -1.0) } else { (libm::sin(angle), libm::cos(angle)) };
+    let turned = 1.0 - cos;
+    [
+        [cos + h * h * turned, h * k * turned - l * sin, h * l * turned + k * sin],
+        [h * k * turned + l * sin, cos + k * k * turned, k * l * turned - h * sin],
+        [h * l * turned - k * sin, k * l * turned + h * sin, cos + l * l * turned],
+    ]
 }
 
 /// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn.
@@ -163,6 +210,13 @@ fn principal(angle: f64) -> f64 {
     };
     let near = rounded(within);
     if near.abs() >= PI { -PI } else { near }
+}
+
+/// The angle itself where twelve digits hold it as they hold a whole number of twenty-fourths of a turn: a quarter of a turn that was read from a document is one.
+#[cfg(feature = "patchwork")]
+fn even(angle: f64) -> f64 {
+    let whole = libm::round(angle.abs() * 12.0 / PI) * PI / 12.0;
+    if rounded(whole) == rounded(angle.abs()) { whole.copysign(angle) } else { angle }
 }
 
 fn norm([h, k, l]: [f64; 3]) -> f64 {

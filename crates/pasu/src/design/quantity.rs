@@ -15,6 +15,8 @@ pub(crate) enum Range {
     Positive,
     NotNegative,
     Share,
+    /// An exponent of a supersphere.
+    Exponent,
 }
 
 impl Range {
@@ -25,6 +27,7 @@ impl Range {
             Range::Positive => x > 0.0,
             Range::NotNegative => x >= 0.0,
             Range::Share => (0.0..=1.0).contains(&x),
+            Range::Exponent => (0.05..=50.0).contains(&x),
         }
     }
 
@@ -36,12 +39,13 @@ impl Range {
             Range::Positive => "a number greater than 0",
             Range::NotNegative => "0 or a number greater than 0",
             Range::Share => "a number from 0 to 1",
+            Range::Exponent => "a number from 0.05 to 50",
         }
     }
 
     /// The range that such words tell of: all that `serde` hands on of what was expected are its words.
     pub(super) fn told(words: &str) -> Option<Range> {
-        [Range::NotZero, Range::Positive, Range::NotNegative, Range::Share]
+        [Range::NotZero, Range::Positive, Range::NotNegative, Range::Share, Range::Exponent]
             .into_iter()
             .find(|range| range.words() == words)
     }
@@ -54,6 +58,7 @@ impl Range {
             Range::Positive => &[("above", 0.0)],
             Range::NotNegative => &[("least", 0.0)],
             Range::Share => &[("least", 0.0), ("greatest", 1.0)],
+            Range::Exponent => &[("least", 0.05), ("greatest", 50.0)],
         }
     }
 }
@@ -141,6 +146,12 @@ pub(super) fn not_zero<'de, D: Deserializer<'de>, Q: Quantity>(deserializer: D) 
 /// Numbers greater than 0.
 pub(super) fn positive<'de, D: Deserializer<'de>, Q: Quantity>(deserializer: D) -> Result<Q, D::Error> {
     read(deserializer, Range::Positive)
+}
+
+/// The exponents of a supersphere, 0.05 to 50.
+#[cfg(feature = "patchwork")]
+pub(super) fn exponents<'de, D: Deserializer<'de>, Q: Quantity>(deserializer: D) -> Result<Q, D::Error> {
+    read(deserializer, Range::Exponent)
 }
 
 /// 0 or greater.

@@ -8,11 +8,8 @@ use super::number::plain;
 use super::quantity::Range;
 use crate::error::{Code, Error};
 
-/// Kinds of shapes that the format has and this version cannot compute.
-const LATER: [&str; 1] = ["octant"];
-
 /// Kinds of shapes that a build without the feature `patchwork` leaves out.
-const LEFT_OUT: &[&str] = if cfg!(feature = "patchwork") { &[] } else { &["vertex-frame", "blend"] };
+const LEFT_OUT: &[&str] = if cfg!(feature = "patchwork") { &[] } else { &["vertex-frame", "blend", "octant"] };
 
 /// By which a list of words is known to be that of all kinds of shapes: no other has this one.
 const KIND: &str = "boundary-value";
@@ -132,10 +129,6 @@ pub(super) fn unknown_name(found: &str, known: &[&str]) -> Error {
         let message =
             format!("the shape {found:?} is left out of this build, which draws pots: it takes the whole library");
         return Error::new(Code::UnsupportedShape, "", message).with("what", "left-out").with("found", found);
-    }
-    if LATER.contains(&found) {
-        let message = format!("this version of Pasu cannot compute the shape {found:?} yet; expected {expected}");
-        return Error::new(Code::UnsupportedShape, "", message).with("words", known).with("found", found);
     }
     let error = match are_numerals(known) {
         true => refused(Code::OutOfRange, &expected, &found),

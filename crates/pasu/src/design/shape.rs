@@ -12,7 +12,10 @@ use super::described::Family;
 use super::described::{Address, Described, Spelling};
 use super::family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 use super::handles::Handles;
+#[cfg(feature = "patchwork")]
+use super::octant::Octant;
 use super::parameter::Parameter;
+use super::placement::Placement;
 use super::rings::Rings;
 #[cfg(feature = "patchwork")]
 use super::vertex_frame::VertexFrame;
@@ -151,6 +154,17 @@ macro_rules! shapes {
                     $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => shape.canonical().map(Shape::$kind), )+
                 }
             }
+
+            /// The one way of writing the solid that this shape makes where it stands: see [`Described::standing`].
+            #[inline]
+            pub(crate) fn standing(self, given: &Placement, place: Placement) -> (Shape, Placement) {
+                match self {
+                    $( $(#[cfg(feature = $feature)])? Shape::$kind(shape) => {
+                        let (shape, place) = shape.standing(given, place);
+                        (Shape::$kind(shape), place)
+                    } )+
+                }
+            }
         }
     };
 }
@@ -172,6 +186,8 @@ shapes! {
     VertexFrame = "vertex-frame" if "patchwork",
     /// `blend`: a solid that flows from one section into another, ZY04.
     Blend = "blend" if "patchwork",
+    /// `octant`: the octant `x^a + y^b + z^c <= 1` of a supersphere, ASB88.
+    Octant = "octant" if "patchwork",
 }
 
 /// A kind of shape.

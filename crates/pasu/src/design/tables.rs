@@ -122,6 +122,16 @@ pub(super) const FORCE: &[Entry] = &[
     optional("falloff", "Falloff", "How it falls off towards the rim of that rectangle; sine when left out."),
 ];
 
+/// An octant of a supersphere.
+pub(super) const OCTANT: &[Entry] = &[
+    required(
+        "kind",
+        "\"octant\"",
+        "The octant x^a + y^b + z^c <= 1 of a supersphere, where no coordinate is negative.",
+    ),
+    required("exponents", "readonly [number, number, number]", "a, b and c. 0.05 to 50."),
+];
+
 /// A solid between two sections.
 pub(super) const BLEND: &[Entry] = &[
     required("kind", "\"blend\"", "A solid that flows from one section into another."),

@@ -1,7 +1,7 @@
 //! The TypeScript declarations of the design document, from the tables by which it is read.
 
 use super::conversion::{Conversion, Loss, VaseOrder};
-use super::declarations::{interface, numbers, union};
+use super::declarations::{alternatives, interface, numbers, union};
 use super::fields::Fields;
 use super::handles::{End, Handle, HandleId, Handles, Restraint, Step};
 use super::look::{Clay, Glaze};
@@ -24,8 +24,8 @@ pub fn typescript() -> String {
     interface(&mut text, "Design", "A design: what a person has chosen.", DESIGN);
     interface(&mut text, "Part", "One placed surface of a design.", PART);
     union(&mut text, "Unit", "The unit of length.", Unit::NAMES);
-    let kinds: Vec<&str> = KINDS.iter().map(|kind| kind.type_name).collect();
-    text.push_str(&format!("\n/** A surface. */\nexport type Shape = {};\n", kinds.join(" | ")));
+    let kinds: Vec<String> = KINDS.iter().map(|kind| kind.type_name.to_owned()).collect();
+    alternatives(&mut text, "Shape", "A surface.", &kinds);
     for kind in KINDS {
         (kind.typescript)(kind.name, &mut text);
     }
@@ -63,10 +63,12 @@ mod tests {
     use crate::design::ring::Ring;
     use crate::design::rings::{Hoop, Rings, Series, Slopes, Wave};
     use crate::design::tables::{
-        BLEND, BOUNDARY_VALUE, Entry, FORCE, FOURTH, FRAME_PATCH, HARMONIC, HOOP, OUTLINE_SECTION, RING, RINGS_KIND,
-        SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
+        BLEND, BOUNDARY_VALUE, Entry, FORCE, FOURTH, FRAME_PATCH, HARMONIC, HOOP, OCTANT, OUTLINE_SECTION, RING,
+        RINGS_KIND, SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
     };
-    use crate::design::{Blend, Force, FramePatch, Harmonic, Look, Part, Section, Value, VertexFrame, Wall, reader};
+    use crate::design::{
+        Blend, Force, FramePatch, Harmonic, Look, Octant, Part, Section, Value, VertexFrame, Wall, reader,
+    };
 
     /// The fields that a type is read from, as its refusal of another says.
     fn fields<T: DeserializeOwned>(tag: Option<(&str, Value)>) -> String {
@@ -97,6 +99,7 @@ mod tests {
         check::<FramePatch>(FRAME_PATCH, None);
         check::<Force>(FORCE, None);
         check::<Blend>(&BLEND[1..], None);
+        check::<Octant>(&OCTANT[1..], None);
         check::<Harmonic>(HARMONIC, None);
         check::<Section>(SECTION, Some(("form", Value::Text("disc".into()))));
         check::<Section>(OUTLINE_SECTION, Some(("form", Value::Text("outline".into()))));

@@ -11,8 +11,6 @@ mod remedy;
 mod report;
 mod sketch;
 mod together;
-#[cfg(feature = "typescript")]
-mod typescript;
 mod verdict;
 
 pub use craft::Craft;
@@ -22,7 +20,5 @@ pub use making::{Making, Scale, Size};
 pub use remedy::Remedy;
 pub use report::{Finding, MeshReport, Report, Severity};
 pub(crate) use sketch::sketched;
-#[cfg(feature = "typescript")]
-pub use typescript::typescript_of_answers;
 pub use verdict::check;
 pub(crate) use verdict::verdict;

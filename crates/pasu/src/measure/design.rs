@@ -241,7 +241,8 @@ fn part_measures(
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;
     if let Some(faces) = taken.body() {
-        let (areas, clay) = enclosed(&faces, &accuracy);
+        let (areas, sum) = enclosed(&faces, &accuracy);
+        let clay = taken.known().unwrap_or(sum);
         let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
         let mass = clay.scaled(density);
         let area = areas.into_iter().fold(Quantity::default(), |sum, area| sum + area);

@@ -7,6 +7,10 @@ use super::integral::over_face;
 use super::quantity::Quantity;
 use crate::face::{Face, FaceJet};
 use crate::numeric::integral::Integral;
+use crate::solution::Placed;
+
+/// How far what is known in closed form may be off, as a part of it.
+const ROUNDING: f64 = 1e-12;
 
 /// The vector of a surface element, `F_a x F_v`, turned out of the clay.
 pub(crate) fn element(face: &dyn Face, jet: &FaceJet) -> DVec3 {
@@ -27,6 +31,16 @@ pub(crate) struct Moments {
 }
 
 impl Moments {
+    /// Of a part whose volume and first moments are known in closed form.
+    pub(crate) fn known(placed: &Placed) -> Option<Moments> {
+        let (volume, first) = placed.solved().moments()?;
+        let scale = placed.matrix().determinant().abs();
+        let whole = Quantity::new(volume * scale, ROUNDING * volume * scale);
+        let moment = (placed.matrix() * first + placed.shift() * volume) * scale;
+        let size = (placed.matrix().abs() * first + placed.shift().abs() * volume) * scale;
+        Some(Moments { volume: whole, first: core::array::from_fn(|i| Quantity::new(moment[i], ROUNDING * size[i])) })
+    }
+
     /// Of an integral of `[volume, moments about a point]`.
     pub(crate) fn about(point: DVec3, integral: &Integral<4>) -> Moments {
         let quantity = |i: usize| Quantity::new(integral.value[i], integral.error[i]);

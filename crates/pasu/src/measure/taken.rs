@@ -5,6 +5,7 @@ use super::bare::Bare;
 use super::capacity::Vessel;
 use super::dry::Dry;
 use super::folded::Folded;
+use super::moments::Moments;
 use super::outside::Outside;
 use crate::error::Result;
 use crate::face::{Face, PatchFace};
@@ -27,7 +28,7 @@ pub(super) enum Naked {
     /// A surface from foot to rim, seen from outside and from inside.
     Upright { bare: Bare, inside: Bare },
     /// Anything else.
-    Patches { patches: Vec<PatchFace>, folded: Vec<Folded>, is_closed: bool },
+    Patches { patches: Vec<PatchFace>, folded: Vec<Folded>, is_closed: bool, known: Option<Moments> },
 }
 
 impl Taken {
@@ -43,7 +44,8 @@ impl Taken {
                 let is_closed = placed.solved().is_closed() && !is_hollow;
                 let patches = PatchFace::all(placed);
                 let folded = patches.iter().filter(|patch| !patch.is_closed()).cloned().map(Folded).collect();
-                Naked::Patches { patches, folded, is_closed }
+                let known = Moments::known(placed).filter(|_| is_closed);
+                Naked::Patches { patches, folded, is_closed, known }
             }
         };
         Ok(Taken { surface, pot: solution.pot(index, product) })
@@ -72,6 +74,14 @@ impl Taken {
             (Ok(pot), _) => Some(pot.faces().iter().map(|piece| piece as &dyn Face).collect()),
             (Err(_), Naked::Patches { is_closed: true, .. }) => Some(self.naked_faces()),
             (Err(_), _) => None,
+        }
+    }
+
+    /// Volume and first moments of the clay, where they are known in closed form.
+    pub(super) fn known(&self) -> Option<Moments> {
+        match (&self.pot, &self.surface) {
+            (Err(_), Naked::Patches { known, .. }) => *known,
+            _ => None,
         }
     }
 

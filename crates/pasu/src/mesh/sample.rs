@@ -153,13 +153,20 @@ pub(crate) fn grid_places(solution: &Solution, options: &MeshOptions) -> Result<
     Ok(grids.iter().map(Grids::places).collect())
 }
 
-/// The mesh of even rows and columns with every sum in double precision, rounded once. Of a shape that is no series each patch is cut into so many pieces between its knots, both ways.
+/// The mesh of even rows and columns with every sum in double precision, rounded once, the parts in this order. Of a shape that is no series each patch is cut into so many pieces between its knots, both ways.
 ///
 /// # Errors
 /// As [`mesh`].
-pub(crate) fn exact_mesh(solution: &Solution, rows: usize, columns: usize, pieces: usize) -> Result<Mesh> {
+pub(crate) fn exact_mesh(
+    solution: &Solution,
+    order: &[usize],
+    rows: usize,
+    columns: usize,
+    pieces: usize,
+) -> Result<Mesh> {
     let options = MeshOptions { rows: Some(rows), columns: Some(columns), tolerance: None };
-    let mut grids = chosen(solution.parts(), |placed| match placed.solved().fourier() {
+    let parts = order.iter().map(|index| solution.part(*index));
+    let mut grids = chosen(parts, |placed| match placed.solved().fourier() {
         Some(_) => Grids::choose(placed, &options, false, &mut Vec::new()),
         None => Ok(Grids::pieces(placed, pieces)),
     })?;

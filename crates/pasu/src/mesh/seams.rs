@@ -82,6 +82,10 @@ impl Seams<'_> {
         for (corner, first) in first_corners(self.patches).into_iter().enumerate() {
             numbers[self.corner(corner)] = self.corner(first) as u32;
         }
+        // What is one point with the corner of a pole is so with whatever stands for that corner.
+        for vertex in 0..n {
+            numbers[vertex] = numbers[numbers[vertex] as usize];
+        }
         numbers
     }
 

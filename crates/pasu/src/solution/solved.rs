@@ -1,11 +1,15 @@
 //! The shape of one part, solved.
 
+use glam::DVec3;
+
 #[cfg(feature = "patchwork")]
 use crate::blend::{Blended, Volume};
 use crate::design::{Part, Shape};
 use crate::error::Result;
 #[cfg(feature = "patchwork")]
 use crate::frame::Frame;
+#[cfg(feature = "patchwork")]
+use crate::octant::Supersphere;
 use crate::patch::Patch;
 #[cfg(test)]
 use crate::patch::Side;
@@ -22,6 +26,9 @@ pub(crate) enum Solved {
     /// A solid between two sections, or what goes round one.
     #[cfg(feature = "patchwork")]
     Blend(Box<Blended>),
+    /// An octant of a supersphere.
+    #[cfg(feature = "patchwork")]
+    Octant(Box<Supersphere>),
     /// Patches that stand for a kind yet to come: what the contract is tested with.
     #[cfg(test)]
     Patches(Vec<Box<dyn Patch>>),
@@ -39,6 +46,8 @@ impl Solved {
             Shape::VertexFrame(network) => Frame::solve(network, &path()).map(Solved::Frame),
             #[cfg(feature = "patchwork")]
             Shape::Blend(blend) => Blended::solve(blend, part.wall.is_some(), &path()).map(Box::new).map(Solved::Blend),
+            #[cfg(feature = "patchwork")]
+            Shape::Octant(octant) => Ok(Solved::Octant(Box::new(Supersphere::new(octant)))),
             _ => Surface::of_part(part, index).map(Box::new).map(Solved::TwoSided),
         }
     }
@@ -56,6 +65,8 @@ impl Solved {
             Solved::Frame(frame) => frame.patch(index),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.patch(index),
+            #[cfg(feature = "patchwork")]
+            Solved::Octant(octant) => octant.patch(index),
             #[cfg(test)]
             Solved::Patches(patches) => &**patches.get(index).unwrap_or(&patches[0]),
         }
@@ -69,6 +80,8 @@ impl Solved {
             Solved::Frame(frame) => frame.n_patches(),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.n_patches(),
+            #[cfg(feature = "patchwork")]
+            Solved::Octant(octant) => octant.n_patches(),
             #[cfg(test)]
             Solved::Patches(patches) => patches.len(),
         }
@@ -82,6 +95,8 @@ impl Solved {
             Solved::Frame(frame) => frame.is_closed(),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().is_none(),
+            #[cfg(feature = "patchwork")]
+            Solved::Octant(_) => true,
             #[cfg(test)]
             Solved::Patches(patches) => {
                 patches.iter().all(|patch| patch.sides().iter().all(|side| *side != Side::Free))
@@ -97,6 +112,8 @@ impl Solved {
             Solved::Frame(frame) => frame.is_outward().to_vec(),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.is_outward(),
+            #[cfg(feature = "patchwork")]
+            Solved::Octant(octant) => octant.is_outward(),
             #[cfg(test)]
             Solved::Patches(patches) => vec![encloses(patches); patches.len()],
         }
@@ -131,6 +148,15 @@ impl Solved {
         }
     }
 
+    /// The volume and the first moments of its inside, if they are known in closed form.
+    pub(crate) fn moments(&self) -> Option<(f64, DVec3)> {
+        match self {
+            #[cfg(feature = "patchwork")]
+            Solved::Octant(octant) => Some(octant.moments()),
+            _ => None,
+        }
+    }
+
     /// The closed form of its inside, if that is known.
     #[cfg(feature = "patchwork")]
     pub(crate) fn volume(&self) -> Option<&Volume> {
@@ -149,8 +175,6 @@ const SAMPLES: usize = 17;
 /// Whether the flux of `X - middle` through the patches along `X_u x X_v` is not negative: it is three times the volume that closed patches go round.
 #[cfg(test)]
 fn encloses(patches: &[Box<dyn Patch>]) -> bool {
-    use glam::DVec3;
-
     let at = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
     let jets = || {
         let places = (0..SAMPLES * SAMPLES).map(move |k| (at(k / SAMPLES), at(k % SAMPLES)));

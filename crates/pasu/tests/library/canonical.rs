@@ -169,10 +169,13 @@ proptest! {
         prop_assert_eq!(&Design::parse(&serialized), &Ok(design.clone()));
         prop_assert_eq!(&serde_json::from_str::<Design>(&serialized).unwrap(), &design);
 
-        // A link brings back the same design, and the same link.
+        // A link brings back the same design with its parts in order, and the same link.
         let link = design.link();
-        prop_assert_eq!(&Design::parse(&link), &Ok(design.clone()), "{}", link);
-        prop_assert_eq!(&Design::parse(&format!("https://example.org/#{link}")), &Ok(design.clone()), "{}", link);
+        let ordered = design.ordered();
+        prop_assert_eq!(&Design::parse(&link), &Ok(ordered.clone()), "{}", link);
+        prop_assert_eq!(&Design::parse(&format!("https://example.org/#{link}")), &Ok(ordered.clone()), "{}", link);
+        prop_assert_eq!(&ordered.ordered(), &ordered);
+        prop_assert_eq!(ordered.link(), link);
 
         // The problem to be solved is the one that was given.
         for (given, Part { shape, .. }) in given_shapes(&document).iter().zip(design.parts()) {

@@ -37,7 +37,7 @@ fn check(result: pasu::Result<Design>, given: &str, (code, path, message): (&str
 
 #[test]
 fn documents() {
-    let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value", "rings", "vertex-frame" or "blend""#;
+    let kinds = r#""second-order", "mixed-order", "fourth-order", "bloor-wilson", "boundary-value", "rings", "vertex-frame", "blend" or "octant""#;
     let part = format!(r#"{{ "shape": {SHAPE} }}"#);
     let newer = "This design was made by a newer version of Pasu (format 2); this page reads format 1.";
     let cases: Vec<(String, &str, &str, String)> = vec![
@@ -256,10 +256,10 @@ fn documents() {
             format!("expected {kinds}, found \"teapot\""),
         ),
         (
-            with_shape(r#"{ "kind": "octant" }"#),
-            "unsupported-shape",
-            "parts[0].shape.kind",
-            format!("this version of Pasu cannot compute the shape \"octant\" yet; expected {kinds}"),
+            with_shape(r#"{ "kind": "octant", "exponents": [2, 60, 2] }"#),
+            "out-of-range",
+            "parts[0].shape.exponents[1]",
+            "expected a number from 0.05 to 50, found 60".into(),
         ),
         (
             with_shape(r#"{ "kind": "second-order" }"#),

@@ -1,12 +1,13 @@
 /** Choosing what a new design begins as, by its picture: a form, whatever chance draws, or a family of the equations. */
 
 import { css, html } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { BEGINNINGS } from "../../document/beginnings";
 import { FORMS } from "../../document/forms";
 import { BLENDED } from "../../document/gallery/blends";
 import { designOf, type Exhibit } from "../../document/gallery/exhibit";
 import { NETWORKED } from "../../document/gallery/networks";
+import { OCTANTS } from "../../document/gallery/octants";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { icon } from "../../ui/icons";
@@ -14,6 +15,7 @@ import { base, buttons } from "../../ui/styles";
 import { beginnings } from "../../words/english/beginnings";
 import { networks } from "../../words/english/networks";
 import { exhibitWords } from "../../words/gallery";
+import { addBeside } from "../../work/beside";
 import { openObj } from "../../work/network-files";
 import { CommandEvent } from "../command";
 import "./blend-chooser";
@@ -22,6 +24,8 @@ import { exhibitIn, Pictures, tileStyles, tiles } from "./pictures";
 
 @customElement("pasu-new")
 export class PasuNew extends DesignerElement {
+  /** Whether what is chosen joins what stands there. */
+  @state() private beside = false;
   private pictures: Pictures | null = null;
 
   override disconnectedCallback(): void {
@@ -40,6 +44,16 @@ export class PasuNew extends DesignerElement {
         <button class="button outlined" type="button" @click=${this.draw}>${icon("paper")}<span>${beginnings.draw}</span></button>
         <button class="button outlined" type="button" @click=${this.scan}>${icon("layers")}<span>${beginnings.scan}</span></button>
       </div>
+      <label class="beside">
+        <input
+          type="checkbox"
+          .checked=${this.beside}
+          @change=${(event: Event) => {
+            this.beside = (event.target as HTMLInputElement).checked;
+          }}
+        />
+        <span>${beginnings.beside}<span class="note">${beginnings.besideNote}</span></span>
+      </label>
       ${tiles(
         FORMS,
         (id) => beginnings.forms[id],
@@ -56,6 +70,11 @@ export class PasuNew extends DesignerElement {
         <p>${beginnings.networksLead}</p>
         <p><button class="button outlined" type="button" @click=${this.openObj}>${icon("open")}<span>${networks.openObj}</span></button></p>
         ${tiles(NETWORKED, exhibitWords, (pot) => this.choose(pot))}
+      </details>
+      <details class="octants" @toggle=${show}>
+        <summary>${beginnings.octants}</summary>
+        <p>${beginnings.octantsLead}</p>
+        ${tiles(OCTANTS, exhibitWords, (pot) => this.choose(pot))}
       </details>
       <details @toggle=${show}>
         <summary>${beginnings.equations}</summary>
@@ -80,12 +99,19 @@ export class PasuNew extends DesignerElement {
 
   private watchPictures(): void {
     if (this.pictures || !this.hasUpdated) return;
-    this.pictures = new Pictures(this.designer, exhibitIn([...FORMS, ...BLENDED, ...NETWORKED, ...BEGINNINGS]));
+    this.pictures = new Pictures(
+      this.designer,
+      exhibitIn([...FORMS, ...BLENDED, ...NETWORKED, ...OCTANTS, ...BEGINNINGS]),
+    );
     this.pictures.watch(this.renderRoot);
   }
 
   /** The form as a document of its own; its title is left to the person. */
-  private choose(beginning: Exhibit): void {
+  private async choose(beginning: Exhibit): Promise<void> {
+    if (this.beside) {
+      if (await addBeside(this.designer, designOf(beginning))) this.close();
+      return;
+    }
     this.designer.opening.open(designOf(beginning));
     this.close();
   }
@@ -130,6 +156,27 @@ export class PasuNew extends DesignerElement {
       }
       .lead p {
         flex: 1 1 16rem;
+      }
+      .beside {
+        display: flex;
+        align-items: center;
+        gap: 10px;
+        width: fit-content;
+        min-height: var(--touch);
+        margin-bottom: 12px;
+        cursor: pointer;
+      }
+      .beside .note {
+        display: block;
+        color: var(--soft);
+        font-size: 0.86rem;
+      }
+      [type="checkbox"] {
+        flex: none;
+        width: 18px;
+        height: 18px;
+        margin: 0;
+        accent-color: var(--accent);
       }
       details {
         margin-top: 18px;

@@ -61,13 +61,14 @@ export class PasuEquation extends DesignerElement {
 
   private get shape(): TwoSided | null {
     const shape = this.selected?.shape;
-    return shape && shape.kind !== "vertex-frame" && shape.kind !== "blend" ? shape : null;
+    return shape && shape.kind !== "vertex-frame" && shape.kind !== "blend" && shape.kind !== "octant" ? shape : null;
   }
 
   /** What is said of a shape that is no surface between two ends. */
   private without() {
     const kind = this.selected?.shape.kind;
     if (kind === undefined) return nothing;
+    if (kind === "octant") return html`<p class="lead">${equation.octant}</p>`;
     return html`<p class="lead">${kind === "blend" ? equation.blend : equation.network}</p>`;
   }
 

@@ -65,6 +65,7 @@ export class PasuOrders extends DesignerElement {
     if (shape.kind === "rings") return html`<p class="lead">${orders.rings}</p>`;
     if (shape.kind === "vertex-frame") return html`<p class="lead">${orders.network}</p>`;
     if (shape.kind === "blend") return html`<p class="lead">${orders.blend}</p>`;
+    if (shape.kind === "octant") return html`<p class="lead">${orders.octant}</p>`;
     return html`
       <p class="lead">${orders.lead}</p>
       ${this.problem()}

@@ -52,6 +52,10 @@ export class PasuParameters extends DesignerElement {
       void import("./network-panel");
       return html`<pasu-network-panel .designer=${this.designer}></pasu-network-panel>`;
     }
+    if (part.shape.kind === "octant") {
+      void import("./octant-panel");
+      return html`<pasu-octant .designer=${this.designer}></pasu-octant>`;
+    }
     if (part.shape.kind === "blend") {
       void import("./blend-cards");
       return html`<pasu-blend-cards .designer=${this.designer}></pasu-blend-cards>`;

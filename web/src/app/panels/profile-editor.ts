@@ -69,6 +69,7 @@ export class PasuProfile extends DesignerElement {
     const section = designer.surface.shown?.solved.section;
     if (shape?.kind === "vertex-frame") return html`<p class="lead">${profile.network}</p>`;
     if (shape?.kind === "blend") return html`<p class="lead">${profile.blend}</p>`;
+    if (shape?.kind === "octant") return html`<p class="lead">${profile.octant}</p>`;
     if (!shape || !shown || !section) return html`<p class="lead">${profile.coming}</p>`;
     const all = section.handles.list;
     const marks = marksOf(section);

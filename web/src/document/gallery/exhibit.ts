@@ -1,13 +1,16 @@
 /** A finished design to start from. */
 
-import type { Design, Look, Shape, Wall } from "../types";
+import type { Design, Look, Part, Placement, Shape, Wall } from "../types";
 
 export interface Exhibit<Id extends string = string> {
   /** Stable and unique: what tests, thumbnails and the words of its title and note call it. */
   readonly id: Id;
   readonly shape: Shape;
+  readonly place?: Placement;
   readonly wall?: Wall;
   readonly look?: Look;
+  /** Where it takes several, all of them; the shape is that of the first. */
+  readonly parts?: readonly Part[];
 }
 
 /** A list of them that says whose words there have to be. */
@@ -16,10 +19,10 @@ export function exhibits<const Id extends string>(all: readonly Exhibit<Id>[]): 
 }
 
 /** The exhibit as a document of its own. */
-export function designOf({ shape, wall, look }: Exhibit, title?: string): Design {
+export function designOf({ shape, place, wall, look, parts }: Exhibit, title?: string): Design {
   return {
     pasu: 1,
     ...(title !== undefined && { title }),
-    parts: [{ shape, ...(wall && { wall }), ...(look && { look }) }],
+    parts: parts ?? [{ shape, ...(place && { place }), ...(wall && { wall }), ...(look && { look }) }],
   };
 }

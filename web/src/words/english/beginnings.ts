@@ -12,6 +12,8 @@ interface Told {
 export const beginnings = phrases("beginnings", {
   heading: "New pot",
   lead: "Choose a form to begin with. Your present pot stays within reach: undo brings it back.",
+  beside: "Beside the present pot",
+  besideNote: "What you choose becomes a part of its own, to the right of what stands there.",
   surprise: "Surprise me",
   draw: "Draw or trace…",
   scan: "From a scan…",
@@ -35,6 +37,8 @@ export const beginnings = phrases("beginnings", {
     "Choose the section at the foot and the one at the rim: the wall flows from one into the other. Or begin with a pot that is made so.",
   networks: "From patches",
   networksLead: "A few points with smooth patches between them: drag points, sculpt, add patches where you need them.",
+  octants: "From octants",
+  octantsLead: "Balls, boxes and stars: three numbers say how round, how square or how hollow a solid is.",
   equations: "By its equation",
   equationsLead: "Families of pots as the papers have them, each with numbers of its own.",
   families: {

@@ -19,6 +19,10 @@ export const gallery = phrases("gallery", {
       title: "Networks of patches",
       source: "What no wheel throws, through a few points that a hand can drag",
     },
+    octants: {
+      title: "Octants",
+      source: "Balls, boxes and stars of three exponents (Anderson, Sullivan and Baker 1988)",
+    },
     "zhang-you-2004": {
       title: "Zhang and You 2004",
       source: "Blending solids with approximate analytical solution to PDE: solids, by the paper's own method",
@@ -244,6 +248,15 @@ export const gallery = phrases("gallery", {
     "own-leaf": { title: "One patch", note: "Eight points, and the smooth surface through them." },
     "own-leaf-pushed": { title: "One patch, pushed", note: "A force on the whole of it; its edges stay." },
     "own-leaf-regions": { title: "One patch, two regions", note: "One rectangle is raised, another dented." },
+    "own-octant-ball": { title: "Eighth of a ball", note: "Exponents 2, 2 and 2." },
+    "own-octant-box": { title: "Soft box", note: "Exponents of 8: nearly a cube, with edges that a hand can bear." },
+    "own-octant-facet": { title: "Cut corner", note: "Exponents of 1: a flat face on three axes." },
+    "own-octant-hollow": { title: "Hollow corner", note: "Exponents of 0.6: it bends inwards between sharp tips." },
+    "own-octant-cushion": {
+      title: "Cushion",
+      note: "Eight octants around one point, squarer from above than from the side.",
+    },
+    "own-octant-star": { title: "Star", note: "Eight hollow octants around one point: six tips." },
     "zhang-you-5b": {
       title: "Zhang and You 2001, figure 5b",
       note: "Fourth order: the slopes at rim and foot are chosen (table 1, row b).",

@@ -45,6 +45,7 @@ export const orders = phrases("orders", {
   rings:
     "A pot of rings is of fourth order: its wall passes through every ring. No other order has them, so it stays as it is.",
   network: "A network of patches has no rim and no foot, so it cannot be converted to another order.",
+  octant: "An octant has no rim and no foot, so it cannot be converted to another order.",
   blend: "A blend is a solid of fourth order between its sections, so it stays as it is.",
   lead: "The order of the equation decides how much of a wall can be chosen. Switching keeps the rim, the foot and the height, and undo brings the old wall back.",
   thisPot: "This pot",

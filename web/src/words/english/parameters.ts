@@ -206,6 +206,7 @@ export const parameters = phrases("parameters", {
     rings: "Rings",
     "vertex-frame": "Network of patches",
     blend: "Blend",
+    octant: "Octant",
   } satisfies Readonly<Record<Kind, string>>,
   sources: {
     "second-order": "Zhang and You 2001, eqs 1 to 8",

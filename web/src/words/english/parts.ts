@@ -1,6 +1,7 @@
 /** The list of parts. */
 
 import { phrases } from "../../language";
+import { formatNumber } from "../../number";
 
 export const parts = phrases("parts", {
   heading: "Parts",
@@ -15,4 +16,6 @@ export const parts = phrases("parts", {
   duplicate: "Duplicate",
   delete: "Delete",
   taken: "Another part has this name.",
+  tooMany: (most: number) => `A design has at most ${formatNumber(most)} parts.`,
+  notAdded: "It could not be drawn, so it was not added.",
 });

@@ -26,6 +26,7 @@ export const profile = phrases("profile", {
   draw: "Draw or trace it…",
   coming: "The section appears with the pot.",
   network: "A network of patches has no profile: it goes round no axis.",
+  octant: "An octant has no profile: it goes round no axis.",
   blend: "A blend has no profile: it goes round no axis.",
   lead: "The pot cut through its axis. Drag a handle, or focus it and use the arrow keys, with shift for larger steps.",
   /** Of a pot of rings, behind the sentence above. */

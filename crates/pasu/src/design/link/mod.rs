@@ -41,6 +41,7 @@ impl Design {
 
     /// The canonical link, without `#`: readable when the design is one part of a named family, packed otherwise.
     ///
+    /// Parts have no order there but one of their own ([`Design::ordered`]), so that equal scenes have equal links however they were put together.
     /// Readable links leave out what the shape's kind starts from, which never changes within a format version.
     ///
     /// ```
@@ -50,9 +51,10 @@ impl Design {
     /// ```
     #[inline]
     pub fn link(&self) -> String {
-        match readable::write(self) {
+        let design = &self.ordered();
+        match readable::write(design) {
             Some(readable) => format!("{VERSION}/{readable}"),
-            None => format!("{VERSION}~{}", packed::write(self)),
+            None => format!("{VERSION}~{}", packed::write(design)),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
-use super::remedy::Remedy;
-use super::report::{Finding, MeshReport, Report};
+use super::difference::{Counterpart, Difference};
 use crate::answer::Answer;
 use crate::fit::Ringed;
+use crate::make::{Finding, MeshReport, Remedy, Report};
 use crate::measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
     Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
@@ -44,6 +44,8 @@ pub fn typescript_of_answers() -> String {
         MeshReport::declare,
         Pulled::declare,
         Ringed::declare,
+        Difference::declare,
+        Counterpart::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

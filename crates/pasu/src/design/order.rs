@@ -1,0 +1,89 @@
+//! The order of parts in what tells scenes from each other: a scene is a set of parts.
+//!
+//! A document keeps the order in which a person put its parts; in a link they have one of their own.
+
+use super::document::Design;
+use super::look::Look;
+use super::part::Part;
+use super::shape::KINDS;
+use super::text;
+
+impl Design {
+    /// The same scene with its parts in the order of links, and its objects numbered 0, 1, 2 as they first appear there.
+    ///
+    /// Parts stand in the order of their kinds in the format, those of one kind in the order of their documents without name and object, as texts, and those that are equal but for their names in the order of these. However the parts of a scene were ordered and its objects numbered, this is the same design, which is what
+    /// [`Design::link`] writes.
+    ///
+    /// ```
+    /// use pasu::Design;
+    ///
+    /// let shelf = |parts: &str| Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{parts}] }}"#));
+    /// let bowl = r#""shape": { "kind": "second-order", "r": [3, 0, 2, 0], "height": 2 }"#;
+    /// let vase = r#""shape": { "kind": "second-order", "r": [1, 0, 2, 0], "height": 8 }"#;
+    /// let one = shelf(&format!(r#"{{ "object": 1, {bowl} }}, {{ {vase} }}"#))?;
+    /// let other = shelf(&format!(r#"{{ {vase} }}, {{ "object": 7, {bowl} }}"#))?;
+    /// assert_ne!(one, other);
+    /// assert_eq!(one.ordered(), other.ordered());
+    /// assert_eq!(one.link(), other.link());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    pub fn ordered(&self) -> Design {
+        let mut numbered = Vec::new();
+        let parts = self.arranged(true).into_iter().map(|index| {
+            let part = self.parts()[index].clone();
+            let number = numbered.iter().position(|object| *object == part.object).unwrap_or_else(|| {
+                numbered.push(part.object);
+                numbered.len() - 1
+            });
+            Part { object: number as u32, ..part }
+        });
+        self.with_parts(parts.collect())
+    }
+
+    /// The numbers of the parts in the order of links, or in the order that there would be if no part had a name.
+    pub(crate) fn arranged(&self, with_names: bool) -> Vec<usize> {
+        let parts = self.parts();
+        let key = |part: &Part| (Key::of(part, true), part.name.clone().filter(|_| with_names));
+        let keys: Vec<(Key, Option<String>)> = parts.iter().map(key).collect();
+        // Equal parts of different objects are told apart by what else is in these. Objects of equal parts may stand for each other.
+        let members = |object: u32| {
+            let mut members: Vec<&(Key, Option<String>)> =
+                keys.iter().zip(parts).filter(|(_, part)| part.object == object).map(|(key, _)| key).collect();
+            members.sort();
+            members
+        };
+        let mut objects: Vec<u32> = parts.iter().map(|part| part.object).collect();
+        objects.sort_unstable();
+        objects.dedup();
+        objects.sort_by_cached_key(|object| members(*object));
+        let rank = |part: &Part| objects.iter().position(|object| *object == part.object);
+        let mut order: Vec<usize> = (0..parts.len()).collect();
+        order.sort_by_key(|index| (&keys[*index], rank(&parts[*index])));
+        order
+    }
+
+    /// The numbers of the parts in the order of what they are made of and where they stand alone.
+    pub(crate) fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.parts().len()).collect();
+        if order.len() > 1 {
+            order.sort_by_cached_key(|index| Key::of(&self.parts()[*index], false));
+        }
+        order
+    }
+}
+
+/// What parts are put in order by: the place of their kind in the format, then the document without name and object.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Key {
+    kind: Option<usize>,
+    document: String,
+}
+
+impl Key {
+    /// Of a part with its look or without.
+    pub(crate) fn of(part: &Part, with_look: bool) -> Key {
+        let look = if with_look { part.look } else { Look::default() };
+        let document = text::write(&Part { name: None, object: 0, look, ..part.clone() });
+        Key { kind: KINDS.iter().position(|kind| kind.name == part.shape.kind()), document }
+    }
+}

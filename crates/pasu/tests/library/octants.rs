@@ -1,0 +1,231 @@
+//! Octants of superspheres: meshes within a tolerance, solids, measures, files, and what is refused.
+
+use glam::DVec3;
+use pasu::{Code, Design, Format, Making, MeshOptions, Product, Shape};
+use serde_json::{Value, json};
+
+use crate::support::design_of;
+use crate::support::networks::{Dice, measured};
+
+fn octant(exponents: [f64; 3]) -> Value {
+    json!({ "kind": "octant", "exponents": exponents })
+}
+
+/// Exponents between these, even on a scale of ratios.
+fn exponents(dice: &mut Dice, least: f64, greatest: f64) -> [f64; 3] {
+    // Six decimals, which every form of a document holds.
+    [(); 3].map(|()| (least * (greatest / least).powf(0.5 + 0.5 * dice.number()) * 1e6).round() / 1e6)
+}
+
+/// By the Gamma function itself, where it does not overflow.
+fn volume([a, b, c]: [f64; 3]) -> f64 {
+    let gamma = libm::tgamma;
+    gamma(1.0 + 1.0 / a) * gamma(1.0 + 1.0 / b) * gamma(1.0 + 1.0 / c) / gamma(1.0 + 1.0 / a + 1.0 / b + 1.0 / c)
+}
+
+#[test]
+fn volumes_are_those_of_the_gamma_function() {
+    let mut dice = Dice(7);
+    let limits = [[0.05; 3], [50.0; 3], [0.05, 50.0, 2.0]];
+    for exponents in limits.into_iter().chain((0..24).map(|_| exponents(&mut dice, 0.05, 50.0))) {
+        let body = measured(&design_of(&octant(exponents).to_string())).parts.remove(0).body;
+        let (found, expected) = (body.clay.unwrap().volume, volume(exponents));
+        assert!((found.value - expected).abs() <= 1e-10 * expected, "{exponents:?} {found:?} {expected}");
+        assert!((found.value - expected).abs() <= found.error, "dishonest: {exponents:?} {found:?} {expected}");
+    }
+}
+
+#[test]
+fn an_eighth_of_a_ball_and_a_tetrahedron_wherever_they_stand() {
+    use std::f64::consts::PI;
+    let place = json!({ "scale": [2, -2, 2], "axis": [1, 2, 2], "angle": 0.8, "shift": [3, -2, 5] });
+    for (exponents, area, volume) in
+        [([2.0; 3], 4.0 * (0.5 * PI + 0.75 * PI), 8.0 * PI / 6.0), ([1.0; 3], 4.0 * (0.75f64.sqrt() + 1.5), 8.0 / 6.0)]
+    {
+        let document = json!({ "pasu": 1, "parts": [{ "shape": octant(exponents), "place": place }] });
+        let body = measured(&Design::parse(&document.to_string()).unwrap()).parts.remove(0).body;
+        let clay = body.clay.unwrap();
+        assert!((clay.area.value - area).abs() <= clay.area.error && clay.area.error < 1e-6, "{clay:?} {area}");
+        assert!((clay.volume.value - volume).abs() < 1e-12, "{clay:?}");
+        // Of a ball's eighth the centre is 3/8 of the radius from each plane, of the tetrahedron 1/4.
+        let design = Design::parse(&document.to_string()).unwrap();
+        let [row, ..] = design.parts()[0].place.matrix();
+        let share = if exponents[0] == 2.0 { 0.375 } else { 0.25 };
+        let x = 3.0 + share * row.iter().sum::<f64>();
+        assert!((body.centre.empty.unwrap().at[0] - x).abs() < 1e-10);
+    }
+}
+
+/// Areas of octants whose curvature has no bound, by triangles that become finer: their area comes from below or above, with an error that falls off.
+#[test]
+fn areas_are_those_of_fine_meshes() {
+    for exponents in [[0.5, 0.7, 1.4], [1.5, 1.2, 3.0], [20.0, 2.0, 0.8]] {
+        let design = design_of(&octant(exponents).to_string());
+        let area = measured(&design).parts.remove(0).body.clay.unwrap().area;
+        let mesh = pasu::mesh(&design, &MeshOptions { rows: Some(900), columns: Some(900), ..MeshOptions::default() })
+            .unwrap();
+        let at = |vertex: u32| DVec3::from_array([0, 1, 2].map(|k| f64::from(mesh.positions[3 * vertex as usize + k])));
+        let all = mesh
+            .indices
+            .as_chunks::<3>()
+            .0
+            .iter()
+            .map(|[a, b, c]| 0.5 * (at(*b) - at(*a)).cross(at(*c) - at(*a)).length());
+        let sum: f64 = all.sum();
+        assert!((sum - area.value).abs() < 2e-4 * area.value, "{exponents:?} {sum} {area:?}");
+    }
+}
+
+/// How far triangles are from an octant at most, as far as samples tell: those of the curved side from the points of the same parameters, those in a plane where they leave the octant from the nearest point of its edge there.
+fn farthest(design: &Design, mesh: &pasu::Mesh) -> f64 {
+    // Each patch begins with its corner (0, 0), which no other vertex of it has.
+    let corners: Vec<usize> = (0..mesh.n_vertices()).filter(|i| mesh.uvs[2 * i..2 * i + 2] == [0.0, 0.0]).collect();
+    assert_eq!(corners.len(), 4);
+    let (mut at, mut points) = (Vec::new(), Vec::new());
+    let mut most = 0.0f64;
+    for triangle in mesh.indices.as_chunks::<3>().0 {
+        let patch = corners.partition_point(|corner| *corner <= triangle[0] as usize) - 1;
+        for weights in [[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.3, 0.3, 0.4], [0.1, 0.2, 0.7]] {
+            let mean = |array: &[f32], n: usize, k: usize| {
+                let corners = triangle.iter().zip(weights);
+                corners.map(|(vertex, weight)| f64::from(array[n * *vertex as usize + k]) * weight).sum::<f64>()
+            };
+            let point = DVec3::from_array([0, 1, 2].map(|k| mean(&mesh.positions, 3, k)));
+            if patch > 0 {
+                most = most.max(point[patch - 1].abs());
+                let along: Vec<f64> = (0..=8)
+                    .flat_map(|i| {
+                        let from = triangle.iter().map(|vertex| f64::from(mesh.uvs[2 * *vertex as usize + 1]));
+                        let (low, high) = from.fold((1.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
+                        [patch as f64, 1.0, low + (high - low) * f64::from(i) / 8.0]
+                    })
+                    .collect();
+                let Shape::Octant(octant) = &design.parts()[0].shape else { unreachable!() };
+                let powers =
+                    point.to_array().into_iter().zip(octant.exponents).map(|(x, exponent)| x.max(0.0).powf(exponent));
+                if powers.sum::<f64>() > 1.0 {
+                    let curve = pasu::evaluate(design, 0, &along).unwrap();
+                    let all = curve.as_chunks::<3>().0.windows(2).map(|pair| {
+                        let [from, to] = [pair[0], pair[1]].map(DVec3::from_array);
+                        let share = ((point - from).dot(to - from) / (to - from).length_squared()).clamp(0.0, 1.0);
+                        point.distance(from + share * (to - from))
+                    });
+                    most = most.max(all.fold(f64::INFINITY, f64::min));
+                }
+                continue;
+            }
+            at.extend([0.0, mean(&mesh.uvs, 2, 0).min(1.0), mean(&mesh.uvs, 2, 1).min(1.0)]);
+            points.push(point);
+        }
+    }
+    let exact = pasu::evaluate(design, 0, &at).unwrap();
+    let exact = exact.as_chunks::<3>().0.iter().map(|at| DVec3::from_array(*at));
+    points.iter().zip(exact).map(|(point, exact)| point.distance(exact)).fold(most, f64::max)
+}
+
+/// Whether every edge is passed as often the one way as the other, its ends told by their bits. Triangles without width have two corners in one place, at a tip or where an octant is too sharp for single precision, and pass nothing.
+fn is_watertight(mesh: &pasu::Mesh) -> bool {
+    let at = |vertex: u32| [0, 1, 2].map(|axis| (mesh.positions[3 * vertex as usize + axis] + 0.0).to_bits());
+    let mut passed = std::collections::HashMap::new();
+    for corners in mesh.indices.as_chunks::<3>().0 {
+        let corners = corners.map(at);
+        for (from, to) in [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to])) {
+            *passed.entry((from.min(to), from.max(to))).or_insert(0) += match from.cmp(&to) {
+                std::cmp::Ordering::Less => 1,
+                std::cmp::Ordering::Equal => 0,
+                std::cmp::Ordering::Greater => -1,
+            };
+        }
+    }
+    passed.values().all(|times| *times == 0)
+}
+
+#[test]
+fn tolerances_are_held_where_curvature_has_no_bound() {
+    let mut dice = Dice(3);
+    let edge = [[0.5, 0.7, 1.4], [1.5, 1.01, 1.99], [50.0, 2.0, 0.3], [0.05, 1.0, 2.0], [50.0, 50.0, 50.0]];
+    for exponents in edge.into_iter().chain((0..12).map(|_| exponents(&mut dice, 0.15, 30.0))) {
+        let design = design_of(&octant(exponents).to_string());
+        for tolerance in [0.05, 0.005] {
+            let mesh =
+                pasu::mesh(&design, &MeshOptions { tolerance: Some(tolerance), ..MeshOptions::default() }).unwrap();
+            mesh.validate().unwrap();
+            assert!(is_watertight(&mesh), "{exponents:?} is not watertight");
+            let (found, bound) = (farthest(&design, &mesh), mesh.bound.unwrap());
+            assert!(found <= bound && bound <= tolerance, "{exponents:?} {tolerance}: {found} of {bound}");
+            // By the equation itself no vertex is outside, but for rounding to single precision.
+            for vertex in mesh.positions.as_chunks::<3>().0 {
+                // The least numbers of single precision have a digit or two.
+                let less = vertex.map(|x| (f64::from(x) * (1.0 - 1e-6) - 3e-45).max(0.0));
+                let powers = less.into_iter().zip(exponents).map(|(x, exponent)| x.powf(exponent));
+                assert!(powers.sum::<f64>() <= 1.0 && vertex.iter().all(|x| *x >= 0.0), "{exponents:?} {vertex:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn octants_are_solids_in_every_format() {
+    let mut dice = Dice(11);
+    for exponents in
+        [[2.0, 2.0, 2.0], [0.6, 0.6, 2.0]].into_iter().chain((0..6).map(|_| exponents(&mut dice, 0.5, 12.0)))
+    {
+        let design = design_of(&octant(exponents).to_string());
+        let report = pasu::check(&design, &Making::default()).unwrap();
+        assert!(report.is_ok() && report.meshes[0].genus == Some(0), "{exponents:?} {report:?}");
+        let solid = pasu::solid(&design, &Making::default()).unwrap().remove(0);
+        let at = |vertex: u32| {
+            DVec3::from_array([0, 1, 2].map(|k| f64::from(solid.positions[3 * vertex as usize + k]) / 10.0))
+        };
+        let corners = solid.indices.as_chunks::<3>().0.iter().map(|[a, b, c]| at(*a).dot(at(*b).cross(at(*c))) / 6.0);
+        let (found, expected) = (corners.sum::<f64>(), volume(exponents));
+        assert!((found - expected).abs() < 0.02 * expected, "{exponents:?} {found} {expected}");
+        let making = Making { product: Product::Solid, tolerance: Some(0.2), ..Making::default() };
+        for format in [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::Ply, Format::Step] {
+            assert!(!pasu::write(&design, format, &making).unwrap().is_empty(), "{exponents:?}");
+        }
+        let file = String::from_utf8(pasu::write(&design, Format::Step, &making).unwrap()).unwrap();
+        let count = |entity: &str| file.matches(&format!("={entity}(")).count();
+        assert_eq!((count("MANIFOLD_SOLID_BREP"), count("ADVANCED_FACE")), (1, 4));
+        assert_eq!((count("VERTEX_POINT"), count("EDGE_CURVE")), (4, 6));
+    }
+}
+
+#[test]
+fn normals_are_those_of_the_planes_and_of_the_equation() {
+    let design = design_of(&octant([1.5, 2.5, 0.8]).to_string());
+    let mesh =
+        pasu::mesh(&design, &MeshOptions { rows: Some(41), columns: Some(41), ..MeshOptions::default() }).unwrap();
+    let vertex =
+        |array: &[f32], vertex: u32| DVec3::from_array([0, 1, 2].map(|k| f64::from(array[3 * vertex as usize + k])));
+    for corners in mesh.indices.as_chunks::<3>().0 {
+        let [a, b, c] = corners.map(|corner| vertex(&mesh.positions, corner));
+        let normal = (b - a).cross(c - a);
+        for corner in corners {
+            let own = vertex(&mesh.normals, *corner);
+            assert!((own.length() - 1.0).abs() < 1e-6);
+            if normal.length() > 1e-6 {
+                assert!(own.dot(normal.normalize()) > 0.3, "{corners:?} {own} {normal}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_octant_is_refused_that_is_none() {
+    for (exponents, code, path) in [
+        (json!([2, 2]), Code::WrongType, "parts[0].shape.exponents"),
+        (json!([2, 2, 0.04]), Code::OutOfRange, "parts[0].shape.exponents[2]"),
+        (json!([2, 50.1, 2]), Code::OutOfRange, "parts[0].shape.exponents[1]"),
+        (json!([0, 2, 2]), Code::OutOfRange, "parts[0].shape.exponents[0]"),
+    ] {
+        let document = json!({ "pasu": 1, "parts": [{ "shape": { "kind": "octant", "exponents": exponents } }] });
+        let error = Design::parse(&document.to_string()).unwrap_err();
+        assert_eq!((error.code(), error.path()), (code, path));
+    }
+    // It has no foot and no rim, so no wall goes round it.
+    let document =
+        json!({ "pasu": 1, "parts": [{ "shape": octant([2.0; 3]), "wall": { "thickness": 0.1, "base": 0.1 } }] });
+    let report = pasu::check(&Design::parse(&document.to_string()).unwrap(), &Making::default()).unwrap();
+    assert!(!report.is_ok());
+}

@@ -1,0 +1,260 @@
+//! Scenes: one link and one fingerprint for a set of parts, however they were written.
+
+use std::f64::consts::PI;
+
+use pasu::{Design, compare, fingerprint};
+use serde_json::{Value, json};
+
+use crate::support::design;
+use crate::support::networks::Dice;
+
+fn scene(parts: &[Value]) -> Design {
+    design(&json!({ "pasu": 1, "parts": parts }).to_string())
+}
+
+/// A whole number below `n`.
+fn below(dice: &mut Dice, n: usize) -> usize {
+    (((0.5 + 0.5 * dice.number()) * n as f64) as usize).min(n - 1)
+}
+
+/// A number of four decimals between two others.
+fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
+    ((least + (greatest - least) * (0.5 + 0.5 * dice.number())) * 1e4).round() / 1e4
+}
+
+fn shuffled<T>(dice: &mut Dice, items: &mut [T]) {
+    for last in (1..items.len()).rev() {
+        let other = below(dice, last + 1);
+        items.swap(last, other);
+    }
+}
+
+fn part(dice: &mut Dice, index: usize) -> Value {
+    let number = |dice: &mut Dice| between(dice, 0.5, 3.0);
+    let shape = match below(dice, 4) {
+        0 => {
+            json!({ "kind": "second-order", "r": [number(dice), 0.1, number(dice), 0.06], "height": number(dice) })
+        }
+        1 => json!({ "kind": "rings", "rings": [
+            { "u": 0, "r": { "mean": number(dice) }, "z": { "mean": 0 } },
+            { "u": 0.5, "r": { "mean": number(dice), "waves": [{ "n": 5, "cos": 0.1 }] }, "z": { "mean": 2 } },
+            { "u": 1, "r": { "mean": number(dice) }, "z": { "mean": 4 } },
+        ] }),
+        // Exponents and factors that are often equal.
+        _ => {
+            let exponents = [(); 3].map(|()| [0.5, 2.0, 8.0][below(dice, 3)]);
+            json!({ "kind": "octant", "exponents": exponents })
+        }
+    };
+    let scale = [(); 3].map(|()| [1.0, 1.0, 2.0, -1.0, -1.5][below(dice, 5)]);
+    let axis = [(); 3].map(|()| between(dice, -1.0, 1.0) + 1e-3);
+    let shift = [(); 3].map(|()| between(dice, -9.0, 9.0));
+    let place = json!({ "scale": scale, "axis": axis, "angle": between(dice, -3.0, 3.0), "shift": shift });
+    let object = below(dice, 3);
+    let mut part = json!({ "shape": shape, "place": place, "object": object });
+    if below(dice, 2) == 0 {
+        part["name"] = json!(format!("part {index}"));
+    }
+    part
+}
+
+fn numbers(value: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|index| value[index].as_f64().unwrap())
+}
+
+/// The same turn about the opposite axis of another length, and whole turns besides.
+fn placed_otherwise(dice: &mut Dice, part: &mut Value) {
+    let place = &mut part["place"];
+    let (length, turns) = (between(dice, 0.2, 3.0), below(dice, 3) as f64 - 1.0);
+    place["axis"] = json!(numbers(&place["axis"]).map(|c| -c * length));
+    place["angle"] = json!(2.0 * PI * turns - place["angle"].as_f64().unwrap());
+}
+
+/// The rotation of a placement, as rows.
+fn rotation(place: &Value) -> [[f64; 3]; 3] {
+    let axis = numbers(&place["axis"]);
+    let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let [h, k, l] = axis.map(|c| c / length);
+    let (sin, cos) = place["angle"].as_f64().unwrap().sin_cos();
+    let t = 1.0 - cos;
+    [
+        [cos + h * h * t, h * k * t - l * sin, h * l * t + k * sin],
+        [h * k * t + l * sin, cos + k * k * t, k * l * t - h * sin],
+        [h * l * t - k * sin, k * l * t + h * sin, cos + l * l * t],
+    ]
+}
+
+/// An octant with its exponents in another order, and its axes with them: a third of a turn about (1, 1, 1) of its own first.
+fn permuted(part: &mut Value) {
+    let [a, b, c] = numbers(&part["shape"]["exponents"]);
+    part["shape"]["exponents"] = json!([b, c, a]);
+    let place = &mut part["place"];
+    let [sx, sy, sz] = numbers(&place["scale"]);
+    place["scale"] = json!([sy, sz, sx]);
+    let rows = rotation(place).map(|[x, y, z]| [y, z, x]);
+    let vector = [rows[2][1] - rows[1][2], rows[0][2] - rows[2][0], rows[1][0] - rows[0][1]];
+    let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+    place["axis"] = json!(vector);
+    place["angle"] = json!(length.atan2(rows[0][0] + rows[1][1] + rows[2][2] - 1.0));
+}
+
+/// The same scene in other words.
+fn rewritten(dice: &mut Dice, parts: &[Value]) -> Vec<Value> {
+    let mut numbers: Vec<usize> = (0..9).collect();
+    shuffled(dice, &mut numbers);
+    let mut parts = parts.to_vec();
+    for part in &mut parts {
+        part["object"] = json!(numbers[part["object"].as_u64().unwrap() as usize]);
+        if part["shape"]["kind"] == "octant" {
+            (0..below(dice, 3)).for_each(|_| permuted(part));
+        }
+        if below(dice, 2) == 0 {
+            placed_otherwise(dice, part);
+        }
+    }
+    shuffled(dice, &mut parts);
+    parts
+}
+
+#[test]
+fn a_scene_has_one_link_and_one_fingerprint_however_it_is_written() {
+    let mut dice = Dice(41);
+    for _ in 0..60 {
+        let n = 1 + below(&mut dice, 6);
+        let parts: Vec<Value> = (0..n).map(|index| part(&mut dice, index)).collect();
+        let first = scene(&parts);
+        let link = first.link();
+        assert_eq!(Design::parse(&link).unwrap(), first.ordered());
+        assert_eq!(Design::parse(&link).unwrap().link(), link);
+        for _ in 0..3 {
+            let other = scene(&rewritten(&mut dice, &parts));
+            assert_eq!(other.ordered().to_json(), first.ordered().to_json());
+            assert_eq!((other.link(), fingerprint(&other)), (link.clone(), fingerprint(&first)));
+        }
+        // Any change of one part is another scene.
+        let mut changed = parts.clone();
+        let index = below(&mut dice, n);
+        let factor = changed[index]["place"]["scale"][0].as_f64().unwrap();
+        changed[index]["place"]["scale"][0] = json!(factor * 1.01);
+        let changed = scene(&changed);
+        assert_ne!(changed.link(), link);
+        assert_ne!(fingerprint(&changed), fingerprint(&first));
+        let fewer = &parts[1..];
+        if !fewer.is_empty() {
+            assert_ne!(scene(fewer).link(), link);
+            assert_ne!(fingerprint(&scene(fewer)), fingerprint(&first));
+        }
+    }
+}
+
+#[test]
+fn which_parts_are_glued_is_part_of_the_link() {
+    let octant = |x: f64, object: usize| json!({ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "shift": [x, 0, 0] }, "object": object });
+    let of = |objects: [usize; 3]| scene(&[octant(0.0, objects[0]), octant(1.0, objects[1]), octant(2.0, objects[2])]);
+    assert_eq!(of([0, 0, 1]).link(), of([5, 5, 2]).link());
+    assert_ne!(of([0, 0, 1]).link(), of([0, 1, 1]).link());
+    assert_eq!(fingerprint(&of([0, 0, 1])), fingerprint(&of([0, 1, 1])));
+    // Parts in one place, of objects that only the others in them tell apart.
+    let twins = |parts: &[(f64, usize)]| {
+        scene(&parts.iter().map(|(x, object)| octant(*x, *object)).collect::<Vec<Value>>()).link()
+    };
+    let link = twins(&[(0.0, 0), (0.0, 1), (1.0, 0), (2.0, 1)]);
+    assert_eq!(twins(&[(2.0, 0), (0.0, 3), (0.0, 0), (1.0, 3)]), link);
+    assert_ne!(twins(&[(0.0, 0), (0.0, 1), (1.0, 0), (2.0, 0)]), link);
+}
+
+/// ASB88's sphere: eight octants, by mirror images or by turns.
+#[test]
+fn a_ball_of_octants_has_one_link() {
+    let octant = |place: Value| json!({ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": place });
+    let signs = || (0..8).map(|corner| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { 1.0 } else { -1.0 }));
+    let mirrored: Vec<Value> = signs().map(|scale| octant(json!({ "scale": scale }))).collect();
+    let mut turned: Vec<Value> = (0..4)
+        .map(|quarter| octant(json!({ "angle": f64::from(quarter) * PI / 2.0 })))
+        .chain((0..4).map(|quarter| octant(json!({ "scale": [1, 1, -1], "angle": f64::from(quarter) * PI / 2.0 }))))
+        .collect();
+    turned.reverse();
+    assert_eq!(scene(&mirrored).link(), scene(&turned).link());
+    assert_eq!(fingerprint(&scene(&mirrored)), fingerprint(&scene(&turned)));
+}
+
+fn pairs(list: &[pasu::Counterpart]) -> Vec<(usize, usize)> {
+    list.iter().map(|pair| (pair.before, pair.after)).collect()
+}
+
+#[test]
+fn comparing_finds_the_same_scene_in_other_words() {
+    let mut dice = Dice(17);
+    for _ in 0..20 {
+        let n = 1 + below(&mut dice, 12);
+        let parts: Vec<Value> = (0..n).map(|index| part(&mut dice, index)).collect();
+        let (first, other) = (scene(&parts), scene(&rewritten(&mut dice, &parts)));
+        let difference = compare(&first, &other);
+        assert!(difference.is_same && difference.reglued.is_empty(), "{difference:?}");
+        assert_eq!(difference.kept.len(), n);
+        for pair in &difference.kept {
+            assert_eq!(first.parts()[pair.before].shape, other.parts()[pair.after].shape);
+            assert_eq!(first.parts()[pair.before].place, other.parts()[pair.after].place);
+        }
+        // Names and titles are not compared.
+        let mut nameless = parts.clone();
+        nameless.iter_mut().for_each(|part| drop(part.as_object_mut().unwrap().remove("name")));
+        assert!(compare(&first, &scene(&nameless)).is_same);
+    }
+}
+
+#[test]
+fn comparing_tells_what_became_of_each_part() {
+    let octant = |exponents: [f64; 3], shift: [f64; 3]| json!({ "shape": { "kind": "octant", "exponents": exponents }, "place": { "shift": shift } });
+    let named = |mut part: Value, name: &str| {
+        part["name"] = json!(name);
+        part
+    };
+    let glazed = |mut part: Value, glaze: &str| {
+        part["look"] = json!({ "glaze": glaze });
+        part
+    };
+    let turned = |mut part: Value| {
+        part["place"]["axis"] = json!([1, 1, 0.2]);
+        part["place"]["angle"] = json!(2.9);
+        part
+    };
+    let before = scene(&[
+        octant([2.0, 3.0, 4.0], [0.0; 3]),
+        octant([1.0, 2.0, 6.0], [5.0, 0.0, 0.0]),
+        named(octant([2.0; 3], [9.0, 0.0, 0.0]), "knob"),
+        octant([8.0; 3], [0.0, 9.0, 0.0]),
+        octant([0.5; 3], [0.0, 0.0, 9.0]),
+    ]);
+    let after = scene(&[
+        octant([7.0; 3], [1.0; 3]),
+        glazed(octant([8.0; 3], [0.0, 9.0, 0.0]), "cobalt"),
+        named(octant([2.0, 2.0, 5.0], [9.0, 0.0, 1.0]), "knob"),
+        turned(octant([1.0, 2.0, 6.0], [5.0, 0.0, 0.0])),
+        octant([2.0, 3.0, 4.0], [0.0; 3]),
+    ]);
+    let difference = compare(&before, &after);
+    assert!(!difference.is_same);
+    assert_eq!(pairs(&difference.kept), [(0, 4)]);
+    assert_eq!(pairs(&difference.moved), [(1, 3)]);
+    assert_eq!(pairs(&difference.changed), [(2, 2), (3, 1)]);
+    assert_eq!((difference.gone, difference.added), (vec![4], vec![0]));
+    // The other way round it is the same difference.
+    let back = compare(&after, &before);
+    assert_eq!((pairs(&back.moved), back.gone, back.added), (vec![(3, 1)], vec![0], vec![4]));
+}
+
+#[test]
+fn comparing_tells_what_is_glued_otherwise_and_other_units() {
+    let octant = |x: f64, object: usize| json!({ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "shift": [x, 0, 0] }, "object": object });
+    let of = |objects: [usize; 3]| scene(&[octant(0.0, objects[0]), octant(1.0, objects[1]), octant(2.0, objects[2])]);
+    assert!(compare(&of([0, 0, 1]), &of([4, 4, 0])).is_same);
+    let difference = compare(&of([0, 0, 0]), &of([0, 1, 1]));
+    assert!(!difference.is_same && difference.kept.len() == 3);
+    assert_eq!(pairs(&difference.reglued), [(0, 0), (1, 1), (2, 2)]);
+    assert_eq!(pairs(&compare(&of([0, 1, 2]), &of([0, 1, 1])).reglued), [(1, 1), (2, 2)]);
+    let parts = [octant(0.0, 0)];
+    let inches = design(&json!({ "pasu": 1, "unit": "in", "parts": parts }).to_string());
+    let difference = compare(&scene(&parts), &inches);
+    assert!(!difference.is_same && difference.kept.len() == 1);
+}

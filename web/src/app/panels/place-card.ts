@@ -1,0 +1,198 @@
+/** Where the selected part stands, by numbers: its scale, its turn and its shift. */
+
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { pathText } from "../../document/path";
+import { UNMOVED, type WholePlacement } from "../../document/placement";
+import type { Triple } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { changePlace } from "../../state/place-actions";
+import { cells } from "../../ui/cells";
+import "../../ui/number-field";
+import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
+import { base, buttons, disclosure } from "../../ui/styles";
+import { placing as words } from "../../words/english/placing";
+import { whyWords } from "../../words/refusals";
+
+const HALF_TURN = 180;
+const AXES = [0, 1, 2] as const;
+/** How far beyond what was opened a slider goes. */
+const BEYOND = 2;
+
+type Triples = "scale" | "axis" | "shift";
+
+interface Ask {
+  readonly key: string;
+  readonly path: readonly (string | number)[];
+  readonly label: string;
+  readonly help: string;
+  readonly unit: string;
+  readonly value: number;
+  readonly opened: number;
+  readonly range: readonly [number, number];
+  readonly step: number;
+  readonly with: (place: WholePlacement, value: number) => WholePlacement;
+}
+
+@customElement("pasu-place")
+export class PasuPlace extends DesignerElement {
+  override render() {
+    const { design, part: at } = this.designer.state;
+    const part = design.parts[at];
+    if (!part) return html``;
+    const place: WholePlacement = { ...UNMOVED, ...part.place };
+    const before: WholePlacement = { ...UNMOVED, ...this.designer.origin.design.parts[at]?.place };
+    const unit = unitOf(this.designer.store.design);
+    // An octant has no length of its own: its scale is how far it reaches.
+    const isLength = part.shape.kind === "octant";
+    const width = this.designer.surface.shown?.solved.facts?.width ?? 1;
+    const far = rounded(BEYOND * Math.max(width, 1, ...before.shift.map(Math.abs)));
+    const size = rounded(BEYOND * Math.max(1, ...before.scale.map(Math.abs)));
+    return html`<details ?open=${isLength}>
+      <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
+      ${AXES.map((axis) =>
+        this.number({
+          key: `scale-${axis}`,
+          path: ["scale", axis],
+          label: (isLength ? words.edges[axis] : words.factors[axis]) ?? "",
+          help: isLength ? words.edgeHelp : words.factorHelp,
+          unit: isLength ? unit : "",
+          value: place.scale[axis],
+          opened: before.scale[axis],
+          range: [0.05 * size, size],
+          step: 0.01,
+          with: (now, value) => withTriple(now, "scale", axis, value),
+        }),
+      )}
+      ${this.number({
+        key: "turn",
+        path: ["angle"],
+        label: words.turn,
+        help: words.turnHelp,
+        unit: words.degree,
+        value: rounded((place.angle / Math.PI) * HALF_TURN),
+        opened: rounded((before.angle / Math.PI) * HALF_TURN),
+        range: [-HALF_TURN, HALF_TURN],
+        step: 1,
+        with: (now, value) => ({ ...now, angle: (value / HALF_TURN) * Math.PI }),
+      })}
+      <div class="axis">
+        ${AXES.map(
+          (axis) => html`<div class="cell">
+            <span aria-hidden="true">${words.axis[axis]}</span>
+            ${this.number(
+              {
+                key: `axis-${axis}`,
+                path: ["axis"],
+                label: words.axis[axis] ?? "",
+                help: "",
+                unit: "",
+                value: place.axis[axis],
+                opened: before.axis[axis],
+                range: [-1, 1],
+                step: 0.01,
+                with: (now, value) => withTriple(now, "axis", axis, value),
+              },
+              true,
+            )}
+          </div>`,
+        )}
+      </div>
+      ${AXES.map((axis) =>
+        this.number({
+          key: `shift-${axis}`,
+          path: ["shift", axis],
+          label: words.shifts[axis] ?? "",
+          help: words.shiftHelp,
+          unit,
+          value: place.shift[axis],
+          opened: before.shift[axis],
+          range: [-far, far],
+          step: 0.1,
+          with: (now, value) => withTriple(now, "shift", axis, value),
+        }),
+      )}
+      <button
+        class="button outlined"
+        type="button"
+        title=${words.resetNote}
+        ?disabled=${part.place === undefined}
+        @click=${() => this.designer.apply(changePlace(this.designer.state, (now) => (isLength ? { ...UNMOVED, scale: now.scale } : UNMOVED)))}
+      >
+        ${words.reset}
+      </button>
+    </details>`;
+  }
+
+  private number(ask: Ask, compact = false) {
+    const { designer } = this;
+    const set = (value: number, gesture: boolean) =>
+      designer.apply(changePlace(designer.state, (now) => ask.with(now, value), gesture ? ask.key : undefined));
+    return html`<pasu-number
+      data-field="place-${ask.key}"
+      .label=${ask.label}
+      .help=${ask.help}
+      .unit=${ask.unit}
+      .explain=${designer.store.session.explain}
+      .problem=${this.refusal(ask.path)}
+      .compact=${compact}
+      .value=${ask.value}
+      .opened=${ask.opened}
+      .min=${ask.range[0]}
+      .max=${ask.range[1]}
+      .step=${ask.step}
+      @number-change=${({ value, gesture }: NumberChangeEvent) => set(value, gesture)}
+      @number-done=${() => designer.store.endGesture()}
+      @number-cancel=${() => designer.store.cancelGesture()}
+      @number-reset=${(_: NumberResetEvent) => set(ask.opened, false)}
+    ></pasu-number>`;
+  }
+
+  /** The solver's objection to this very number. */
+  private refusal(path: Ask["path"]): string {
+    const { state, surface } = this.designer;
+    const { problem } = surface;
+    if (!problem) return "";
+    return pathText(["parts", state.part, "place", ...path]) === problem.path ? whyWords(problem) : "";
+  }
+
+  static override readonly styles = [
+    base,
+    buttons,
+    disclosure,
+    cells,
+    css`
+      :host {
+        display: block;
+      }
+      details {
+        border-top: 1px solid var(--line);
+        padding: 4px 0 12px;
+      }
+      .axis {
+        display: grid;
+        grid-template-columns: repeat(3, minmax(0, 1fr));
+        gap: 8px;
+        padding: 4px 0 10px;
+      }
+    `,
+  ];
+}
+
+function withTriple(place: WholePlacement, key: Triples, axis: 0 | 1 | 2, value: number): WholePlacement {
+  const next = [...place[key]] as [number, number, number];
+  next[axis] = value;
+  return { ...place, [key]: next satisfies Triple };
+}
+
+/** What a person reads: degrees and ends of sliders have no digits of rounding. */
+function rounded(value: number): number {
+  return Number(value.toPrecision(9));
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-place": PasuPlace;
+  }
+}
