@@ -31,7 +31,7 @@ pub(crate) fn file(input: &[u8]) -> bool {
     true
 }
 
-/// Reads a design, which is canonical: it stays what it is by way of its document and of its link, each to the byte.
+/// Reads a design, which is canonical: it stays what it is by way of its document and, but for the order of its parts, of its link, each to the byte.
 pub(crate) fn parsed(text: &str) -> Option<Design> {
     let design = match Design::parse(text) {
         Ok(design) => design,
@@ -40,11 +40,11 @@ pub(crate) fn parsed(text: &str) -> Option<Design> {
             return None;
         }
     };
-    let (document, link) = (design.to_json(), design.link());
-    for told in [&document, &link, &format!("#{link}")] {
+    let (document, link, ordered) = (design.to_json(), design.link(), design.ordered());
+    for (told, expected) in [(&document, &design), (&link, &ordered), (&format!("#{link}"), &ordered)] {
         let again = Design::parse(told).unwrap_or_else(|error| panic!("{told} is refused: {error}"));
-        assert_eq!(again, design, "{told}");
-        assert_eq!(again.to_json(), document);
+        assert_eq!(again, *expected, "{told}");
+        assert_eq!(again.to_json(), expected.to_json());
         assert_eq!(again.link(), link);
     }
     Some(design)
