@@ -244,7 +244,18 @@ export class Visit {
 
   /** A command of the bar, which narrow windows keep in a menu. */
   async command(
-    name: "Gallery" | "Mix with…" | "My designs" | "New" | "Open" | "Save" | "Export" | "Picture" | "Embed" | "Help",
+    name:
+      | "Compare with…"
+      | "Gallery"
+      | "Mix with…"
+      | "My designs"
+      | "New"
+      | "Open"
+      | "Save"
+      | "Export"
+      | "Picture"
+      | "Embed"
+      | "Help",
   ): Promise<void> {
     if (!(await this.button(name).isVisible())) await this.button("More").click();
     await this.button(name).click();

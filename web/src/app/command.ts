@@ -15,6 +15,7 @@ export type Command =
   | "link"
   | "share"
   | "embed"
+  | "compare"
   | "picture"
   | "help";
 

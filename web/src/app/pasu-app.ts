@@ -42,6 +42,7 @@ const DIALOGUES = {
   export: () => import("./dialogs/export-dialog"),
   link: () => import("./dialogs/link-dialog"),
   embed: () => import("./dialogs/embed-dialog"),
+  compare: () => import("./dialogs/compare-dialog"),
 } as const;
 
 /** A link as this or an older version writes it, wherever in a text. */
@@ -210,6 +211,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-link .address=${this.address} .viewed=${this.viewed} @link-copied=${() => designer.keeper.markShared()} @link-closed=${close}></pasu-link>`;
       case "embed":
         return html`<pasu-embed .designer=${designer} .address=${this.address} @embed-closed=${close}></pasu-embed>`;
+      case "compare":
+        return html`<pasu-compare .designer=${designer} @compare-closed=${close}></pasu-compare>`;
     }
   }
 
@@ -227,6 +230,7 @@ export class PasuApp extends DesignerElement {
       case "help":
       case "picture":
       case "export":
+      case "compare":
         await this.show(command);
         return;
       case "draw":

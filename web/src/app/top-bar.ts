@@ -24,6 +24,7 @@ const ICONS: Readonly<Record<BarCommand, IconName>> = {
   link: "link",
   share: "share",
   embed: "embed",
+  compare: "compare",
   help: "help",
 };
 
@@ -72,11 +73,11 @@ export class PasuTopBar extends DesignerElement {
         ${sharing ? html`<span class="wide">${this.bare("share")}</span>` : nothing}
       </div>
       <div class="wide page">
-        ${this.bare("surprise")} ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
+        ${this.bare("surprise")} ${this.bare("compare")} ${this.bare("shelf")} ${this.theme(true)} ${this.bare("help")}
       </div>
       <pasu-menu class="narrow" label=${page.more} icon="more" bare once>
         ${this.item("shelf")} ${FILES.map((command) => this.item(command))}
-        ${this.item("surprise")} ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
+        ${this.item("surprise")} ${this.item("compare")} ${this.item("embed")} ${sharing ? this.item("share") : nothing} ${this.theme(false)}
         ${this.item("help")}
       </pasu-menu>
     `;

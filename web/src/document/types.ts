@@ -100,6 +100,7 @@ export type MapName = pasu.MapName;
 /** A number and how far it may be off. */
 export type Quantity = Frozen<pasu.Quantity>;
 /** What was measured; `docs/measures.md` says what each means. */
+export type Difference = Frozen<pasu.Difference>;
 export type Measures = Frozen<pasu.Measures>;
 export type PartMeasures = Frozen<pasu.PartMeasures>;
 /** Why there is something not. */

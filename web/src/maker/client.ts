@@ -30,6 +30,7 @@ const ORDER: readonly Kind[] = [
   "free",
   "fit",
   "levels",
+  "compare",
   "open",
   "write",
   "quick",

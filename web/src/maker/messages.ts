@@ -6,6 +6,7 @@ import type { Extents } from "../document/extents";
 import type { Levels } from "../document/scanned/levels";
 import type {
   Design,
+  Difference,
   Format,
   Making,
   MapName,
@@ -170,6 +171,8 @@ export type Ask =
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array }
   | { readonly kind: "free"; readonly design: Design; readonly part: number; readonly tolerance: number }
+  /** What became of the parts of one scene in another. */
+  | { readonly kind: "compare"; readonly before: Design; readonly after: Design }
   | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number }
   /** Triangles of a scan, nine numbers each. */
   | { readonly kind: "levels"; readonly positions: Float32Array };
@@ -191,6 +194,7 @@ export interface Answers {
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */
   readonly open: Provenance | null;
   readonly free: RingedShape;
+  readonly compare: Difference;
   readonly fit: RingedShape;
   /** Null where the triangles are no pot. */
   readonly levels: Levels | null;

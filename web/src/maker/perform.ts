@@ -1,7 +1,20 @@
 /** What the maker's worker answers: everything that the package can do besides drawing. */
 
 import type { Ringed } from "pasu";
-import { check, fit as fitted, free, measure, mesh, paint, provenance, sketch, solid, water, write } from "pasu";
+import {
+  check,
+  compare,
+  fit as fitted,
+  free,
+  measure,
+  mesh,
+  paint,
+  provenance,
+  sketch,
+  solid,
+  water,
+  write,
+} from "pasu";
 import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { cellsOf } from "./cells";
@@ -48,6 +61,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return wovenOf(ask);
     case "free":
       return ringed(free(ask.design as Sent, ask.part, { tolerance: ask.tolerance }), ask.part);
+    case "compare":
+      return compare(ask.before as Sent, ask.after as Sent);
     case "fit":
       return ringed(fitted(ask.profile, { tolerance: ask.tolerance }), 0);
     case "levels":

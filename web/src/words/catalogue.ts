@@ -5,6 +5,7 @@
 
 import type { beginnings } from "./english/beginnings";
 import type { blends } from "./english/blends";
+import type { comparing } from "./english/comparing";
 import type { controls } from "./english/controls";
 import type { description } from "./english/description";
 import type { drawing } from "./english/drawing";
@@ -45,6 +46,7 @@ import type { wedging } from "./english/wedging";
 export interface Catalogue {
   readonly beginnings: typeof beginnings;
   readonly blends: typeof blends;
+  readonly comparing: typeof comparing;
   readonly controls: typeof controls;
   readonly description: typeof description;
   readonly drawing: typeof drawing;

@@ -22,7 +22,7 @@ const MAKING: f64 = 0.7;
 /// No file reaches 4 GB: its lengths would not fit.
 const MOST_TRIANGLES: usize = 20_000_000;
 
-/// The bytes of a file of what is made of a design: the same for the same design and making, on every machine and every day.
+/// The bytes of a file of what is made of a design: the same for the same design and making, on every machine and every day, in whichever order the parts of the design stand.
 ///
 /// Every file is in millimetres as [`Making::scale`] tells, but GLB, whose unit is the metre, and says what it was made from and how: the link, the [fingerprint](crate::fingerprint()),
 /// the version of Pasu, the verdict of the [checks](crate::check()) and the making; an STL file has room for a short link only. [`open`](super::open) finds the link again,
@@ -68,7 +68,9 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     solution.all_workable()?;
     let millimetres = making.scale_of(solution)?.millimetres;
     let mut made = Vec::with_capacity(solution.n_parts());
-    let wanted = solution.parts_of(making.product);
+    // In the order of links: a file is that of its link, however the parts of the design were ordered.
+    let made_of = solution.parts_of(making.product);
+    let wanted: Vec<usize> = design.arranged(true).into_iter().filter(|part| made_of.contains(part)).collect();
     for (index, &part) in wanted.iter().enumerate() {
         // A shape without foot and rim has no wall; STEP takes its patches as they are, also where they do not close.
         let solved = solution.part(part)?.solved();
@@ -196,7 +198,11 @@ fn named(design: &Design, title: &str, part: usize) -> String {
     design.parts()[part].name.clone().unwrap_or_else(|| match design.parts().len() {
         // Slicers show this name, and name by it what they write.
         1 => title.to_owned(),
-        _ => format!("part {}", part + 1),
+        // Counted as the link counts them.
+        _ => {
+            let place = design.arranged(true).into_iter().position(|index| index == part);
+            format!("part {}", place.unwrap_or(part) + 1)
+        }
     })
 }
 
@@ -229,6 +235,7 @@ fn told(report: &Report) -> String {
                 codes.push(finding.code);
             }
         }
+        codes.sort_unstable();
         codes.join(", ")
     };
     match (codes(Severity::Error), codes(Severity::Warning)) {

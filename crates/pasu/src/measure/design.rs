@@ -164,17 +164,19 @@ pub(crate) fn gauge(solution: &Solution, product: Product, gauge: Gauge) -> Resu
         Gauge::Height => Ok(outside().height().value),
         Gauge::Width => Ok(outside().widths().greatest.value),
         Gauge::Capacity => {
-            let (mut sum, mut reason) = (None, None);
+            let (mut found, mut reason) = (Vec::new(), None);
             for (taken, part) in taken.iter().zip(solution.design().parts()) {
                 let vessel = taken.vessel(part.wall.is_some(), product);
                 match vessel.and_then(|vessel| vessel.capacity(&taken.accuracy(), None)) {
-                    Ok((capacity, _)) => *sum.get_or_insert(0.0) += capacity.brim.value,
+                    Ok((capacity, _)) => found.push(capacity.brim.value),
                     Err(why) => {
                         reason.get_or_insert(why);
                     }
                 }
             }
-            sum.ok_or_else(|| {
+            // The least first: the same sum to the bit in whichever order the parts stand.
+            found.sort_unstable_by(f64::total_cmp);
+            found.into_iter().reduce(|sum, next| sum + next).ok_or_else(|| {
                 let message = reason.as_ref().map_or("", |dry: &Dry| &dry.message);
                 let error = Error::new(Code::NoRoom, "size.capacity", message);
                 reason.iter().fold(error, |error, dry| error.with("what", dry.cause.code))

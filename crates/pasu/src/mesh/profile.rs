@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::numeric::ascending::distinct;
 use crate::surface::{Circumference, RowSuprema, Surface};
 
 /// Even strips to begin with.
@@ -126,10 +127,7 @@ impl Profile {
         let mut strips = Vec::with_capacity(2 * STRIPS);
         let (mut from, mut before) = (0.0, row(0.0));
         let stops = surface.stops();
-        let mut ends: Vec<f64> = (1..=STRIPS).map(|i| i as f64 / STRIPS as f64).chain(stops.iter().copied()).collect();
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        for to in ends {
+        for to in distinct((1..=STRIPS).map(|i| i as f64 / STRIPS as f64).chain(stops.iter().copied())) {
             let after = row(to);
             strips.push(Strip::new(surface, stretch, from, to, [before, after]));
             (from, before) = (to, after);

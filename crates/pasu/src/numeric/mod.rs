@@ -4,6 +4,7 @@
 
 pub(crate) mod adaptive;
 pub(crate) mod ascend;
+pub(crate) mod ascending;
 pub(crate) mod bisection;
 pub(crate) mod brent;
 pub(crate) mod climb;

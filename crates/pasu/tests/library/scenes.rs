@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pasu::{Design, compare, fingerprint};
+use pasu::{Design, Format, Making, Product, Size, compare, fingerprint, open, write};
 use serde_json::{Value, json};
 
 use crate::support::design;
@@ -143,6 +143,38 @@ fn a_scene_has_one_link_and_one_fingerprint_however_it_is_written() {
         if !fewer.is_empty() {
             assert_ne!(scene(fewer).link(), link);
             assert_ne!(fingerprint(&scene(fewer)), fingerprint(&first));
+        }
+    }
+}
+
+/// A file tells the link of its design, and whoever opens that and writes it again has the same file.
+#[test]
+fn a_scene_has_one_file_however_its_parts_are_ordered() {
+    let mut dice = Dice(43);
+    let vase = |index: usize, height: f64| {
+        let shape = json!({ "kind": "second-order", "r": [3.0 + index as f64, 0, 2, 0], "height": height });
+        json!({ "shape": shape, "wall": { "thickness": 0.4, "base": 0.5 }, "place": { "shift": [9 * index, 0, 0] } })
+    };
+    for round in 0..6 {
+        let n = 2 + below(&mut dice, 3);
+        let mut parts: Vec<Value> = (0..n).map(|index| vase(index, between(&mut dice, 3.0, 9.0))).collect();
+        parts.extend((0..round % 3).map(|index| part(&mut dice, index)));
+        let size = [None, Some(Size::Capacity(1.0)), Some(Size::Width(200.0)), Some(Size::Height(80.0))][round % 4];
+        let product = if round < 4 { Product::Pot } else { Product::Solid };
+        let making = Making { size, product, tolerance: Some(0.1), ..Making::default() };
+        let making = if product == Product::Solid { Making { size: None, ..making } } else { making };
+        let first = scene(&parts);
+        shuffled(&mut dice, &mut parts);
+        let other = scene(&parts);
+        for format in Format::ALL {
+            let file = write(&first, format, &making);
+            let Ok(bytes) = file else {
+                assert_eq!(write(&other, format, &making).unwrap_err().code(), file.unwrap_err().code());
+                continue;
+            };
+            assert!(write(&other, format, &making).unwrap() == bytes, "{format:?} in round {round}");
+            let Some(link) = open(&bytes) else { continue };
+            assert!(write(&Design::parse(&link).unwrap(), format, &making).unwrap() == bytes, "{format:?} of {link}");
         }
     }
 }

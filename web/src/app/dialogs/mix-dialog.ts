@@ -17,7 +17,7 @@ import { exhibitWords } from "../../words/gallery";
 import { Collection, type Entry } from "../../work/collection";
 import "../panels/mix-panel";
 import type { Other } from "../panels/mix-panel";
-import { canvasOf, Pictures, tileStyles, tiles } from "./pictures";
+import { canvasOf, Pictures, pictureOf, tileStyles, tiles } from "./pictures";
 
 /** The person chose what to mix with. */
 export class MixEvent extends Event {
@@ -119,10 +119,6 @@ export class PasuMixDialog extends DesignerElement {
 }
 
 /** As the shelf calls it: what it has drawn already is there. */
-function pictureOf({ piece, link }: Entry): string {
-  return `${piece.id} ${link}`;
-}
-
 declare global {
   interface HTMLElementTagNameMap {
     "pasu-mix-dialog": PasuMixDialog;

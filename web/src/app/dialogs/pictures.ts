@@ -7,6 +7,7 @@ import type { Design } from "../../document/types";
 import { stageModel } from "../../element/stage-model";
 import { drawStill } from "../../element/still-picture";
 import type { Thumbnails } from "../../render/thumbnail";
+import type { Entry } from "../../work/collection";
 import type { Designer } from "../../work/designer";
 import { thumbnailGrid } from "../../work/grid";
 
@@ -15,6 +16,11 @@ const HEIGHT = 320;
 
 /** Pictures once drawn are kept: a dialogue opens at once the second time. */
 const drawn = new Map<string, HTMLCanvasElement>();
+
+/** The name of the picture of one piece as it is now: no two share one, and one that is changed has another. */
+export function pictureOf({ piece, link }: Entry): string {
+  return `${piece.id} ${link}`;
+}
 
 export class Pictures {
   readonly #designer: Designer;

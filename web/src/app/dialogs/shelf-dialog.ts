@@ -14,7 +14,7 @@ import { page } from "../../words/english/page";
 import { shelf } from "../../words/english/shelf";
 import { refusalWords } from "../../words/refusals";
 import { type Change, Collection, type Entry } from "../../work/collection";
-import { canvasOf, Pictures } from "./pictures";
+import { canvasOf, Pictures, pictureOf } from "./pictures";
 
 interface Told {
   readonly text: string;
@@ -311,11 +311,6 @@ function named(title: string): string {
 
 function time(at: number) {
   return html`<time datetime=${new Date(at).toISOString()}>${moment(at)}</time>`;
-}
-
-/** A picture is of one piece as it is now: no two share one, and one that is changed has another. */
-function pictureOf({ piece, link }: Entry): string {
-  return `${piece.id} ${link}`;
 }
 
 declare global {

@@ -43,6 +43,7 @@ export const page = phrases("page", {
     save: "Save",
     export: "Export",
     picture: "Picture",
+    compare: "Compare with…",
     share: "Share",
     embed: "Embed",
     help: "Help",

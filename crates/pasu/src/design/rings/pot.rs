@@ -10,6 +10,7 @@ use crate::design::number::{plain, rounded};
 use crate::design::quantity::{any, is_zero, or_default, or_zero};
 use crate::design::ring::ascending;
 use crate::error::{Code, Error, Result};
+use crate::numeric::ascending::distinct;
 
 /// A pot through any number of rings, `(d2/du2 + a^2 d2/dv2)^2 X = 0` between each two of them. `u = 0` is the foot, `u = 1` the rim.
 #[derive(Debug, Clone, PartialEq, serde::Deserialize)]
@@ -111,10 +112,7 @@ impl Rings {
         let radii = self.rings.iter().map(|hoop| &hoop.r).chain(self.slopes().map(|slopes| &slopes.r));
         let heights = self.rings.iter().map(|hoop| &hoop.z).chain(self.slopes().map(|slopes| &slopes.z));
         [radii.collect::<Vec<_>>(), heights.collect()].map(|all: Vec<&Series>| {
-            let mut n: Vec<f64> = all.into_iter().flat_map(|series| series.waves.iter().map(|wave| wave.n)).collect();
-            n.sort_by(f64::total_cmp);
-            n.dedup();
-            n
+            distinct(all.into_iter().flat_map(|series| series.waves.iter().map(|wave| wave.n)))
         })
     }
 
