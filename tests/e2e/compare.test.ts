@@ -47,7 +47,7 @@ const told = (pot: Visit) =>
 test("one scene in other words is the same pot", async () => {
   const pot = await entered(SHELF);
   await pot.command("Compare with…");
-  await compare(pot, scene({ shape: vase, place: at(6), object: 5 }, { shape: bowl, object: 2 }));
+  await compare(pot, scene({ shape: vase, place: at(6), object: 5 }, { shape: bowl, object: 5 }));
   await expect.poll(() => verdict(pot).getAttribute("data-same")).toBe("true");
   expect(await told(pot)).toEqual({});
   // The address of the page itself, and what was saved from it.

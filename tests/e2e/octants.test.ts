@@ -14,6 +14,7 @@ async function begun(id: string, options = {}) {
   await pot.command("New");
   await pot.page.locator("pasu-new details.octants summary").click();
   const tile = pot.page.locator(`pasu-new button[data-exhibit="${id}"]`);
+  await tile.scrollIntoViewIfNeeded();
   await expect.poll(() => tile.locator("canvas").getAttribute("data-drawn")).toBe("true");
   await tile.click();
   return { pot, shown: await pot.fingerprintOtherThan(first) };
