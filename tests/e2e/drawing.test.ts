@@ -247,13 +247,18 @@ test("the outline of an SVG file has both sides, and what is no drawing is refus
       .toMatch(words);
   }
   // Of a broken file the browser makes a page that says so, in a style that the policy forbids; nobody sees it.
-  for (let i = pot.troubles.length - 1; i >= 0; i -= 1)
-    if (pot.troubles[i]?.includes("style")) pot.troubles.splice(i, 1);
+  // Some browsers report handlers in a document that never runs as well: the policy has forbidden them.
+  const forgive = () => {
+    for (let i = pot.troubles.length - 1; i >= 0; i -= 1)
+      if (/style|script-src-attr|inline event handler/.test(pot.troubles[i] ?? "")) pot.troubles.splice(i, 1);
+  };
+  forgive();
   // What is drawn beside all that is taken, and nothing else of it.
   await svg(`${hostile}${VASE_SVG.replace(/^<svg[^>]*>|<\/svg>$/g, "")}</svg>`);
   await rings(pot);
   expect(await trouble(pot).count()).toBe(0);
   expect(await pot.page.evaluate(() => (globalThis as { taken?: number }).taken ?? 0)).toBe(0);
+  forgive();
   expect(await pot.page.getByRole("checkbox", { name: "Both sides alike" }).isChecked()).toBe(true);
   // Of several lines the longest is the pot; another can be chosen.
   await pot.page.getByRole("combobox", { name: "Line of the file" }).selectOption("1");

@@ -195,7 +195,7 @@ export class PasuTopBar extends DesignerElement {
           padding: 0 5px;
         }
       }
-      @media (max-width: 69.9375em) {
+      @media (max-width: 67.4375em) {
         .wide {
           display: none;
         }

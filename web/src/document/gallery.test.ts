@@ -10,6 +10,7 @@ import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
+import { SCENES } from "./gallery/scenes";
 
 interface Case {
   readonly name: string;
@@ -31,7 +32,14 @@ test("the papers' figures are those of the reference, all of them", () => {
 test("every exhibit is on one shelf, under a title and a note of its own", () => {
   const shown = SHELVES.flatMap((shelf) => shelf.exhibits);
   expect(shown.length).toBe(
-    PAPERS.length + OWN.length + RINGED.length + BLENDED.length + NETWORKED.length + OCTANTS.length + EXAMPLES.length,
+    PAPERS.length +
+      OWN.length +
+      RINGED.length +
+      BLENDED.length +
+      NETWORKED.length +
+      OCTANTS.length +
+      SCENES.length +
+      EXAMPLES.length,
   );
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);
   const told = shown.map(({ id }) => exhibitWords(id));
@@ -66,6 +74,32 @@ test.each([...RINGED, ...BLENDED].map((exhibit) => [exhibit.id, exhibit] as cons
   60_000,
 );
 
+test.each(SCENES.map((exhibit) => [exhibit.id, exhibit] as const))(
+  "%s is of separate parts that stand on one table or on each other, each with its name",
+  async (_, exhibit) => {
+    const { maker } = realMaker({ free: true });
+    const { title, parts: names } = exhibitWords(exhibit.id);
+    const design = designOf(exhibit, title, names);
+    expect(design.parts.every(({ name }) => name !== undefined)).toBe(true);
+    expect(design.parts.map(({ object }) => object ?? 0)).toEqual([...design.parts.keys()]);
+    const measured = await maker.ask({ kind: "measure", design, product: "pot", fill: null });
+    if (measured.state !== "done") throw new Error(JSON.stringify(measured));
+    const bottoms = measured.value.parts.map(({ bottom }) => bottom);
+    const tops = measured.value.parts.map(({ top }) => top);
+    for (const [at, bottom] of bottoms.entries()) {
+      const { shift } = design.parts[at]?.place ?? {};
+      const gap = names?.[at] === "Lid" ? bottom - (tops[at - 1] ?? 0) : bottom;
+      expect(gap).toBeGreaterThanOrEqual(-1e-9);
+      expect(gap, `${names?.[at]} at ${shift}`).toBeLessThan(0.05);
+    }
+    if (!design.parts.every(({ wall }) => wall)) return;
+    const report = await maker.ask({ kind: "check", design, making: { craft: "clay" } });
+    if (report.state !== "done") throw new Error(JSON.stringify(report));
+    expect(report.value.findings.filter(({ severity }) => severity !== "note")).toEqual([]);
+  },
+  60_000,
+);
+
 test("an exhibit opens as a document of its own", () => {
   const [first] = PAPERS;
   expect(first && designOf(first, exhibitWords(first.id).title)).toEqual({
@@ -75,10 +109,10 @@ test("an exhibit opens as a document of its own", () => {
   });
 });
 
-// The native tests measure meshes of all surfaces of the gallery; blends, networks and octants have references of their own. After a change: npx vitest run src/document/gallery.test.ts -u
+// The native tests measure meshes of all surfaces of the gallery; blends, networks and octants have references of their own, and scenes are of what stands elsewhere. After a change: npx vitest run src/document/gallery.test.ts -u
 test("the gallery that native tests read is this one", async () => {
   const surfaces = SHELVES.flatMap((shelf) => shelf.exhibits).filter(
-    ({ shape }) => shape.kind !== "blend" && shape.kind !== "vertex-frame" && shape.kind !== "octant",
+    ({ shape, parts }) => !parts && shape.kind !== "blend" && shape.kind !== "vertex-frame" && shape.kind !== "octant",
   );
   const shown = surfaces.map(({ id, shape }) => JSON.stringify({ name: id, shape }));
   await expect(`[\n${shown.join(",\n")}\n]\n`).toMatchFileSnapshot("../../../tests/reference/gallery.json");

@@ -7,6 +7,7 @@ import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
+import { SCENES } from "./gallery/scenes";
 
 export type ExhibitId = (
   | typeof OWN
@@ -15,11 +16,21 @@ export type ExhibitId = (
   | typeof BLENDED
   | typeof NETWORKED
   | typeof OCTANTS
+  | typeof SCENES
   | typeof EXAMPLES
 )[number]["id"];
 
 export interface Shelf {
-  readonly id: "own" | "rings" | "blends" | "networks" | "octants" | "zhang-you" | "zhang-you-2004" | "ishak-ali";
+  readonly id:
+    | "own"
+    | "rings"
+    | "blends"
+    | "networks"
+    | "octants"
+    | "scenes"
+    | "zhang-you"
+    | "zhang-you-2004"
+    | "ishak-ali";
   readonly exhibits: readonly Exhibit<ExhibitId>[];
   /** Whether they are as a paper printed them, whose units are nobody's. */
   readonly printed?: boolean;
@@ -33,6 +44,10 @@ export const SHELVES: readonly Shelf[] = [
   {
     id: "rings",
     exhibits: RINGED,
+  },
+  {
+    id: "scenes",
+    exhibits: SCENES,
   },
   {
     id: "blends",

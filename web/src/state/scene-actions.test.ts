@@ -4,7 +4,16 @@ import { familyOf } from "../document/schema";
 import type { Design, Part } from "../document/types";
 import { partName } from "../words/parts";
 import { openDesign } from "./actions";
-import { addParts, deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "./scene-actions";
+import {
+  addParts,
+  deletePart,
+  duplicatePart,
+  gluePart,
+  isTaken,
+  MAX_NAME,
+  movePart,
+  renamePart,
+} from "./scene-actions";
 import { hiddenParts, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
 import { setFields } from "./shape-actions";
@@ -93,9 +102,9 @@ test("a copy stands beside the part, looks the same and has a name and an identi
   store.apply(duplicatePart(store.state, lid, 24));
   expect(names()).toEqual(["Body", "Lid", "Lid 3", "Lid 2", "Part 5"]);
   expect(new Set(store.ids).size).toBe(5);
-  expect(store.design.parts[2]).toEqual({ ...part, name: "Lid 3", place: { angle: 1, shift: [24, 0, 20] } });
+  expect(store.design.parts[2]).toEqual({ ...part, name: "Lid 3", object: 2, place: { angle: 1, shift: [24, 0, 20] } });
   store.apply(duplicatePart(store.state, foot, 5));
-  expect(store.design.parts[5]).toEqual({ ...part, place: { shift: [5, 0, 0] } });
+  expect(store.design.parts[5]).toEqual({ ...part, object: 3, place: { shift: [5, 0, 0] } });
 });
 
 test("two parts have never the same name, and the typing of one is one step", () => {
@@ -170,4 +179,27 @@ test("what is added is an object of its own, where it is put, and takes no name 
   store.undo();
   expect(store.design).toEqual(SCENE);
   expect(addParts(store.state, [], [0, 0, 0]).undo).toBe("none");
+});
+
+test("a part is glued to the object of another one, or stands by itself", () => {
+  const objects = () => store.design.parts.map(({ object }) => object ?? 0);
+  store.apply(gluePart(store.state, body, null));
+  expect(objects()).toEqual([1, 0, 0]);
+  // Alone it is already, and glued to those of its object.
+  store.apply(gluePart(store.state, body, null));
+  store.apply(gluePart(store.state, lid, foot));
+  expect(objects()).toEqual([1, 0, 0]);
+  store.apply(gluePart(store.state, foot, body));
+  expect(objects()).toEqual([1, 0, 1]);
+  store.apply(gluePart(store.state, body, lid));
+  store.apply(gluePart(store.state, foot, null));
+  expect(objects()).toEqual([0, 0, 1]);
+  expect(Object.keys(store.design.parts[0] ?? {})).not.toContain("object");
+  for (let step = 0; step < 4; step += 1) store.undo();
+  expect(store.design).toBe(SCENE);
+});
+
+test("a copy stands by itself", () => {
+  store.apply(duplicatePart(store.state, lid, 3));
+  expect(store.design.parts.map(({ object }) => object ?? 0)).toEqual([0, 0, 1, 0]);
 });

@@ -44,7 +44,28 @@ export function movePart(state: State, id: PartId, by: 1 | -1): Change {
   };
 }
 
-/** A copy of a part after it, so far to its right, and selected. */
+/** The number of the object that a part belongs to: parts of one object are glued. */
+export function objectOf(part: Part): number {
+  return part.object ?? 0;
+}
+
+/** Glues a part to the object of another one, or makes it an object of its own; either way it leaves the one that it was in. */
+export function gluePart(state: State, id: PartId, other: PartId | null): Change {
+  const { design, ids } = state;
+  const place = ids.indexOf(id);
+  const part = design.parts[place];
+  if (!part) return NOTHING;
+  const joined = other === null ? undefined : design.parts[ids.indexOf(other)];
+  const isAlone = design.parts.every((each) => each === part || objectOf(each) !== objectOf(part));
+  if (other === null ? isAlone : !joined || objectOf(joined) === objectOf(part)) return NOTHING;
+  const object = joined ? objectOf(joined) : freeObject(design.parts);
+  return {
+    design: setPath(design, ["parts", place, "object"], object === 0 ? undefined : object),
+    undo: "step",
+  };
+}
+
+/** A copy of a part after it, so far to its right that it touches nothing: an object of its own, and selected. */
 export function duplicatePart(state: State, id: PartId, aside: number): Change {
   const { design, ids, fresh } = state;
   const place = ids.indexOf(id);
@@ -55,6 +76,7 @@ export function duplicatePart(state: State, id: PartId, aside: number): Change {
   const copy: Part = {
     ...rest,
     ...(name !== undefined && { name: freeName(design.parts, name) }),
+    object: freeObject(design.parts),
     place: { ...part.place, shift: [x + aside, y, z] },
   };
   return {
@@ -69,13 +91,13 @@ export function duplicatePart(state: State, id: PartId, aside: number): Change {
 export function addParts(state: State, parts: readonly Part[], by: Triple): Change {
   const { design, ids, fresh } = state;
   if (parts.length === 0) return NOTHING;
-  const object = 1 + Math.max(...design.parts.map((part) => part.object ?? 0));
+  const object = 1 + Math.max(...design.parts.map(objectOf));
   const names = new Set(design.parts.map(({ name }) => name));
   const added = parts.map(({ name, place, ...rest }): Part => {
     const [x, y, z] = place?.shift ?? [0, 0, 0];
     const shift: Triple = [x + by[0], y + by[1], z + by[2]];
     const kept = name === undefined || names.has(name) ? {} : { name };
-    return { ...rest, ...kept, object: object + (rest.object ?? 0), place: { ...place, shift } };
+    return { ...rest, ...kept, object: object + objectOf(rest), place: { ...place, shift } };
   });
   const more = freshIds(parts.length, fresh);
   return {
@@ -98,6 +120,12 @@ export function deletePart(state: State, id: PartId): Change {
     session: { selection: left.slice(Math.min(place, left.length - 1)).slice(0, 1) },
     undo: "step",
   };
+}
+
+/** The least number that no object has. */
+function freeObject(parts: readonly Part[]): number {
+  const taken = new Set(parts.map(objectOf));
+  for (let number = 0; ; number += 1) if (!taken.has(number)) return number;
 }
 
 /** “Lid 2” for another “Lid”, and “Lid 3” after that. */

@@ -5,6 +5,13 @@ import { FIRST } from "../document/gallery/first";
 import { gallery } from "./english/gallery";
 import { page } from "./english/page";
 
-export function exhibitWords(id: ExhibitId): { readonly title: string; readonly note: string } {
+export interface ExhibitWords {
+  readonly title: string;
+  readonly note: string;
+  /** What its parts are called, where it has several. */
+  readonly parts?: readonly string[];
+}
+
+export function exhibitWords(id: ExhibitId): ExhibitWords {
   return id === FIRST.id ? { title: page.firstPot, note: gallery.firstNote } : gallery.exhibits[id];
 }

@@ -172,7 +172,7 @@ export class PasuDraw extends DesignerElement {
     return html`<label class="line">
       <span>${words.line}</span>
       <select class="field" @change=${(event: Event) => this.tracing.choose(Number((event.target as HTMLSelectElement).value))}>
-        ${lines.map((_, i) => html`<option value=${i} ?selected=${i === chosen}>${words.lineOf(i + 1, lines.length)}</option>`)}
+        ${lines.map((_, i) => html`<option value=${i} .selected=${i === chosen}>${words.lineOf(i + 1, lines.length)}</option>`)}
       </select>
     </label>`;
   }

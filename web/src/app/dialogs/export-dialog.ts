@@ -119,7 +119,7 @@ export class PasuExport extends DesignerElement {
           >
             ${SIZES.map(
               (value) =>
-                html`<option value=${value} ?selected=${chosen.size === value} ?disabled=${value === "capacity" && !measures?.capacity}>
+                html`<option value=${value} .selected=${chosen.size === value} ?disabled=${value === "capacity" && !measures?.capacity}>
                   ${words.sizes[value]}
                 </option>`,
             )}

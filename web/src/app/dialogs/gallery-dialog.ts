@@ -71,7 +71,8 @@ export class PasuGallery extends DesignerElement {
 
   private async choose(exhibit: Exhibit<ExhibitId>, { printed }: Shelf): Promise<void> {
     const { designer } = this;
-    const design = designOf(exhibit, exhibitWords(exhibit.id).title);
+    const { title, parts } = exhibitWords(exhibit.id);
+    const design = designOf(exhibit, title, parts);
     const height = printed && this.size === "hand" ? await this.heightOf(exhibit) : null;
     designer.opening.open(height === null ? design : scaled(design, USABLE / height, "scale"));
     this.dispatchEvent(new Event("gallery-closed"));

@@ -94,7 +94,7 @@ export class PasuScan extends DesignerElement {
           ? html`<label class="up">
               <span>${words.up}</span>
               <select class="field" @change=${this.turn}>
-                ${(["z", "y"] as const).map((way) => html`<option value=${way} ?selected=${way === this.up}>${words.ups[way]}</option>`)}
+                ${(["z", "y"] as const).map((way) => html`<option value=${way} .selected=${way === this.up}>${words.ups[way]}</option>`)}
               </select>
             </label>`
           : nothing

@@ -114,7 +114,7 @@ export class PasuSectionDialog extends DesignerElement {
     return html`<label>
       <span>${drawing.line}</span>
       <select class="field" @change=${(event: Event) => this.choose(Number((event.target as HTMLSelectElement).value))}>
-        ${lines.map((_, i) => html`<option value=${i} ?selected=${i === this.chosen}>${drawing.lineOf(i + 1, lines.length)}</option>`)}
+        ${lines.map((_, i) => html`<option value=${i} .selected=${i === this.chosen}>${drawing.lineOf(i + 1, lines.length)}</option>`)}
       </select>
     </label>`;
   }

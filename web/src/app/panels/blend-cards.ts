@@ -139,7 +139,7 @@ export class PasuBlendCards extends DesignerElement {
               .value=${form}
               @change=${(event: Event) => this.change(end, (each) => reformed(each, (event.target as HTMLSelectElement).value as Form))}
             >
-              ${FORMS.map((each) => html`<option value=${each} ?selected=${each === form}>${words.forms[each]}</option>`)}
+              ${FORMS.map((each) => html`<option value=${each} .selected=${each === form}>${words.forms[each]}</option>`)}
             </select>
           </label>
           <button class="button outlined draw" type="button" aria-label=${words.drawItOf(name)} @click=${() => void this.openDrawing(end, name)}>

@@ -48,7 +48,7 @@ export class PasuLook extends DesignerElement {
         >
           ${entries<Unit>(look.units).map(
             ([unit, label]) =>
-              html`<option value=${unit} ?selected=${unitOf(design) === unit}>${look.unitChoice(label, quantities.units[unit])}</option>`,
+              html`<option value=${unit} .selected=${unitOf(design) === unit}>${look.unitChoice(label, quantities.units[unit])}</option>`,
           )}
         </select>
       </label>
@@ -104,7 +104,7 @@ export class PasuLook extends DesignerElement {
             this.choose({ inside: own });
           }}
         >
-          ${choices.map(([name, text]) => html`<option value=${name} ?selected=${value === name}>${text}</option>`)}
+          ${choices.map(([name, text]) => html`<option value=${name} .selected=${value === name}>${text}</option>`)}
         </select>
       </span>
     </div>`;

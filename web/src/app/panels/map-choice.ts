@@ -28,10 +28,10 @@ export class PasuMaps extends DesignerElement {
           @change=${(event: Event) =>
             designer.apply(setMap(((event.target as HTMLSelectElement).value || null) as MapName | null))}
         >
-          <option value="" ?selected=${map === null}>${maps.glaze}</option>
+          <option value="" .selected=${map === null}>${maps.glaze}</option>
           ${MAPS.map(
             ({ name, needsWall }) =>
-              html`<option value=${name} ?selected=${map === name} ?disabled=${needsWall && !walled}>
+              html`<option value=${name} .selected=${map === name} ?disabled=${needsWall && !walled}>
                 ${needsWall && !walled ? maps.needsWall(maps.options[name]) : maps.options[name]}
               </option>`,
           )}

@@ -59,8 +59,8 @@ export class PasuModes extends DesignerElement {
             this.edit((now) => ({ ...now, span: full ? "2pi" : 1 }));
           }}
         >
-          <option value="2pi" ?selected=${round}>2π</option>
-          <option value="number" ?selected=${!round}>${modes.aNumber}</option>
+          <option value="2pi" .selected=${round}>2π</option>
+          <option value="number" .selected=${!round}>${modes.aNumber}</option>
         </select>
       </label>
       ${round ? nothing : this.number(modes.spanNumber, ["span"], Number(shape.span))}
@@ -84,8 +84,8 @@ export class PasuModes extends DesignerElement {
               this.edit((now) => withOrder(now, axis, order));
             }}
           >
-            <option value="2" ?selected=${component.order === 2}>2</option>
-            <option value="4" ?selected=${component.order === 4}>4</option>
+            <option value="2" .selected=${component.order === 2}>2</option>
+            <option value="4" .selected=${component.order === 4}>4</option>
           </select>
         </label>
         ${(["s", "t", ...(component.order === 4 ? ["w"] : [])] as const).map(

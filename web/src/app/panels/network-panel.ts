@@ -187,8 +187,8 @@ export class PasuNetworkPanel extends DesignerElement {
       <label class="mirror">
         <span>${words.mirror}</span>
         <select class="field" .value=${mirror ?? ""} @change=${(event: Event) => this.mirror(event)}>
-          <option value="" ?selected=${mirror === null}>${words.noMirror}</option>
-          ${AXES.map((axis) => html`<option value=${axis} ?selected=${axis === mirror}>${words.mirrors[axis]}</option>`)}
+          <option value="" .selected=${mirror === null}>${words.noMirror}</option>
+          ${AXES.map((axis) => html`<option value=${axis} .selected=${axis === mirror}>${words.mirrors[axis]}</option>`)}
         </select>
       </label>
       ${

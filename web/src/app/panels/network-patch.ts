@@ -229,7 +229,7 @@ export class PasuNetworkPatch extends DesignerElement {
             edit((before) => ({ ...before, falloff: chosen }), false);
           }}
         >
-          ${(["smooth", "sine"] as const).map((each) => html`<option value=${each} ?selected=${each === falloff}>${words.falloffs[each]}</option>`)}
+          ${(["smooth", "sine"] as const).map((each) => html`<option value=${each} .selected=${each === falloff}>${words.falloffs[each]}</option>`)}
         </select>
       </label>
     </div>`;

@@ -4,8 +4,18 @@ import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { DesignerElement } from "../../element/designer-element";
+import { listed } from "../../language";
 import type { PartId } from "../../state/parts";
-import { deletePart, duplicatePart, isTaken, MAX_NAME, movePart, renamePart } from "../../state/scene-actions";
+import {
+  deletePart,
+  duplicatePart,
+  gluePart,
+  isTaken,
+  MAX_NAME,
+  movePart,
+  objectOf,
+  renamePart,
+} from "../../state/scene-actions";
 import { selectParts, togglePart } from "../../state/seen-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
@@ -28,6 +38,8 @@ export class PasuParts extends DesignerElement {
     const { design, ids, part: place, session } = this.designer.store;
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
+    const objects = [...new Set(design.parts.map(objectOf))];
+    const numberOf = (at: number) => 1 + objects.indexOf(design.parts.map(objectOf)[at] ?? 0);
     return html`<section aria-labelledby="parts">
       <h3 id="parts">${parts.heading}</h3>
       <ul
@@ -51,6 +63,7 @@ export class PasuParts extends DesignerElement {
             <span
               >${partName(at, design.parts[at]?.name)}${session.hidden.includes(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}</span
             >
+            ${objects.length > 1 ? html`<span class="object"><span class="spoken">, </span>${parts.object(numberOf(at))}</span>` : html`<span></span>`}
             ${this.eye(id, session.hidden.includes(id))}
           </li>`,
         )}
@@ -84,6 +97,7 @@ export class PasuParts extends DesignerElement {
         ${this.button(parts.delete, "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
       </div>
       <p class="problem" id="taken" role="status"></p>
+      ${ids.length > 1 ? this.glue(chosen) : nothing}
       ${hiddenNote(this.designer)}
     </section>`;
   }
@@ -99,6 +113,33 @@ export class PasuParts extends DesignerElement {
     const { scrollTop } = this.list;
     if (top < scrollTop) this.list.scrollTop = top;
     else if (top + option.offsetHeight > scrollTop + height) this.list.scrollTop = top + option.offsetHeight - height;
+  }
+
+  /** What the part is glued to: the others of its object, those of another one, or nothing. */
+  private glue(chosen: PartId) {
+    const { design, ids } = this.designer.store;
+    const own = design.parts[ids.indexOf(chosen)];
+    const groups = new Map<number, PartId[]>();
+    for (const [at, id] of ids.entries()) {
+      const part = design.parts[at];
+      if (!part || id === chosen) continue;
+      groups.set(objectOf(part), [...(groups.get(objectOf(part)) ?? []), id]);
+    }
+    const names = (members: readonly PartId[]) =>
+      listed(members.map((id) => partName(ids.indexOf(id), design.parts[ids.indexOf(id)]?.name)));
+    return html`<label class="glue">
+      <span>${parts.gluedTo}</span>
+      <select
+        class="field"
+        @change=${(event: Event) => {
+          const [other] = [...groups.values()][(event.target as HTMLSelectElement).selectedIndex - 1] ?? [];
+          this.designer.apply(gluePart(this.designer.state, chosen, other ?? null));
+        }}
+      >
+        <option .selected=${!own || !groups.has(objectOf(own))}>${parts.nothing}</option>
+        ${[...groups].map(([object, members]) => html`<option .selected=${own !== undefined && objectOf(own) === object}>${names(members)}</option>`)}
+      </select>
+    </label>`;
   }
 
   /** For pointers: an option of a list can hold nothing that takes the focus, and the keyboard has H. */
@@ -220,7 +261,7 @@ export class PasuParts extends DesignerElement {
       }
       li {
         display: grid;
-        grid-template-columns: 1fr auto;
+        grid-template-columns: 1fr auto auto;
         align-items: center;
         min-height: var(--touch);
         padding: 0 0 0 12px;
@@ -239,6 +280,22 @@ export class PasuParts extends DesignerElement {
       }
       .eye:hover {
         color: var(--ink);
+      }
+      .object {
+        color: var(--soft);
+        font-size: 0.86rem;
+        font-weight: normal;
+      }
+      .glue {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr);
+        align-items: center;
+        gap: 10px;
+        padding-top: 6px;
+      }
+      .glue span {
+        color: var(--soft);
+        font-size: 0.9rem;
       }
       .hint {
         padding-top: 6px;

@@ -57,7 +57,7 @@ export class PasuSize extends DesignerElement {
             designer.apply(setUnit(designer.state, (event.target as HTMLSelectElement).value as Unit))}
         >
           ${Object.entries(words.units).map(
-            ([name, label]) => html`<option value=${name} ?selected=${unit === name}>${label}</option>`,
+            ([name, label]) => html`<option value=${name} .selected=${unit === name}>${label}</option>`,
           )}
         </select>
       </div>

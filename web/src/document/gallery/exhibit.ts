@@ -18,11 +18,17 @@ export function exhibits<const Id extends string>(all: readonly Exhibit<Id>[]): 
   return all;
 }
 
-/** The exhibit as a document of its own. */
-export function designOf({ shape, place, wall, look, parts }: Exhibit, title?: string): Design {
+/** The exhibit as a document of its own, under a title; its parts have names where it takes several. */
+export function designOf(
+  { shape, place, wall, look, parts }: Exhibit,
+  title?: string,
+  names: readonly string[] = [],
+): Design {
   return {
     pasu: 1,
     ...(title !== undefined && { title }),
-    parts: parts ?? [{ shape, ...(place && { place }), ...(wall && { wall }), ...(look && { look }) }],
+    parts: parts?.map((part, at) => (names[at] === undefined ? part : { name: names[at], ...part })) ?? [
+      { shape, ...(place && { place }), ...(wall && { wall }), ...(look && { look }) },
+    ],
   };
 }

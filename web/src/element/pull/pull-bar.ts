@@ -375,7 +375,7 @@ function segments<T extends string>(
       .value=${chosen}
       @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}
     >
-      ${all.map((value) => html`<option value=${value} ?selected=${value === chosen}>${labels[value]}</option>`)}
+      ${all.map((value) => html`<option value=${value} .selected=${value === chosen}>${labels[value]}</option>`)}
     </select>`;
 }
 

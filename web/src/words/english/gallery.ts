@@ -5,6 +5,8 @@ import type { FIRST } from "../../document/gallery/first";
 import { phrases } from "../../language";
 
 interface Told {
+  /** What its parts are called, where it has several. */
+  readonly parts?: readonly string[];
   readonly title: string;
   /** What to look at, or where it was printed. */
   readonly note: string;
@@ -14,6 +16,7 @@ export const gallery = phrases("gallery", {
   shelves: {
     own: { title: "Our own", source: "Designs that show what the equations can do" },
     rings: { title: "Through rings", source: "Pulled, squeezed, turned and cut, each with its wall" },
+    scenes: { title: "Several together", source: "Each an object of its own: select one, change it, move it" },
     blends: { title: "Between two sections", source: "From one outline into another, each with its wall" },
     networks: {
       title: "Networks of patches",
@@ -257,6 +260,21 @@ export const gallery = phrases("gallery", {
       note: "Eight octants around one point, squarer from above than from the side.",
     },
     "own-octant-star": { title: "Star", note: "Eight hollow octants around one point: six tips." },
+    "own-lidded-jar": {
+      title: "Jar with a lid",
+      note: "The lid is a bowl that was turned over.",
+      parts: ["Jar", "Lid"],
+    },
+    "own-tea-set": {
+      title: "Tea set",
+      note: "Teapot, four cups, a jug for the milk and a plate.",
+      parts: ["Teapot", "Lid", "First cup", "Second cup", "Third cup", "Fourth cup", "Jug", "Plate"],
+    },
+    "own-shelf": {
+      title: "Five vases of the papers",
+      note: "Figures of Zhang and You and of Ishak and Ali, side by side.",
+      parts: ["Figure 1a", "Figure 3b", "Figure 5b", "Figure 5d", "Five petals"],
+    },
     "zhang-you-5b": {
       title: "Zhang and You 2001, figure 5b",
       note: "Fourth order: the slopes at rim and foot are chosen (table 1, row b).",

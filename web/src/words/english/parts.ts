@@ -11,6 +11,10 @@ export const parts = phrases("parts", {
   show: "Show",
   hide: "Hide",
   name: "Name of the part",
+  gluedTo: "Glued to",
+  nothing: "nothing",
+  /** Behind the name of a part where there are several objects, counted from 1. */
+  object: (number: number) => `Object ${formatNumber(number)}`,
   up: "Move up",
   down: "Move down",
   duplicate: "Duplicate",
