@@ -162,3 +162,16 @@ test("a context that does not come back leaves a still picture, says so, and can
   await canvas.waitFor();
   expect(sight(await stagePicture(pot)).tones).toBeGreaterThan(400);
 });
+
+test("a choice that was taken back is shown as it was before", async () => {
+  const pot = await here.enter({ link: DINT });
+  const before = await pot.fingerprint();
+  await pot.tab("Look");
+  const unit = pot.page.getByRole("combobox", { name: "Unit of length" });
+  expect(await unit.inputValue()).toBe("cm");
+  await unit.selectOption("mm");
+  await pot.fingerprintOtherThan(before);
+  await pot.undo();
+  await pot.shows(before);
+  expect(await unit.inputValue()).toBe("cm");
+});
