@@ -4,7 +4,7 @@ import { lookOf } from "../document/look";
 import type { Design } from "../document/types";
 import type { StageModel } from "../render/mesh";
 import type { SolvedParts } from "../solver/solved";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 
 export function stageModel(design: Design, { parts, bounds }: SolvedParts, hidden: readonly PartId[] = []): StageModel {
   return {

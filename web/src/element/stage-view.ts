@@ -6,7 +6,7 @@ import { customElement, query } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { togglePulling } from "../state/actions";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import { selectParts } from "../state/seen-actions";
 import type { Camera } from "../state/viewed";
 import { base, buttons } from "../ui/styles";

@@ -6,7 +6,7 @@
 import { matrixOf, turnOf, turnsAlike } from "../document/placement";
 import type { Design, Part, Placement, Shape } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";
-import type { Identified, PartId } from "../state/parts";
+import type { Identified, PartId } from "../state/part-ids";
 import type { Outcome } from "../worker/port";
 import type { PartAsk, PartMesh, PartsAsk, Section, SentMesh, SentParts, Used, Whole, WholeAsk } from "./messages";
 import { linesOfParts, nextRevision, type PartAnswer, placedParts, type Solved } from "./solved";

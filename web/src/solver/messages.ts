@@ -4,7 +4,7 @@ import type { Body } from "../document/body";
 import type { Points } from "../document/mixing";
 import type { Conversion, Design, Handles, OrderKind, Placement, Shape } from "../document/types";
 import type { GridSize } from "../document/waves";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
 import type { Ware } from "./ware";

@@ -4,7 +4,7 @@ import { extentsOf } from "../document/extents";
 import { type Facts, factsOf } from "../document/facts";
 import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
 import type { Design } from "../document/types";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import { type Bounds, boundsOfParts } from "./bounds";
 import { placedLines } from "./lines";
 import type { LineArrays, PartFacts, PartLines, PartMesh, Section, Times } from "./messages";

@@ -5,7 +5,7 @@ import { getPath, setPath } from "../document/path";
 import { inUnit, scaled, type Walls } from "../document/scaled";
 import { LIMITS } from "../document/tables.gen";
 import type { Design, Look, OrderKind, Unit } from "../document/types";
-import { freshIds } from "./parts";
+import { freshIds } from "./part-ids";
 import type { Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 

@@ -1,6 +1,6 @@
 /** Undo and redo over whole frozen documents, which share all that did not change, with the identities of their parts. */
 
-import type { Identified } from "./parts";
+import type { Identified } from "./part-ids";
 
 export interface History {
   readonly past: readonly Identified[];

@@ -2,7 +2,7 @@
 
 import { setPath } from "../document/path";
 import type { Part, Triple } from "../document/types";
-import { freshIds, type PartId } from "./parts";
+import { freshIds, type PartId } from "./part-ids";
 import type { Change, State } from "./store";
 
 const NOTHING: Change = { undo: "none" };

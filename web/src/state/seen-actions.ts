@@ -1,6 +1,6 @@
 /** Which parts are selected and which are hidden: that is the session's, not the document's. */
 
-import type { PartId } from "./parts";
+import type { PartId } from "./part-ids";
 import type { Change, State } from "./store";
 
 export function selectParts(...selection: readonly PartId[]): Change {

@@ -1,7 +1,7 @@
 /** What the page remembers that is not part of the design. */
 
 import type { Format, MapName, OrderKind } from "../document/types";
-import type { PartId } from "./parts";
+import type { PartId } from "./part-ids";
 
 export type Tab = "shape" | "profile" | "equation" | "look" | "wall" | "measures";
 export const TABS: readonly Tab[] = ["shape", "profile", "equation", "look", "wall", "measures"];

@@ -1,6 +1,6 @@
 /** What could be undone and redone, as text: kept for as long as a tab is open, so that it survives a reload. What is read may have been written by anybody. */
 
-import type { PartId } from "./parts";
+import type { PartId } from "./part-ids";
 import { isRecord } from "./record";
 
 /** A document as JSON text with who its parts were. */

@@ -5,7 +5,7 @@ import { frozen } from "../document/path";
 import type { Design } from "../document/types";
 import type { History } from "./history";
 import { cancelMerge, canRedo, canUndo, EMPTY, endMerge, recall, record, redo, undo } from "./history";
-import { freshIds, type Identified, type PartId, placeOf } from "./parts";
+import { freshIds, type Identified, type PartId, placeOf } from "./part-ids";
 import type { Session } from "./session";
 
 export interface State extends Identified {

@@ -3,7 +3,7 @@
 import { setPath } from "../document/path";
 import type { Rings, Shape } from "../document/types";
 import type { MakerClient } from "../maker/client";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
 

@@ -2,7 +2,7 @@
 
 import type { Design } from "../document/types";
 import type { SolverClient } from "../solver/client";
-import type { Identified } from "../state/parts";
+import type { Identified } from "../state/part-ids";
 import type { Step } from "../state/steps";
 import { bounded } from "../state/steps";
 import { keepSteps, readSteps, type Shelf } from "../state/storage";

@@ -3,7 +3,7 @@
 import { effect, untracked } from "@preact/signals-core";
 import type { Design } from "../document/types";
 import { Origins } from "../state/origins";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import type { Store } from "../state/store";
 import type { Surface } from "./surface";
 

@@ -10,7 +10,7 @@ import { setPath } from "../document/path";
 import type { Design, Pair, Refusal, Shape } from "../document/types";
 import type { MakerClient } from "../maker/client";
 import type { Move, PulledShape } from "../maker/messages";
-import type { PartId } from "../state/parts";
+import type { PartId } from "../state/part-ids";
 import type { Store } from "../state/store";
 
 /** Where a hand took hold. */

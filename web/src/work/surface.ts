@@ -8,7 +8,7 @@ import type { SolverClient } from "../solver/client";
 import type { Desk } from "../solver/desk";
 import type { Used } from "../solver/messages";
 import type { Solved } from "../solver/solved";
-import type { Identified } from "../state/parts";
+import type { Identified } from "../state/part-ids";
 import type { Store } from "../state/store";
 import { describeAccuracy } from "../words/description";
 import type { Outcome } from "../worker/port";

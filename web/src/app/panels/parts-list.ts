@@ -5,7 +5,7 @@ import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { DesignerElement } from "../../element/designer-element";
 import { listed } from "../../language";
-import type { PartId } from "../../state/parts";
+import type { PartId } from "../../state/part-ids";
 import {
   deletePart,
   duplicatePart,

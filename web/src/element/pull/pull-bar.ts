@@ -6,7 +6,7 @@ import { type Brush, PETALS, SPREADS, takesRings, WAYS, WIDTHS, within } from ".
 import { locksOf, withLock } from "../../document/locks";
 import type { Shape } from "../../document/types";
 import { formatNumber } from "../../number";
-import type { PartId } from "../../state/parts";
+import type { PartId } from "../../state/part-ids";
 import { icon } from "../../ui/icons";
 import "../../ui/menu";
 import { base, buttons, fields } from "../../ui/styles";
