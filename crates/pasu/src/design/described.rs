@@ -19,6 +19,7 @@ use super::placement::Placement;
 use super::quantity::Size;
 #[cfg(feature = "typescript")]
 use super::slider::Slider;
+use super::symmetry::Symmetry;
 use super::value::Value;
 use crate::error::{Code, Error, Result};
 
@@ -49,7 +50,11 @@ pub(crate) trait Described: Serialize + DeserializeOwned {
 
     /// This shape and its placement, both canonical by themselves, in the one way of writing the solid that they make: where a shape is its own image under some motion, placements differ that make the same of it.
     /// The placement that was `given` has more digits than its canonical form.
-    fn standing(self, _given: &Placement, place: Placement) -> (Self, Placement) {
+    fn standing(self, given: &Placement, place: Placement) -> (Self, Placement) {
+        // What is neither turned nor mirrored is canonical as it is, and nothing has to be expanded.
+        let is_upright = place.angle == 0.0 && place.scale[1] > 0.0;
+        let symmetry = (!is_upright).then(|| self.problem()).flatten().map(|problem| Symmetry::of(&problem));
+        let place = symmetry.map_or(place, |symmetry| symmetry.standing(given, place));
         (self, place)
     }
 

@@ -36,6 +36,8 @@ mod rings;
 mod shape;
 #[cfg(feature = "typescript")]
 mod slider;
+mod standing;
+mod symmetry;
 #[cfg(feature = "typescript")]
 mod tables;
 mod text;

@@ -12,6 +12,7 @@ fields! {
     /// In a [`Design`](crate::Design) it is canonical, so that equal placements have equal numbers: `scale` has
     /// `Sx, Sz > 0`, and the sign of `Sy` says whether the part is mirrored; `axis = (h, k, l)` is a unit vector with
     /// `k > 0`, or `k = 0` and `h > 0`, or (0, 0, 1); `angle` lies in [-pi, pi); a turn by 0 has the axis (0, 0, 1).
+    /// Of the placements that make the same solid, because the shape is its own image under some motion, it is the one that `docs/scenes.md` names.
     pub struct Placement, "a placement" {
         /// Factors along x, y and z, before turning.
         scale: [f64; 3] = [1.0, 1.0, 1.0], Optional, NotZero, One;
@@ -49,14 +50,12 @@ impl Placement {
     }
 
     /// Where the coordinate axes of the shape point to, as unit vectors: a negative factor turns one round. `None` when the axis has no direction.
-    #[cfg(feature = "patchwork")]
     pub(super) fn directions(&self) -> Option<[[f64; 3]; 3]> {
         let rotation = rotation(unit(self.axis)?, even(self.angle));
         Some([0, 1, 2].map(|axis| rotation.map(|row| if self.scale[axis] < 0.0 { -row[axis] } else { row[axis] })))
     }
 
     /// The canonical placement that takes the coordinate axes to these directions, which are at right angles to each other, each made so long. The shift is canonical.
-    #[cfg(feature = "patchwork")]
     pub(super) fn along(directions: [[f64; 3]; 3], lengths: [f64; 3], shift: [f64; 3]) -> Placement {
         let [x, y, z] = directions;
         let across = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
@@ -91,7 +90,10 @@ impl Placement {
                     *factor = -*factor;
                 }
             }
-            turn = turn.after_half_turn(about);
+            // From the numbers as they were given, so that no rounding comes on top of another. Whole turns leave noise.
+            let angle = if (-PI..PI).contains(&self.angle) { self.angle } else { turn.angle };
+            let given = Turn { axis: unit(self.axis).unwrap_or(axis), angle: even(angle) };
+            turn = given.after_half_turn(about);
         }
         let Turn { axis, angle } = turn.oriented();
         Ok(Placement { scale, axis, angle, shift: self.shift.map(rounded) })
@@ -107,7 +109,6 @@ struct Turn {
 
 impl Turn {
     /// The rotation that takes the coordinate axes to these directions: of the four forms that a quaternion has, the one that divides by its largest number.
-    #[cfg(feature = "patchwork")]
     fn to([x, y, z]: [[f64; 3]; 3]) -> Turn {
         let forms = [
             [1.0 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]],
@@ -120,7 +121,7 @@ impl Turn {
         let [w, vector @ ..] = forms[largest];
         let angle = 2.0 * libm::atan2(norm(vector), w);
         match normalised(vector) {
-            Some(axis) => Turn { axis, angle: principal(rounded_in_unit(angle)) },
+            Some(axis) => Turn { axis, angle: reduced(angle) },
             None => Turn { axis: UPRIGHT, angle: 0.0 },
         }
     }
@@ -128,8 +129,11 @@ impl Turn {
     /// This rotation applied after half a turn about one of the coordinate axes: a product of quaternions.
     fn after_half_turn(self, about: usize) -> Turn {
         // cos(pi/2) as computed is not 0; half a turn must not leave noise in place of zeros.
-        let (w, sin) =
-            if self.angle == -PI { (0.0, 1.0) } else { (libm::cos(self.angle / 2.0), libm::sin(self.angle / 2.0)) };
+        let (w, sin) = if self.angle.abs() == PI {
+            (0.0, 1.0)
+        } else {
+            (libm::cos(self.angle / 2.0), libm::sin(self.angle / 2.0))
+        };
         let v = self.axis.map(|c| c * sin);
         let (next, last) = ((about + 1) % 3, (about + 2) % 3);
         let mut vector = [0.0; 3];
@@ -138,7 +142,7 @@ impl Turn {
         vector[last] = -v[next];
         let angle = 2.0 * libm::atan2(norm(vector), -v[about]);
         match normalised(vector) {
-            Some(axis) => Turn { axis, angle: principal(rounded_in_unit(angle)) },
+            Some(axis) => Turn { axis, angle: reduced(angle) },
             None => Turn { axis: UPRIGHT, angle: 0.0 },
         }
     }
@@ -202,18 +206,22 @@ fn rotation([h, k, l]: [f64; 3], angle: f64) -> [[f64; 3]; 3] {
 
 /// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn.
 fn principal(angle: f64) -> f64 {
-    let within = if (-PI..PI).contains(&angle) {
-        angle
-    } else {
-        // Whole turns are not whole numbers: what is left of them is noise beyond twelve decimals.
-        rounded_in_unit(libm::atan2(libm::sin(angle), libm::cos(angle)))
-    };
-    let near = rounded(within);
-    if near.abs() >= PI { -PI } else { near }
+    if (-PI..PI).contains(&angle) { below_half_turn(rounded(angle)) } else { reduced(angle) }
+}
+
+/// A computed angle in [-pi, pi) to twelve digits and no more than twelve decimals: whole turns are not whole numbers, and what is left of them is noise.
+fn reduced(angle: f64) -> f64 {
+    let within = libm::atan2(libm::sin(angle), libm::cos(angle));
+    // Once and not twice: a number that was rounded to a tie may fall to the other side.
+    below_half_turn(if within.abs() < 1.0 { rounded_in_unit(within) } else { rounded(within) })
+}
+
+/// Half a turn has one angle.
+fn below_half_turn(angle: f64) -> f64 {
+    if angle.abs() >= PI { -PI } else { angle }
 }
 
 /// The angle itself where twelve digits hold it as they hold a whole number of twenty-fourths of a turn: a quarter of a turn that was read from a document is one.
-#[cfg(feature = "patchwork")]
 fn even(angle: f64) -> f64 {
     let whole = libm::round(angle.abs() * 12.0 / PI) * PI / 12.0;
     if rounded(whole) == rounded(angle.abs()) { whole.copysign(angle) } else { angle }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pasu::{Design, Format, Making, Product, Size, compare, fingerprint, open, write};
+use pasu::{Design, Format, Making, Placement, Product, Shape, Size, compare, fingerprint, open, write};
 use serde_json::{Value, json};
 
 use crate::support::design;
@@ -33,7 +33,11 @@ fn part(dice: &mut Dice, index: usize) -> Value {
     let number = |dice: &mut Dice| between(dice, 0.5, 3.0);
     let shape = match below(dice, 4) {
         0 => {
-            json!({ "kind": "second-order", "r": [number(dice), 0.1, number(dice), 0.06], "height": number(dice) })
+            // Round, or with petals of two, four or seven.
+            let n = [0, 3, 5, 8][below(dice, 4)];
+            let [rim, foot] = if n == 0 { [0.0; 2] } else { [0.1, 0.06] };
+            let r = [number(dice), rim, number(dice), foot];
+            json!({ "kind": "second-order", "r": r, "n": [1, n], "height": number(dice) })
         }
         1 => json!({ "kind": "rings", "rings": [
             { "u": 0, "r": { "mean": number(dice) }, "z": { "mean": 0 } },
@@ -66,8 +70,11 @@ fn numbers(value: &Value) -> [f64; 3] {
 fn placed_otherwise(dice: &mut Dice, part: &mut Value) {
     let place = &mut part["place"];
     let (length, turns) = (between(dice, 0.2, 3.0), below(dice, 3) as f64 - 1.0);
+    let angle = place["angle"].as_f64().unwrap();
+    // Whole turns on top of an angle that needs all its digits take some of them away.
+    let turns = if (angle * 1e6).fract() == 0.0 { turns } else { 0.0 };
     place["axis"] = json!(numbers(&place["axis"]).map(|c| -c * length));
-    place["angle"] = json!(2.0 * PI * turns - place["angle"].as_f64().unwrap());
+    place["angle"] = json!(2.0 * PI * turns - angle);
 }
 
 /// The rotation of a placement, as rows.
@@ -92,10 +99,48 @@ fn permuted(part: &mut Value) {
     let [sx, sy, sz] = numbers(&place["scale"]);
     place["scale"] = json!([sy, sz, sx]);
     let rows = rotation(place).map(|[x, y, z]| [y, z, x]);
+    turned(place, rows);
+}
+
+/// Turns a placement as this rotation does, by its rows.
+fn turned(place: &mut Value, rows: [[f64; 3]; 3]) {
     let vector = [rows[2][1] - rows[1][2], rows[0][2] - rows[2][0], rows[1][0] - rows[0][1]];
     let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
     place["axis"] = json!(vector);
     place["angle"] = json!(length.atan2(rows[0][0] + rows[1][1] + rows[2][2] - 1.0));
+}
+
+/// A vase that was turned about its own axis first, or mirrored in a plane through it, so that it is the same solid.
+fn moved_within_itself(dice: &mut Dice, part: &mut Value) {
+    let shape = &part["shape"];
+    let fold = match shape["kind"].as_str().unwrap() {
+        "rings" => Some(5),
+        _ if shape["r"][1] == 0.0 => None,
+        _ => shape["n"][1].as_u64().map(|n| n as usize - 1),
+    };
+    let place = &mut part["place"];
+    let [sx, sy, sz] = numbers(&place["scale"]);
+    let is_even = sx.abs() == sy.abs();
+    let quarters = match fold {
+        _ if is_even => 0,
+        None => below(dice, 4),
+        Some(fold) if fold % 4 == 0 => below(dice, 4),
+        Some(fold) if fold % 2 == 0 => 2 * below(dice, 2),
+        Some(_) => 0,
+    };
+    let (sin, cos) = match (is_even, fold) {
+        (true, None) => between(dice, -3.0, 3.0).sin_cos(),
+        (true, Some(fold)) => (2.0 * PI * below(dice, fold) as f64 / fold as f64).sin_cos(),
+        (false, _) => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][quarters],
+    };
+    // The columns of the placement, of which the second may change its sense.
+    let columns = rotation(place).map(|[x, y, z]| [x * sx.signum(), y * sy.signum(), z * sz.signum()]);
+    let sense = if below(dice, 2) == 0 { 1.0 } else { -1.0 };
+    let columns = columns.map(|[x, y, z]| [x * cos + y * sin, sense * (y * cos - x * sin), z]);
+    let hand = sense * (sx * sy * sz).signum();
+    let lengths = if quarters % 2 == 1 { [sy.abs(), sx.abs()] } else { [sx.abs(), sy.abs()] };
+    place["scale"] = json!([lengths[0], hand * lengths[1], sz.abs()]);
+    turned(place, columns.map(|[x, y, z]| [x, hand * y, z]));
 }
 
 /// The same scene in other words.
@@ -179,6 +224,73 @@ fn a_scene_has_one_file_however_its_parts_are_ordered() {
     }
 }
 
+/// Where points of a part stand, at so many places round its axis.
+fn points(design: &Design, place: &Placement, n: usize) -> Vec<[f64; 3]> {
+    let is_unit = matches!(design.parts()[0].shape, Shape::SecondOrder(_));
+    let round = if is_unit { 1.0 } else { 2.0 * PI };
+    let at: Vec<f64> = (0..n).flat_map(|i| [0.3, round * i as f64 / n as f64]).collect();
+    let (rows, shift) = (place.matrix(), place.shift);
+    let placed = |p: &[f64]| [0, 1, 2].map(|i| (0..3).map(|j| rows[i][j] * p[j]).sum::<f64>() + shift[i]);
+    pasu::evaluate(design, 0, &at).unwrap().chunks_exact(3).map(placed).collect()
+}
+
+/// A round vase may be turned about its axis as one likes, one with petals by as many parts of a turn, and either may be mirrored.
+/// Rounding to twelve digits leaves the last one open: two descriptions of one placement that were turned into each other by computing differ in it now and then.
+#[test]
+fn a_vase_has_one_placement_of_those_that_make_the_same_solid() {
+    let mut dice = Dice(47);
+    let (mut n_vases, mut n_equal) = (0, 0);
+    while n_vases < 600 {
+        let mut part = part(&mut dice, 0);
+        if part["shape"]["kind"] == "octant" {
+            continue;
+        }
+        n_vases += 1;
+        let first = scene(std::slice::from_ref(&part));
+        let found = first.parts()[0].place;
+        assert_eq!(scene(&[serde_json::from_str(&part_json(&first)).unwrap()]), first, "not its own canonical form");
+        let given = place_of(&part["place"]);
+        // Every sixtieth of a turn and every seventh is there: petals come to petals.
+        let (before, after) = (points(&first, &given, 840), points(&first, &found, 840));
+        if part["shape"]["r"][1] != 0.0 {
+            for point in before.iter().step_by(97) {
+                let distance = |other: &[f64; 3]| (0..3).map(|i| (point[i] - other[i]).powi(2)).sum::<f64>().sqrt();
+                let nearest = after.iter().map(distance).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-9, "{nearest} in {part}\n{found:?}");
+            }
+        }
+        moved_within_itself(&mut dice, &mut part);
+        let second = scene(std::slice::from_ref(&part));
+        let other = second.parts()[0].place;
+        assert_eq!(other.scale, found.scale, "{part}");
+        let numbers = |place: &Placement| [place.axis[0], place.axis[1], place.axis[2], place.angle];
+        for (one, other) in numbers(&found).into_iter().zip(numbers(&other)) {
+            // One in the last place; of an angle beyond 1 that is ten times as much.
+            assert!((one - other).abs() < 1.1e-11, "{part}\n{found:?}\n{other:?}");
+        }
+        if first.link() == second.link() {
+            n_equal += 1;
+            if n_vases % 10 == 0 {
+                assert_eq!(fingerprint(&first), fingerprint(&second));
+            }
+        }
+    }
+    assert!(n_equal > 590, "{n_equal} of {n_vases}");
+}
+
+fn part_json(design: &Design) -> String {
+    let document: Value = serde_json::from_str(&design.to_json()).unwrap();
+    document["parts"][0].to_string()
+}
+
+fn place_of(place: &Value) -> Placement {
+    let [scale, axis, shift] = ["scale", "axis", "shift"].map(|name| numbers(&place[name]));
+    let mut found = Placement::default();
+    (found.scale, found.axis, found.shift) = (scale, axis, shift);
+    found.angle = place["angle"].as_f64().unwrap();
+    found
+}
+
 #[test]
 fn which_parts_are_glued_is_part_of_the_link() {
     let octant = |x: f64, object: usize| json!({ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "shift": [x, 0, 0] }, "object": object });
@@ -216,7 +328,7 @@ fn pairs(list: &[pasu::Counterpart]) -> Vec<(usize, usize)> {
 
 #[test]
 fn comparing_finds_the_same_scene_in_other_words() {
-    let mut dice = Dice(17);
+    let mut dice = Dice(18);
     for _ in 0..20 {
         let n = 1 + below(&mut dice, 12);
         let parts: Vec<Value> = (0..n).map(|index| part(&mut dice, index)).collect();
