@@ -114,7 +114,13 @@ const PLACES: readonly Placement[] = [
 
 test.each(PLACES)("a part stands where the crate puts it, and is said to be as large (%o)", async (place) => {
   const { mesh } = await import("pasu/drawing");
-  const two = { ...ROW, parts: [...ROW.parts.slice(0, 1), { ...ROW.parts[0], place }] } as Design;
+  // Neither a turn nor a mirror makes it its own image, so that its points have one place each.
+  const wave = (n: number, cos: number, sin: number) => ({ n, cos, sin });
+  const rings = [
+    { u: 0, r: { mean: 1, waves: [wave(1, 0.1, 0), wave(2, 0.1, 0.05)] }, z: { mean: 0 } },
+    { u: 1, r: { mean: 0.8, waves: [wave(3, 0, 0.1)] }, z: { mean: 2 } },
+  ];
+  const two = { ...ROW, parts: [...ROW.parts.slice(0, 1), { shape: { kind: "rings", rings }, place }] } as Design;
   const { parts, bounds, facts } = await solved(two, REST, [1, 2]);
   const whole = mesh(two as Parameters<typeof mesh>[0], GRID);
   const [, part] = parts;

@@ -19,17 +19,21 @@ const MOST_NEIGHBOURS: usize = 24;
 /// So many pairs are looked at of any mesh.
 const FEW_PAIRS: usize = 1 << 20;
 
-/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first; of a mesh in which tens of thousands cross, the lowest of those that are found first. Triangles of one group that has a number are known not to cross each other.
-pub(crate) fn crossings(
+/// The numbers of the triangles of some pair that crosses. Triangles of one group that has a number are known not to cross each other.
+///
+/// Of two bodies with a face in common every triangle there touches others, and to tell so exactly takes long: one pair is enough to know.
+pub(crate) fn a_crossing(
     positions: &[Point],
     triangles: &[[u32; 3]],
     group: impl Fn(u32) -> Option<u32>,
-    most: usize,
-) -> Vec<[u32; 2]> {
-    search(positions, triangles, group, most, usize::MAX).0
+) -> Option<[u32; 2]> {
+    let limits = Limits { most: 1, enough: 1, most_pairs: usize::MAX };
+    search(positions, triangles, group, limits).0.first().copied()
 }
 
-/// As [`crossings`], and the triangle at which the search was given up, if it was: in a mesh whose triangles lie so close together that each is beside many others it would take all day.
+/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first; of a mesh in which tens of thousands cross, the lowest of those that are found first. Triangles are grouped as for [`a_crossing`].
+///
+/// And the triangle at which the search was given up, if it was: in a mesh whose triangles lie so close together that each is beside many others it would take all day.
 pub(crate) fn crossings_soon(
     positions: &[Point],
     triangles: &[[u32; 3]],
@@ -37,7 +41,14 @@ pub(crate) fn crossings_soon(
     most: usize,
 ) -> (Vec<[u32; 2]>, Option<u32>) {
     let most_pairs = FEW_PAIRS.saturating_add(MOST_NEIGHBOURS.saturating_mul(triangles.len()));
-    search(positions, triangles, group, most, most_pairs)
+    search(positions, triangles, group, Limits { most, enough: MOST_FOUND, most_pairs })
+}
+
+/// How many crossings are told, with how many found the search ends, and how many pairs are looked at.
+struct Limits {
+    most: usize,
+    enough: usize,
+    most_pairs: usize,
 }
 
 /// To look at two triangles takes as long as to pass over so many that are known not to cross.
@@ -56,8 +67,7 @@ fn search(
     positions: &[Point],
     triangles: &[[u32; 3]],
     group: impl Fn(u32) -> Option<u32>,
-    most: usize,
-    most_pairs: usize,
+    Limits { most, enough, most_pairs }: Limits,
 ) -> (Vec<[u32; 2]>, Option<u32>) {
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
     let bounded = triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, corners(triangle)));
@@ -83,7 +93,7 @@ fn search(
         }
         let rest = left.checked_sub(if is_looked_at { LOOK } else { 1 });
         left = rest.unwrap_or(0);
-        if rest.is_none() || found.len() >= MOST_FOUND {
+        if rest.is_none() || found.len() >= enough {
             given_up = given_up.or(rest.is_none().then_some(p));
             return ControlFlow::Break(());
         }
@@ -219,9 +229,10 @@ mod tests {
             }) as u32
         };
         let triangles = [p, q].map(|triangle| triangle.map(&mut number));
-        let found = crossings(&positions, &triangles, |_| None, 9);
+        let (found, _) = crossings_soon(&positions, &triangles, |_| None, 9);
         let turned = triangles.map(|[a, b, c]| [c, a, b]);
-        assert_eq!(found, crossings(&positions, &turned, |_| None, 9));
+        assert_eq!(found, crossings_soon(&positions, &turned, |_| None, 9).0);
+        assert_eq!(found.first().copied(), a_crossing(&positions, &triangles, |_| None));
         !found.is_empty()
     }
 

@@ -6,5 +6,5 @@ mod crossing;
 mod degenerate;
 
 pub(crate) use closed::{Topology, closed};
-pub(crate) use crossing::{crossings, crossings_soon};
+pub(crate) use crossing::{a_crossing, crossings_soon};
 pub(crate) use degenerate::is_degenerate;

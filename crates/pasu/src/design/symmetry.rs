@@ -7,6 +7,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::boundary_value::{BoundaryValue, Component, Datum};
+use super::limits::WAVES;
 
 /// Data count as 0 below this share of the largest: what is left of twelve digits when they are added up.
 const SLACK: f64 = 1e-11;
@@ -74,12 +75,13 @@ impl Wave {
     }
 }
 
-/// All that are there, those of negative `n` among them; `None` where one does not go round a whole number of times.
+/// All that are there, those of negative `n` among them; `None` where one does not go round a whole number of times, or more often than anything is measured of.
 fn waves(problem: &BoundaryValue) -> Option<Vec<Wave>> {
     let [x, y, z] = [&problem.x, &problem.y, &problem.z];
     let mut numbers: Vec<f64> = Vec::new();
     for n in [x, y, z].into_iter().flat_map(|component| component.modes.iter().map(|mode| mode.n.abs())) {
-        if n != libm::trunc(n) {
+        // A mirror is sought among as many steps as there are waves.
+        if n != libm::trunc(n) || n > WAVES {
             return None;
         }
         if !numbers.contains(&n) {
@@ -212,9 +214,11 @@ mod tests {
         let shape = r#"{ "kind": "second-order", "r": [1, 0, 0.6, 0], "s": [1, 3], "height": 2 }"#;
         let found = symmetry(shape);
         assert_eq!((found.fold, found.has_mirror(0.0), found.has_mirror(1.0)), (Some(2.0), true, false));
-        // Not closed.
-        let shape = r#"{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "n": [1, 2.5], "height": 2 }"#;
-        assert_eq!(symmetry(shape), Symmetry::NONE);
+        // Not closed, and of more waves than anything is measured of.
+        for n in ["[1, 2.5]", "[1, 129]", "[1000000001, 1000000002]"] {
+            let shape = format!(r#"{{ "kind": "second-order", "r": [1, 0.1, 0.6, 0.06], "n": {n}, "height": 2 }}"#);
+            assert_eq!(symmetry(&shape), Symmetry::NONE, "{n}");
+        }
     }
 
     #[test]

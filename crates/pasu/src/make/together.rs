@@ -81,7 +81,7 @@ fn told(one: &SolidMesh, other: &SolidMesh, common: &Box3) -> Option<(Relation, 
     None
 }
 
-/// The middle of the first of two triangles that cross or touch, one of each mesh.
+/// The middle of one of two triangles that cross or touch, one of each mesh.
 fn meeting(one: &SolidMesh, other: &SolidMesh, common: &Box3) -> Option<DVec3> {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     let mut n_first = 0;
@@ -97,7 +97,7 @@ fn meeting(one: &SolidMesh, other: &SolidMesh, common: &Box3) -> Option<DVec3> {
         }
     }
     let group = |triangle: u32| Some(u32::from(triangle as usize >= n_first));
-    let [first, _] = check::crossings(&positions, &triangles, group, 1).first().copied()?;
+    let [first, _] = check::a_crossing(&positions, &triangles, group)?;
     Some(triangles[first as usize].into_iter().map(|vertex| point(positions[vertex as usize])).sum::<DVec3>() / 3.0)
 }
 

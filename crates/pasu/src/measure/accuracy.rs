@@ -51,14 +51,29 @@ impl Accuracy {
 
     /// Intervals by which an integral along a face begins: where a face changes so fast next to its ends that no node of a rule over the whole would see it, the ends are stepped towards.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
-        let mut breaks = vec![from];
+        let knots = self.knots_between(from, to);
+        // Between knots the layers next to them are as wide as those next to the ends.
+        let is_whole = knots.is_empty();
+        self.breaks_at(knots, from, to, is_whole)
+    }
+
+    /// The same of a small part of a face: its layers are as wide as those of the whole.
+    pub(crate) fn breaks_of_a_part(&self, from: f64, to: f64) -> Vec<f64> {
+        self.breaks_at(self.knots_between(from, to), from, to, false)
+    }
+
+    /// The knots on the way from one place to another.
+    fn knots_between(&self, from: f64, to: f64) -> Vec<f64> {
         let (least, most) = (from.min(to), from.max(to));
         let mut knots: Vec<f64> = self.knots.iter().copied().filter(|knot| least < *knot && *knot < most).collect();
         if to < from {
             knots.reverse();
         }
-        // Between knots the layers next to them are as wide as those next to the ends.
-        let is_whole = knots.is_empty();
+        knots
+    }
+
+    fn breaks_at(&self, knots: Vec<f64>, from: f64, to: f64, is_whole: bool) -> Vec<f64> {
+        let mut breaks = vec![from];
         let mut from = from;
         for to in knots.into_iter().chain([to]) {
             let share = if is_whole { 1.0 } else { (to - from).abs() };

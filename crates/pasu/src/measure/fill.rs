@@ -8,11 +8,12 @@ use super::accuracy::Accuracy;
 use super::column::{Column, Inside, LEVEL, Link, Wet};
 use super::integral::between;
 use super::moments::{Moments, element};
-use super::outside::round;
 use super::panels;
 use super::quantity::Quantity;
+use super::trimmed::of_column;
 use crate::face::{FaceJet, Seams, ascending};
 use crate::numeric::integral::Integral;
+use crate::numeric::trapezoid::round;
 use crate::numeric::{adaptive, bisection, trapezoid};
 use crate::watch;
 
@@ -99,19 +100,19 @@ impl<'a> Level<'a> {
         cut.map(|(_, link, s)| self.inside.position((link, s), column.v()).truncate()).collect()
     }
 
-    /// For each link the stretch that is wet in every column that was looked at, if each has one there: it is integrated row by row, and only what is beyond it column by column.
+    /// For each link the rows that are wet in every column that was looked at, if each has one stretch there: they are integrated one by one, and only what is beyond them column by column.
     fn common(&self) -> Vec<Option<(f64, f64)>> {
         let stretch = |link: usize| {
             if self.seams(link).is_some() {
                 return None;
             }
+            let face = self.inside.links().get(link)?;
             let (mut from, mut to) = (0.0f64, 1.0f64);
-            for (_, wet) in &self.columns {
+            for (column, wet) in &self.columns {
                 let mut here = wet.iter().filter(|wet| wet.link == link);
-                match (here.next(), here.next()) {
-                    (Some(wet), None) => (from, to) = (from.max(wet.from), to.min(wet.to)),
-                    _ => return None,
-                }
+                let (Some(wet), None) = (here.next(), here.next()) else { return None };
+                let (begin, end) = face.straight((wet.from, wet.to), column.v());
+                (from, to) = (from.max(begin), to.min(end));
             }
             (to - from > LEAST_COMMON).then_some((from, to))
         };
@@ -122,13 +123,7 @@ impl<'a> Level<'a> {
         self.inside.seams().get(link)?.as_ref()
     }
 
-    /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place after the other.
-    fn integrand(&self, link: usize, middle: DVec3) -> impl FnMut(f64, f64) -> [f64; 5] {
-        let link = &self.inside.links()[link];
-        let mut walk = link.walk();
-        move |s, v| self.of_jet(link, &walk.jet(s, v), middle)
-    }
-
+    /// `(h - z) n_z`, its moments about a point, and `n_z`, at one place.
     fn of_jet(&self, link: &Link, jet: &FaceJet, middle: DVec3) -> [f64; 5] {
         let up = element(link.face(), jet).z;
         let arm = jet.position - middle;
@@ -137,32 +132,30 @@ impl<'a> Level<'a> {
     }
 
     /// The integral over what is wet of one column beyond the common stretches. It may end before such a stretch does; what is too much there is taken off again.
-    fn of_column(&self, column: &Column, rest: &Rest) -> Integral<5> {
+    fn of_column(&self, column: &Column, rest: &Rest<'_>) -> Integral<5> {
         let v = column.v();
         let mut total = Integral::default();
         let wet = self.inside.wet(column, self.z);
         let mut stretches: Vec<(usize, f64, f64)> = Vec::with_capacity(2 * wet.len());
         for (link, common) in rest.common.iter().enumerate().filter(|(link, _)| self.seams(*link).is_none()) {
-            let here = || wet.iter().filter(|wet| wet.link == link);
-            match (common, here().count()) {
-                (Some((first, last)), 1) => {
-                    stretches.extend(here().flat_map(|wet| [(link, wet.from, *first), (link, *last, wet.to)]));
+            let Some(face) = self.inside.links().get(link) else { continue };
+            let here = wet.iter().filter(|wet| wet.link == link);
+            let here: Vec<(f64, f64)> = here.map(|wet| face.straight((wet.from, wet.to), v)).collect();
+            match (common, here.as_slice()) {
+                (Some((first, last)), [(from, to)]) => {
+                    stretches.extend([(link, *from, *first), (link, *last, *to)]);
                 }
-                (common, _) => {
-                    stretches.extend(here().map(|wet| (link, wet.from, wet.to)));
+                (common, here) => {
+                    stretches.extend(here.iter().map(|(from, to)| (link, *from, *to)));
                     stretches.extend(common.map(|(first, last)| (link, last, first)));
                 }
             }
         }
-        for (link, from, to) in stretches.into_iter().filter(|(_, from, to)| from != to) {
-            let mut integrand = self.integrand(link, rest.middle);
-            let mut part = adaptive::integrate(&[from.min(to), from.max(to)], rest.relative, rest.at_least, 8, |s| {
-                Integral::of(integrand(s, v))
-            });
-            if from > to {
-                part.value = part.value.map(|value| -value);
-            }
-            total.add(&part);
+        for (link, from, to) in stretches {
+            let Some(link) = self.inside.links().get(link) else { continue };
+            let mut walk = link.face().straight_walk();
+            let integrand = |jet: &FaceJet| self.of_jet(link, jet, rest.middle);
+            total.add(&of_column(walk.as_mut(), (from, to), v, rest.accuracy, rest.at_least, integrand));
         }
         let missing = wet.iter().filter(|wet| self.seams(wet.link).is_none()).map(|wet| self.missing(wet, v));
         total.value[4] += missing.sum::<f64>();
@@ -274,13 +267,13 @@ impl<'a> Level<'a> {
         let is_seamed = |link: usize| self.seams(link).is_some();
         let has_others = self.columns.iter().any(|(_, wet)| wet.iter().any(|wet| !is_seamed(wet.link)));
         for (link, stretch) in common.iter().enumerate() {
-            if let Some(stretch) = stretch {
-                total.add(&between(*stretch, accuracy, self.integrand(link, middle)));
+            if let Some((rows, link)) = stretch.zip(self.inside.links().get(link)) {
+                let mut walk = link.face().straight_walk();
+                total.add(&between(rows, accuracy, |s, v| self.of_jet(link, &walk.jet(s, v), middle)));
             }
         }
         // What columns leave is held against the whole.
-        let rest =
-            Rest { common, middle, relative: 0.1 * accuracy.relative, at_least: total.size.map(|size| size / TAU) };
+        let rest = Rest { common, middle, accuracy, at_least: total.size.map(|size| size / TAU) };
         if has_others {
             total.add(&if self.breaks.is_empty() { self.smooth(&rest, accuracy) } else { self.broken(rest, accuracy) });
         }
@@ -298,7 +291,7 @@ impl<'a> Level<'a> {
     }
 
     /// The rest where all columns are alike: by the trapezoidal rule, with more columns until that changes too little.
-    fn smooth(&self, rest: &Rest, accuracy: &Accuracy) -> Integral<5> {
+    fn smooth(&self, rest: &Rest<'_>, accuracy: &Accuracy) -> Integral<5> {
         let allowed =
             |size: &[f64; 5]| core::array::from_fn(|i| accuracy.relative * size[i].max(TAU * rest.at_least[i]));
         trapezoid::integrate(accuracy.columns, accuracy.most_columns, 0.0, allowed, |n| {
@@ -311,7 +304,7 @@ impl<'a> Level<'a> {
     }
 
     /// The rest where columns differ: Gauss-Kronrod between the places where they change.
-    fn broken(&self, mut rest: Rest, accuracy: &Accuracy) -> Integral<5> {
+    fn broken(&self, mut rest: Rest<'_>, accuracy: &Accuracy) -> Integral<5> {
         let mut breaks = self.breaks.clone();
         breaks.push(self.breaks[0] + TAU);
         let at_least = rest.at_least.map(|size| TAU * size);
@@ -325,14 +318,14 @@ impl<'a> Level<'a> {
     }
 }
 
-/// A stretch that is wet in every column is integrated by itself if it is at least this part of its link.
+/// Rows that are wet in every column are integrated by themselves if they are at least this part of their face.
 const LEAST_COMMON: f64 = 0.05;
 
 /// How columns are integrated.
-struct Rest {
+struct Rest<'a> {
     common: Vec<Option<(f64, f64)>>,
     middle: DVec3,
-    relative: f64,
+    accuracy: &'a Accuracy,
     at_least: [f64; 5],
 }
 

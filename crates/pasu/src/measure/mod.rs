@@ -26,7 +26,9 @@ mod quantity;
 mod saddle;
 mod standing;
 mod taken;
+mod trimmed;
 mod water;
+mod whole_face;
 mod widths;
 
 pub use capacity::{Capacity, Fill, Spill};

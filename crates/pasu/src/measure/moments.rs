@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::accuracy::Accuracy;
-use super::integral::over_face;
 use super::quantity::Quantity;
+use super::whole_face::over_face;
 use crate::face::{Face, FaceJet};
 use crate::numeric::integral::Integral;
 use crate::solution::Placed;

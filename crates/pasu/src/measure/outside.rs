@@ -1,6 +1,6 @@
 //! What a maker measures on the outside of a pot: height, widths, overhang.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
@@ -12,6 +12,7 @@ use crate::numeric::ascend::ascend;
 use crate::numeric::climb::{Place, climb};
 use crate::numeric::grid::Grid;
 use crate::numeric::limit::limit;
+use crate::numeric::trapezoid::round;
 
 /// Faces seen from outside, each sampled on a grid from which searches begin.
 pub(crate) struct Outside<'a> {
@@ -343,9 +344,4 @@ pub(crate) fn polygon_area(polygon: &[DVec2]) -> f64 {
 pub(crate) fn degrees(angle: f64) -> f64 {
     let degrees = angle.to_degrees();
     if angle < 0.0 { degrees + 360.0 } else { degrees }
-}
-
-/// Even angles once round.
-pub(crate) fn round(n: usize) -> impl Iterator<Item = f64> {
-    (0..n).map(move |j| TAU * j as f64 / n as f64)
 }

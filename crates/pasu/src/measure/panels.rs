@@ -13,7 +13,14 @@ use crate::watch;
 const TURN: f64 = 0.6;
 
 /// The most places of a wall's side at which an integrand is taken, and as much time on any other face. Where there are more at first, several cells are one panel however rough they are, and the rules differ by what they miss of that.
-const MOST_PLACES: usize = 3_000_000;
+const MOST_PLACES: usize = 2_100_000;
+
+/// The same where more is asked than [`measure`](crate::measure()) asks at most, and nobody waits.
+const PATIENT_PLACES: usize = 3_000_000;
+
+fn most_places(accuracy: &Accuracy) -> usize {
+    if is_patient(accuracy) { PATIENT_PLACES } else { MOST_PLACES }
+}
 
 /// What a rule is held against: one with a node less.
 fn rules(accuracy: &Accuracy) -> [Rule; 2] {
@@ -244,7 +251,7 @@ pub(crate) fn between_rows<const N: usize>(
             .map(|pair| band(pair[0], pair[1], level, false).0)
             .collect()
     };
-    let most = MOST_PLACES / seams.cost;
+    let most = most_places(accuracy) / seams.cost;
     let mut taken = 0;
     loop {
         let mut total = Integral::<N>::default();
@@ -326,7 +333,7 @@ pub(crate) fn over_columns<const N: usize>(
             core::array::from_fn(|i| above_rounding(difference[i].abs().max(libm::sqrt(squares[i])), total.size[i]));
         let allowed: [f64; N] = core::array::from_fn(|i| accuracy.seamed * total.size[i].max(at_least[i]));
         let is_done = (0..N).all(|i| of_rule[i] <= allowed[i]);
-        if is_done || n_taken > MOST_COLUMNS || n_places > MOST_PLACES || watch::is_stopped() {
+        if is_done || n_taken > MOST_COLUMNS || n_places > most_places(accuracy) || watch::is_stopped() {
             for (error, of_rule) in total.error.iter_mut().zip(of_rule) {
                 *error += of_rule;
             }

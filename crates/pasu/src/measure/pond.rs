@@ -9,10 +9,10 @@ use super::column::{Column, Inside, Wet};
 use super::dry::Dry;
 use super::fill::Level;
 use super::ground::{Basin, Ground, Shortcut, turn};
-use super::outside::round;
 use super::quantity::Quantity;
 use super::saddle::{Bank, Saddle, saddle};
 use crate::numeric::climb::{Place, climb};
+use crate::numeric::trapezoid::round;
 
 /// Water that stays in one place, to its brim.
 pub(crate) struct Pond<'a> {

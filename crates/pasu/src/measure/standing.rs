@@ -6,10 +6,11 @@ use glam::{DVec2, DVec3};
 
 use super::accuracy::Accuracy;
 use super::moments::area;
-use super::outside::{Outside, degrees, hull, polygon_area, round};
+use super::outside::{Outside, degrees, hull, polygon_area};
 use super::quantity::Quantity;
 use crate::answer::answers;
 use crate::face::Face;
+use crate::numeric::trapezoid::round;
 use crate::numeric::{brent, minima, romberg};
 
 /// Points of a pot that are less than this part of its size above the lowest one stand on the table too.

@@ -36,6 +36,11 @@ pub(crate) fn integrate<const N: usize>(
     }
 }
 
+/// Even angles once round.
+pub(crate) fn round(n: usize) -> impl Iterator<Item = f64> {
+    (0..n).map(move |j| TAU * j as f64 / n as f64)
+}
+
 /// About twice as many columns: the next prime.
 ///
 /// A shape of `m` equal petals is met by `n` columns in `n / gcd(n, m)` different places of a petal. Doubling an odd number of columns adds none if `m` is even; primes meet each in as many places as they can.
