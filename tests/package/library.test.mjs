@@ -216,6 +216,33 @@ test("what is no pot of rings becomes one: a vase of another kind, and a drawn l
       refused(() => pasu.fit({ right: [1, 2] }, { tolerance: 1 }), "wrong-type", "right");
       refused(() => pasu.fit({ right: [1, 2, 1, NaN] }, { tolerance: 1 }), "not-finite", "right[3]");
       refused(() => pasu.fit({ tolerance: 1 }), "unknown-field", "tolerance");
+      // A scan: a cup with petals, away from the origin.
+      const cup = pasu.parse({
+        pasu: 1,
+        parts: [
+          {
+            shape: {
+              kind: "rings",
+              rings: [
+                { u: 0, r: { mean: 3, waves: [{ n: 6, cos: 0.2 }] }, z: { mean: 0 } },
+                { u: 1, r: { mean: 4 }, z: { mean: 8 } },
+              ],
+            },
+            place: { shift: [5, 0, 1] },
+          },
+        ],
+      });
+      const { positions, indices } = pasu.mesh(cup, { rows: 120, columns: 181 });
+      const scanned = pasu.fit({ positions, indices }, { tolerance: 0.05 });
+      assert(scanned.distance <= 0.05 && scanned.rms <= scanned.distance && scanned.withoutHandle === null);
+      assert(Math.abs(scanned.design.parts[0].place.shift[0] - 5) < 0.01);
+      refused(() => pasu.fit({ positions: [1, 2, 3] }, { tolerance: 1 }), "wrong-type", "positions");
+      refused(() => pasu.fit({ positions, indices: [0, 1, 2] }, { tolerance: 1 }), "wrong-type", "indices");
+      refused(() => pasu.fit({ positions, indices: new Uint32Array([0, 1, 1e9]) }, { tolerance: 1 }), "out-of-range", "indices[2]");
+      const gone = new Float32Array(9);
+      structuredClone(gone.buffer, { transfer: [gone.buffer] });
+      refused(() => pasu.fit({ positions: gone }, { tolerance: 1 }), "wrong-type", "positions");
+      refused(() => pasu.fit({ get positions() { throw new Error("no"); } }, { tolerance: 1 }), "wrong-type", "positions");
       console.log("fitted");
       `,
     );

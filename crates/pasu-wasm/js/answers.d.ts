@@ -310,6 +310,26 @@ export interface Ringed {
   readonly distance: number;
 }
 
+/** A pot of rings through a scan. */
+export interface Scanned {
+  /** The design, where the scan stands. */
+  readonly design: Design;
+  /** How far the scan is from it at most. An estimate: it is looked for at some ten thousand points of the outside. */
+  readonly distance: number;
+  /** The root of the mean of the squares of these distances. */
+  readonly rms: number;
+  /** The same where what stands out at one side like a handle is left out of account, which no ring goes round; null where nothing does. */
+  readonly withoutHandle: Apart | null;
+}
+
+/** How far a scan is from a pot. */
+export interface Apart {
+  /** At most. */
+  readonly distance: number;
+  /** The root of the mean of the squares. */
+  readonly rms: number;
+}
+
 /** How a scene differs from another. Every part of the first is kept, moved, changed or gone, every part of the second kept, moved, changed or added. Titles and names are not compared, but what differs is looked for under its name first. */
 export interface Difference {
   /** Whether both are one scene: the same parts in the same places, glued in the same way, in the same unit. */

@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Difference, Measures, Pulled, Report, Ringed } from "./answers.js";
+import type { Difference, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -358,6 +358,20 @@ export interface Profile {
  * left side of its own each ring has one wave of radius and height.
  */
 export function fit(profile: Profile, options: FitOptions): Ringed;
+
+/** Triangles of a pot that stands upright, as {@link Mesh} and {@link Solid} have them. */
+export interface Scan {
+  /** `[x, y, z, x, y, z, ..]`: points, or the corners of one triangle after the other. */
+  positions: Float32Array | Float64Array;
+  /** The numbers of three points for each triangle; without them every three points are one. */
+  indices?: Uint32Array | undefined;
+}
+
+/**
+ * A pot of `rings` through the outside of a scan, where the scan stands: with as few rings, and waves of them, as keep all of it within the tolerance, or those that come nearest; `distance` says how near. The inside is not looked at,
+ * and where the scan is not closed all round the pot ends.
+ */
+export function fit(scan: Scan, options: FitOptions): Scanned;
 
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;

@@ -26,6 +26,8 @@ mod points;
 #[cfg(feature = "making")]
 mod pull;
 #[cfg(feature = "making")]
+mod scan;
+#[cfg(feature = "making")]
 mod scene;
 mod shape;
 #[cfg(feature = "making")]

@@ -8,6 +8,7 @@ use serde::ser::{Serialize, Serializer};
 use super::limits::{BYTES, MODES, PARTS, VERSION};
 use super::number::plain;
 use super::part::Part;
+use super::placement::Placement;
 use super::quantity::{is_default, or_default, whole};
 use super::shape::Shape;
 use super::unit::Unit;
@@ -94,6 +95,13 @@ impl Design {
     pub(crate) fn with_shape(&self, part: usize, shape: Shape) -> Result<Design> {
         let mut document = self.0.clone();
         document.parts[part].shape = shape;
+        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+    }
+
+    /// The same design with a part in another place.
+    pub(crate) fn placed(&self, part: usize, place: Placement) -> Result<Design> {
+        let mut document = self.0.clone();
+        document.parts[part].place = place;
         Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
     }
 

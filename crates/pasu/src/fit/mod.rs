@@ -1,4 +1,4 @@
-//! A pot of rings that says what something else said: a pot of another kind, or a drawn line.
+//! A pot of rings that says what something else said: a pot of another kind, a drawn line, or a scan.
 
 mod azimuth;
 mod contract;
@@ -7,9 +7,11 @@ mod digits;
 mod free;
 mod line;
 mod profile;
+mod scan;
 mod sections;
 mod series;
 
 pub use contract::Ringed;
 pub use free::free;
 pub use profile::{Profile, fit};
+pub use scan::{Apart, Scan, Scanned, fit_scan};

@@ -2,7 +2,7 @@
 
 use super::difference::{Counterpart, Difference};
 use crate::answer::Answer;
-use crate::fit::Ringed;
+use crate::fit::{Apart, Ringed, Scanned};
 use crate::make::{Finding, MeshReport, Remedy, Report};
 use crate::measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
@@ -44,6 +44,8 @@ pub fn typescript_of_answers() -> String {
         MeshReport::declare,
         Pulled::declare,
         Ringed::declare,
+        Scanned::declare,
+        Apart::declare,
         Difference::declare,
         Counterpart::declare,
     ];

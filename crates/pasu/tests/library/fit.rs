@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use pasu::{Arg, Code, Design, Profile, Rings, Shape, Surface, evaluate, fit, free};
+use pasu::{Arg, Code, Design, MeshOptions, Profile, Rings, Scan, Shape, Surface, evaluate, fit, fit_scan, free, mesh};
 
 fn pot(design: &Design) -> &Rings {
     match &design.parts()[0].shape {
@@ -302,4 +302,79 @@ fn what_is_no_line_is_refused() {
     // A hand that shakes more than the tolerance allows, for longer than 66 rings can follow.
     let shaky = drawn(2000, |u| [5.0 + 0.1 * (997.0 * u).sin(), 20.0 * u]);
     assert_eq!(refused(shaky, 0.001), (Code::ToleranceTooFine, "tolerance".into()));
+}
+
+/// The outside of a pot as a scan, turned into triangles on a grid.
+fn scan_of(design: &Design) -> Scan {
+    let options = MeshOptions { rows: Some(160), columns: Some(241), ..MeshOptions::default() };
+    let mesh = mesh(design, &options).unwrap();
+    let mut scan = Scan::new(mesh.positions);
+    scan.indices = Some(mesh.indices);
+    scan
+}
+
+#[test]
+fn a_scan_becomes_rings_where_it_stands() {
+    let shape = r#"{ "kind": "rings", "rings": [
+        { "u": 0, "r": { "mean": 4, "waves": [{ "n": 5, "cos": 0.2 }] }, "z": { "mean": 0 } },
+        { "u": 0.5, "r": { "mean": 6, "waves": [{ "n": 5, "cos": 0.3, "sin": 0.2 }] }, "z": { "mean": 6 } },
+        { "u": 1, "r": { "mean": 3 }, "z": { "mean": 14 } }] }"#;
+    let text = format!(
+        r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "place": {{ "shift": [3, -2, 5], "axis": [0, 0, 1], "angle": 0.3 }} }}] }}"#
+    );
+    let pot = Design::parse(&text).unwrap();
+    let found = fit_scan(&scan_of(&pot), 0.03).unwrap();
+    assert!(found.distance <= 0.03 && found.rms <= found.distance, "{} {}", found.distance, found.rms);
+    assert_eq!(found.without_handle, None);
+    let [x, y, z] = found.design.parts()[0].place.shift;
+    assert!((x - 3.0).abs() < 0.01 && (y + 2.0).abs() < 0.01 && (z - 5.0).abs() < 1e-6, "{x} {y} {z}");
+    // Independently: every 97th point of the scan, but for those within a level of its edges, is as near to some point of a fine grid on what was found, whose points are no more than 0.06 apart.
+    let options = MeshOptions { rows: Some(500), columns: Some(801), ..MeshOptions::default() };
+    let fine = mesh(&found.design, &options).unwrap();
+    let points = |positions: &[f32]| positions.as_chunks::<3>().0.iter().map(|p| p.map(f64::from)).collect::<Vec<_>>();
+    let (fine, scanned) = (points(&fine.positions), points(&scan_of(&pot).positions));
+    for point in scanned.iter().step_by(97).filter(|point| (5.2..18.8).contains(&point[2])) {
+        let away = |other: &[f64; 3]| (0..3).map(|i| (other[i] - point[i]).powi(2)).sum::<f64>();
+        let nearest = fine.iter().map(away).fold(f64::INFINITY, f64::min).sqrt();
+        assert!(nearest < 0.03 + 0.05, "{point:?}: {nearest}");
+    }
+    assert!(self::pot(&found.design).rings.len() <= 14, "{}", self::pot(&found.design).rings.len());
+}
+
+#[test]
+fn what_a_ring_cannot_say_of_a_scan_is_told() {
+    let pot = Design::parse("#1/fourth-order?r0=2&r1=2&rm=3&h1=6").unwrap();
+    let mut scan = scan_of(&pot);
+    // A handle: what is within 8 degrees of the x axis, half-way up, stands out by 2.
+    for point in scan.positions.as_chunks_mut::<3>().0 {
+        let [x, y, z] = *point;
+        if (1.5..4.5).contains(&z) && y.atan2(x).abs() < 0.14 {
+            point[0] += 2.0;
+        }
+    }
+    let found = fit_scan(&scan, 0.05).unwrap();
+    let without = found.without_handle.unwrap();
+    assert!(found.distance > 1.0 && without.distance < 0.3 && without.rms < 0.06, "{} {without:?}", found.distance);
+}
+
+#[test]
+fn what_is_no_scan_is_refused() {
+    let refused = |scan: &Scan, tolerance: f64, code: Code, path: &str| {
+        let error = fit_scan(scan, tolerance).unwrap_err();
+        assert_eq!((error.code(), error.path()), (code, path), "{error}");
+    };
+    refused(&Scan::new(Vec::new()), 1.0, Code::WrongType, "positions");
+    refused(&Scan::new(vec![0.0; 10]), 1.0, Code::WrongType, "positions");
+    refused(&Scan::new(vec![0.0; 9]), 1.0, Code::UnsupportedShape, "positions");
+    refused(&Scan::new(vec![0.0; 9]), 0.0, Code::OutOfRange, "tolerance");
+    let mut scan = Scan::new(vec![0.0, 0.0, f32::NAN, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0]);
+    refused(&scan, 1.0, Code::NotFinite, "positions[2]");
+    scan.positions[2] = 0.0;
+    scan.indices = Some(vec![0, 1, 3]);
+    refused(&scan, 1.0, Code::OutOfRange, "indices[2]");
+    scan.indices = Some(vec![0, 1]);
+    refused(&scan, 1.0, Code::WrongType, "indices");
+    // The largest numbers there are.
+    let far = Scan::new([f32::MAX, -f32::MAX, 0.0].repeat(300));
+    assert!(fit_scan(&far, 1.0).is_err());
 }
