@@ -1,5 +1,6 @@
 /** A solved design as the page has it: every part with its mesh where it stands, and what is known of all together. */
 
+import { type Box, boxOf } from "../document/box";
 import { extentsOf } from "../document/extents";
 import { type Facts, factsOf } from "../document/facts";
 import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
@@ -18,6 +19,10 @@ export interface SolvedPart {
   readonly matrix: Matrix;
   /** From which height to which that is. */
   readonly span: readonly [low: number, high: number];
+  /** What it fills there; null where it has no points. */
+  readonly box: Box | null;
+  /** What it fills before it is placed. */
+  readonly own: Bounds | null;
 }
 
 /** Parts in the order of the design, and what they fill. */
@@ -71,27 +76,23 @@ export function placedParts(design: Design, answers: readonly PartAnswer[]): Sol
   const extents = extentsOf(all);
   const lifted = standing.map(({ told: { body, closed }, matrix }) => ({ body, closed, lift: matrix[14] ?? 0 }));
   return {
-    parts: standing.map(({ answer: { id, revision, mesh }, matrix, reach }) => ({
+    parts: standing.map(({ answer: { id, revision, mesh }, bounds: own, matrix, reach }) => ({
       id,
       revision,
       mesh,
       matrix,
-      span: spanOf(reach),
+      ...filled(reach),
+      own,
     })),
     bounds,
     facts: bounds && extents && factsOf(lifted, bounds, extents),
   };
 }
 
-/** The least and the greatest height of points. */
-function spanOf(points: Float64Array): readonly [number, number] {
-  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (let at = 2; at < points.length; at += 3) {
-    const z = points[at] ?? 0;
-    low = Math.min(low, z);
-    high = Math.max(high, z);
-  }
-  return low <= high ? [low, high] : [0, 0];
+/** What points fill, and from which height to which. */
+function filled(points: Float64Array): Pick<SolvedPart, "span" | "box"> {
+  const box = boxOf(points);
+  return { span: box ? [box.min[2], box.max[2]] : [0, 0], box };
 }
 
 /** The lines of all parts where they stand; null where they are not all there. */
