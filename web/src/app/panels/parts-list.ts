@@ -45,13 +45,17 @@ export class PasuParts extends DesignerElement {
     const { design, ids, part: place, session } = this.designer.store;
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
-    const objects = [...new Set(design.parts.map(objectOf))];
-    const selected = selectedIds(this.designer.state);
+    // Of hundreds of parts each is looked at once, with every movement of a hand.
+    const counts = new Map<number, number>();
+    for (const part of design.parts) counts.set(objectOf(part), 1 + (counts.get(objectOf(part)) ?? 0));
+    const numbers = new Map([...counts.keys()].map((object, at) => [object, 1 + at]));
+    const objectAt = (at: number) => objectOf(design.parts[at] as Part);
+    const members = (at: number) => counts.get(objectAt(at)) ?? 1;
+    const numberOf = (at: number) => numbers.get(objectAt(at)) ?? 1;
+    const picked = selectedIds(this.designer.state);
     const loose = looseIds(this.designer.state);
-    const members = (at: number) =>
-      design.parts.filter((each) => objectOf(each) === objectOf(design.parts[at] as Part)).length;
-    const allHidden = selected.every((id) => session.hidden.includes(id));
-    const numberOf = (at: number) => 1 + objects.indexOf(design.parts.map(objectOf)[at] ?? 0);
+    const [selected, hidden] = [new Set(picked), new Set(session.hidden)];
+    const allHidden = picked.every((id) => hidden.has(id));
     return html`<section aria-labelledby="parts">
       <h3 id="parts">${parts.heading}</h3>
       <ul
@@ -69,21 +73,21 @@ export class PasuParts extends DesignerElement {
           (id, at) => html`<li
             role="option"
             id="part-${id}"
-            aria-selected=${selected.includes(id) ? "true" : "false"}
+            aria-selected=${selected.has(id) ? "true" : "false"}
             ?data-chosen=${id === chosen}
-            ?data-hidden=${session.hidden.includes(id)}
-            ?data-glued=${objects.length > 1 && members(at) > 1}
+            ?data-hidden=${hidden.has(id)}
+            ?data-glued=${counts.size > 1 && members(at) > 1}
             @click=${(event: MouseEvent) => this.pick(event, id)}
           >
             <span
-              >${partName(at, design.parts[at]?.name)}${session.hidden.includes(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}${
+              >${partName(at, design.parts[at]?.name)}${hidden.has(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}${
                 session.locked.includes(id)
                   ? html`<span class="lock">${icon("locked")}</span><span class="spoken">${parts.isLocked}</span>`
                   : nothing
               }</span
             >
-            ${objects.length > 1 ? this.object(id, numberOf(at), members(at)) : html`<span></span>`}
-            ${this.eye(id, session.hidden.includes(id))}
+            ${counts.size > 1 ? this.object(id, numberOf(at), members(at)) : html`<span></span>`}
+            ${this.eye(id, hidden.has(id))}
           </li>`,
         )}
       </ul>
@@ -105,11 +109,11 @@ export class PasuParts extends DesignerElement {
             if (event.key === "Enter") this.list.focus();
           }}
         />
-        ${this.button(allHidden ? parts.show : parts.hide, allHidden ? "hidden" : "seen", false, () => hideParts(this.designer.state, selected, !allHidden))}
+        ${this.button(allHidden ? parts.show : parts.hide, allHidden ? "hidden" : "seen", false, () => hideParts(this.designer.state, picked, !allHidden))}
         ${
           loose.length === 0
-            ? this.button(parts.unlock, "locked", false, () => lockParts(this.designer.state, selected, false))
-            : this.button(parts.lock, "unlocked", false, () => lockParts(this.designer.state, selected, true))
+            ? this.button(parts.unlock, "locked", false, () => lockParts(this.designer.state, picked, false))
+            : this.button(parts.lock, "unlocked", false, () => lockParts(this.designer.state, picked, true))
         }
         ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
         ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
@@ -117,7 +121,7 @@ export class PasuParts extends DesignerElement {
         ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
       </div>
       <p class="problem" id="taken" role="status"></p>
-      ${selected.length > 1 ? this.several(selected) : ids.length > 1 ? this.glue(chosen) : nothing}
+      ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
       ${this.arrange()}
       ${ids.length > 1 ? html`<pasu-glue-matrix .designer=${this.designer}></pasu-glue-matrix>` : nothing}
       ${hiddenNote(this.designer)}
@@ -191,8 +195,9 @@ export class PasuParts extends DesignerElement {
       if (!part || id === chosen) continue;
       groups.set(objectOf(part), [...(groups.get(objectOf(part)) ?? []), id]);
     }
+    const places = new Map(ids.map((id, at) => [id, at]));
     const names = (members: readonly PartId[]) =>
-      listed(members.map((id) => partName(ids.indexOf(id), design.parts[ids.indexOf(id)]?.name)));
+      listed(members.map((id) => partName(places.get(id) ?? 0, design.parts[places.get(id) ?? 0]?.name)));
     return html`<label class="glue">
       <span>${parts.gluedTo}</span>
       <select
