@@ -241,6 +241,29 @@ test("several parts, free boundary data and a pot that cannot be made are told f
   await page.button("Hide").click();
   await pot.page.locator("pasu-parts [data-hidden]").waitFor();
   await page.check("a hidden part");
+  await pot.page.locator("pasu-arrange summary").click();
+  await page.button("Make the ring").waitFor();
+  await page.check("copies of a part");
+  await pot.page.getByRole("listbox").focus();
+  await pot.page.keyboard.press("Control+a");
+  await page.button("Stand on it").waitFor();
+  await pot.page.locator("pasu-glue-matrix summary").click();
+  await page.check("several parts and what is glued");
+  await page.button("Move").click();
+  for (const name of ["Move", "Turn", "Scale"]) {
+    // By keys: the notice of a new version lies over the bar.
+    await pot.page.getByRole("radio", { name: marked(name), exact: true }).focus();
+    await pot.page.keyboard.press("Space");
+    await page.check(`handles of parts: ${name}`);
+  }
+  await page.button("Lock where it stands").click();
+  await pot.page.locator("pasu-place-bar .note:not([hidden])").waitFor();
+  await page.check("locked parts");
+  await page.button("Unlock").click();
+  await page.button("Move").click();
+  await pot.page.locator("pasu-arrange summary").click();
+  await pot.page.getByRole("listbox").focus();
+  await pot.page.keyboard.press("Home");
   await page.tab("Wall");
   await page.button("Make it a pot").click();
   await page.type("Thickness", "3");

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { extentsOf, isRound } from "./extents";
+import { extentsOf, extentsTogether, farthestOf, isRound } from "./extents";
 
 /** An outline in polar coordinates, with so many points, at two heights. */
 function ring(radius: (v: number) => number, count: number): Float32Array {
@@ -43,4 +43,17 @@ test("what is drawn round with corners is round, and an oval is not", () => {
 test("a single point has no width, and nothing has no extents", () => {
   expect(extentsOf(new Float32Array([1, 2, 3]))).toMatchObject({ height: 0, greatest: { width: 0 } });
   expect(extentsOf(new Float32Array())).toBeNull();
+});
+
+test("extents of several sets are those of all their points", () => {
+  const [one, other] = [
+    ring((v) => 10 + Math.cos(3 * v), 300),
+    ring(() => 4, 77).map((x, i) => (i % 3 === 2 ? x - 3 : x + 9)),
+  ];
+  const all = new Float64Array(one.length + other.length);
+  all.set(one);
+  all.set(other, one.length);
+  expect(extentsTogether([farthestOf(one), farthestOf(other)])).toEqual(extentsOf(all));
+  expect(extentsTogether([farthestOf(other), farthestOf([])])).toEqual(extentsOf(other));
+  expect(extentsTogether([])).toBeNull();
 });

@@ -27,16 +27,55 @@ const DIRECTIONS = 128;
 /** Widths that differ by less have no direction worth drawing: what is round is drawn with corners. */
 const ROUND = 1e-3;
 
+/** The farthest of some points: all that extents go by. */
+export interface Farthest {
+  readonly bottom: number;
+  readonly top: number;
+  /** The one that is farthest in each of the directions, `x, y` after `x, y`, and how far that is. */
+  readonly corners: Float64Array;
+  readonly far: Float64Array;
+}
+
 /** Extents of points (xyz); null where there is none. */
 export function extentsOf(positions: ArrayLike<number>): Extents | null {
+  return extentsTogether([farthestOf(positions)]);
+}
+
+/** The farthest of points (xyz). */
+export function farthestOf(positions: ArrayLike<number>): Farthest {
   let [bottom, top] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (let i = 2; i < positions.length; i += 3) {
-    const z = positions[i] ?? 0;
+    const z = positions[i] as number;
     if (z < bottom) bottom = z;
     if (z > top) top = z;
   }
+  const corners = new Float64Array(2 * DIRECTIONS);
+  const far = new Float64Array(DIRECTIONS).fill(Number.NEGATIVE_INFINITY);
+  for (let k = 0; k < DIRECTIONS; k += 1) {
+    const angle = (2 * Math.PI * k) / DIRECTIONS;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    for (let i = 0; i < positions.length; i += 3) {
+      const [x, y] = [positions[i] as number, positions[i + 1] as number];
+      const along = c * x + s * y;
+      if (along > (far[k] as number)) {
+        far[k] = along;
+        corners[2 * k] = x;
+        corners[2 * k + 1] = y;
+      }
+    }
+  }
+  return { bottom, top, corners, far };
+}
+
+/** Extents of several sets of points, of which the farthest are known: what has not moved is not looked through again. */
+export function extentsTogether(sets: readonly Farthest[]): Extents | null {
+  let [bottom, top] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const set of sets) {
+    if (set.bottom < bottom) bottom = set.bottom;
+    if (set.top > top) top = set.top;
+  }
   if (!(top >= bottom)) return null;
-  const corners = cornersOf(positions);
+  const corners = cornersOf(sets);
   let greatest: Span = { direction: 0, low: 0, width: -1 };
   let least: Span = { direction: 0, low: 0, width: Number.POSITIVE_INFINITY };
   const consider = (dx: number, dy: number) => {
@@ -66,17 +105,12 @@ export function isRound({ greatest, least }: Extents): boolean {
 type Corner = readonly [x: number, y: number];
 
 /** The points that are farthest in one of the directions, in the order of these: an outline as seen from above, without its hollows. */
-function cornersOf(positions: ArrayLike<number>): readonly Corner[] {
+function cornersOf(sets: readonly Farthest[]): readonly Corner[] {
   const corners: Corner[] = [];
   for (let k = 0; k < DIRECTIONS; k += 1) {
-    const angle = (2 * Math.PI * k) / DIRECTIONS;
-    const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    let [best, at] = [Number.NEGATIVE_INFINITY, 0];
-    for (let i = 0; i < positions.length; i += 3) {
-      const along = c * (positions[i] as number) + s * (positions[i + 1] as number);
-      if (along > best) [best, at] = [along, i];
-    }
-    const corner: Corner = [positions[at] ?? 0, positions[at + 1] ?? 0];
+    let best = sets[0];
+    for (const set of sets) if ((set.far[k] as number) > (best?.far[k] as number)) best = set;
+    const corner: Corner = [best?.corners[2 * k] ?? 0, best?.corners[2 * k + 1] ?? 0];
     const before = corners.at(-1);
     if (!before || before[0] !== corner[0] || before[1] !== corner[1]) corners.push(corner);
   }

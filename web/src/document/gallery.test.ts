@@ -10,7 +10,7 @@ import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
-import { SCENES } from "./gallery/scenes";
+import { GLUED, SCENES } from "./gallery/scenes";
 
 interface Case {
   readonly name: string;
@@ -39,6 +39,7 @@ test("every exhibit is on one shelf, under a title and a note of its own", () =>
       NETWORKED.length +
       OCTANTS.length +
       SCENES.length +
+      GLUED.length +
       EXAMPLES.length,
   );
   expect(new Set(shown.map((exhibit) => exhibit.id)).size).toBe(shown.length);

@@ -7,7 +7,7 @@ import { OCTANTS } from "./gallery/octants";
 import { OWN } from "./gallery/own";
 import { PAPERS } from "./gallery/papers";
 import { RINGED } from "./gallery/rings";
-import { SCENES } from "./gallery/scenes";
+import { GLUED, SCENES } from "./gallery/scenes";
 
 export type ExhibitId = (
   | typeof OWN
@@ -17,6 +17,7 @@ export type ExhibitId = (
   | typeof NETWORKED
   | typeof OCTANTS
   | typeof SCENES
+  | typeof GLUED
   | typeof EXAMPLES
 )[number]["id"];
 
@@ -47,7 +48,7 @@ export const SHELVES: readonly Shelf[] = [
   },
   {
     id: "scenes",
-    exhibits: SCENES,
+    exhibits: [...SCENES, ...GLUED],
   },
   {
     id: "blends",

@@ -1,9 +1,9 @@
 /** The tools at the foot of the stage: standard views, zoom, and what is drawn over the pot. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Stage } from "../render/stage";
-import { toggleOverlay, togglePulling } from "../state/actions";
+import { toggleOverlay, togglePlacing, togglePulling } from "../state/actions";
 import type { Overlays } from "../state/session";
 import { type IconName, icon } from "../ui/icons";
 import { DesignerElement } from "./designer-element";
@@ -40,6 +40,7 @@ export class PasuStageTools extends DesignerElement {
       >
         ${icon("pull")}<span>${page.pull}</span>
       </button>
+      ${this.move()}
       <div class="views">${this.views("button")}</div>
       <div class="zooms">
         ${ZOOMS.map(
@@ -60,6 +61,22 @@ export class PasuStageTools extends DesignerElement {
       </pasu-menu>
       <pasu-menu label=${page.overlays} icon="layers" side="up" bare>${this.overlays()}</pasu-menu>
     </div>`;
+  }
+
+  /** Moves whole parts, where there are several. By its key one alone is moved too. */
+  private move() {
+    const { designer } = this;
+    const { ids, session } = designer.store;
+    if (ids.length < 2 && !session.placing) return nothing;
+    return html`<button
+      class="button pull"
+      type="button"
+      aria-pressed=${session.placing ? "true" : "false"}
+      title=${page.keyed(page.moveParts, "M")}
+      @click=${() => designer.apply(togglePlacing(designer.state))}
+    >
+      ${icon("move")}<span>${page.move}</span>
+    </button>`;
   }
 
   private views(style: string) {

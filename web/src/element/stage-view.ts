@@ -5,9 +5,10 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
-import { togglePulling } from "../state/actions";
+import { togglePlacing, togglePulling } from "../state/actions";
 import type { PartId } from "../state/part-ids";
-import { selectParts } from "../state/seen-actions";
+import { alsoSelect, selectedIds, selectParts } from "../state/seen-actions";
+import type { Change, State } from "../state/store";
 import type { Camera } from "../state/viewed";
 import { base, buttons } from "../ui/styles";
 import { wheel } from "../ui/wheel";
@@ -27,6 +28,9 @@ const OTHER_SIZE = 1.6;
 
 /** A graphics context that has not come back by then, in milliseconds, is taken for lost. */
 const PATIENCE = 5000;
+
+/** The keys that take up a tool, or put it down. */
+const TOOLS: Readonly<Record<string, (state: State) => Change>> = { p: togglePulling, m: togglePlacing };
 
 @customElement("pasu-stage")
 export class PasuStage extends DesignerElement {
@@ -107,9 +111,10 @@ export class PasuStage extends DesignerElement {
     return {
       theme: this.theme(),
       lengths: LENGTH_LABELS[unitOf(this.designer.store.design)],
-      onTap: (part: PartId | string) => {
+      onTap: (part: PartId | string, adds: boolean) => {
         const { designer } = this;
-        if (designer.store.ids.length > 1) designer.apply(selectParts(Number(part)));
+        if (designer.store.ids.length < 2) return;
+        designer.apply(adds ? alsoSelect(designer.state, Number(part)) : selectParts(Number(part)));
       },
       onDrawn: () => {
         if (this.drawn) trace("drawn", this.drawn.change);
@@ -135,7 +140,7 @@ export class PasuStage extends DesignerElement {
     // On a narrow screen the bar of the tool that pulls stands where the caption was.
     const caption = this.renderRoot.querySelector("#description:not(:empty)");
     const hidden = caption !== null && getComputedStyle(caption).visibility === "hidden";
-    const [box = null] = boxOf(hidden ? "pasu-pull-bar" : "#description:not(:empty)");
+    const [box = null] = boxOf(hidden ? "pasu-pull-bar, pasu-place-bar" : "#description:not(:empty)");
     stage.furnish(box, boxOf("pasu-stage-tools"));
   }
 
@@ -176,10 +181,16 @@ export class PasuStage extends DesignerElement {
     return mode === "still" || mode === "gone";
   }
 
-  /** What pulls at the pot, fetched when it is taken up. */
+  /** What pulls at the pot, or moves its parts, fetched when it is taken up. */
   private hand() {
     const { designer, stage } = this;
-    if (!designer.store.session.pulling || !stage || this.holder.mode !== "live") return nothing;
+    const { pulling, placing } = designer.store.session;
+    if (!(pulling || placing) || !stage || this.holder.mode !== "live") return nothing;
+    if (placing) {
+      import("./place/place-handles").catch(() => designer.notices.say(page.unfetched));
+      return html`<pasu-place-handles .designer=${designer} .stage=${stage}></pasu-place-handles
+        ><pasu-place-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-place-bar>`;
+    }
     const kind = designer.state.design.parts[designer.state.part]?.shape.kind;
     if (kind === "vertex-frame") {
       import("./network/network-handles").catch(() => designer.notices.say(page.unfetched));
@@ -232,7 +243,7 @@ export class PasuStage extends DesignerElement {
     stage.measure(designer.extents);
     stage.overlays(session.overlays);
     // Of a pot of one part there is nothing to tell apart.
-    stage.select(design.parts.length > 1 ? (session.selection.at(-1) ?? null) : null);
+    stage.select(design.parts.length > 1 && session.selection.length > 0 ? selectedIds(designer.store) : []);
     if (designer.made && !this.making) void this.make(stage);
     this.made?.update();
     if (comparison !== this.compared) {
@@ -345,9 +356,10 @@ export class PasuStage extends DesignerElement {
   private readonly key = (event: KeyboardEvent): void => {
     const { designer, stage } = this;
     if (!stage || stageKey(event, stage)) return;
-    if (event.key.toLowerCase() !== "p" || event.ctrlKey || event.metaKey || event.altKey) return;
+    const tool = TOOLS[event.key.toLowerCase()];
+    if (!tool || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    designer.apply(togglePulling(designer.state));
+    designer.apply(tool(designer.state));
   };
 
   static override readonly styles = [
@@ -434,7 +446,7 @@ export class PasuStage extends DesignerElement {
         }
         /* The captions, or the bar of a tool, stand in its place. */
         pasu-captions ~ .foot #description,
-        pasu-pull ~ .foot #description {
+        :is(pasu-pull, pasu-place-bar) ~ .foot #description {
           visibility: hidden;
         }
         pasu-stage-tools {

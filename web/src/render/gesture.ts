@@ -3,8 +3,8 @@ export interface GestureTarget {
   orbit(dx: number, dy: number): void;
   pan(dx: number, dy: number): void;
   zoom(factor: number): void;
-  /** The first button, a pen or one finger came down and went up again at about the same place of the window. */
-  tap(x: number, y: number): void;
+  /** The first button, a pen or one finger came down and went up again at about the same place of the window; `adds` with the shift or the control key. */
+  tap(x: number, y: number, adds: boolean): void;
   /** A gesture has begun or ended: pictures may be coarser in between. */
   gesture(active: boolean): void;
 }
@@ -36,7 +36,7 @@ export class Gesture {
   /** How many pointers make a gesture. */
   private needed = 1;
   /** Where a touch came down that may turn out to be a tap. */
-  private tapped: { readonly x: number; readonly y: number } | null = null;
+  private tapped: { readonly x: number; readonly y: number; readonly adds: boolean } | null = null;
   private readonly listeners = new AbortController();
 
   constructor(
@@ -71,7 +71,8 @@ export class Gesture {
     if (this.pointers.size === 0) {
       this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
       this.needed = this.page && event.pointerType !== "mouse" ? 2 : 1;
-      this.tapped = this.moves ? null : { x: event.clientX, y: event.clientY };
+      const adds = event.shiftKey || event.ctrlKey || event.metaKey;
+      this.tapped = event.button === 0 ? { x: event.clientX, y: event.clientY, adds } : null;
     } else this.tapped = null;
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     this.tell();
@@ -117,7 +118,7 @@ export class Gesture {
     if (this.pointers.size > 0) return;
     const { tapped } = this;
     this.tapped = null;
-    if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY);
+    if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY, tapped.adds);
   };
 
   /** Says when a gesture begins and ends. */

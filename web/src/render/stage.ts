@@ -31,8 +31,8 @@ export interface StageOptions {
   /** The browser took the graphics context away; the picture stands still until it is back. */
   onContextLost?(): void;
   onContextRestored?(): void;
-  /** A part was clicked on, without turning anything. */
-  onTap?(part: PartId): void;
+  /** A part was clicked on, without turning anything; with the shift or the control key `adds` is true. */
+  onTap?(part: PartId, adds: boolean): void;
   /** The camera came to rest somewhere else. */
   onCamera?(camera: CameraPose): void;
   /** A frame was drawn, as far as this thread is concerned. */
@@ -140,7 +140,7 @@ export class Stage {
   private readonly settings = new Map<string, unknown>();
   private guest: Guest | null = null;
   private readonly tools = new Set<Tool>();
-  private selected: PartId | null = null;
+  private selected: readonly PartId[] = [];
 
   /** Whether the stage can work here: WebGL2 is present. */
   static supported(): boolean {
@@ -183,7 +183,7 @@ export class Stage {
       orbit: (dx, dy) => this.turnByPixels(dx, dy),
       pan: (dx, dy) => this.pan(dx, dy),
       zoom: (factor) => this.zoom(factor),
-      tap: (x, y) => this.tap(x, y),
+      tap: (x, y, adds) => this.tap(x, y, adds),
       gesture: (active) => {
         this.gesturing = active;
         this.loop.invalidate();
@@ -257,16 +257,16 @@ export class Stage {
     return [width, height];
   }
 
-  /** Outlines a part among several, or none; not in pictures. */
-  select(part: PartId | null): void {
-    if (!this.differs("selected", part)) return;
-    this.selected = part;
+  /** Outlines parts among several, or none; not in pictures. */
+  select(parts: readonly PartId[]): void {
+    if (!this.differs("selected", parts.join())) return;
+    this.selected = parts;
   }
 
-  private tap(x: number, y: number): void {
+  private tap(x: number, y: number, adds: boolean): void {
     const { left, top } = this.root.getBoundingClientRect();
     const part = this.options.onTap ? this.pick(x - left, y - top) : null;
-    if (part !== null) this.options.onTap?.(part);
+    if (part !== null) this.options.onTap?.(part, adds);
   }
 
   /** Whether all of the pot is on the stage, where the camera is going to be. */
@@ -613,7 +613,7 @@ export class Stage {
     this.overlay.prepare(this.tableau.main, [Math.cos(azimuth), Math.sin(azimuth)]);
     this.mark.update(
       this.tableau.main,
-      this.model.parts.findIndex(({ id }) => id === this.selected),
+      this.model.parts.flatMap(({ id }, place) => (this.selected.includes(id) ? [place] : [])),
     );
     this.tableau.light(camera, aspect);
     this.tableau.backdrop.aspect.value = aspect;

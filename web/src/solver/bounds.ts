@@ -1,5 +1,6 @@
 /** What the vertices of a mesh fill. */
 
+import type { Box } from "../document/box";
 import { type Matrix, placedAll } from "../document/placement";
 import type { Triple } from "../document/types";
 
@@ -24,24 +25,21 @@ export function around(a: Bounds | null, b: Bounds | null): Bounds | null {
   return { min, max, centre, radius: Math.max(reach(a), reach(b)) };
 }
 
-/** A part where it stands: what it fills before placement, and the points that tell how far it reaches then. */
+/** A part where it stands: what it fills before placement, and after it. */
 export interface Standing {
   readonly matrix: Matrix;
   readonly bounds: Bounds | null;
-  /** Placed. */
-  readonly reach: Float64Array;
+  readonly box: Box | null;
 }
 
 /** What parts fill together where they stand. The box is that of their farthest points; the radius is large enough. */
 export function boundsOfParts(parts: readonly Standing[]): Bounds | null {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  for (const { reach } of parts) {
-    for (let i = 0; i < reach.length; i += 1) {
-      const x = reach[i] as number;
-      const axis = i % 3;
-      if (x < (min[axis] as number)) min[axis] = x;
-      if (x > (max[axis] as number)) max[axis] = x;
+  for (const { box } of parts) {
+    for (const axis of [0, 1, 2] as const) {
+      min[axis] = Math.min(min[axis] as number, box?.min[axis] ?? Infinity);
+      max[axis] = Math.max(max[axis] as number, box?.max[axis] ?? -Infinity);
     }
   }
   const [x0, y0, z0] = min as [number, number, number];

@@ -1,9 +1,10 @@
 /** A solved design as the page has it: every part with its mesh where it stands, and what is known of all together. */
 
-import { extentsOf } from "../document/extents";
+import { type Box, boxOf } from "../document/box";
+import { extentsTogether, type Farthest, farthestOf } from "../document/extents";
 import { type Facts, factsOf } from "../document/facts";
 import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
-import type { Design } from "../document/types";
+import type { Design, Placement } from "../document/types";
 import type { PartId } from "../state/part-ids";
 import { type Bounds, boundsOfParts } from "./bounds";
 import { placedLines } from "./lines";
@@ -18,6 +19,10 @@ export interface SolvedPart {
   readonly matrix: Matrix;
   /** From which height to which that is. */
   readonly span: readonly [low: number, high: number];
+  /** What it fills there; null where it has no points. */
+  readonly box: Box | null;
+  /** What it fills before it is placed. */
+  readonly own: Bounds | null;
 }
 
 /** Parts in the order of the design, and what they fill. */
@@ -57,41 +62,49 @@ export interface PartAnswer {
 
 /** Puts parts where a design has them, which are in its order. */
 export function placedParts(design: Design, answers: readonly PartAnswer[]): SolvedParts & Pick<Solved, "facts"> {
-  const standing = answers.map(({ told, ...answer }, place) => {
-    const matrix = matrixOf(design.parts[place]?.place) ?? IDENTITY;
-    return { answer, told, matrix, bounds: told.bounds, reach: placedAll(matrix, told.reach) };
-  });
+  const standing = answers.map(({ told, ...answer }, place) => ({
+    answer,
+    told,
+    bounds: told.bounds,
+    ...standingOf(told.reach, design.parts[place]?.place),
+  }));
   const bounds = boundsOfParts(standing);
-  const all = new Float64Array(standing.reduce((sum, { reach }) => sum + reach.length, 0));
-  let first = 0;
-  for (const { reach } of standing) {
-    all.set(reach, first);
-    first += reach.length;
-  }
-  const extents = extentsOf(all);
+  const extents = extentsTogether(standing.map(({ farthest }) => farthest));
   const lifted = standing.map(({ told: { body, closed }, matrix }) => ({ body, closed, lift: matrix[14] ?? 0 }));
   return {
-    parts: standing.map(({ answer: { id, revision, mesh }, matrix, reach }) => ({
+    parts: standing.map(({ answer: { id, revision, mesh }, bounds: own, matrix, box }) => ({
       id,
       revision,
       mesh,
       matrix,
-      span: spanOf(reach),
+      span: box ? [box.min[2], box.max[2]] : [0, 0],
+      box,
+      own,
     })),
     bounds,
     facts: bounds && extents && factsOf(lifted, bounds, extents),
   };
 }
 
-/** The least and the greatest height of points. */
-function spanOf(points: Float64Array): readonly [number, number] {
-  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (let at = 2; at < points.length; at += 3) {
-    const z = points[at] ?? 0;
-    low = Math.min(low, z);
-    high = Math.max(high, z);
-  }
-  return low <= high ? [low, high] : [0, 0];
+/** Where a part stands by its placement, and how far it reaches there. */
+interface Stood {
+  readonly place: Placement | undefined;
+  readonly matrix: Matrix;
+  readonly box: Box | null;
+  readonly farthest: Farthest;
+}
+
+/** Of many parts one is moved: where the others stand is found once for each mesh and placement. */
+const stood = new WeakMap<Float32Array, Stood>();
+
+function standingOf(reach: Float32Array, place: Placement | undefined): Stood {
+  const known = stood.get(reach);
+  if (known && known.place === place) return known;
+  const matrix = matrixOf(place) ?? IDENTITY;
+  const placed = placedAll(matrix, reach);
+  const found = { place, matrix, box: boxOf(placed), farthest: farthestOf(placed) };
+  stood.set(reach, found);
+  return found;
 }
 
 /** The lines of all parts where they stand; null where they are not all there. */

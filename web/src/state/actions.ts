@@ -6,7 +6,7 @@ import { inUnit, scaled, type Walls } from "../document/scaled";
 import { LIMITS } from "../document/tables.gen";
 import type { Design, Look, OrderKind, Unit } from "../document/types";
 import { freshIds } from "./part-ids";
-import type { Overlays, Session, Tab, ThemeChoice } from "./session";
+import type { Handling, Overlays, Session, Tab, ThemeChoice } from "./session";
 import type { Change, State } from "./store";
 
 export const MAX_TITLE = LIMITS.characters;
@@ -81,7 +81,21 @@ export function toggleExplain(state: State): Change {
 
 /** Takes up the tool that pulls, or puts it down. */
 export function togglePulling(state: State): Change {
-  return { undo: "none", session: { pulling: !state.session.pulling } };
+  return { undo: "none", session: { pulling: !state.session.pulling, placing: false } };
+}
+
+/** Takes up the tool that moves whole parts, or puts it down. */
+export function togglePlacing(state: State): Change {
+  return { undo: "none", session: { placing: !state.session.placing, pulling: false } };
+}
+
+/** What a hand does with whole parts. */
+export function setHandling(handling: Handling): Change {
+  return { undo: "none", session: { handling } };
+}
+
+export function toggleSnapping({ session }: State): Change {
+  return { undo: "none", session: { snapping: !session.snapping } };
 }
 
 /** Remembers what was chosen for a file. */

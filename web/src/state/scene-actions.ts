@@ -1,7 +1,10 @@
 /** What a person can do to the parts of a design as a whole: pure functions from a state to the change that they ask for. */
 
+import { sum } from "../document/moving";
 import { setPath } from "../document/path";
-import type { Part, Triple } from "../document/types";
+import { UNMOVED, type WholePlacement } from "../document/placement";
+import { LIMITS } from "../document/tables.gen";
+import type { Part, Placement, Triple } from "../document/types";
 import { freshIds, type PartId } from "./part-ids";
 import type { Change, State } from "./store";
 
@@ -67,22 +70,58 @@ export function gluePart(state: State, id: PartId, other: PartId | null): Change
 
 /** A copy of a part after it, so far to its right that it touches nothing: an object of its own, and selected. */
 export function duplicatePart(state: State, id: PartId, aside: number): Change {
-  const { design, ids, fresh } = state;
-  const place = ids.indexOf(id);
-  const part = design.parts[place];
-  if (!part) return NOTHING;
-  const { name, ...rest } = part;
-  const [x, y, z] = part.place?.shift ?? [0, 0, 0];
-  const copy: Part = {
-    ...rest,
-    ...(name !== undefined && { name: freeName(design.parts, name) }),
-    object: freeObject(design.parts),
-    place: { ...part.place, shift: [x + aside, y, z] },
-  };
+  return duplicateParts(state, [id], aside);
+}
+
+/** Copies of parts after the last of them, so far to their right that they touch nothing, glued as those are, and selected. */
+export function duplicateParts(state: State, ids: readonly PartId[], aside: number): Change {
+  return copyParts(state, ids, [(place) => ({ ...place, shift: sum(place.shift, [aside, 0, 0]) })], false);
+}
+
+/**
+ * Copies of parts after the last of them, once for each of `where`, which says where each of them goes. What is glued among them is glued in each copy, and to nothing else. A design of more
+ * parts than there may be comes of none. The last copy is selected, or with `also` the parts themselves and all copies.
+ */
+export function copyParts(
+  state: State,
+  ids: readonly PartId[],
+  where: readonly ((place: WholePlacement) => WholePlacement)[],
+  also: boolean,
+): Change {
+  const { design, fresh } = state;
+  const places = state.ids.flatMap((id, place) => (ids.includes(id) ? [place] : []));
+  const after = 1 + (places.at(-1) ?? -1);
+  const count = places.length * where.length;
+  if (count === 0 || design.parts.length + count > LIMITS.parts) return NOTHING;
+  const all = [...design.parts];
+  for (const to of where) {
+    const objects = new Map<number, number>();
+    const taken = new Set(all.map(objectOf));
+    const objectFor = (object: number): number => {
+      const known = objects.get(object);
+      if (known !== undefined) return known;
+      let free = 0;
+      while (taken.has(free)) free += 1;
+      taken.add(free);
+      objects.set(object, free);
+      return free;
+    };
+    for (const place of places) {
+      const { name, ...rest } = design.parts[place] as Part;
+      all.push({
+        ...rest,
+        ...(name !== undefined && { name: freeName(all, name) }),
+        object: objectFor(objectOf(rest)),
+        place: briefly(to({ ...UNMOVED, ...rest.place }), rest.place),
+      });
+    }
+  }
+  const copies = all.slice(design.parts.length);
+  const more = freshIds(count, fresh);
   return {
-    design: { ...design, parts: design.parts.toSpliced(place + 1, 0, copy) },
-    ids: ids.toSpliced(place + 1, 0, fresh),
-    session: { selection: [fresh] },
+    design: { ...design, parts: design.parts.toSpliced(after, 0, ...copies) },
+    ids: state.ids.toSpliced(after, 0, ...more),
+    session: { selection: also ? [...more, ...ids] : more.slice(-places.length) },
     undo: "step",
   };
 }
@@ -108,18 +147,77 @@ export function addParts(state: State, parts: readonly Part[], by: Triple): Chan
   };
 }
 
+/** A placement that says what it has to, and what that before said. */
+function briefly(place: WholePlacement, before: Placement | undefined): Placement {
+  const said = Object.entries(place).filter(
+    ([key, value]) => (before && key in before) || String(value) !== String(UNMOVED[key as keyof Placement]),
+  );
+  return Object.fromEntries(said);
+}
+
 /** Takes a part away and selects the one that follows it, or else the one before. A design has one part at least. */
 export function deletePart(state: State, id: PartId): Change {
+  return deleteParts(state, [id]);
+}
+
+/** Takes parts away and selects what follows the last of them, or else what is before. Of all parts none goes. */
+export function deleteParts(state: State, gone: readonly PartId[]): Change {
   const { design, ids } = state;
-  const place = ids.indexOf(id);
-  if (place < 0 || ids.length < 2) return NOTHING;
-  const left = ids.toSpliced(place, 1);
+  const left = ids.filter((id) => !gone.includes(id));
+  const last = ids.findLastIndex((id) => gone.includes(id));
+  if (last < 0 || left.length === 0) return NOTHING;
+  const next = ids.slice(last).find((id) => left.includes(id)) ?? left.at(-1);
   return {
-    design: { ...design, parts: design.parts.toSpliced(place, 1) },
+    design: { ...design, parts: design.parts.filter((_, place) => left.includes(ids[place] as PartId)) },
     ids: left,
-    session: { selection: left.slice(Math.min(place, left.length - 1)).slice(0, 1) },
+    session: { selection: next === undefined ? [] : [next] },
     undo: "step",
   };
+}
+
+/** Glues parts together: into the object of the last of them, with all that was glued to any of them. */
+export function glueTogether(state: State, ids: readonly PartId[]): Change {
+  const { design } = state;
+  const chosen = ids.map((id) => design.parts[state.ids.indexOf(id)]).filter((part) => part !== undefined);
+  const into = chosen.at(-1);
+  if (!into) return NOTHING;
+  const joined = new Set(chosen.map(objectOf));
+  return inObjects(state, (part) => (joined.has(objectOf(part)) ? objectOf(into) : objectOf(part)));
+}
+
+/** Makes each of some parts an object of its own. */
+export function separateParts(state: State, ids: readonly PartId[]): Change {
+  const { design } = state;
+  const taken = new Set(design.parts.map(objectOf));
+  const counts = new Map<number, number>();
+  for (const part of design.parts) counts.set(objectOf(part), 1 + (counts.get(objectOf(part)) ?? 0));
+  return inObjects(state, (part, id) => {
+    const object = objectOf(part);
+    const others = (counts.get(object) ?? 1) - 1;
+    if (!ids.includes(id) || others === 0) return object;
+    counts.set(object, others);
+    let free = 0;
+    while (taken.has(free)) free += 1;
+    taken.add(free);
+    return free;
+  });
+}
+
+/** All parts that are glued to any of these, and these. */
+export function gluedTo({ design, ids }: Pick<State, "design" | "ids">, some: readonly PartId[]): readonly PartId[] {
+  const objects = new Set(some.flatMap((id) => design.parts[ids.indexOf(id)] ?? []).map(objectOf));
+  return ids.filter((_, place) => objects.has(objectOf(design.parts[place] as Part)));
+}
+
+/** Puts every part into the object that it is told. */
+function inObjects(state: State, of: (part: Part, id: PartId) => number): Change {
+  const { design, ids } = state;
+  let next = design;
+  for (const [place, part] of design.parts.entries()) {
+    const object = of(part, ids[place] as PartId);
+    if (object !== objectOf(part)) next = setPath(next, ["parts", place, "object"], object === 0 ? undefined : object);
+  }
+  return next === design ? NOTHING : { design: next, undo: "step" };
 }
 
 /** The least number that no object has. */

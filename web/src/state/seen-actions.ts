@@ -7,6 +7,21 @@ export function selectParts(...selection: readonly PartId[]): Change {
   return { undo: "none", session: { selection } };
 }
 
+/** The selected parts that are there, the one that panels are about last. */
+export function selectedIds({ ids, part, session }: Pick<State, "ids" | "part" | "session">): readonly PartId[] {
+  const there = session.selection.filter((id, at, all) => ids.includes(id) && all.lastIndexOf(id) === at);
+  const only = ids[part];
+  return there.length > 0 || only === undefined ? there : [only];
+}
+
+/** Selects a part besides the others, or takes it out of the selection; one stays selected. */
+export function alsoSelect(state: State, id: PartId): Change {
+  const now = selectedIds(state);
+  const left = now.filter((each) => each !== id);
+  if (now.includes(id)) return left.length > 0 ? selectParts(...left) : { undo: "none" };
+  return selectParts(...now, id);
+}
+
 /** Hides a part, or shows it again. It stays in the design, in its measures and in its files. */
 export function togglePart({ session }: State, id: PartId): Change {
   const { hidden } = session;

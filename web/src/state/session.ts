@@ -19,6 +19,10 @@ export interface Overlays {
   readonly cut: boolean;
 }
 
+/** What a hand does with whole parts on the stage. */
+export type Handling = "move" | "turn" | "scale";
+export const HANDLINGS: readonly Handling[] = ["move", "turn", "scale"];
+
 export interface Session {
   /** The selected parts, the one that panels are about last; those that undo may bring back among them. */
   readonly selection: readonly PartId[];
@@ -39,8 +43,15 @@ export interface Session {
   readonly fill: number | null;
   /** What was last chosen for files: the clay stays the same from pot to pot. */
   readonly export: { readonly format: Format; readonly shrinkage: number };
+  /** Parts that no hand moves, turns, scales or deletes. */
+  readonly locked: readonly PartId[];
   /** Whether a hand on the stage pulls the pot, and does not turn it. */
   readonly pulling: boolean;
+  /** Whether a hand on the stage moves whole parts: never while it pulls. */
+  readonly placing: boolean;
+  readonly handling: Handling;
+  /** Whether what a hand moves goes in steps, and comes to stand on the table. */
+  readonly snapping: boolean;
   /** How much more clay is wedged than the pot has, for trimming and waste, in percent. */
   readonly allowance: number;
 }
@@ -57,6 +68,10 @@ export const NEW_SESSION: Session = {
   map: null,
   fill: null,
   export: { format: "3mf", shrinkage: 0 },
+  locked: [],
   pulling: false,
+  placing: false,
+  handling: "move",
+  snapping: false,
   allowance: 20,
 };

@@ -26,7 +26,11 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   map: "nowhere",
   fill: "nowhere",
   export: "browser",
+  locked: "nowhere",
   pulling: "nowhere",
+  placing: "nowhere",
+  handling: "nowhere",
+  snapping: "browser",
   allowance: "browser",
 };
 

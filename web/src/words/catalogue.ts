@@ -3,6 +3,7 @@
  * language is one file with all of it, `Catalogue` by type, and a line in `languages.ts`.
  */
 
+import type { arranging } from "./english/arranging";
 import type { beginnings } from "./english/beginnings";
 import type { blends } from "./english/blends";
 import type { comparing } from "./english/comparing";
@@ -14,6 +15,7 @@ import type { equation } from "./english/equation";
 import type { exporting } from "./english/export";
 import type { freeing } from "./english/freeing";
 import type { gallery } from "./english/gallery";
+import type { handling } from "./english/handling";
 import type { help } from "./english/help";
 import type { link } from "./english/link";
 import type { look } from "./english/look";
@@ -44,6 +46,7 @@ import type { water } from "./english/water";
 import type { wedging } from "./english/wedging";
 
 export interface Catalogue {
+  readonly arranging: typeof arranging;
   readonly beginnings: typeof beginnings;
   readonly blends: typeof blends;
   readonly comparing: typeof comparing;
@@ -55,6 +58,7 @@ export interface Catalogue {
   readonly exporting: typeof exporting;
   readonly freeing: typeof freeing;
   readonly gallery: typeof gallery;
+  readonly handling: typeof handling;
   readonly help: typeof help;
   readonly link: typeof link;
   readonly look: typeof look;

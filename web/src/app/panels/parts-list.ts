@@ -3,26 +3,33 @@
 import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
+import type { Part } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { listed } from "../../language";
 import type { PartId } from "../../state/part-ids";
 import {
-  deletePart,
-  duplicatePart,
+  deleteParts,
+  duplicateParts,
+  gluedTo,
   gluePart,
+  glueTogether,
   isTaken,
   MAX_NAME,
   movePart,
   objectOf,
   renamePart,
+  separateParts,
 } from "../../state/scene-actions";
-import { selectParts, togglePart } from "../../state/seen-actions";
+import { alsoSelect, selectedIds, selectParts, togglePart } from "../../state/seen-actions";
+import { hideParts, lockParts, looseIds, selectThrough } from "../../state/several-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
 import { parts } from "../../words/english/parts";
 import { partName } from "../../words/parts";
 import { hiddenNote } from "../hidden-note";
+import "./arrange-card";
+import "./glue-matrix";
 
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
@@ -38,12 +45,22 @@ export class PasuParts extends DesignerElement {
     const { design, ids, part: place, session } = this.designer.store;
     const chosen = ids[place];
     if (chosen === undefined) return nothing;
-    const objects = [...new Set(design.parts.map(objectOf))];
-    const numberOf = (at: number) => 1 + objects.indexOf(design.parts.map(objectOf)[at] ?? 0);
+    // Of hundreds of parts each is looked at once, with every movement of a hand.
+    const counts = new Map<number, number>();
+    for (const part of design.parts) counts.set(objectOf(part), 1 + (counts.get(objectOf(part)) ?? 0));
+    const numbers = new Map([...counts.keys()].map((object, at) => [object, 1 + at]));
+    const objectAt = (at: number) => objectOf(design.parts[at] as Part);
+    const members = (at: number) => counts.get(objectAt(at)) ?? 1;
+    const numberOf = (at: number) => numbers.get(objectAt(at)) ?? 1;
+    const picked = selectedIds(this.designer.state);
+    const loose = looseIds(this.designer.state);
+    const [selected, hidden] = [new Set(picked), new Set(session.hidden)];
+    const allHidden = picked.every((id) => hidden.has(id));
     return html`<section aria-labelledby="parts">
       <h3 id="parts">${parts.heading}</h3>
       <ul
         role="listbox"
+        aria-multiselectable="true"
         tabindex="0"
         aria-labelledby="parts"
         aria-describedby="keys"
@@ -56,15 +73,21 @@ export class PasuParts extends DesignerElement {
           (id, at) => html`<li
             role="option"
             id="part-${id}"
-            aria-selected=${id === chosen ? "true" : "false"}
-            ?data-hidden=${session.hidden.includes(id)}
-            @click=${() => this.designer.apply(selectParts(id))}
+            aria-selected=${selected.has(id) ? "true" : "false"}
+            ?data-chosen=${id === chosen}
+            ?data-hidden=${hidden.has(id)}
+            ?data-glued=${counts.size > 1 && members(at) > 1}
+            @click=${(event: MouseEvent) => this.pick(event, id)}
           >
             <span
-              >${partName(at, design.parts[at]?.name)}${session.hidden.includes(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}</span
+              >${partName(at, design.parts[at]?.name)}${hidden.has(id) ? html`<span class="spoken">${parts.isHidden}</span>` : nothing}${
+                session.locked.includes(id)
+                  ? html`<span class="lock">${icon("locked")}</span><span class="spoken">${parts.isLocked}</span>`
+                  : nothing
+              }</span
             >
-            ${objects.length > 1 ? html`<span class="object"><span class="spoken">, </span>${parts.object(numberOf(at))}</span>` : html`<span></span>`}
-            ${this.eye(id, session.hidden.includes(id))}
+            ${counts.size > 1 ? this.object(id, numberOf(at), members(at)) : html`<span></span>`}
+            ${this.eye(id, hidden.has(id))}
           </li>`,
         )}
       </ul>
@@ -86,18 +109,21 @@ export class PasuParts extends DesignerElement {
             if (event.key === "Enter") this.list.focus();
           }}
         />
+        ${this.button(allHidden ? parts.show : parts.hide, allHidden ? "hidden" : "seen", false, () => hideParts(this.designer.state, picked, !allHidden))}
         ${
-          session.hidden.includes(chosen)
-            ? this.button(parts.show, "hidden", false, () => togglePart(this.designer.state, chosen))
-            : this.button(parts.hide, "seen", false, () => togglePart(this.designer.state, chosen))
+          loose.length === 0
+            ? this.button(parts.unlock, "locked", false, () => lockParts(this.designer.state, picked, false))
+            : this.button(parts.lock, "unlocked", false, () => lockParts(this.designer.state, picked, true))
         }
         ${this.button(parts.up, "up", place === 0, () => movePart(this.designer.state, chosen, -1))}
         ${this.button(parts.down, "down", place === ids.length - 1, () => movePart(this.designer.state, chosen, 1))}
-        ${this.button(parts.duplicate, "copy", false, () => this.copy(chosen))}
-        ${this.button(parts.delete, "remove", ids.length < 2, () => deletePart(this.designer.state, chosen))}
+        ${this.button(parts.duplicate, "copy", false, () => this.copy())}
+        ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
       </div>
       <p class="problem" id="taken" role="status"></p>
-      ${ids.length > 1 ? this.glue(chosen) : nothing}
+      ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
+      ${this.arrange()}
+      ${ids.length > 1 ? html`<pasu-glue-matrix .designer=${this.designer}></pasu-glue-matrix>` : nothing}
       ${hiddenNote(this.designer)}
     </section>`;
   }
@@ -106,13 +132,57 @@ export class PasuParts extends DesignerElement {
   override updated(): void {
     const { ids, part } = this.designer.store;
     const chosen = ids[part];
-    const option = this.renderRoot.querySelector<HTMLElement>("[aria-selected=true]");
+    const option = this.renderRoot.querySelector<HTMLElement>("[data-chosen]");
     if (chosen === this.followed || !option) return;
     this.followed = chosen;
     const [top, height] = [option.offsetTop - this.list.offsetTop, this.list.clientHeight];
     const { scrollTop } = this.list;
     if (top < scrollTop) this.list.scrollTop = top;
     else if (top + option.offsetHeight > scrollTop + height) this.list.scrollTop = top + option.offsetHeight - height;
+  }
+
+  /** The object of a part, and for pointers all of it at once; the keyboard has O. */
+  private object(id: PartId, number: number, members: number) {
+    const press = (event: Event) => {
+      if (members < 2) return;
+      event.stopPropagation();
+      this.designer.apply(this.wholeObject(id));
+    };
+    return html`<span class="object" title=${members > 1 ? parts.whole : nothing} @click=${press}
+      ><span class="spoken">, </span>${parts.object(number)}</span
+    >`;
+  }
+
+  private wholeObject(id: PartId): Change {
+    const whole = gluedTo(this.designer.state, [id]);
+    return selectParts(...whole.filter((each) => each !== id), id);
+  }
+
+  private pick(event: MouseEvent, id: PartId): void {
+    const { state } = this.designer;
+    if (event.shiftKey) this.designer.apply(selectThrough(state, id));
+    else if (event.ctrlKey || event.metaKey) this.designer.apply(alsoSelect(state, id));
+    else this.designer.apply(selectParts(id));
+  }
+
+  /** What can be done to what several have to do with each other. */
+  private several(selected: readonly PartId[]) {
+    const { designer } = this;
+    const { design, ids } = designer.store;
+    const objects = new Set(selected.map((id) => objectOf(design.parts[ids.indexOf(id)] as Part)));
+    const press = (label: string, disabled: boolean, change: () => Change) =>
+      html`<button class="button outlined" type="button" ?disabled=${disabled} @click=${() => designer.apply(change())}>${label}</button>`;
+    const apart = separateParts(designer.state, selected).undo === "none";
+    return html`<div class="several" role="group" aria-label=${parts.selected(selected.length)}>
+      <p role="status">${parts.selected(selected.length)}</p>
+      ${press(parts.together, objects.size < 2, () => glueTogether(designer.state, selected))}
+      ${press(parts.apart, apart, () => separateParts(designer.state, selected))}
+    </div>`;
+  }
+
+  /** Fetched with the list: what brings several into order, and copies into rows. */
+  private arrange() {
+    return html`<pasu-arrange .designer=${this.designer}></pasu-arrange>`;
   }
 
   /** What the part is glued to: the others of its object, those of another one, or nothing. */
@@ -125,8 +195,9 @@ export class PasuParts extends DesignerElement {
       if (!part || id === chosen) continue;
       groups.set(objectOf(part), [...(groups.get(objectOf(part)) ?? []), id]);
     }
+    const places = new Map(ids.map((id, at) => [id, at]));
     const names = (members: readonly PartId[]) =>
-      listed(members.map((id) => partName(ids.indexOf(id), design.parts[ids.indexOf(id)]?.name)));
+      listed(members.map((id) => partName(places.get(id) ?? 0, design.parts[places.get(id) ?? 0]?.name)));
     return html`<label class="glue">
       <span>${parts.gluedTo}</span>
       <select
@@ -165,9 +236,10 @@ export class PasuParts extends DesignerElement {
   }
 
   /** Beside everything that stands there, so that the copy is seen. */
-  private copy(id: PartId): Change {
-    const width = this.designer.surface.shown?.solved.facts?.width ?? 1;
-    return duplicatePart(this.designer.state, id, Number((ASIDE * width).toPrecision(2)));
+  private copy(): Change {
+    const { state, surface } = this.designer;
+    const width = surface.shown?.solved.facts?.width ?? 1;
+    return duplicateParts(state, selectedIds(state), Number((ASIDE * width).toPrecision(2)));
   }
 
   private readonly typed = (): void => {
@@ -195,8 +267,9 @@ export class PasuParts extends DesignerElement {
   }
 
   private readonly key = (event: KeyboardEvent): void => {
-    if (event.ctrlKey || event.metaKey) return;
-    const change = this.changeBy(event);
+    const all = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "a";
+    if ((event.ctrlKey || event.metaKey) && !all) return;
+    const change = all ? selectParts(...this.designer.store.ids) : this.changeBy(event);
     if (!change) return;
     event.preventDefault();
     event.stopPropagation();
@@ -206,12 +279,17 @@ export class PasuParts extends DesignerElement {
     } else this.designer.apply(change);
   };
 
-  private changeBy({ altKey, key }: KeyboardEvent): Change | "name" | null {
+  private changeBy({ altKey, shiftKey, key }: KeyboardEvent): Change | "name" | null {
     const { state } = this.designer;
     const { ids, part } = state;
     const id = ids[part];
     if (id === undefined) return null;
-    const select = (place: number) => selectParts(ids[Math.max(0, Math.min(ids.length - 1, place))] ?? id);
+    const selected = selectedIds(state);
+    const loose = looseIds(state);
+    const select = (place: number) => {
+      const to = ids[Math.max(0, Math.min(ids.length - 1, place))] ?? id;
+      return shiftKey ? selectThrough(state, to) : selectParts(to);
+    };
     switch (key) {
       case "ArrowUp":
         return altKey ? movePart(state, id, -1) : select(part - 1);
@@ -223,13 +301,19 @@ export class PasuParts extends DesignerElement {
         return select(ids.length - 1);
       case "Delete":
       case "Backspace":
-        return deletePart(state, id);
+        return deleteParts(state, loose);
       case "d":
       case "D":
-        return this.copy(id);
+        return this.copy();
       case "h":
       case "H":
-        return togglePart(state, id);
+        return hideParts(state, selected, !selected.every((each) => state.session.hidden.includes(each)));
+      case "l":
+      case "L":
+        return lockParts(state, selected, loose.length > 0);
+      case "o":
+      case "O":
+        return this.wholeObject(id);
       case "F2":
         return "name";
       default:
@@ -286,6 +370,35 @@ export class PasuParts extends DesignerElement {
         font-size: 0.86rem;
         font-weight: normal;
       }
+      span[title].object {
+        padding: 4px 6px;
+        border-radius: 6px;
+      }
+      span[title].object:hover {
+        background: var(--sheet);
+        color: var(--ink);
+      }
+      li[data-glued] {
+        box-shadow: inset 4px 0 0 var(--line);
+      }
+      .lock .icon {
+        width: 0.95rem;
+        height: 0.95rem;
+        margin-left: 6px;
+        vertical-align: -2px;
+      }
+      .several {
+        display: flex;
+        flex-wrap: wrap;
+        align-items: center;
+        gap: 6px;
+        padding-top: 6px;
+      }
+      .several p {
+        flex: 1 1 100%;
+        color: var(--soft);
+        font-size: 0.9rem;
+      }
       .glue {
         display: grid;
         grid-template-columns: auto minmax(0, 1fr);
@@ -308,6 +421,8 @@ export class PasuParts extends DesignerElement {
       li[aria-selected="true"] {
         background: var(--accent-wash);
         color: var(--accent-strong);
+      }
+      li[data-chosen] {
         font-weight: 550;
       }
       .tools {
@@ -317,7 +432,7 @@ export class PasuParts extends DesignerElement {
         padding-top: 6px;
       }
       .tools .field {
-        flex: 1 1 100px;
+        flex: 1 1 100%;
       }
       .problem {
         color: var(--warn);

@@ -125,6 +125,19 @@ function mug(): VertexFrame {
   return weaving.network();
 }
 
+/** A handle by itself: its ends are closed, and stand `reach` from the axis of the pot whose wall they run into. */
+export function handle(reach: number, height: number, [far, half]: Spot, size: Spot): VertexFrame {
+  const weaving = new Weaving();
+  const way = bow([reach, height], [far, half], [0.25, -0.25], size);
+  const rings = Array.from({ length: 9 }, (_, place) => across(...way(place / 8)));
+  tube(weaving, rings);
+  for (const ring of [rings[0], rings.at(-1)] as readonly [Ring, Ring]) {
+    const z = ring.reduce((sum, point) => sum + point[2] / ring.length, 0);
+    weaving.disc(ring, [reach, 0, z], (share, point) => [reach, share * point[1], z + share * (point[2] - z)]);
+  }
+  return weaving.network();
+}
+
 function basket(): VertexFrame {
   const weaving = new Weaving();
   const profile: Profile = [

@@ -4,7 +4,9 @@ import { FORMS } from "../forms";
 import { ringed } from "../ringed";
 import type { Look, Part, Placement, Triple } from "../types";
 import { type Exhibit, exhibits } from "./exhibit";
+import { handle } from "./networks";
 import { PAPERS } from "./papers";
+import { widget } from "./widget";
 
 /** How far a lid hovers above the rim that it covers: nobody sees it, and separate objects share no point. */
 const GAP = 0.02;
@@ -49,6 +51,19 @@ function separate(parts: readonly Part[]): Pick<Exhibit, "parts"> & { readonly s
   return { shape: first.shape, parts: parts.map((part, object) => (object === 0 ? part : { ...part, object })) };
 }
 
+/** Glued into one object. */
+function glued(parts: readonly Part[]): Pick<Exhibit, "parts"> & { readonly shape: Part["shape"] } {
+  const [first] = parts;
+  if (!first) throw new Error("an object has a part at least");
+  return { shape: first.shape, parts };
+}
+
+/** A cup and its handle, whose ends are within the wall of the cup: they share points and neither is inside the other. */
+function mug(): readonly Part[] {
+  const cup = form("form-cup", {});
+  return [cup, { shape: handle(3.86, 5, [3, 1.7], [0.75, 0.45]), ...(cup.look && { look: cup.look }) }];
+}
+
 const TERRACOTTA: Look = { glaze: "bare", clay: "terracotta" };
 const SHINO: Look = { glaze: "shino", clay: "stoneware" };
 
@@ -80,4 +95,10 @@ export const SCENES = exhibits([
       figure("ishak-ali-4-n5", 26, { glaze: "shino", clay: "stoneware" }),
     ]),
   },
+]);
+
+/** Of several parts that are one object. */
+export const GLUED = exhibits([
+  { id: "own-glued-mug", ...glued(mug()) },
+  { id: "own-widget", ...glued(widget()) },
 ]);

@@ -9,6 +9,7 @@ import { formatNumber } from "../../number";
 import type { PartId } from "../../state/part-ids";
 import { icon } from "../../ui/icons";
 import "../../ui/menu";
+import { segmented, segments } from "../../ui/segments";
 import { base, buttons, fields } from "../../ui/styles";
 import { page } from "../../words/english/page";
 import { pull as words } from "../../words/english/pull";
@@ -58,8 +59,8 @@ export class PasuPullBar extends DesignerElement {
     const note = refusal ? whyWords(refusal) : pull.followed.spilt ? words.spilt : offered ? words.behind : "";
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
-        ${segments(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
-        ${whole ? nothing : segments(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
+        ${choices(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
+        ${whole ? nothing : choices(words.spread, "spread", SPREADS, brush.spread, words.spreads, null, (spread) => this.change({ spread }))}
         ${whole ? this.locks(shape) : this.detail(brush)}
         ${shape && takesRings(shape) ? this.ringLocks(shape) : nothing}
       </div>
@@ -175,6 +176,7 @@ export class PasuPullBar extends DesignerElement {
     base,
     buttons,
     fields,
+    segmented,
     css`
       :host {
         position: absolute;
@@ -198,41 +200,6 @@ export class PasuPullBar extends DesignerElement {
         box-shadow: 0 3px 14px var(--shadow);
         font-size: 0.9rem;
         pointer-events: auto;
-      }
-      fieldset {
-        display: flex;
-        margin: 0;
-        padding: 0;
-        border: 0;
-        border-radius: 9px;
-        background: var(--well);
-      }
-      fieldset label {
-        position: relative;
-        display: grid;
-        place-items: center;
-        min-width: 40px;
-        min-height: 34px;
-        padding: 0 10px;
-        border-radius: 9px;
-        white-space: nowrap;
-        cursor: pointer;
-      }
-      fieldset label:has(:checked) {
-        background: var(--accent-wash);
-        color: var(--accent-strong);
-        box-shadow: inset 0 0 0 1px var(--accent);
-      }
-      fieldset label:has(:focus-visible) {
-        outline: 2.5px solid var(--accent);
-        outline-offset: 2px;
-      }
-      fieldset input {
-        position: absolute;
-        inset: 0;
-        margin: 0;
-        opacity: 0;
-        cursor: pointer;
       }
       select {
         display: none;
@@ -316,7 +283,6 @@ export class PasuPullBar extends DesignerElement {
         .note .button {
           min-height: var(--touch);
         }
-        fieldset label,
         .locks label,
         .width,
         .petals .button {
@@ -351,7 +317,7 @@ export class PasuPullBar extends DesignerElement {
 }
 
 /** A few choices beside each other in one piece, or where there is no room for that in a list. */
-function segments<T extends string>(
+function choices<T extends string>(
   legend: string,
   name: string,
   all: readonly T[],
@@ -360,15 +326,7 @@ function segments<T extends string>(
   help: Readonly<Record<T, string>> | null,
   choose: (value: T) => void,
 ) {
-  return html`<fieldset>
-      <legend class="spoken">${legend}</legend>
-      ${all.map(
-        (value) => html`<label title=${help?.[value] ?? nothing}>
-          <input type="radio" name=${name} .checked=${value === chosen} @change=${() => choose(value)} />
-          <span>${labels[value]}</span>
-        </label>`,
-      )}
-    </fieldset>
+  return html`${segments(legend, name, all, chosen, labels, help, choose)}
     <select
       class="field"
       aria-label=${legend}

@@ -9,11 +9,11 @@ function bench(onPot = true) {
     (...given: unknown[]) =>
       void heard.push([name, ...given]);
   const gesture = new PullGesture({
-    take: (at) => {
-      heard.push(["take", at]);
+    take: (at, adds) => {
+      heard.push(["take", at, ...(adds ? ["adds"] : [])]);
       return onPot;
     },
-    pull: hear("pull"),
+    pull: (by, modifier, otherwise) => heard.push(["pull", by, modifier, ...(otherwise ? ["otherwise"] : [])]),
     release: hear("release"),
     cancel: hear("cancel"),
     hover: hear("hover"),
@@ -45,6 +45,7 @@ test("the first button on the pot pulls from where it took hold, by the way of t
   gesture.move(event(30, 5));
   gesture.move(event(30, 5, { shiftKey: true }));
   gesture.move(event(30, 5, { altKey: true }));
+  gesture.move(event(30, 5, { ctrlKey: true }));
   expect(gesture.pulling).toBe(true);
   gesture.up(event(30, 5));
   expect(heard).toEqual([
@@ -52,6 +53,7 @@ test("the first button on the pot pulls from where it took hold, by the way of t
     ["pull", { x: 20, y: -5 }, null],
     ["pull", { x: 20, y: -5 }, "up"],
     ["pull", { x: 20, y: -5 }, "round"],
+    ["pull", { x: 20, y: -5 }, null, "otherwise"],
     ["release"],
   ]);
 });

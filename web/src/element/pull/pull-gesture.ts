@@ -10,10 +10,10 @@ export interface Point {
 export type Modifier = "up" | "round" | null;
 
 export interface PullTarget {
-  /** Takes hold of what is there; false where there is nothing to take hold of. */
-  take(at: Point): boolean;
-  /** The hand that holds has come so far. */
-  pull(by: Point, modifier: Modifier): void;
+  /** Takes hold of what is there; false where there is nothing to take hold of. `adds` with the shift key, which elsewhere selects besides. */
+  take(at: Point, adds: boolean): boolean;
+  /** The hand that holds has come so far. `otherwise` with the control key. */
+  pull(by: Point, modifier: Modifier, otherwise: boolean): void;
   /** Lets go, or did not mean it. */
   release(): void;
   cancel(): void;
@@ -91,7 +91,7 @@ export class PullGesture {
       case "pull": {
         const by = { x: at.x - this.#from.x, y: at.y - this.#from.y };
         this.#moved ||= Math.hypot(by.x, by.y) > STILL;
-        if (this.#moved) this.#target.pull(by, modifierOf(event));
+        if (this.#moved) this.#target.pull(by, modifierOf(event), event.ctrlKey || event.metaKey);
         return;
       }
       case "turn":
@@ -144,7 +144,7 @@ export class PullGesture {
     this.#moved = false;
     if (event.button === 2) this.#doing = "turn";
     else if (event.button !== 0 || event.ctrlKey || event.metaKey) this.#doing = "pan";
-    else if (this.#target.take(at)) this.#doing = "pull";
+    else if (this.#target.take(at, event.shiftKey)) this.#doing = "pull";
     else this.#doing = event.shiftKey ? "pan" : "turn";
   }
 

@@ -54,11 +54,11 @@ void main() {
 }
 `;
 
-/** A dark outline with a light border round the one part of several that is selected: seen on every glaze. */
+/** A dark outline with a light border round the parts that are selected of several: seen on every glaze. */
 export class Mark {
   /** Whether it is drawn; pictures have none. */
   visible = true;
-  private marked: Drawable | null = null;
+  private marked: readonly Drawable[] = [];
   private readonly material: Material;
 
   constructor(studio: Studio, cut: Uniform<readonly number[]>, ratio: Uniform<number>) {
@@ -73,12 +73,14 @@ export class Mark {
   }
 
   get drawables(): readonly Drawable[] {
-    return this.visible && this.marked?.visible ? [this.marked] : [];
+    return this.visible ? this.marked.filter((each) => each.visible) : [];
   }
 
-  /** Follows a part, by its place; none at -1. It draws the part's own triangles once more, and holds nothing on the GPU. */
-  update(pot: Pot, place: number): void {
-    const drawable = pot.parts[place]?.drawable;
-    this.marked = drawable ? { ...drawable, material: this.material, order: ORDER } : null;
+  /** Follows parts, by their places. It draws their own triangles once more, and holds nothing on the GPU. */
+  update(pot: Pot, places: readonly number[]): void {
+    this.marked = places.flatMap((place) => {
+      const drawable = pot.parts[place]?.drawable;
+      return drawable ? [{ ...drawable, material: this.material, order: ORDER }] : [];
+    });
   }
 }

@@ -1,4 +1,3 @@
-import { vec4 } from "gl-matrix";
 import type { Camera } from "../camera";
 import type { Drawable } from "../gl/drawable";
 import type { PartId } from "../mesh";
@@ -7,8 +6,7 @@ import { at, type Triple } from "../triple";
 import { Band, type Touch } from "./band";
 import { Feeler } from "./feeler";
 import type { See, Spot } from "./reach";
-
-type Quad = readonly [number, number, number, number];
+import { sightOf } from "./sight";
 
 /** A point of a part that is seen on the screen. */
 export interface Felt {
@@ -90,40 +88,7 @@ export class Hand implements Tool {
   /** How points of a part are seen from where the camera is now, and stays seen so, whatever becomes of the camera. */
   sight(place: number): See | null {
     const part = this.bench.pot.parts[place];
-    const { view } = this.bench.camera;
-    const [width, height] = this.size;
-    if (!part || width === 0) return null;
-    const [cx = 0, cy = 0, cz = 0, scale = 1] = this.bench.studio.frame.value;
-    const model = [...part.placing.model.value];
-    const [look, lens] = [view.uniforms.viewMatrix.value, view.uniforms.projectionMatrix.value].map((each) => [
-      ...each,
-    ]);
-    const by = (matrix: readonly number[] | undefined, [x, y, z, w]: Quad): Quad =>
-      vec4.transformMat4([0, 0, 0, 0], [x, y, z, w], (matrix ?? []) as number[]) as number[] as unknown as Quad;
-    const clip = (point: Triple) => {
-      const [px, py, pz] = by(model, [...point, 1]);
-      return by(lens, by(look, [scale * (px - cx), scale * (py - cy), scale * (pz - cz), 1]));
-    };
-    // All of it is linear before the division: found once for the corner and for each axis, so that thousands of points cost little.
-    const corner = clip([0, 0, 0]);
-    const [ax, ay, az] = (
-      [
-        [1, 0, 0],
-        [0, 1, 0],
-        [0, 0, 1],
-      ] as const
-    ).map((axis) => clip(axis).map((value, place) => value - at(corner, place))) as unknown as readonly [
-      Quad,
-      Quad,
-      Quad,
-    ];
-    return ([px, py, pz]) => {
-      const w = px * ax[3] + py * ay[3] + pz * az[3] + corner[3];
-      if (!(w > 0)) return null;
-      const x = px * ax[0] + py * ay[0] + pz * az[0] + corner[0];
-      const y = px * ax[1] + py * ay[1] + pz * az[1] + corner[1];
-      return { x: width * (0.5 + (0.5 * x) / w), y: height * (0.5 - (0.5 * y) / w), depth: w };
-    };
+    return part ? sightOf(this.bench, this.size, part.placing.model.value) : null;
   }
 
   /** The angle round the axis of the scene, from which the camera looks. */

@@ -270,6 +270,15 @@ export const gallery = phrases("gallery", {
       note: "Teapot, four cups, a jug for the milk and a plate.",
       parts: ["Teapot", "Lid", "First cup", "Second cup", "Third cup", "Fourth cup", "Jug", "Plate"],
     },
+    "own-glued-mug": {
+      title: "Cup with a handle glued on",
+      note: "Rings and patches, two parts of one object.",
+      parts: ["Cup", "Handle"],
+    },
+    "own-widget": {
+      title: "Widget of 23 octants",
+      note: "After Anderson, Sullivan and Baker 1988: two holes of four octants each, and eight round the annulus.",
+    },
     "own-shelf": {
       title: "Five vases of the papers",
       note: "Figures of Zhang and You and of Ishak and Ali, side by side.",

@@ -17,6 +17,7 @@ const pot: Keys = [
   ["+ −", "Zoom"],
   ["F", "Fit to view"],
   ["P", "Pull at it, or turn it again"],
+  ["M", "Move, turn and scale its parts, or turn it again"],
   ["1 to 5", "Three-quarter, front, side, top, below"],
 ];
 const ring: Keys = [
@@ -27,6 +28,13 @@ const ring: Keys = [
   ["Delete", "Take the ring away"],
   ["Escape", "Take back a pull under way"],
 ];
+const hold: Keys = [
+  ["Arrows", "Move, turn or scale"],
+  ["Shift arrows", "Further"],
+  ["Page Up, Page Down", "Up and down"],
+  ["Ctrl while dragging", "In steps, or no longer"],
+  ["Escape", "Take back what is under way"],
+];
 const water: Keys = [
   ["Arrows", "Up and down by a hundredth"],
   ["Shift arrows", "By a tenth"],
@@ -34,8 +42,11 @@ const water: Keys = [
 ];
 const list: Keys = [
   ["Arrows", "Select"],
+  ["Shift arrows, Ctrl A", "Select several, or all"],
+  ["O", "Select all that is glued to it"],
   ["Alt arrows", "Move the part up or down the list"],
   ["H", "Hide the part, or show it"],
+  ["L", "Lock the part where it stands, or unlock it"],
   ["D", "Make a copy beside it"],
   ["F2", "Name it"],
   ["Delete", "Take it away; undo brings it back"],
@@ -58,12 +69,13 @@ export const help = phrases("help", {
     "Pasu makes pots from partial differential equations: you choose the edges of a pot, and how the wall runs between them follows from an equation, exactly. The whole pot is in its link: whoever opens it sees the same pot.",
     "A wall makes a surface a pot, which has a capacity, a weight and a foot to stand on: under Measures they are told, and Export saves a file for a printer, a CAD program or a potter's wheel. Every such file holds its link and opens again when it is dropped on this page, but for an STL, which has room for a very short link alone.",
     "Every tab of the browser keeps a pot of its own, and its undo, through a reload. My designs is a shelf in this browser, on this device: what you save there stays as it is until you change it there. What was left unsaved in a closed tab comes back with the next one, or is found on the shelf. Under Overlays there is a link that shows a pot from where you see it now, cut open and coloured as it is.",
-    "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. With Pull, the mouse or one finger pulls at the pot where it is: a ring follows, all round, at one side or as petals. Drag beside it, with the right button or with two fingers to turn it then; with Shift it goes up and down, with Alt round the axis, and the wheel with Shift makes the pull wider. Files and links can be dropped on the page.",
+    "With a mouse: drag to turn, drag with the right button to move, roll the wheel to zoom. With fingers: one turns, two move and zoom. With Pull, the mouse or one finger pulls at the pot where it is: a ring follows, all round, at one side or as petals. Drag beside it, with the right button or with two fingers to turn it then; with Shift it goes up and down, with Alt round the axis, and the wheel with Shift makes the pull wider. With Move, whole parts go over the table under the hand, and by their handles along an axis, round one, or larger and smaller; a click with Shift selects another part besides. Files and links can be dropped on the page.",
   ],
   keys: [
     { title: "Anywhere", keys: anywhere },
     { title: "On the pot", keys: pot },
     { title: "On a ring, while pulling", keys: ring },
+    { title: "On a handle, while moving parts", keys: hold },
     { title: "On the water", keys: water },
     { title: "In the list of parts", keys: list },
     { title: "On a number", keys: number },

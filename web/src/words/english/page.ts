@@ -79,6 +79,8 @@ export const page = phrases("page", {
   view: "View",
   views: { "three-quarter": "Three-quarter", front: "Front", side: "Side", top: "Top", below: "Below" },
   pull: "Pull",
+  move: "Move",
+  moveParts: "Move, turn and scale parts",
   zoomOut: "Zoom out",
   zoomIn: "Zoom in",
   fit: "Fit to view",

@@ -1,0 +1,214 @@
+// Several parts at once: selected in the list, locked, glued, aligned, put onto each other, and copied in rows and rings.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { seenPart, standing } from "../support/placing.ts";
+import { dragFrom } from "../support/pulling.ts";
+import { stay } from "../support/stay.ts";
+import type { Visit, VisitOptions } from "../support/visit.ts";
+
+const here = stay();
+
+const block = (name: string, shift: readonly number[], more: object = {}) => ({
+  name,
+  shape: { kind: "octant", exponents: [20, 20, 20] },
+  place: { scale: [2, 2, 2], shift },
+  ...more,
+});
+const SCENE = {
+  pasu: 1,
+  title: "Blocks",
+  parts: [block("Red", [0, 0, 0]), block("Blue", [4, 1, 1], { object: 1 }), block("Green", [9, 3, 0], { object: 1 })],
+};
+const JAR = {
+  pasu: 1,
+  title: "Jar",
+  parts: [
+    { name: "Jar", shape: { kind: "second-order", r: [1, 0, 0.6, 0.06], height: 2 } },
+    {
+      name: "Lid",
+      object: 1,
+      shape: { kind: "second-order", r: [0.2, 0, 0.8, 0], height: 0.5 },
+      place: { shift: [5, 1, 0] },
+    },
+  ],
+};
+
+async function scene(design: { readonly parts: readonly object[] }, options: VisitOptions = {}): Promise<Visit> {
+  const pot = await here.enter(options);
+  const first = await pot.fingerprint();
+  await pot.dropFile("scene.json", JSON.stringify(design));
+  await pot.fingerprintOtherThan(first);
+  await pot.page
+    .locator("pasu-parts li")
+    .nth(design.parts.length - 1)
+    .waitFor();
+  return pot;
+}
+
+const rows = (pot: Visit) => pot.page.locator("pasu-parts li");
+const row = (pot: Visit, name: string) => rows(pot).filter({ hasText: name });
+const selected = async (pot: Visit) =>
+  (await pot.page.locator("pasu-parts li[aria-selected=true] > span:first-child").allInnerTexts()).map((text) =>
+    text.trim(),
+  );
+const shifts = async (pot: Visit) =>
+  (await standing(pot)).map(({ shift }) => shift.map((each) => Math.round(1e3 * each) / 1e3 + 0));
+const arrange = (pot: Visit) => pot.page.locator("pasu-arrange");
+const press = (pot: Visit, name: string) => arrange(pot).getByRole("button", { name, exact: true }).click();
+const open = (pot: Visit) => arrange(pot).locator("summary").click();
+const objects = async (pot: Visit) =>
+  (await pot.page.locator("pasu-parts .object").allInnerTexts()).map((text) => text.replace(/[,\s]+/, ""));
+
+test("several are selected by mouse and keys, and what is done is done to all of them", async () => {
+  const pot = await scene(SCENE);
+  const { keyboard } = pot.page;
+  await row(pot, "Red").click();
+  await row(pot, "Green").click({ modifiers: ["Shift"] });
+  expect(await selected(pot)).toEqual(["Red", "Blue", "Green"]);
+  await row(pot, "Blue").click({ modifiers: ["Control"] });
+  expect(await selected(pot)).toEqual(["Red", "Green"]);
+  await pot.page.getByText("2 parts selected").waitFor();
+  await pot.page.getByRole("listbox", { name: "Parts" }).focus();
+  await keyboard.press("h");
+  expect(await rows(pot).filter({ hasText: "hidden" }).count()).toBe(2);
+  await keyboard.press("h");
+  await keyboard.press("Home");
+  await keyboard.press("Shift+ArrowDown");
+  expect(await selected(pot)).toEqual(["Red", "Blue"]);
+  await keyboard.press("Control+a");
+  expect(await selected(pot)).toEqual(["Red", "Blue", "Green"]);
+  await row(pot, "Blue").click();
+  await keyboard.press("o");
+  expect(await selected(pot)).toEqual(["Blue", "Green"]);
+  await keyboard.press("d");
+  await expect.poll(() => rows(pot).count()).toBe(5);
+  expect(await selected(pot)).toEqual(["Blue 2", "Green 2"]);
+  expect(await objects(pot)).toEqual(["Object 1", "Object 2", "Object 2", "Object 3", "Object 3"]);
+  await keyboard.press("Delete");
+  await expect.poll(() => rows(pot).count()).toBe(3);
+  await pot.undo();
+  await expect.poll(() => rows(pot).count()).toBe(5);
+});
+
+test("parts are aligned, distributed and mirrored, each by one step", async () => {
+  const pot = await scene(SCENE);
+  const before = await shifts(pot);
+  await pot.page.getByRole("listbox", { name: "Parts" }).focus();
+  await pot.page.keyboard.press("Control+a");
+  await open(pot);
+  await press(pot, "Back");
+  expect((await shifts(pot)).map(([, y]) => y)).toEqual([3, 3, 3]);
+  await pot.undo();
+  await press(pot, "On one axis");
+  expect(await shifts(pot)).toEqual([
+    [9, 3, 0],
+    [9, 3, 1],
+    [9, 3, 0],
+  ]);
+  await pot.undo();
+  await expect.poll(() => shifts(pot)).toEqual(before);
+  await press(pot, "On the table");
+  expect((await shifts(pot)).map(([, , z]) => z)).toEqual([0, 0, 0]);
+  const same = arrange(pot).getByRole("group", { name: "Same gaps" });
+  await same.getByRole("button", { name: "Left to right" }).click();
+  expect((await shifts(pot)).map(([x]) => x)).toEqual([0, 4.5, 9]);
+  const mirror = arrange(pot).getByRole("group", { name: "Mirror" });
+  await mirror.getByRole("button", { name: "Left to right" }).click();
+  // What stood from 0 to 2 stands from 9 to 11, and is a mirror image.
+  const [red] = await standing(pot);
+  expect(red?.scale[1]).toBe(-2);
+  expect(await findings(pot)).toEqual([]);
+  await pot.undo();
+  await pot.undo();
+  await pot.undo();
+  await expect.poll(() => shifts(pot)).toEqual(before);
+});
+
+test("copies stand in a row and in a ring", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await open(pot);
+  await pot.type("How many", "4");
+  await pot.type("Step along x", "0");
+  await pot.type("Step along y", "3");
+  await press(pot, "Make the row");
+  await expect.poll(() => rows(pot).count()).toBe(6);
+  expect((await shifts(pot)).slice(0, 4)).toEqual([
+    [0, 0, 0],
+    [0, 3, 0],
+    [0, 6, 0],
+    [0, 9, 0],
+  ]);
+  await pot.undo();
+  await row(pot, "Red").click();
+  await pot.type("Axis at x", "5");
+  await pot.type("Axis at y", "0");
+  await press(pot, "Make the ring");
+  await expect.poll(() => rows(pot).count()).toBe(6);
+  expect((await shifts(pot)).slice(0, 4)).toEqual([
+    [0, 0, 0],
+    [5, -5, 0],
+    [10, 0, 0],
+    [5, 5, 0],
+  ]);
+  expect(new Set((await objects(pot)).slice(0, 4)).size).toBe(4);
+});
+
+test("a lid stands on the rim of the part that was selected last", async () => {
+  const pot = await scene(JAR);
+  await row(pot, "Lid").click();
+  await row(pot, "Jar").click({ modifiers: ["Control"] });
+  await open(pot);
+  await press(pot, "Stand on it");
+  const [x, y, z] = (await shifts(pot))[1] ?? [];
+  expect([x, y]).toEqual([0, 0]);
+  expect(z).toBeGreaterThan(1.99);
+  expect(z).toBeLessThan(2.02);
+  await press(pot, "Stand on it, as wide as its rim");
+  const scale = (await standing(pot))[1]?.scale ?? [];
+  expect(scale[0]).toBeCloseTo(scale[1] ?? 0, 9);
+  expect(scale[0]).toBeGreaterThan(1.1);
+  expect(scale[2]).toBe(1);
+});
+
+test("a locked part stays under the hand, and is neither moved nor deleted", async () => {
+  const pot = await scene(SCENE);
+  await row(pot, "Red").click();
+  await pot.button("Lock where it stands").click();
+  await row(pot, "Red").getByText("locked").waitFor({ state: "attached" });
+  expect(await pot.button("Delete").isDisabled()).toBe(true);
+  await pot.button("Move").click();
+  await pot.page.getByText("What is selected is locked.").waitFor();
+  const before = await standing(pot);
+  await dragFrom(pot, await seenPart(pot, 0), { x: 50, y: 10 });
+  expect(await standing(pot)).toEqual(before);
+  await pot.button("Unlock").click();
+  await pot.page.locator("pasu-place-handles [data-grip=free]").waitFor();
+  await dragFrom(pot, await seenPart(pot, 0), { x: 50, y: 10 });
+  expect(await standing(pot)).not.toEqual(before);
+});
+
+test("what is glued to what is read and changed in a matrix", async () => {
+  const pot = await scene(SCENE);
+  const matrix = pot.page.locator("pasu-glue-matrix");
+  await matrix.locator("summary").click();
+  const field = (name: string) => matrix.getByRole("button", { name, exact: true });
+  expect(await field("Blue and Green").getAttribute("aria-pressed")).toBe("true");
+  expect(await field("Red and Blue").getAttribute("aria-pressed")).toBe("false");
+  expect(await findings(pot)).toEqual([]);
+  await field("Red and Blue").click();
+  await expect.poll(() => field("Green and Red").getAttribute("aria-pressed")).toBe("true");
+  await field("Blue and Red").click();
+  await expect.poll(objects.bind(null, pot)).toHaveLength(3);
+  expect(await field("Green and Red").getAttribute("aria-pressed")).toBe("true");
+  expect(await field("Blue and Green").getAttribute("aria-pressed")).toBe("false");
+  await pot.undo();
+  await pot.undo();
+  await row(pot, "Red").click();
+  await row(pot, "Blue").click({ modifiers: ["Control"] });
+  await pot.button("Glue together").click();
+  await expect.poll(() => objects(pot)).toEqual([]);
+  await pot.button("Separate").click();
+  await expect.poll(async () => new Set(await objects(pot)).size).toBe(3);
+});

@@ -1,0 +1,234 @@
+// Whole parts under a hand: moved, turned and scaled on the stage by mouse, finger and keys.
+
+import { expect, test } from "vitest";
+import { findings } from "../support/axe.ts";
+import { countQuestions, grip, questions, seenPart, standing, takeParts } from "../support/placing.ts";
+import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
+import { stay } from "../support/stay.ts";
+import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts";
+
+const here = stay();
+
+const part = (name: string, shift: readonly number[]) => ({
+  name,
+  shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], height: 2 },
+  place: { shift },
+});
+const SCENE = {
+  pasu: 1,
+  title: "Three",
+  parts: [part("Body", [0, 0, 0]), part("Lid", [3, 0, 0]), part("Foot", [6, 0, 0])],
+};
+
+async function three(options: VisitOptions = {}): Promise<Visit> {
+  const pot = await here.enter(options);
+  const first = await pot.fingerprint();
+  await pot.dropFile("three.json", JSON.stringify(SCENE));
+  await pot.fingerprintOtherThan(first);
+  await pot.page.locator("pasu-parts li").nth(2).waitFor();
+  return pot;
+}
+
+const shifts = async (pot: Visit) => (await standing(pot)).map(({ shift }) => [...shift]);
+const undone = async (pot: Visit) =>
+  expect.poll(() => shifts(pot)).toEqual(SCENE.parts.map(({ place }) => [...place.shift]));
+const choose = (pot: Visit, name: string) => pot.page.locator("pasu-parts li").filter({ hasText: name }).click();
+const handling = (pot: Visit, name: string) =>
+  pot.page.locator("pasu-place-bar").getByRole("radio", { name, exact: true }).check({ force: true });
+
+test("a handle moves the part along its axis, one drag is one step, and costs no solving", async () => {
+  const pot = await three({ before: countQuestions });
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  const handle = grip(pot, "move-x");
+  const from = await spotOf(handle);
+  await questions(pot);
+  let during: Readonly<Record<string, number>> = {};
+  const scene = await pot.fingerprint();
+  await dragFrom(
+    pot,
+    from,
+    { x: 50, y: 0 },
+    {
+      held: async () => {
+        during = await questions(pot);
+        expect(await pot.page.locator("pasu-place-handles output").innerText()).toMatch(/^x −?[\d.]+\scm$/);
+      },
+    },
+  );
+  expect(during).toEqual({});
+  const moved = await pot.fingerprintOtherThan(scene);
+  const [body, lid, foot] = await shifts(pot);
+  expect([body, foot]).toEqual([
+    [0, 0, 0],
+    [6, 0, 0],
+  ]);
+  expect(lid?.[0]).toBeGreaterThan(3);
+  expect(lid?.slice(1)).toEqual([0, 0]);
+  // The handle went with the part, under the hand.
+  const to = await spotOf(handle);
+  expect(Math.hypot(to.x - from.x - 50, to.y - from.y)).toBeLessThan(25);
+  await pot.undo();
+  await undone(pot);
+  await pot.history("Redo").click();
+  await pot.shows(moved);
+});
+
+test("Escape takes a drag back, and what follows it does nothing", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  const from = await spotOf(grip(pot, "free"));
+  await dragFrom(
+    pot,
+    from,
+    { x: 60, y: 20 },
+    {
+      held: async () => {
+        expect((await shifts(pot))[1]).not.toEqual([3, 0, 0]);
+        await pot.page.keyboard.press("Escape");
+        await undone(pot);
+        await pot.page.mouse.move(from.x + 90, from.y);
+      },
+    },
+  );
+  await undone(pot);
+  // Only the design that was opened can be undone.
+  await pot.undo();
+  await expect.poll(async () => (await standing(pot)).length).toBe(1);
+});
+
+test("a part is taken hold of where it is seen, and goes over the table", async () => {
+  const pot = await three();
+  await takeParts(pot);
+  const spot = await seenPart(pot, 2);
+  await dragFrom(pot, spot, { x: 0, y: 60 });
+  const [body, lid, foot] = await shifts(pot);
+  expect([body, lid]).toEqual([
+    [0, 0, 0],
+    [3, 0, 0],
+  ]);
+  expect(foot?.[2]).toBe(0);
+  expect(Math.hypot((foot?.[0] ?? 0) - 6, foot?.[1] ?? 0)).toBeGreaterThan(0.3);
+  await expect.poll(() => pot.page.locator("pasu-parts [aria-selected=true]").innerText()).toContain("Foot");
+});
+
+test("keys move, turn and scale by handles that say what they are and where", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  const { keyboard } = pot.page;
+  const x = pot.page.getByRole("button", { name: /^Along x: at 3\scm/ });
+  await x.focus();
+  await keyboard.press("ArrowRight");
+  const small = ((await shifts(pot))[1]?.[0] ?? 0) - 3;
+  expect(small).toBeGreaterThan(0);
+  await keyboard.press("Shift+ArrowRight");
+  expect((await shifts(pot))[1]?.[0]).toBeCloseTo(3 + 11 * small, 9);
+  await grip(pot, "free").focus();
+  await keyboard.press("PageUp");
+  expect((await shifts(pot))[1]?.[2]).toBeCloseTo(small, 9);
+  await pot.button("On the table").click();
+  expect((await shifts(pot))[1]?.[2]).toBe(0);
+  await handling(pot, "Turn");
+  await grip(pot, "turn-x").focus();
+  for (let press = 0; press < 6; press += 1) await keyboard.press("Shift+ArrowUp");
+  const [, turned] = await standing(pot);
+  expect(turned?.axis).toEqual([1, 0, 0]);
+  expect(turned?.angle).toBeCloseTo(Math.PI / 2, 9);
+  await handling(pot, "Scale");
+  await grip(pot, "scale-all").focus();
+  await keyboard.press("Shift+ArrowUp");
+  expect((await standing(pot))[1]?.scale).toEqual([1.1, 1.1, 1.1]);
+  await grip(pot, "scale-y").focus();
+  await keyboard.press("Shift+ArrowDown");
+  expect((await standing(pot))[1]?.scale).toEqual([1.1, 1, 1.1]);
+  // Each press was a step of its own.
+  await pot.undo();
+  expect((await standing(pot))[1]?.scale).toEqual([1.1, 1.1, 1.1]);
+});
+
+test("several parts are selected by clicks with the shift key, and turn and grow together", async () => {
+  const pot = await three();
+  const { keyboard, mouse } = pot.page;
+  const first = await seenPart(pot, 0);
+  await mouse.click(first.x, first.y);
+  const second = await seenPart(pot, 2);
+  await keyboard.down("Shift");
+  await mouse.click(second.x, second.y);
+  await keyboard.up("Shift");
+  const selected = pot.page.locator("pasu-parts [aria-selected=true]");
+  await expect.poll(() => selected.count()).toBe(2);
+  await takeParts(pot);
+  await handling(pot, "Turn");
+  await grip(pot, "turn-z").focus();
+  for (let press = 0; press < 12; press += 1) await keyboard.press("Shift+ArrowUp");
+  // Half a turn about the middle of both: they change places.
+  await expect
+    .poll(async () => (await shifts(pot)).map((shift) => shift.map((each) => Math.round(1e6 * each) / 1e6 + 0)))
+    .toEqual([
+      [6, 0, 0],
+      [3, 0, 0],
+      [0, 0, 0],
+    ]);
+  await handling(pot, "Scale");
+  expect(await grip(pot, "scale-x").count()).toBe(0);
+  await grip(pot, "scale-all").focus();
+  await keyboard.press("Shift+ArrowUp");
+  const scales = (await standing(pot)).map(({ scale }) => scale[0]);
+  expect(scales).toEqual([1.1, 1, 1.1]);
+});
+
+test("in steps numbers are round, and what is near to the table stands on it", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  await pot.page.keyboard.press("Tab");
+  await pot.page.locator("pasu-place-bar").getByRole("checkbox", { name: "Steps" }).check();
+  await dragFrom(pot, await spotOf(grip(pot, "move-x")), { x: 37, y: 3 });
+  const at = (await shifts(pot))[1]?.[0] ?? 0;
+  expect(at).not.toBe(3);
+  expect(Math.abs(at / 0.2 - Math.round(at / 0.2))).toBeLessThan(1e-9);
+  await handling(pot, "Turn");
+  const ring = await spotOf(grip(pot, "turn-z"));
+  await dragFrom(pot, ring, { x: 60, y: -10 });
+  const degrees = (((await standing(pot))[1]?.angle ?? 0) / Math.PI) * 180;
+  expect(degrees).not.toBe(0);
+  expect(Math.abs(degrees / 15 - Math.round(degrees / 15))).toBeLessThan(1e-9);
+});
+
+test("a finger moves a part over the table, and beside it turns the view", async () => {
+  const pot = await three({ ...QUICK, ...PHONE });
+  await takeParts(pot);
+  const from = await seenPart(pot, 1);
+  await fingers(pot, [{ from, to: { x: from.x + 10, y: from.y + 40 } }]);
+  await expect.poll(async () => (await shifts(pot))[1]).not.toEqual([3, 0, 0]);
+  const moved = await shifts(pot);
+  const stage = await pot.page.locator("pasu-stage").boundingBox();
+  if (!stage) throw new Error("no stage");
+  const beside = { x: stage.x + 12, y: stage.y + stage.height * 0.75 };
+  await fingers(pot, [{ from: beside, to: { x: beside.x + 60, y: beside.y } }]);
+  expect(await shifts(pot)).toEqual(moved);
+});
+
+test("the tool is there for everybody, and one part alone is moved by its key", async () => {
+  for (const colorScheme of ["light", "dark"] as const) {
+    const pot = await three({ colorScheme });
+    await takeParts(pot);
+    for (const name of ["Move", "Turn", "Scale"]) {
+      await handling(pot, name);
+      expect(await findings(pot)).toEqual([]);
+    }
+  }
+  const alone = await here.enter({ link: "#1/second-order" });
+  await alone.fingerprint();
+  expect(await alone.button("Move").count()).toBe(0);
+  await alone.page.locator("pasu-stage .host").focus();
+  await alone.page.keyboard.press("m");
+  await grip(alone, "move-z").focus();
+  await alone.page.keyboard.press("Shift+ArrowUp");
+  expect((await standing(alone))[0]?.shift[2]).toBeGreaterThan(0);
+  await alone.page.locator("pasu-stage .host").focus();
+  await alone.page.keyboard.press("p");
+  await expect.poll(() => alone.page.locator("pasu-place-handles").count()).toBe(0);
+});

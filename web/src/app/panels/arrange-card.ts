@@ -1,0 +1,311 @@
+/** Several parts brought into order, one put onto another, and copies in rows and rings. */
+
+import { css, html, nothing } from "lit";
+import { customElement, state } from "lit/decorators.js";
+import { longestOf, middleOf, roundStep } from "../../document/boxes";
+import { unitOf } from "../../document/look";
+import { AXES, type Axis } from "../../document/moving";
+import { LIMITS } from "../../document/tables.gen";
+import type { Triple } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import {
+  alignOnAxis,
+  alignParts,
+  distributeParts,
+  mirrorParts,
+  putOnTable,
+  ringOfParts,
+  rowOfParts,
+  type Side,
+} from "../../state/arrange-actions";
+import { selectedIds } from "../../state/seen-actions";
+import { looseIds } from "../../state/several-actions";
+import { standOn } from "../../state/stand-actions";
+import type { Change } from "../../state/store";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, buttons, disclosure } from "../../ui/styles";
+import { arranging as words } from "../../words/english/arranging";
+import { parts as partWords } from "../../words/english/parts";
+import { boxesOf, middlesOf } from "../../work/held";
+import { rimsOf } from "../../work/rims";
+
+const SIDES: readonly Side[] = ["low", "middle", "high"];
+/** A row's usual step, as a share of what stands in it. */
+const BESIDE = 1.2;
+const MOST_COPIES = 60;
+const ALL_ROUND = 360;
+
+@customElement("pasu-arrange")
+export class PasuArrange extends DesignerElement {
+  @state() private isOpen = false;
+  @state() private count = 6;
+  /** What was chosen of the rest; what follows from the selection where nothing was. */
+  @state() private step: Triple | null = null;
+  @state() private centre: readonly [number, number] | null = null;
+  @state() private angle = ALL_ROUND;
+  @state() private turning = true;
+  @state() private problem = "";
+
+  override render() {
+    return html`<details ?open=${this.isOpen} @toggle=${this.toggled}>
+      <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
+      ${this.isOpen ? this.content() : nothing}
+    </details>`;
+  }
+
+  private content() {
+    const { designer } = this;
+    const selected = selectedIds(designer.state);
+    const several = selected.length > 1;
+    return html`
+      ${several ? this.order(selected.length) : nothing}
+      ${this.group(
+        words.mirror,
+        AXES.map((axis) => this.press(words.ways[axis] ?? "", () => mirrorParts(designer.state, this.boxes, axis))),
+      )}
+      ${several ? nothing : this.group("", [this.press(words.onTable, () => putOnTable(designer.state, this.boxes))])}
+      ${this.copies()}
+    `;
+  }
+
+  private order(count: number) {
+    const { designer } = this;
+    const align = (axis: Axis) =>
+      SIDES.map((side) =>
+        this.press(words.sides[axis]?.[side] ?? "", () => alignParts(designer.state, this.boxes, axis, side)),
+      );
+    return html`
+      <div role="group" aria-labelledby="align">
+        <h4 id="align">${words.align}</h4>
+        ${AXES.map((axis) => html`<div class="row">${align(axis)}</div>`)}
+        <div class="row">
+          ${this.press(words.onAxis, () => alignOnAxis(designer.state, middlesOf(designer)))}
+          ${this.press(words.onTable, () => putOnTable(designer.state, this.boxes))}
+        </div>
+        <div class="row">
+          ${this.press(words.onRim, () => standOn(designer.state, this.boxes, this.rims, false), words.onRimNote)}
+          ${this.press(words.onRimFitted, () => standOn(designer.state, this.boxes, this.rims, true), words.onRimNote)}
+        </div>
+      </div>
+      ${this.group(
+        words.distribute,
+        AXES.map((axis) =>
+          this.press(
+            words.ways[axis] ?? "",
+            () => distributeParts(designer.state, this.boxes, axis),
+            words.distributeNote,
+            count < 3,
+          ),
+        ),
+      )}
+    `;
+  }
+
+  private copies() {
+    const { designer } = this;
+    const unit = unitOf(designer.store.design);
+    const { step, centre } = this.proposed();
+    const far = 10 * Math.max(...step.map(Math.abs), 1);
+    const number = (
+      key: string,
+      label: string,
+      value: number,
+      range: readonly [number, number, number],
+      set: (value: number) => void,
+      of = unit as string,
+      help = "",
+    ) =>
+      html`<pasu-number
+        data-field="arrange-${key}"
+        .label=${label}
+        .help=${help}
+        .unit=${of}
+        .value=${value}
+        .min=${range[0]}
+        .max=${range[1]}
+        .step=${range[2]}
+        @number-change=${({ value: now }: NumberChangeEvent) => set(now)}
+      ></pasu-number>`;
+    return html`<div role="group" aria-labelledby="copies">
+        <h4 id="copies">${words.copies}</h4>
+        ${number(
+          "count",
+          words.count,
+          this.count,
+          [2, MOST_COPIES, 1],
+          (value) => {
+            this.count = Math.max(2, Math.min(MOST_COPIES, Math.round(value)));
+          },
+          "",
+          words.countHelp,
+        )}
+      </div>
+      <div role="group" aria-labelledby="row">
+        <h5 id="row">${words.row}</h5>
+        ${AXES.map((axis) =>
+          number(`step-${axis}`, words.steps[axis] ?? "", step[axis], [-far, far, 0.1], (value) => {
+            this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
+          }),
+        )}
+        <div class="row">${this.press(words.makeRow, () => this.checked(rowOfParts(designer.state, this.count, step)))}</div>
+      </div>
+      <div role="group" aria-labelledby="ring">
+        <h5 id="ring">${words.ring}</h5>
+        ${number(
+          "angle",
+          words.angle,
+          this.angle,
+          [-ALL_ROUND, ALL_ROUND, 1],
+          (value) => {
+            this.angle = value;
+          },
+          words.degree,
+          words.angleHelp,
+        )}
+        ${([0, 1] as const).map((axis) =>
+          number(`centre-${axis}`, words.centres[axis] ?? "", centre[axis], [-far, far, 0.1], (value) => {
+            this.centre = axis === 0 ? [value, centre[1]] : [centre[0], value];
+          }),
+        )}
+        <label class="check">
+          <input
+            type="checkbox"
+            .checked=${this.turning}
+            @change=${(event: Event) => {
+              this.turning = (event.target as HTMLInputElement).checked;
+            }}
+          />
+          ${words.turning}
+        </label>
+        <div class="row">
+          ${this.press(words.makeRing, () =>
+            this.checked(ringOfParts(designer.state, this.count, (this.angle / 180) * Math.PI, centre, this.turning)),
+          )}
+        </div>
+      </div>
+      <p class="problem" role="status">${this.problem}</p>`;
+  }
+
+  /** Beside each other with a gap; round the middle of the others, or where there are none beside the part. */
+  private proposed(): { readonly step: Triple; readonly centre: readonly [number, number] } {
+    const selected = selectedIds(this.designer.state);
+    const all = [...this.boxes];
+    const own = all.filter(([id]) => selected.includes(id)).map(([, box]) => box);
+    const wide = Math.max(...own.map((box) => box.max[0] - box.min[0]), 0) || 1;
+    const last = roundStep(wide) / 10;
+    const rounded = (value: number) => Number((Math.round(value / last) * last).toPrecision(6)) + 0;
+    const others = all.filter(([id]) => !selected.includes(id)).map(([, box]) => box);
+    const around = others.sort((a, b) => longestOf(b) - longestOf(a))[0];
+    const [x, y] = around ? middleOf(around) : [BESIDE * wide, 0];
+    return {
+      step: this.step ?? [rounded(BESIDE * wide), 0, 0],
+      centre: this.centre ?? [rounded(x), rounded(y)],
+    };
+  }
+
+  private get boxes() {
+    return boxesOf(this.designer);
+  }
+
+  private get rims() {
+    const { shown } = this.designer.surface;
+    const found = (shown?.solved.parts ?? []).flatMap((part, place) => {
+      const kind = shown?.design.parts[place]?.shape.kind;
+      const rims = kind && rimsOf(part, kind);
+      return rims ? [[part.id, rims] as const] : [];
+    });
+    return new Map(found);
+  }
+
+  private checked(change: Change): Change {
+    this.problem = change.undo === "none" ? partWords.tooMany(LIMITS.parts) : "";
+    return change;
+  }
+
+  private group(heading: string, content: readonly unknown[]) {
+    return html`<div role="group" aria-label=${heading === "" ? words.heading : heading}>
+      ${heading === "" ? nothing : html`<h4>${heading}</h4>`}
+      <div class="row">${content}</div>
+    </div>`;
+  }
+
+  private press(label: string, change: () => Change, note = "", disabled = false) {
+    const none = looseIds(this.designer.state).length === 0;
+    return html`<button
+      class="button outlined"
+      type="button"
+      title=${note === "" ? nothing : note}
+      ?disabled=${disabled || none}
+      @click=${() => this.designer.apply(change())}
+    >
+      ${label}
+    </button>`;
+  }
+
+  private readonly toggled = (event: Event): void => {
+    this.isOpen = (event.target as HTMLDetailsElement).open;
+  };
+
+  static override readonly styles = [
+    base,
+    buttons,
+    disclosure,
+    css`
+      :host {
+        display: block;
+      }
+      h4 {
+        padding: 10px 0 4px;
+        font-size: 0.9rem;
+        font-weight: 600;
+      }
+      h5 {
+        padding: 10px 0 2px;
+        color: var(--soft);
+        font-size: 0.86rem;
+        font-weight: 600;
+      }
+      .row {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 5px;
+        padding: 2px 0 3px;
+      }
+      .row .button {
+        min-height: 34px;
+        padding: 0 11px;
+        font-size: 0.88rem;
+      }
+      .check {
+        display: flex;
+        align-items: center;
+        gap: 9px;
+        min-height: 34px;
+        cursor: pointer;
+      }
+      .check input {
+        width: 1.05rem;
+        height: 1.05rem;
+        margin: 0;
+        accent-color: var(--accent);
+      }
+      .problem {
+        color: var(--warn);
+        font-size: 0.88rem;
+      }
+      @media (pointer: coarse) {
+        .row .button,
+        .check {
+          min-height: var(--touch);
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-arrange": PasuArrange;
+  }
+}

@@ -1,0 +1,149 @@
+/** The small bar over the stage while whole parts are moved: what a hand does with them, and whether in steps. */
+
+import { css, html } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { moved } from "../../document/moving";
+import { setHandling, toggleSnapping } from "../../state/actions";
+import { placeParts, standingOf } from "../../state/place-actions";
+import { HANDLINGS } from "../../state/session";
+import { looseIds } from "../../state/several-actions";
+import { segmented, segments } from "../../ui/segments";
+import { base, buttons } from "../../ui/styles";
+import { handling as words } from "../../words/english/handling";
+import { degreesWords, lengthWords } from "../../words/quantities";
+import { boxesOf, mannerOf } from "../../work/held";
+import { DesignerElement } from "../designer-element";
+import { toTable } from "./motion";
+
+@customElement("pasu-place-bar")
+export class PasuPlaceBar extends DesignerElement {
+  override render() {
+    const { designer } = this;
+    const { session, design } = designer.state;
+    const loose = looseIds(designer.state);
+    const manner = mannerOf(designer);
+    const step = lengthWords(manner?.step ?? 1, unitOf(design));
+    return html`
+      <div class="bar" role="group" aria-label=${words.tool}>
+        ${segments(words.way, "way", HANDLINGS, session.handling, words.ways, null, (way) => designer.apply(setHandling(way)))}
+        <label class="steps" title=${words.stepsHelp(step, degreesWords(15))}>
+          <input
+            type="checkbox"
+            .checked=${session.snapping}
+            @change=${() => designer.apply(toggleSnapping(designer.state))}
+          />
+          ${words.steps}
+        </label>
+        <button
+          class="button"
+          type="button"
+          title=${words.toTableHelp}
+          ?disabled=${loose.length === 0 || !manner}
+          @click=${this.toTable}
+        >
+          ${words.toTable}
+        </button>
+      </div>
+      <p class="note" role="status" ?hidden=${loose.length > 0}>${loose.length > 0 ? "" : words.locked}</p>
+    `;
+  }
+
+  /** The pot under the bar stays clear of it. */
+  override updated(): void {
+    this.dispatchEvent(new Event("bar-shown"));
+  }
+
+  private readonly toTable = (): void => {
+    const { designer } = this;
+    const { state } = designer;
+    const boxes = boxesOf(designer);
+    const table = mannerOf(designer)?.table ?? 0;
+    const places = looseIds(state).flatMap((id) => {
+      const box = boxes.get(id);
+      if (!box) return [];
+      const size = box.max[2] - box.min[2];
+      return [[id, moved(standingOf(state, id), [0, 0, toTable(box.min[2], table, size)])] as const];
+    });
+    designer.apply(placeParts(state, new Map(places)));
+  };
+
+  static override readonly styles = [
+    base,
+    buttons,
+    segmented,
+    css`
+      :host {
+        position: absolute;
+        z-index: 3;
+        inset: 12px 12px auto;
+        display: grid;
+        justify-items: center;
+        gap: 6px;
+        pointer-events: none;
+      }
+      .bar {
+        display: flex;
+        align-items: center;
+        justify-content: center;
+        gap: 4px 10px;
+        padding: 4px 8px;
+        border: 1px solid var(--line);
+        border-radius: 13px;
+        background: var(--sheet);
+        box-shadow: 0 3px 14px var(--shadow);
+        font-size: 0.9rem;
+        pointer-events: auto;
+      }
+      .steps {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+        min-height: 34px;
+        cursor: pointer;
+      }
+      .steps input {
+        width: 1.05rem;
+        height: 1.05rem;
+        margin: 0;
+        accent-color: var(--accent);
+      }
+      .button {
+        min-height: 34px;
+        padding: 0 10px;
+        font-size: 0.9rem;
+        white-space: nowrap;
+      }
+      .note[hidden] {
+        display: none;
+      }
+      .note {
+        padding: 5px 11px;
+        border-radius: 9px;
+        background: var(--sheet);
+        font-size: 0.88rem;
+      }
+      @media (pointer: coarse) {
+        .steps,
+        .button {
+          min-height: var(--touch);
+        }
+      }
+      @media (max-width: 53.6875em) {
+        :host {
+          inset: 4px 6px auto;
+        }
+        .bar {
+          gap: 4px;
+          padding: 3px 5px;
+        }
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-place-bar": PasuPlaceBar;
+  }
+}
