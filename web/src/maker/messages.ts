@@ -22,6 +22,7 @@ import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
+import type { InsideAsk, SeenInside } from "./inside";
 import type { WovenAsk, WovenShape } from "./woven";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
@@ -140,6 +141,7 @@ export type Ask =
   | PullAsk
   | HoldAsk
   | CellsAsk
+  | InsideAsk
   | WovenAsk
   | {
       readonly kind: "solid";
@@ -182,6 +184,7 @@ export interface Answers {
   /** Null where that cannot be had. */
   readonly hold: HeldShape | null;
   readonly cells: MadeCells;
+  readonly inside: SeenInside;
   readonly woven: WovenShape;
   readonly solid: Solid;
   readonly quick: Quick;

@@ -41,6 +41,8 @@ export interface Session {
   readonly export: { readonly format: Format; readonly shrinkage: number };
   /** Whether a hand on the stage pulls the pot, and does not turn it. */
   readonly pulling: boolean;
+  /** The blend whose inside is on the stage in the place of its skin. */
+  readonly inside: PartId | null;
   /** How much more clay is wedged than the pot has, for trimming and waste, in percent. */
   readonly allowance: number;
 }
@@ -58,5 +60,6 @@ export const NEW_SESSION: Session = {
   fill: null,
   export: { format: "3mf", shrinkage: 0 },
   pulling: false,
+  inside: null,
   allowance: 20,
 };

@@ -27,6 +27,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   fill: "nowhere",
   export: "browser",
   pulling: "nowhere",
+  inside: "nowhere",
   allowance: "browser",
 };
 

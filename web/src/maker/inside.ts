@@ -1,0 +1,80 @@
+/** Surfaces within a blend, with what its equation leaves or how much room there is at each of their points. */
+
+import { evaluate, inside, insideValues } from "pasu";
+import { type InsideMap, type Look, sheetsOf } from "../document/blend/looking";
+import type { Design, Sent, Triple } from "../document/types";
+import { paintedOf } from "./painted";
+
+export interface InsideAsk {
+  readonly kind: "inside";
+  readonly design: Design;
+  readonly part: number;
+  readonly look: Look;
+}
+
+export interface SeenInside {
+  /** xyz triples in model units, before placement. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** One number for each, NaN where there is none: on the border of a disc over a square. */
+  readonly values: Float32Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** Of those that there are. */
+  readonly least: number;
+  readonly greatest: number;
+  /** The range that the colours stand for. */
+  readonly low: number;
+  readonly high: number;
+  /** Of the whole inside, by samples: the largest residual or the least Jacobian, and where. */
+  readonly worst: number;
+  readonly worstAt: Triple;
+  readonly folded: boolean;
+  /** Of residuals: whether the equation holds wherever it was looked at, but for rounding. */
+  readonly holds: boolean;
+}
+
+/** A residual that is less than this part of the size is none: derivatives of the fourth order are no more exact. */
+const ROUNDING = 1e-9;
+
+export function insideOf({ design, part, look }: InsideAsk): SeenInside {
+  const blend = design.parts[part]?.shape;
+  if (blend?.kind !== "blend") throw new Error("what is looked into is a blend");
+  const { at, indices } = sheetsOf(blend, look);
+  const positions = Float32Array.from(evaluate(design as Sent, part, at));
+  const half = [blend.start, blend.end].some(({ form }) => form === "disc-in-square");
+  const values = valuesOf(design as Sent, part, look.map, at, half);
+  let [least, greatest] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const value of values) {
+    if (Number.isNaN(value)) continue;
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+  }
+  const told = inside(design as Sent, part);
+  const [worst, place] = look.map === "residual" ? [told.residual, told.residualAt] : [told.jacobian, told.jacobianAt];
+  const worstAt: Triple = [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
+  const painted = paintedOf({ values, least, greatest });
+  const size = positions.reduce((most, each) => Math.max(most, Math.abs(each)), 0);
+  const holds = look.map === "residual" && Math.max(worst, greatest) <= ROUNDING * size;
+  return { ...painted, values, positions, indices, worst, worstAt, folded: told.isFolded, holds };
+}
+
+/** Where a disc over a square has infinite derivatives there is no number. */
+function valuesOf(
+  design: Sent,
+  part: number,
+  map: InsideMap,
+  at: Float64Array<ArrayBuffer>,
+  half: boolean,
+): Float32Array<ArrayBuffer> {
+  if (!half) return Float32Array.from(insideValues(design, part, map, at));
+  const known: number[] = [];
+  for (let point = 0; 3 * point < at.length; point += 1) {
+    const u = at[3 * point] ?? 0;
+    if (u > 0 && u < 1) known.push(point);
+  }
+  const asked = Float64Array.from(known.flatMap((point) => [...at.subarray(3 * point, 3 * point + 3)]));
+  const values = new Float32Array(at.length / 3).fill(Number.NaN);
+  insideValues(design, part, map, asked).forEach((value, place) => {
+    values[known[place] ?? 0] = value;
+  });
+  return values;
+}
