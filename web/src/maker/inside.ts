@@ -1,36 +1,10 @@
 /** Surfaces within a blend, with what its equation leaves or how much room there is at each of their points. */
 
 import { evaluate, inside, insideValues } from "pasu";
-import { type InsideMap, type Look, sheetsOf } from "../document/blend/looking";
-import type { Design, Sent, Triple } from "../document/types";
+import { type InsideMap, type SeenInside, sheetsOf } from "../document/blend/looking";
+import type { Sent, Triple } from "../document/types";
+import type { InsideAsk } from "./messages";
 import { paintedOf } from "./painted";
-
-export interface InsideAsk {
-  readonly kind: "inside";
-  readonly design: Design;
-  readonly part: number;
-  readonly look: Look;
-}
-
-export interface SeenInside {
-  /** xyz triples in model units, before placement. */
-  readonly positions: Float32Array<ArrayBuffer>;
-  /** One number for each, NaN where there is none: on the border of a disc over a square. */
-  readonly values: Float32Array<ArrayBuffer>;
-  readonly indices: Uint32Array<ArrayBuffer>;
-  /** Of those that there are. */
-  readonly least: number;
-  readonly greatest: number;
-  /** The range that the colours stand for. */
-  readonly low: number;
-  readonly high: number;
-  /** Of the whole inside, by samples: the largest residual or the least Jacobian, and where. */
-  readonly worst: number;
-  readonly worstAt: Triple;
-  readonly folded: boolean;
-  /** Of residuals: whether the equation holds wherever it was looked at, but for rounding. */
-  readonly holds: boolean;
-}
 
 /** A residual that is less than this part of the size is none: derivatives of the fourth order are no more exact. */
 const ROUNDING = 1e-9;

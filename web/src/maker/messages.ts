@@ -1,5 +1,6 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { Look, SeenInside } from "../document/blend/looking";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
@@ -22,7 +23,6 @@ import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
-import type { InsideAsk, SeenInside } from "./inside";
 import type { WovenAsk, WovenShape } from "./woven";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
@@ -135,6 +135,14 @@ export interface HoldAsk {
 /** The pot that holds what it held before. */
 export interface HeldShape {
   readonly shape: Rings;
+}
+
+/** How one looks into a blend. */
+export interface InsideAsk {
+  readonly kind: "inside";
+  readonly design: Design;
+  readonly part: number;
+  readonly look: Look;
 }
 
 export type Ask =

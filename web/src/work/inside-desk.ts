@@ -1,9 +1,8 @@
 /** How a person looks into a blend, and what is seen there. Fetched with the panel, and kept as long as the page is open. */
 
 import { batch, signal } from "@preact/signals-core";
-import { type Look, USUAL } from "../document/blend/looking";
+import { type Look, type SeenInside, USUAL } from "../document/blend/looking";
 import type { Blend, Refusal } from "../document/types";
-import type { SeenInside } from "../maker/inside";
 import type { Designer } from "./designer";
 
 const LANE = "inside";

@@ -25,6 +25,27 @@ export interface Sheets {
   readonly indices: Uint32Array<ArrayBuffer>;
 }
 
+/** Surfaces within a blend, and what is told of its inside. */
+export interface SeenInside {
+  /** xyz triples in model units, before placement. */
+  readonly positions: Float32Array<ArrayBuffer>;
+  /** One number for each, NaN where there is none: on the border of a disc over a square. */
+  readonly values: Float32Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+  /** Of those that there are. */
+  readonly least: number;
+  readonly greatest: number;
+  /** The range that the colours stand for. */
+  readonly low: number;
+  readonly high: number;
+  /** Of the whole inside, by samples: the largest residual or the least Jacobian, and where. */
+  readonly worst: number;
+  readonly worstAt: Triple;
+  readonly folded: boolean;
+  /** Of residuals: whether the equation holds wherever it was looked at, but for rounding. */
+  readonly holds: boolean;
+}
+
 /** Cells along each side of a sheet; round a solid it takes more. */
 const CELLS = 36;
 const ROUND = 96;
