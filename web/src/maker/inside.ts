@@ -1,8 +1,8 @@
 /** Surfaces within a blend, with what its equation leaves or how much room there is at each of their points. */
 
 import { evaluate, inside, insideValues } from "pasu";
-import { type InsideMap, type SeenInside, sheetsOf } from "../document/blend/looking";
-import type { Sent, Triple } from "../document/types";
+import { type Beyond, beyondOf, type InsideMap, type SeenInside, sheetsOf } from "../document/blend/looking";
+import type { Blend, Sent, Triple } from "../document/types";
 import type { InsideAsk } from "./messages";
 import { paintedOf } from "./painted";
 
@@ -13,9 +13,14 @@ export function insideOf({ design, part, look }: InsideAsk): SeenInside {
   const blend = design.parts[part]?.shape;
   if (blend?.kind !== "blend") throw new Error("what is looked into is a blend");
   const { at, indices } = sheetsOf(blend, look);
-  const positions = Float32Array.from(evaluate(design as Sent, part, at));
+  const beyond = look.shown === "joined" ? beyondOf(blend) : null;
+  const within = evaluate(design as Sent, part, at);
+  const positions = new Float32Array(within.length + (beyond?.at.length ?? 0));
+  positions.set(within);
+  if (beyond) positions.set(joined(design as Sent, part, blend, beyond), within.length);
   const half = [blend.start, blend.end].some(({ form }) => form === "disc-in-square");
-  const values = valuesOf(design as Sent, part, look.map, at, half);
+  const values = new Float32Array(positions.length / 3).fill(Number.NaN);
+  values.set(valuesOf(design as Sent, part, look.map, at, half));
   let [least, greatest] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const value of values) {
     if (Number.isNaN(value)) continue;
@@ -28,7 +33,26 @@ export function insideOf({ design, part, look }: InsideAsk): SeenInside {
   const painted = paintedOf({ values, least, greatest });
   const size = positions.reduce((most, each) => Math.max(most, Math.abs(each)), 0);
   const holds = look.map === "residual" && Math.max(worst, greatest) <= ROUNDING * size;
-  return { ...painted, values, positions, indices, worst, worstAt, folded: told.isFolded, holds };
+  const all = beyond
+    ? Uint32Array.from([...indices, ...beyond.indices.map((each) => each + within.length / 3)])
+    : indices;
+  return { ...painted, values, positions, indices: all, worst, worstAt, folded: told.isFolded, holds };
+}
+
+/** Points of the solids that a blend joins: of its sections, moved along its tangents there. So both have the tangents in common. */
+export function joined(
+  design: Sent,
+  part: number,
+  { start, end }: Blend,
+  { at, along }: Omit<Beyond, "indices">,
+): Float64Array<ArrayBuffer> {
+  const points = Float64Array.from(evaluate(design, part, at));
+  for (const [point, far] of along.entries()) {
+    const { taper, dz } = at[3 * point + 2] === 0 ? start : end;
+    for (const axis of [0, 1]) points[3 * point + axis] = (points[3 * point + axis] ?? 0) * (1 + far * taper);
+    points[3 * point + 2] = (points[3 * point + 2] ?? 0) + far * dz;
+  }
+  return points;
 }
 
 /** Where a disc over a square has infinite derivatives there is no number. */

@@ -57,13 +57,16 @@ export class PasuBlendInside extends DesignerElement {
         look.shown,
         (shown) => desk.set({ shown }),
       )}
-      ${look.at.map((value, axis) => {
-        const set = (to: number) => {
-          const fits = to >= 0 && to <= 1;
-          this.wrong = fits ? null : axis;
-          if (fits) desk.set({ at: look.at.map((each, at) => (at === axis ? to : each)) as unknown as Triple });
-        };
-        return html`<pasu-number
+      ${
+        look.shown === "joined"
+          ? nothing
+          : look.at.map((value, axis) => {
+              const set = (to: number) => {
+                const fits = to >= 0 && to <= 1;
+                this.wrong = fits ? null : axis;
+                if (fits) desk.set({ at: look.at.map((each, at) => (at === axis ? to : each)) as unknown as Triple });
+              };
+              return html`<pasu-number
           .label=${labels[axis] ?? ""}
           .value=${value}
           .opened=${whole[axis] ?? 1}
@@ -74,7 +77,8 @@ export class PasuBlendInside extends DesignerElement {
           @number-change=${(event: NumberChangeEvent) => set(event.value)}
           @number-reset=${() => set(whole[axis] ?? 1)}
         ></pasu-number>`;
-      })}
+            })
+      }
       ${choices(
         words.colours,
         INSIDE_MAPS.map((value) => ({

@@ -3,7 +3,7 @@
 import type { Blend, Pair, Triple } from "../types";
 import { isClosed } from "./section";
 
-export const SHOWN = ["cut", "surfaces"] as const;
+export const SHOWN = ["cut", "surfaces", "joined"] as const;
 export type Shown = (typeof SHOWN)[number];
 
 export const INSIDE_MAPS = ["residual", "jacobian"] as const;
@@ -55,6 +55,52 @@ export function isRound({ start, end }: Blend): boolean {
   return isClosed(start.form) && isClosed(end.form);
 }
 
+/** How far the solids that a blend joins are shown beyond its sections, in parts of their tangents there: a flare is straight so far. */
+const BEYOND = 0.15;
+
+/** The same of the solids that a blend joins: prisms and cylinders, tapered as its tangents say. */
+export interface Beyond {
+  /** Points (u, v, w) of a section, and how far along its tangent each point of the solid is: below 0 before the blend begins. */
+  readonly at: Float64Array<ArrayBuffer>;
+  readonly along: Float64Array<ArrayBuffer>;
+  readonly indices: Uint32Array<ArrayBuffer>;
+}
+
+/** The sides of both solids, and where each ends. */
+export function beyondOf(blend: Blend): Beyond {
+  const round = isRound(blend);
+  const [places, along, indices]: [number[], number[], number[]] = [[], [], []];
+  const sides: readonly Pair[] = round
+    ? [[0, 1]]
+    : [
+        [0, 0],
+        [0, 1],
+        [1, 0],
+        [1, 1],
+      ];
+  const ranges: Ranges = [
+    [0, 1],
+    [0, 1],
+    [0, 1],
+  ];
+  for (const [w, far] of [
+    [0, -BEYOND],
+    [1, BEYOND],
+  ] as const) {
+    const add = (axis: 0 | 1 | 2, held: number) => {
+      const first = places.length;
+      grid(axis, held, ranges, round, places, indices);
+      for (let place = first; place < places.length; place += 3) {
+        along.push(axis === 2 ? far : (places[place + 2] ?? 0) * far);
+        places[place + 2] = w;
+      }
+    };
+    for (const [axis, held] of sides) add(axis as 0 | 1, held);
+    add(2, w);
+  }
+  return { at: Float64Array.from(places), along: Float64Array.from(along), indices: Uint32Array.from(indices) };
+}
+
 /** What is left of each parameter by a cut: from 0 to it, but along `v` what is behind it, as the page looks at a pot. */
 export function leftOf({ start }: Blend, at: Triple): readonly [Pair, Pair, Pair] {
   return [[0, at[0]], start.form === "rectangle" ? [0, at[1]] : [at[1], 1], [0, at[2]]];
@@ -78,9 +124,9 @@ export function sheetsOf(blend: Blend, { shown, at }: Look): Sheets {
     [0, 1],
     [0, 1],
   ];
-  const left = leftOf(blend, at);
+  const left = shown === "joined" ? whole : leftOf(blend, at);
   const add = (axis: 0 | 1 | 2, held: number) =>
-    grid(axis, held, shown === "cut" ? left : whole, round, places, indices);
+    grid(axis, held, shown === "surfaces" ? whole : left, round, places, indices);
   for (const axis of [0, 1, 2] as const) {
     const [from, to] = left[axis];
     if (shown === "surfaces") add(axis, at[axis]);

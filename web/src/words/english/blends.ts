@@ -129,6 +129,7 @@ export const blends = phrases("blends", {
   showns: {
     cut: { name: "Cut away", help: "What three cuts along u, v and w leave" },
     surfaces: { name: "Three surfaces", help: "On each of them u, v or w stays the same" },
+    joined: { name: "What it joins", help: "The solids that go on beyond both sections, in grey" },
   } satisfies Readonly<Record<Shown, Told>>,
   colours: "Colours show",
   insideMaps: {
