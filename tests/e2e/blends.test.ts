@@ -80,7 +80,16 @@ test("a section takes another form, and the blend is solved another way", async 
   await pot.shows(box);
   await pot.page.getByRole("radio", { name: "Collocation" }).check();
   await pot.page.getByRole("spinbutton", { name: "Terms, along w" }).waitFor();
+  await pot.button("Compare the methods").click();
+  const table = pot.page.getByRole("table", { name: "Compare the methods" });
+  await table.waitFor();
+  expect(await table.getByRole("columnheader").allInnerTexts()).toEqual(["Exact", "Modal", "Collocation"]);
+  expect(await table.getByRole("row").count()).toBe(7);
   expect(await findings(pot)).toEqual([]);
+  // It says when it is of what was before.
+  await pot.type("Weight round", "0.7");
+  await pot.button("Compare again").click();
+  await pot.button("Compare again").waitFor({ state: "detached" });
 });
 
 test("a round and a square section that fold through each other are told at once, and agree by a button", async () => {
@@ -113,12 +122,16 @@ test("everything is from the catalogue", async () => {
   await pot.page.locator("pasu-blend-cards li").first().waitFor();
   await pot.page.locator("pasu-blend-solving summary").click();
   expect(await unmarked(pot)).toEqual([]);
+  await pot.page.locator("pasu-blend-solving .compare").click();
+  await pot.page.locator("pasu-blend-methods table").waitFor();
+  const words = await pot.page.locator("pasu-blend-methods :is(th, caption, .about)").allInnerTexts();
+  expect(words.filter((text) => !/^⟦.*⟧$/.test(text.trim()))).toEqual([]);
   const within = pot.page.locator("pasu-blend-inside");
   await within.locator("summary").click();
   await within.locator("button").first().click();
   await within.locator(".ramp").waitFor();
   expect(await unmarked(pot)).toEqual([]);
-  await within.locator("input[type=radio]").nth(2).check({ force: true });
+  await within.locator("input[type=radio]").nth(3).check({ force: true });
   await expect.poll(() => within.locator(".ramp").count()).toBe(0);
   expect(await unmarked(pot)).toEqual([]);
 });

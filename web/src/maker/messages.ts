@@ -1,6 +1,7 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
 import type { Look, SeenInside } from "../document/blend/looking";
+import type { Method } from "../document/blend/solving";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
@@ -137,6 +138,27 @@ export interface HeldShape {
   readonly shape: Rings;
 }
 
+/** The same blend by each method. */
+export interface MethodsAsk {
+  readonly kind: "methods";
+  readonly design: Design;
+  readonly part: number;
+}
+
+/** A blend as one method solves it. */
+export interface Solved {
+  readonly method: Method;
+  /** Those that it uses. */
+  readonly terms: readonly number[];
+  readonly milliseconds: number;
+  /** What it leaves of the equation inside, by samples: the largest, and the root of the mean square. */
+  readonly residual: number;
+  readonly mean: number;
+  /** How far points inside are at most from those of the method that the blend has, and from a plain loft. */
+  readonly apart: number;
+  readonly fromLoft: number;
+}
+
 /** How one looks into a blend. */
 export interface InsideAsk {
   readonly kind: "inside";
@@ -150,6 +172,7 @@ export type Ask =
   | HoldAsk
   | CellsAsk
   | InsideAsk
+  | MethodsAsk
   | WovenAsk
   | {
       readonly kind: "solid";
@@ -193,6 +216,7 @@ export interface Answers {
   readonly hold: HeldShape | null;
   readonly cells: MadeCells;
   readonly inside: SeenInside;
+  readonly methods: readonly Solved[];
   readonly woven: WovenShape;
   readonly solid: Solid;
   readonly quick: Quick;

@@ -22,6 +22,7 @@ import { holding } from "./holding";
 import { insideOf } from "./inside";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
+import { methodsOf } from "./methods";
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
 import { solidOf } from "./solid";
@@ -60,6 +61,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return cellsOf(ask);
     case "inside":
       return insideOf(ask);
+    case "methods":
+      return methodsOf(ask);
     case "woven":
       return wovenOf(ask);
     case "free":
