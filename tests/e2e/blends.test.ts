@@ -2,7 +2,9 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
+import { CLEAR } from "../support/visit.ts";
 import { PSEUDO, unmarked } from "../support/words.ts";
 
 const here = stay();
@@ -78,7 +80,16 @@ test("a section takes another form, and the blend is solved another way", async 
   await pot.shows(box);
   await pot.page.getByRole("radio", { name: "Collocation" }).check();
   await pot.page.getByRole("spinbutton", { name: "Terms, along w" }).waitFor();
+  await pot.button("Compare the methods").click();
+  const table = pot.page.getByRole("table", { name: "Compare the methods" });
+  await table.waitFor();
+  expect(await table.getByRole("columnheader").allInnerTexts()).toEqual(["Exact", "Modal", "Collocation"]);
+  expect(await table.getByRole("row").count()).toBe(7);
   expect(await findings(pot)).toEqual([]);
+  // It says when it is of what was before.
+  await pot.type("Weight round", "0.7");
+  await pot.button("Compare again").click();
+  await pot.button("Compare again").waitFor({ state: "detached" });
 });
 
 test("a round and a square section that fold through each other are told at once, and agree by a button", async () => {
@@ -111,6 +122,54 @@ test("everything is from the catalogue", async () => {
   await pot.page.locator("pasu-blend-cards li").first().waitFor();
   await pot.page.locator("pasu-blend-solving summary").click();
   expect(await unmarked(pot)).toEqual([]);
+  await pot.page.locator("pasu-blend-solving .compare").click();
+  await pot.page.locator("pasu-blend-methods table").waitFor();
+  const words = await pot.page.locator("pasu-blend-methods :is(th, caption, .about)").allInnerTexts();
+  expect(words.filter((text) => !/^⟦.*⟧$/.test(text.trim()))).toEqual([]);
+  const within = pot.page.locator("pasu-blend-inside");
+  await within.locator("summary").click();
+  await within.locator("button").first().click();
+  await within.locator(".ramp").waitFor();
+  expect(await unmarked(pot)).toEqual([]);
+  await within.locator("input[type=radio]").nth(3).check({ force: true });
+  await expect.poll(() => within.locator(".ramp").count()).toBe(0);
+  expect(await unmarked(pot)).toEqual([]);
+});
+
+test("one looks into a solid by three sliders, and closes it again", async () => {
+  const pot = await here.enter(CLEAR);
+  const first = await pot.fingerprint();
+  await pot.dropFile("oval.json", OVAL);
+  await pot.fingerprintOtherThan(first);
+  const { page } = pot;
+  const within = page.locator("pasu-blend-inside");
+  const legend = within.locator(".legend");
+  const skin = await stagePicture(pot);
+  // By keys alone.
+  await within.locator("summary").press("Enter");
+  await pot.button("Look inside").press("Enter");
+  await expect.poll(() => legend.innerText()).toMatch(/On what is shown: 0 to \d+/);
+  expect(await findings(pot)).toEqual([]);
+  const half = await stagePicture(pot);
+  expect(half.equals(skin)).toBe(false);
+  await pot.type("v, round the middle", "0.75");
+  await expect.poll(async () => (await stagePicture(pot)).equals(half)).toBe(false);
+  const quarter = await stagePicture(pot);
+  await pot.type("v, round the middle", "7");
+  expect(await within.getByText("From 0 to 1.").count()).toBe(1);
+  await pot.type("v, round the middle", "0.75");
+  await page.getByRole("radio", { name: "Three surfaces" }).check();
+  await expect.poll(async () => (await stagePicture(pot)).equals(quarter)).toBe(false);
+  await page.getByRole("radio", { name: "Residual" }).check();
+  await expect.poll(() => legend.innerText()).toMatch(/The largest of 1728 samples is|The equation holds everywhere/);
+  const before = await stagePicture(pot);
+  // It follows the design.
+  await pot.type("Half width, lower", "6 cm");
+  await expect.poll(async () => (await stagePicture(pot)).equals(before)).toBe(false);
+  await pot.undo();
+  await pot.button("Look inside").press("Enter");
+  await page.locator("pasu-inside-layer").waitFor({ state: "detached" });
+  await expect.poll(async () => (await stagePicture(pot)).equals(skin)).toBe(true);
 });
 
 test("a new blend is two pictures of sections, and a pot of the gallery opens with its wall", async () => {

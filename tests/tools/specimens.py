@@ -27,6 +27,24 @@ class Template:
 
 
 @dataclass(frozen=True)
+class Cells:
+    """The inside of a solid as cells. Lengths are millimetres."""
+
+    """`hexahedron` or `tetrahedron`."""
+    shape: str
+    """0 and then finer."""
+    fineness: int
+    """The same cells in every format."""
+    files: dict[str, Path]
+    points: int
+    cells: int
+    """The sum of the volumes of all cells."""
+    volume: float
+    """The scaled Jacobian of the worst cell."""
+    least_quality: float
+
+
+@dataclass(frozen=True)
 class Specimen:
     """One product of one design. Lengths are millimetres."""
 
@@ -53,6 +71,8 @@ class Specimen:
     slice: bool
     """What the template of each part shows."""
     templates: tuple[Template, ...]
+    """What is inside, where that is known: every shape and fineness."""
+    cells: tuple[Cells, ...] = ()
 
     def with_file(self, kind: str, path: Path, damage: str) -> Specimen:
         """The same expectations of another, damaged file, which is not sliced."""
@@ -122,13 +142,22 @@ def load(folder: Path) -> list[Specimen]:
 
 def read(folder: Path, entry: dict) -> Specimen:
     """One entry of `specimens.json`."""
-    others = ("files", "size", "link", "making", "templates")
+    others = ("files", "size", "link", "making", "templates", "cells")
     fields = {key: value for key, value in entry.items() if key not in others}
     files = {kind: folder / name for kind, name in entry["files"].items()}
     templates = tuple(
         Template(sections=tuple(map(tuple, part["sections"])), height=part["height"], strip=part["strip"])
         for part in entry["templates"]
     )
+    cells = tuple(
+        Cells(**{**each, "files": {kind: folder / name for kind, name in each["files"].items()}})
+        for each in entry["cells"]
+    )
     return Specimen(
-        files=files, size=tuple(entry["size"]), product=entry["making"]["product"], templates=templates, **fields
+        cells=cells,
+        files=files,
+        size=tuple(entry["size"]),
+        product=entry["making"]["product"],
+        templates=templates,
+        **fields,
     )

@@ -15,6 +15,8 @@ pub(crate) struct Specimen {
     pub(crate) formats: Vec<Format>,
     /// Whether the slicer is to slice it too.
     pub(crate) slice: bool,
+    /// The cells of the inside that are written as well, by how many there are along `u`, `v` and `w`.
+    pub(crate) cells: Vec<[usize; 3]>,
 }
 
 impl Specimen {
@@ -50,6 +52,7 @@ pub(crate) fn gallery() -> Result<Vec<Specimen>> {
                 vec![Format::Stl, Format::ThreeMf, Format::Step]
             },
             slice: ["own-dint", "own-saddle", "own-square", "zhang-you-1a"].contains(&name),
+            cells: Vec::new(),
         });
         specimens.push(Specimen {
             name: format!("{name}-solid"),
@@ -57,6 +60,7 @@ pub(crate) fn gallery() -> Result<Vec<Specimen>> {
             making: Making { product: Product::Solid, ..making },
             formats: Format::ALL.to_vec(),
             slice: ["own-twist", "own-fluted", "ishak-ali-4-n5"].contains(&name),
+            cells: Vec::new(),
         });
     }
     Ok(specimens)
@@ -77,6 +81,7 @@ pub(crate) fn hard() -> Result<Vec<Specimen>> {
             making,
             formats: Format::ALL.to_vec(),
             slice: name == "foot-ring-and-drain",
+            cells: Vec::new(),
         });
         Ok(())
     };
@@ -135,6 +140,69 @@ pub(crate) fn hard() -> Result<Vec<Specimen>> {
     let pair = json!([{ "name": "jar", "shape": jar, "wall": wall, "look": { "glaze": "celadon" } },
         { "name": "dints", "shape": dint, "wall": wall, "place": beside, "look": { "glaze": "cobalt" } }]);
     add("a-pair", pair, "cm", coarse(0.04))?;
+    Ok(specimens)
+}
+
+/// Formats of a body that has no axis to be cut along.
+const BODIES: [Format; 7] =
+    [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::ObjZip, Format::Ply, Format::Step];
+
+/// How finely the inside of a blend is cut, and half as finely: what is solved on the cells has to come nearer to its formula.
+const CELLS: [[usize; 3]; 2] = [[4, 16, 8], [8, 32, 16]];
+
+/// Blends of every form and method as solids with their cells, and one as a pot.
+pub(crate) fn blends() -> Result<Vec<Specimen>> {
+    let section = |form: &str, radius: [f64; 2], [z, taper, dz]: [f64; 3]| json!({ "form": form, "radius": radius, "z": z, "taper": taper, "dz": dz });
+    let petals = |[z, taper, dz]: [f64; 3]| {
+        json!({ "form": "outline", "x": [{ "n": 1, "sin": 4 }, { "n": 4, "sin": -0.3 }, { "n": 6, "sin": 0.3 }],
+            "y": [{ "n": 1, "cos": 4 }, { "n": 4, "cos": 0.3 }, { "n": 6, "cos": 0.3 }], "z": z, "taper": taper, "dz": dz })
+    };
+    let blend = |start: Value, end: Value, method: &str, weights: [f64; 3]| json!({ "kind": "blend", "start": start, "end": end, "method": method, "weights": weights, "terms": [6, 5, 4] });
+    let (low, high) = ([0.0, 0.2, 7.0], [8.0, -0.1, 6.0]);
+    // With even weights a round solid has a neck that is next to nothing.
+    let light = [1.0, 0.005, 1.0];
+    let solids = [
+        (
+            "rectangles",
+            blend(section("rectangle", [2.0, 3.0], low), section("rectangle", [4.0, 2.0], high), "modal", [1.0; 3]),
+            true,
+        ),
+        ("discs", blend(section("disc", [4.0, 3.0], low), section("disc", [2.5, 3.0], high), "exact", light), true),
+        ("disc-to-petals", blend(section("disc", [3.0, 3.0], low), petals(high), "exact", light), true),
+        ("petals-by-modes", blend(petals(low), section("disc", [3.0, 3.0], high), "modal", [1.0; 3]), false),
+        (
+            "disc-over-a-square",
+            blend(
+                section("disc-in-square", [2.0, 3.0], low),
+                section("rectangle-reversed", [3.0, 2.0], high),
+                "collocation",
+                [1.0; 3],
+            ),
+            false,
+        ),
+    ];
+    let making = Making { product: Product::Solid, tolerance: Some(0.03), ..Making::default() };
+    let mut specimens = Vec::new();
+    for (name, shape, has_cells) in solids {
+        specimens.push(Specimen {
+            name: format!("blend-{name}"),
+            design: document(json!([{ "shape": shape }]), "cm")?,
+            making,
+            formats: BODIES.to_vec(),
+            slice: false,
+            cells: if has_cells { CELLS.to_vec() } else { Vec::new() },
+        });
+    }
+    let vessel = blend(section("disc", [3.5, 3.0], low), petals([8.0, 0.3, 9.0]), "exact", light);
+    let wall = json!({ "thickness": 0.3, "base": 0.4, "rim": "rounded" });
+    specimens.push(Specimen {
+        name: "blend-vessel".to_owned(),
+        design: document(json!([{ "shape": vessel, "wall": wall }]), "cm")?,
+        making: Making { tolerance: Some(0.03), ..Making::default() },
+        formats: Format::ALL.to_vec(),
+        slice: false,
+        cells: Vec::new(),
+    });
     Ok(specimens)
 }
 

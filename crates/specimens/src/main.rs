@@ -1,5 +1,6 @@
 //! Writes the files that other programs judge, and in `specimens.json` what these are to find. `cargo xtask test --tools` runs it.
 
+mod cells;
 mod designs;
 mod sheet;
 
@@ -43,7 +44,7 @@ fn main() -> Result<()> {
     if named.is_empty() && pots < FEWEST_POTS {
         bail!("{pots} designs of the gallery can be made into pots, expected {FEWEST_POTS} at least");
     }
-    let hard = wanted(designs::hard()?);
+    let hard = wanted(designs::hard()?.into_iter().chain(designs::blends()?).collect());
     for (specimen, written) in hard.iter().zip(write_all(&folder, &hard)) {
         match written? {
             Ok(sheet) => specimens.push(sheet),
@@ -93,7 +94,12 @@ fn write(folder: &Path, specimen: &designs::Specimen) -> Result<pasu::Result<Val
         fs::write(folder.join(&name), bytes).with_context(|| format!("cannot write {name}"))?;
         files.insert(format.name().to_owned(), name.into());
     }
+    let cells = match cells::write(folder, specimen)? {
+        Ok(cells) => cells,
+        Err(error) => return Ok(Err(error)),
+    };
     let mut sheet = expected;
+    sheet["cells"] = cells;
     sheet["name"] = specimen.name.clone().into();
     sheet["slice"] = specimen.slice.into();
     sheet["files"] = files.into();

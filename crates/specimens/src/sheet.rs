@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use glam::DVec3;
-use pasu::{Face, FaceKind, MeasureOptions, Pot, Result, Size, SolidMesh};
+use pasu::{Face, FaceKind, Format, MeasureOptions, Pot, Product, Result, Shape, Size, SolidMesh};
 use serde_json::{Value, json};
 
 use crate::designs::Specimen;
@@ -11,6 +11,9 @@ use crate::designs::Specimen;
 /// Points of each face along and around, in which the widest are found.
 const ALONG: usize = 60;
 const AROUND: usize = 480;
+
+/// Intervals along either parameter of a side of a blend.
+const BORDER: usize = 240;
 
 /// Lengths in millimetres: how many parts and triangles, how large by the measures, volume and area of the triangles, volume of the clay.
 pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
@@ -47,7 +50,8 @@ pub(crate) fn expected(specimen: &Specimen) -> Result<Value> {
         "clay_volume": clay("value"),
         "clay_error": clay("error"),
         "bound": meshes.iter().map(|mesh| mesh.bound).fold(0.0, f64::max) * millimetres,
-        "templates": templates(specimen, millimetres)?,
+        // What has no axis has no template.
+        "templates": if specimen.formats.contains(&Format::Svg) { templates(specimen, millimetres)? } else { Vec::new() },
     }))
 }
 
@@ -77,7 +81,14 @@ fn measured(specimen: &Specimen) -> Result<Value> {
 fn size(specimen: &Specimen, measured: &Value, millimetres: f64) -> Result<DVec3> {
     let design = &specimen.design;
     let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for part in 0..design.parts().len() {
+    for (part, described) in design.parts().iter().enumerate() {
+        if let (Shape::Blend(_), Product::Solid) = (&described.shape, specimen.making.product) {
+            for position in border(design, part)? {
+                least = least.min(position);
+                most = most.max(position);
+            }
+            continue;
+        }
         let pot = Pot::new(design, part, specimen.making.product)?;
         for face in pot.faces() {
             for index in 0..=ALONG * AROUND {
@@ -95,6 +106,18 @@ fn size(specimen: &Specimen, measured: &Value, millimetres: f64) -> Result<DVec3
         _ => measured["height"]["value"].as_f64().unwrap_or(f64::NAN) * millimetres,
     };
     Ok(size)
+}
+
+/// Points of the border of a blend that stands where its shape puts it, by the closed form of its inside: all sides of the cube of its parameters.
+fn border(design: &pasu::Design, part: usize) -> Result<Vec<DVec3>> {
+    let share = |index: usize| index as f64 / BORDER as f64;
+    let mut at = Vec::new();
+    for index in 0..(BORDER + 1) * (BORDER + 1) {
+        let (p, q) = (share(index / (BORDER + 1)), share(index % (BORDER + 1)));
+        at.extend([[0.0, p, q], [1.0, p, q], [p, 0.0, q], [p, 1.0, q], [p, q, 0.0], [p, q, 1.0]]);
+    }
+    let found = pasu::evaluate(design, part, &at.concat())?;
+    Ok(found.chunks_exact(3).map(DVec3::from_slice).collect())
 }
 
 /// Chords of a rim.

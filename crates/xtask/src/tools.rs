@@ -13,13 +13,15 @@ use crate::workspace::{Workspace, cargo};
 use crate::{command, debian};
 
 /// Each program and the script by which it judges; those in Python have packages of their own.
-const JUDGES: [(&str, &str); 6] = [
+const JUDGES: [(&str, &str); 8] = [
     ("Manifold", "with_manifold.py"),
     ("trimesh", "with_trimesh.py"),
     ("lib3mf", "with_lib3mf.py"),
     ("OpenCASCADE", "with_opencascade.py"),
     ("PrusaSlicer", "with_prusaslicer.py"),
     ("resvg", "with_resvg.py"),
+    ("meshio", "with_meshio.py"),
+    ("scikit-fem", "with_scikit_fem.py"),
 ];
 
 /// Writes the specimens and has every program judge them.

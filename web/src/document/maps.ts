@@ -85,7 +85,11 @@ export interface Scale {
  * The colours and what they stand for, on a pot whose values are nearly all from `low` to `high`. Colours with a middle have 0 there; where all values
  * are on one side of it, colours that rise tell more of them apart. The range is never empty.
  */
-export function scaleOf(map: ColourMap, low: number, high: number): Scale {
+export function scaleOf(
+  map: Pick<ColourMap, "ramp" | "diverging"> & { readonly name?: MapName },
+  low: number,
+  high: number,
+): Scale {
   if (map.name === "overhang") return { ramp: map.ramp, low: 0, high: 90, rises: false };
   if (map.diverging && low < 0 && high > 0) {
     const most = Math.max(-low, high);

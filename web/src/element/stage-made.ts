@@ -50,9 +50,9 @@ export class StageMade {
     const { made, store, surface } = this.#designer;
     const { shown } = surface;
     if (!made || !shown) return;
-    const { map, overlays, fill, hidden } = store.session;
+    const { map, overlays, fill, hidden, inside } = store.session;
     const { solid, water, painted, lining, measures } = made;
-    const now = [shown, solid, water, painted, lining, measures, map, overlays, fill, hidden];
+    const now = [shown, solid, water, painted, lining, measures, map, overlays, fill, hidden, inside];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);

@@ -7,7 +7,7 @@ import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { togglePlacing, togglePulling } from "../state/actions";
 import type { PartId } from "../state/part-ids";
-import { alsoSelect, selectedIds, selectParts } from "../state/seen-actions";
+import { alsoSelect, insidePart, selectedIds, selectParts } from "../state/seen-actions";
 import type { Change, State } from "../state/store";
 import type { Camera } from "../state/viewed";
 import { base, buttons } from "../ui/styles";
@@ -51,6 +51,7 @@ export class PasuStage extends DesignerElement {
   });
   private drawn: Shown | null = null;
   private hiding: readonly PartId[] = [];
+  private within: PartId | null = null;
   private compared: Compared | null = null;
   private made: StageMade | null = null;
   private making = false;
@@ -159,7 +160,7 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
-      ${this.hand()}
+      ${this.hand()}${this.inside()}
       ${
         designer.comparison.shown
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
@@ -203,6 +204,15 @@ export class PasuStage extends DesignerElement {
     import("./pull/pull-layer").catch(() => designer.notices.say(page.unfetched));
     return html`<pasu-pull .designer=${designer} .stage=${stage}></pasu-pull
       ><pasu-pull-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-pull-bar>`;
+  }
+
+  /** What is seen within a blend, fetched when somebody first looks. */
+  private inside() {
+    const { designer, stage } = this;
+    const part = insidePart(designer.state);
+    if (part === null || !stage || this.holder.mode !== "live") return nothing;
+    import("./blend/inside-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-inside-layer .designer=${designer} .stage=${stage} .within=${part}></pasu-inside-layer>`;
   }
 
   private note() {
@@ -270,11 +280,14 @@ export class PasuStage extends DesignerElement {
     const { designer, stage } = this;
     const { shown } = designer.surface;
     const { hidden } = designer.store.session;
-    if (!stage || !shown || (shown === this.drawn && hidden === this.hiding)) return;
+    const within = insidePart(designer.state);
+    if (!stage || !shown || (shown === this.drawn && hidden === this.hiding && within === this.within)) return;
     const another = shown !== this.drawn;
     this.drawn = shown;
     this.hiding = hidden;
-    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, hidden)));
+    this.within = within;
+    const absent = within === null ? hidden : [...hidden, within];
+    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, absent)));
     if (!another) {
       this.made?.update();
       return;

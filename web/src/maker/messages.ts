@@ -1,5 +1,7 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { Look, SeenInside } from "../document/blend/looking";
+import type { Method } from "../document/blend/solving";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
@@ -136,10 +138,41 @@ export interface HeldShape {
   readonly shape: Rings;
 }
 
+/** The same blend by each method. */
+export interface MethodsAsk {
+  readonly kind: "methods";
+  readonly design: Design;
+  readonly part: number;
+}
+
+/** A blend as one method solves it. */
+export interface Solved {
+  readonly method: Method;
+  /** Those that it uses. */
+  readonly terms: readonly number[];
+  readonly milliseconds: number;
+  /** What it leaves of the equation inside, by samples: the largest, and the root of the mean square. */
+  readonly residual: number;
+  readonly mean: number;
+  /** How far points inside are at most from those of the method that the blend has, and from a plain loft. */
+  readonly apart: number;
+  readonly fromLoft: number;
+}
+
+/** How one looks into a blend. */
+export interface InsideAsk {
+  readonly kind: "inside";
+  readonly design: Design;
+  readonly part: number;
+  readonly look: Look;
+}
+
 export type Ask =
   | PullAsk
   | HoldAsk
   | CellsAsk
+  | InsideAsk
+  | MethodsAsk
   | WovenAsk
   | {
       readonly kind: "solid";
@@ -182,6 +215,8 @@ export interface Answers {
   /** Null where that cannot be had. */
   readonly hold: HeldShape | null;
   readonly cells: MadeCells;
+  readonly inside: SeenInside;
+  readonly methods: readonly Solved[];
   readonly woven: WovenShape;
   readonly solid: Solid;
   readonly quick: Quick;

@@ -19,8 +19,10 @@ import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { cellsOf } from "./cells";
 import { holding } from "./holding";
+import { insideOf } from "./inside";
 import { liningValues } from "./lining";
 import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } from "./messages";
+import { methodsOf } from "./methods";
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
 import { solidOf } from "./solid";
@@ -57,6 +59,10 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return holding(ask);
     case "cells":
       return cellsOf(ask);
+    case "inside":
+      return insideOf(ask);
+    case "methods":
+      return methodsOf(ask);
     case "woven":
       return wovenOf(ask);
     case "free":

@@ -31,6 +31,19 @@ export function togglePart({ session }: State, id: PartId): Change {
   };
 }
 
+/** Shows the inside of the selected part in the place of its skin, or its skin again. */
+export function toggleInside({ session, ids, part }: State): Change {
+  const id = ids[part] ?? null;
+  return { undo: "none", session: { inside: session.inside === id ? null : id } };
+}
+
+/** The part whose inside is to be seen, as long as it is a blend of this design. */
+export function insidePart({ session, ids, design }: Pick<State, "session" | "ids" | "design">): PartId | null {
+  const { inside } = session;
+  const place = inside === null ? -1 : ids.indexOf(inside);
+  return design.parts[place]?.shape.kind === "blend" ? inside : null;
+}
+
 /** How many parts of the design are hidden. */
 export function hiddenParts({ ids, session }: Pick<State, "ids" | "session">): number {
   return ids.filter((id) => session.hidden.includes(id)).length;

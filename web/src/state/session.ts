@@ -52,6 +52,8 @@ export interface Session {
   readonly handling: Handling;
   /** Whether what a hand moves goes in steps, and comes to stand on the table. */
   readonly snapping: boolean;
+  /** The blend whose inside is on the stage in the place of its skin. */
+  readonly inside: PartId | null;
   /** How much more clay is wedged than the pot has, for trimming and waste, in percent. */
   readonly allowance: number;
 }
@@ -73,5 +75,6 @@ export const NEW_SESSION: Session = {
   placing: false,
   handling: "move",
   snapping: false,
+  inside: null,
   allowance: 20,
 };

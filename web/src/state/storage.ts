@@ -31,6 +31,7 @@ export const KEPT: Readonly<Record<"design" | keyof Session, Place>> = {
   placing: "nowhere",
   handling: "nowhere",
   snapping: "browser",
+  inside: "nowhere",
   allowance: "browser",
 };
 

@@ -35,6 +35,7 @@ import { parameters } from "../../words/english/parameters";
 import { lengthWords } from "../../words/quantities";
 import { whyWords } from "../../words/refusals";
 import { drawingStyles, sectionDrawing } from "../drawing/section-drawing";
+import "./blend-inside";
 import "./blend-solving";
 
 const DEGREES = 180;
@@ -75,6 +76,7 @@ export class PasuBlendCards extends DesignerElement {
         ${order.map((end) => this.card(blend, origin, end, end === upper ? "upper" : "lower", factor, reach))}
       </ol>
       <pasu-blend-solving .designer=${this.designer}></pasu-blend-solving>
+      <pasu-blend-inside .designer=${this.designer}></pasu-blend-inside>
       ${
         this.drawing
           ? html`<pasu-section-dialog

@@ -1,7 +1,7 @@
 /** How the equation of a blend is solved, for those who ask: folded until then. */
 
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import {
   methodOf,
   methodsFor,
@@ -21,12 +21,15 @@ import { cells } from "../../ui/cells";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
-import { base, disclosure } from "../../ui/styles";
+import { base, buttons, disclosure } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
+import { page } from "../../words/english/page";
 import { whyWords } from "../../words/refusals";
 
 @customElement("pasu-blend-solving")
 export class PasuBlendSolving extends DesignerElement {
+  @state() private comparing = false;
+
   override render() {
     const { design, part } = this.designer.state;
     const blend = design.parts[part]?.shape;
@@ -56,7 +59,21 @@ export class PasuBlendSolving extends DesignerElement {
                 .map((value, index) => this.term(value, index))}
             </div>`
       }
+      ${
+        this.comparing
+          ? html`<pasu-blend-methods .designer=${this.designer}></pasu-blend-methods>`
+          : html`<button class="button outlined compare" type="button" @click=${() => void this.compare()}>${words.compareMethods}</button>`
+      }
     </details>`;
+  }
+
+  private async compare(): Promise<void> {
+    try {
+      await import("./blend-methods");
+      this.comparing = true;
+    } catch {
+      this.designer.notices.say(page.unfetched);
+    }
   }
 
   private weights(blend: Blend) {
@@ -117,6 +134,7 @@ export class PasuBlendSolving extends DesignerElement {
 
   static override readonly styles = [
     base,
+    buttons,
     choiceStyles,
     disclosure,
     cells,
@@ -127,6 +145,9 @@ export class PasuBlendSolving extends DesignerElement {
       details {
         border-top: 1px solid var(--line);
         padding-bottom: 8px;
+      }
+      .compare {
+        margin-top: 14px;
       }
       .about {
         color: var(--soft);

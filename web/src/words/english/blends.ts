@@ -3,6 +3,7 @@
 import type { Clash, Remedy } from "../../document/blend/agreement";
 import type { CellShape, CellsFormat } from "../../document/blend/cells";
 import type { GripName } from "../../document/blend/grips";
+import type { InsideMap, Shown } from "../../document/blend/looking";
 import type { Form, SectionKey } from "../../document/blend/section";
 import type { Method } from "../../document/blend/solving";
 import type { PlanName } from "../../document/gallery/section-choices";
@@ -62,6 +63,19 @@ export const blends = phrases("blends", {
     collocation: { name: "Collocation", help: "As in the paper, to compare with" },
   } satisfies Readonly<Record<Method, Told>>,
   terms: "Terms",
+  compareMethods: "Compare the methods",
+  compareAgain: "Compare again",
+  methodsOld: "This is of the blend as it was.",
+  methodTime: "Time to solve",
+  milliseconds: (time: string) => `${time} ms`,
+  residualOf: (value: string, unit: string) => `${value} ${unit}`,
+  noTerms: "none needed",
+  methodResidual: "Largest residual",
+  methodMean: "Residual, root mean square",
+  methodApart: "Farthest from this blend",
+  methodLoft: "Farthest from a plain loft",
+  methodsAbout:
+    "The shortest of five times on this device. Residuals are of 1728 samples within, distances of 729. A loft is the cubic between the sections, which no equation is asked of.",
   along: ["along u", "along v", "along w"] as const,
   weights: "Weights",
   weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
@@ -118,6 +132,40 @@ export const blends = phrases("blends", {
   grip: (what: string, section: string, at: string) => `${what}, ${section}: ${at}`,
   degrees: (degrees: number) => `${formatNumber(degrees)} degrees`,
   leaves: (flare: number, rise: string) => `flare ${formatNumber(flare)}, rise ${rise}`,
+
+  inside: "The inside",
+  insideAbout: "cut open, or surface by surface",
+  lookInside: "Look inside",
+  insideLead:
+    "The solid is solved all through, not only on its skin. Here is what it is like within: on the stage it stands in the place of the skin.",
+  shown: "What is shown",
+  showns: {
+    cut: { name: "Cut away", help: "What three cuts along u, v and w leave" },
+    surfaces: { name: "Three surfaces", help: "On each of them u, v or w stays the same" },
+    joined: { name: "What it joins", help: "The solids that go on beyond both sections, in grey" },
+  } satisfies Readonly<Record<Shown, Told>>,
+  colours: "Colours show",
+  insideMaps: {
+    residual: { name: "Residual", help: "What the equation leaves: 0 where it holds" },
+    jacobian: { name: "Jacobian", help: "How much room there is: 0 or less where it is folded" },
+  } satisfies Readonly<Record<InsideMap, Told>>,
+  /** What a slider is along, of a round solid and of one from side to side. */
+  insideAt: {
+    round: ["u, from the middle to the skin", "v, round the middle", "w, from section to section"],
+    square: ["u, from side to side", "v, from front to back", "w, from section to section"],
+  } as const,
+  insideRange: "From 0 to 1.",
+  insideColours: (map: string, low: string, high: string) => `${map}: colours from ${low} to ${high}`,
+  insideHere: (least: string, greatest: string) => `On what is shown: ${least} to ${greatest}.`,
+  insideWorst: {
+    residual: (worst: string, at: string) => `The largest of 1728 samples is ${worst}, at ${at}.`,
+    jacobian: (worst: string, at: string) => `The least of 1728 samples is ${worst}, at ${at}.`,
+  } satisfies Readonly<Record<InsideMap, (worst: string, at: string) => string>>,
+  insideHolds: (most: string) => `The equation holds everywhere: what is left of it is rounding, ${most} at most.`,
+  insidePlace: (u: string, v: string, w: string) => `u ${u}, v ${v}, w ${w}`,
+  insideSound: "The inside is not folded anywhere that was sampled.",
+  insideFolded: "The inside is folded through itself there.",
+  insideGrey: "Grey is where a disc over a square has no such number.",
 
   cells: "Cells for analysis",
   cellsAbout: "The inside of the solid, cut into cells that a finite element program reads. In millimetres.",
