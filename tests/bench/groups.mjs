@@ -47,6 +47,9 @@ const PER_RING = 65 / 9;
 /** How many microseconds a pull is to take at most, of a pot of 8 rings with 16 modes in each component. */
 const PULLING = 500;
 
+/** How many milliseconds solving and sampling a network of 10,000 patches within a thousandth of its size is to take at most. */
+const NETWORK = 100;
+
 /**
  * Measures and yields one group after the other.
  *
@@ -60,6 +63,7 @@ export async function* groups({ bench, pasu, vase, turned }, { quick }) {
   yield await solving(bench, vase, 2 * rounds + 1);
   yield await rings(bench, vase, 2 * rounds + 1);
   yield await pulling(bench, pasu, withRings(firstModes(vase, 16), 8), 2 * rounds + 1);
+  yield await networks(bench, rounds);
   yield await baseline(bench, firstModes(vase, 8), 2 * rounds + 1);
   for (const side of [65, 129, 257, 513]) yield await whole(bench, pasu, firstModes(vase, 4), side, rounds);
 }
@@ -250,6 +254,27 @@ async function pulling(bench, pasu, design, rounds) {
       { name: "pull between rings", samples: put, against, median_at_most: PULLING },
       { name: "pull() of the package", samples: whole, against },
     ],
+  };
+}
+
+/** A network of 10,000 patches, and the same with the point in its middle moved, in turn: as a whole, and with the strips through that point alone. */
+async function networks(bench, rounds) {
+  const ways = [
+    { name: "solving and sampling", after: false, sample: true, median_at_most: NETWORK },
+    { name: "solving", after: false, sample: false },
+    { name: "solving, a point moved", after: true, sample: false, against: "solving", note: "396 of 10,000 patches" },
+    { name: "solving and sampling, a point moved", after: true, sample: true, against: "solving and sampling" },
+  ];
+  const subjects = ways.map(() => new bench.Network());
+  const samples = await takeTurns(
+    ways.map(({ after, sample }, way) => ({ run: (times) => subjects[way].run(after, sample, times) })),
+    rounds,
+  );
+  for (const used of subjects) used.free();
+  return {
+    group: "A network of 10,000 patches, within a thousandth of its size",
+    unit: "ms",
+    rows: ways.map(({ after: _after, sample: _sample, ...row }, way) => ({ ...row, samples: samples[way] })),
   };
 }
 

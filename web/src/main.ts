@@ -29,7 +29,7 @@ function start(): void {
     fragment: () => (location.hash.length > 1 ? location.hash : ""),
     writeFragment: (link) => {
       try {
-        history.replaceState(null, "", `#${link}`);
+        history.replaceState(null, "", link === "" ? location.pathname + location.search : `#${link}`);
       } catch {
         // Some browsers refuse after a hundred changes in half a minute: the next gesture writes the address again.
       }

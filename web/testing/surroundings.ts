@@ -43,7 +43,7 @@ export class Page implements Surroundings {
   readonly address = () => "https://pasu.example/designer/";
   readonly fragment = () => this.hash;
   readonly writeFragment = (link: string) => {
-    this.hash = `#${link}`;
+    this.hash = link === "" ? "" : `#${link}`;
     this.written += 1;
   };
   readonly download = (file: Blob, name: string) => {

@@ -7,7 +7,7 @@ use std::hint::black_box;
 use bench::designs;
 use bench::finite_difference::{Fourier, Problem};
 use js_sys::Float32Array;
-use pasu::{BoundaryValue, Design, Hand, MeshOptions, Sampler, Surface};
+use pasu::{BoundaryValue, Design, Hand, MeshOptions, Sampler, Solution, Surface};
 use wasm_bindgen::prelude::*;
 
 /// A design, parsed once, with the arrays that its samples are written to.
@@ -77,6 +77,49 @@ impl Subject {
     pub fn solve(&self, times: usize) -> Result<(), JsError> {
         for _ in 0..times {
             black_box(Surface::solve(&self.shape, "shape")?);
+        }
+        Ok(())
+    }
+}
+
+/// A network of 10,000 patches with its middle here or there, which the other one is each time.
+#[wasm_bindgen]
+pub struct Network {
+    designs: [Design; 2],
+    next: usize,
+    last: Option<Solution>,
+    sampler: Sampler,
+}
+
+#[wasm_bindgen]
+impl Network {
+    /// Makes it.
+    ///
+    /// # Errors
+    /// When it is no design.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Result<Network, JsError> {
+        let design = |lift| designs::network(designs::NETWORK, lift);
+        Ok(Network { designs: [design(0.0)?, design(0.01)?], next: 0, last: None, sampler: Sampler::new() })
+    }
+
+    /// Solves it so many times, as a whole or the strips that have to be alone, and samples it or not.
+    ///
+    /// # Errors
+    /// When it cannot be solved or sampled.
+    pub fn run(&mut self, after: bool, sample: bool, times: usize) -> Result<(), JsError> {
+        let options = MeshOptions { tolerance: Some(designs::NETWORK_TOLERANCE), ..MeshOptions::default() };
+        for _ in 0..times {
+            self.next = 1 - self.next;
+            let design = &self.designs[self.next];
+            let solution = match &self.last {
+                Some(last) if after => last.after(design),
+                _ => Solution::of(design),
+            };
+            let solution = self.last.insert(designs::solved(solution)?);
+            if sample {
+                black_box(self.sampler.sample_solution(solution, &options)?);
+            }
         }
         Ok(())
     }

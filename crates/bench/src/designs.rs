@@ -1,6 +1,6 @@
 //! The designs of `tests/bench`, from which JavaScript takes the same ones.
 
-use pasu::{BoundaryValue, Design, Result};
+use pasu::{BoundaryValue, Design, Result, Solution};
 use serde_json::{Value, json};
 
 /// A vase of 64 modes in each component, each with a profile of its own.
@@ -100,6 +100,84 @@ pub fn vase_of_rings(modes: usize, rings: usize) -> Result<Design> {
     Design::parse(&document.to_string())
 }
 
+/// The patches along a side of the network that is measured.
+pub const NETWORK: usize = 100;
+
+/// How far its mesh is from it at most: a thousandth of its size.
+pub const NETWORK_TOLERANCE: f64 = 0.01;
+
+/// What moving its middle has solved again: two strips either way, which cross four times.
+pub const NETWORK_NOTE: &str = "396 of 10,000 patches";
+
+/// A network solved again and again with a point of it moved, each after the one before.
+pub struct Moved<'a> {
+    designs: &'a [Design; 2],
+    next: usize,
+    last: Solution,
+}
+
+impl<'a> Moved<'a> {
+    /// Solves the first of two designs that differ by a point.
+    ///
+    /// # Errors
+    /// When it cannot be solved.
+    pub fn new(designs: &'a [Design; 2]) -> Result<Moved<'a>> {
+        Ok(Moved { designs, next: 0, last: solved(Solution::of(&designs[0]))? })
+    }
+
+    /// Solves the other of the two.
+    ///
+    /// # Errors
+    /// When it cannot be solved.
+    pub fn step(&mut self) -> Result<&Solution> {
+        self.next = 1 - self.next;
+        self.last = solved(self.last.after(&self.designs[self.next]))?;
+        Ok(&self.last)
+    }
+}
+
+/// A solution of which the first part is computed.
+///
+/// # Errors
+/// When it cannot be solved.
+pub fn solved(solution: Solution) -> Result<Solution> {
+    solution.evaluate(0, &[0.0, 0.5, 0.5])?;
+    Ok(solution)
+}
+
+/// A sheet of `side x side` patches over a square of 10, wavy and joined edge to edge; the point in its middle is `lift` higher.
+///
+/// # Errors
+/// When it has too many patches for a design.
+pub fn network(side: usize, lift: f64) -> Result<Design> {
+    // The points of a frame stand on a lattice of half patches, of whose squares the middles are of no frame.
+    let across = 2 * side + 1;
+    let number = |i: usize, j: usize| i * across + j;
+    let step = 10.0 / (2 * side) as f64;
+    // Six digits, as a document that people save has them.
+    let round = |x: f64| (x * 1e6).round() / 1e6;
+    let height = |i: usize, j: usize| {
+        let (x, y) = (i as f64 * step, j as f64 * step);
+        let raised = if (i, j) == (side / 2 * 2, side / 2 * 2) { lift } else { 0.0 };
+        (1.3 * x).sin() * (0.9 * y + 0.4 * x).cos() + 0.3 * (2.9 * y).sin() + raised
+    };
+    let vertex = |k: usize| {
+        let (i, j) = (k / across, k % across);
+        json!([round(i as f64 * step), round(j as f64 * step), round(height(i, j))])
+    };
+    let frame = |k: usize| {
+        let (i, j) = (2 * (k / side), 2 * (k % side));
+        let round = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+        json!({ "frame": round.map(|(a, b)| number(i + a, j + b)) })
+    };
+    let shape = json!({
+        "kind": "vertex-frame",
+        "vertices": (0..across * across).map(vertex).collect::<Vec<Value>>(),
+        "patches": (0..side * side).map(frame).collect::<Vec<Value>>(),
+    });
+    Design::parse(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }).to_string())
+}
+
 fn document(modes: usize) -> Value {
     let mut document: Value = serde_json::from_str(VASE).unwrap_or_default();
     for component in ["x", "y", "z"] {
@@ -150,6 +228,17 @@ mod tests {
                 assert!(mode.cos.rings.len() == rings || mode.sin.rings.len() == rings, "{}", mode.n);
             }
         }
+    }
+
+    #[test]
+    fn the_two_networks_differ_by_a_point() {
+        let [one, other] = [0.0, 0.01].map(|lift| network(4, lift).unwrap());
+        let [one, other] = [&one, &other].map(|design| match &design.parts()[0].shape {
+            pasu::Shape::VertexFrame(network) => network.clone(),
+            _ => panic!("a network"),
+        });
+        assert_eq!((one.patches.len(), &one.patches), (16, &other.patches));
+        assert_eq!(one.vertices.iter().zip(&other.vertices).filter(|(one, other)| one != other).count(), 1);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use bench::designs;
 use bench::finite_difference::{Fourier, Problem};
 use bench::rounds::{Contender, take_turns};
-use pasu::{Design, Hand, MeshOptions, Result, Sampler, Surface};
+use pasu::{Design, Hand, MeshOptions, Result, Sampler, Solution, Surface};
 use serde_json::{Value, json};
 
 /// Turns of every contender, and with `--quick`.
@@ -23,6 +23,7 @@ fn main() -> Result<()> {
     solving(rounds)?;
     rings(rounds)?;
     pulling(rounds)?;
+    networks(rounds)?;
     baseline("order 4", &designs::vase(8)?, rounds)?;
     baseline("order 2", &designs::vase_of_second_order(8)?, rounds)
 }
@@ -162,6 +163,34 @@ fn pulling(rounds: usize) -> Result<()> {
         row
     });
     print("Pulling a pot of 8 rings, 16 modes per component", "us", rows.collect());
+    Ok(())
+}
+
+/// A network of 10,000 patches, and the same with the point in its middle moved, in turn: as a whole, and with the strips through that point alone.
+fn networks(rounds: usize) -> Result<()> {
+    let designs = [designs::network(designs::NETWORK, 0.0)?, designs::network(designs::NETWORK, 0.01)?];
+    let options = MeshOptions { tolerance: Some(designs::NETWORK_TOLERANCE), ..MeshOptions::default() };
+    let mut samplers = [Sampler::new(), Sampler::new()];
+    let [whole, strips] = &mut samplers;
+    let (mut moved, mut both) = (designs::Moved::new(&designs)?, designs::Moved::new(&designs)?);
+    let mut next = 0;
+    let mut contenders = [
+        Contender::new("solving and sampling", || {
+            next = 1 - next;
+            whole.sample(&designs[next], &options).map(|mesh| mesh.n_vertices())
+        }),
+        Contender::new("solving", || designs::solved(Solution::of(&designs[0]))),
+        Contender::new("solving, a point moved", || moved.step().map(|solution| solution.design().parts().len())),
+        Contender::new("solving and sampling, a point moved", || {
+            strips.sample_solution(both.step()?, &options).map(|mesh| mesh.n_vertices())
+        }),
+    ];
+    take_turns(&mut contenders, rounds);
+    let mut rows: Vec<Value> = contenders.iter().map(|contender| row(contender, 1e3)).collect();
+    rows[2]["against"] = rows[1]["name"].clone();
+    rows[2]["note"] = json!(designs::NETWORK_NOTE);
+    rows[3]["against"] = rows[0]["name"].clone();
+    print("A network of 10,000 patches, within a thousandth of its size", "ms", rows);
     Ok(())
 }
 

@@ -256,7 +256,7 @@ export default function init(
 /** The design in canonical form: checked, defaults dropped, numbers of twelve significant digits. */
 export function parse(source: DesignSource): Design;
 
-/** The link of a design, without the leading `#`. Equal designs have equal links. */
+/** The link of a design, without the leading `#`. Equal designs have equal links. One of more than 1 MiB as JSON has none and is refused as `too-large`. */
 export function link(source: DesignSource): string;
 
 /**

@@ -9,11 +9,14 @@ thread_local! {
     static LAST: RefCell<Option<Rc<Solution>>> = const { RefCell::new(None) };
 }
 
-/// The solution of a design: that of the last call where it was of an equal design. Equal designs have the same canonical link, and so the same answers.
+/// The solution of a design: that of the last call where it was of an equal design, and otherwise one that takes over from it what is the same. Equal designs have the same canonical link, and so the same answers.
 pub(crate) fn solution(design: &Design) -> Rc<Solution> {
     LAST.with_borrow_mut(|last| match last {
         Some(known) if known.design() == design => Rc::clone(known),
-        _ => Rc::clone(last.insert(Rc::new(Solution::of(design)))),
+        _ => {
+            let next = last.as_ref().map_or_else(|| Solution::of(design), |known| known.after(design));
+            Rc::clone(last.insert(Rc::new(next)))
+        }
     })
 }
 

@@ -84,11 +84,11 @@ fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
 /// The link of a design, without the leading `#`.
 ///
 /// # Errors
-/// When the source is not a design.
+/// When the source is not a design, or one that is too large for a link.
 #[wasm_bindgen]
 pub fn link(source: &JsValue) -> Result<String, JsValue> {
-    let design = source::design(source).map_err(|error| thrown(&error))?;
-    Ok(design.link())
+    let linked = || source::design(source)?.try_link();
+    linked().map_err(|error| thrown(&error))
 }
 
 /// The triangles of a design, as an object of typed arrays: those of an earlier mesh in `into` where they are long enough.

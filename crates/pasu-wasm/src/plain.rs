@@ -42,7 +42,7 @@ impl<'de> Deserializer<'de> for Plain {
             let leaf = serde_wasm_bindgen::Deserializer::from(value.clone());
             leaf.deserialize_any(visitor).map_err(|_| not_plain(&value))
         } else if let Some(numbers) = numbers(&value)? {
-            no_longer_than_text(numbers.length())?;
+            no_longer_than_any(numbers.length())?;
             visitor.visit_seq(SeqDeserializer::new(numbers.to_vec().into_iter()))
         } else if is_array(&value).map_err(unreadable)? {
             visitor.visit_seq(Items::of(value)?)
@@ -58,10 +58,10 @@ impl<'de> Deserializer<'de> for Plain {
     }
 }
 
-/// As many numbers as the longest JSON text could hold: a typed array is copied into the memory of the module as a whole, before anybody looks at it.
+/// More numbers than any list of a design may have: a typed array is copied into the memory of the module as a whole, before anybody looks at it.
 const MOST_NUMBERS: u32 = 1 << 20;
 
-fn no_longer_than_text(length: u32) -> Result<()> {
+fn no_longer_than_any(length: u32) -> Result<()> {
     if length <= MOST_NUMBERS {
         return Ok(());
     }

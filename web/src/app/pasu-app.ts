@@ -329,8 +329,10 @@ export class PasuApp extends DesignerElement {
   }
 
   private async linkOrSay(): Promise<string | null> {
-    const address = await this.designer.keeper.address();
-    if (address === null) this.designer.notices.say(page.noLink);
+    const { keeper, notices } = this.designer;
+    const address = await keeper.address();
+    if (address === null && keeper.tooLargeForLink) keeper.sayTooLarge();
+    else if (address === null) notices.say(page.noLink);
     return address;
   }
 

@@ -53,7 +53,7 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
       return solve(ask, request);
     case "parse": {
       const design = parse(ask.text);
-      return { design, link: link(design) };
+      return { design, link: linkOf(design) };
     }
     case "read": {
       const design = alone(ask.shape);
@@ -61,6 +61,16 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
     }
     case "convert":
       return convert(ask.shape as SentShape, ask.order);
+  }
+}
+
+/** The link of a design; empty for one that is too large for any. */
+function linkOf(design: Sent): string {
+  try {
+    return link(design);
+  } catch (error) {
+    if (error instanceof PasuError && error.code === "too-large" && error.args?.what === "link") return "";
+    throw error;
   }
 }
 
@@ -73,7 +83,7 @@ interface Spent {
 function solve({ parts, whole }: PartsAsk, { known, spares }: Pick<Request, "known" | "spares">): SentParts {
   const begun = now();
   // The document is read as a whole before any of its parts, so that it is refused as a whole.
-  const address = whole ? link(whole.design as Sent) : "";
+  const address = whole ? linkOf(whole.design as Sent) : "";
   const read = now();
   const spent: Spent = { meshes: 0, coarse: 0 };
   const here = new Set(known);

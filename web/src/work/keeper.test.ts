@@ -1,8 +1,9 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { JAR, tall } from "../../testing/jar";
 import { Page } from "../../testing/surroundings";
 import { workbench } from "../../testing/workbench";
 import { setPath } from "../document/path";
+import type { Design } from "../document/types";
 import { selectTab } from "../state/actions";
 import { readSettings, readWork } from "../state/storage";
 import { Keeper } from "./keeper";
@@ -10,6 +11,17 @@ import { Notices } from "./notices";
 import { Origin } from "./origin";
 
 const TAB = "here";
+
+vi.mock("pasu/drawing", async (original) => {
+  const pasu = await original<typeof import("pasu/drawing")>();
+  return {
+    ...pasu,
+    link: (source: Parameters<typeof pasu.link>[0]) => {
+      if (!JSON.stringify(source).includes("vertex-frame")) return pasu.link(source);
+      throw Object.assign(new pasu.PasuError("too-large", "", ""), { args: { what: "link" } });
+    },
+  };
+});
 
 async function bench(page = new Page()) {
   const there = await workbench(JAR);
@@ -132,4 +144,51 @@ test("it can be left and followed again", async () => {
   expect(page.written).toBe(1);
   expect(page.hash).toContain("h1=21");
   expect(readSettings(page.shelf).tab).toBe("look");
+});
+
+/** A network of one patch, for which the solver is made to say what it says of thousands. */
+const SHEET: Design = {
+  ...JAR,
+  parts: [
+    {
+      shape: {
+        kind: "vertex-frame",
+        vertices: [
+          [0, 0, 0],
+          [1, 0, 0],
+          [2, 0, 0],
+          [2, 1, 0],
+          [2, 2, 1],
+          [1, 2, 0],
+          [0, 2, 0],
+          [0, 1, 0],
+        ],
+        patches: [{ frame: [0, 1, 2, 3, 4, 5, 6, 7] }],
+      },
+    },
+  ],
+};
+
+test("a design that is too large for an address says so, and is kept as a file that opens again", async () => {
+  const { change, keeper, notices, page, rests, solver, store } = await bench();
+  await change(21);
+  expect(page.hash).not.toBe("");
+  store.apply({ design: SHEET, undo: "step" });
+  await rests();
+  expect(keeper.tooLargeForLink).toBe(true);
+  // The address of another pot would be a lie.
+  expect(page.hash).toBe("");
+  expect(await keeper.address()).toBeNull();
+  expect(notices.notice?.text).toMatch(/too large for an address/);
+  await notices.undo();
+  expect(notices.notice?.text).toBe("Saved as “Shoulder jar.json”.");
+  const text = (await page.files[0]?.text) ?? "";
+  // On one line: it is large enough.
+  expect(text.trimEnd()).not.toContain("\n");
+  const again = await solver.parse(text);
+  expect(again.state === "done" && again.value.link).toBe("");
+  // It is told once, and again after there was one with an address.
+  store.undo();
+  await rests();
+  expect(page.hash).toContain("h1=21");
 });

@@ -25,6 +25,7 @@ export interface Surroundings {
   /** The address of the page, without what follows `#`. */
   readonly address: () => string;
   readonly fragment: () => string;
+  /** Nothing is left of the one before where the link is empty. */
   readonly writeFragment: (link: string) => void;
   /** Hands a file to the person. */
   readonly download: (file: Blob, name: string) => void;
@@ -46,6 +47,7 @@ export class Keeper {
   #keptSettings: Session;
   #kept: Shown | null = null;
   #warned = false;
+  #toldTooLarge = false;
   #lastWritten = "";
 
   constructor(
@@ -130,34 +132,51 @@ export class Keeper {
 
   /** Saves the canonical document under the name of its title. */
   async save(): Promise<void> {
+    const said = await this.#save();
+    if (said !== null) this.#notices.say(said);
+  }
+
+  /** What became of that; null where something newer is being saved. */
+  async #save(): Promise<string | null> {
     const { design } = this.#store;
     const outcome = await this.#solver.parse(JSON.stringify(design));
-    if (outcome.state === "superseded") return;
-    if (outcome.state === "refused") {
-      this.#notices.say(page.notSaved);
-      return;
-    }
-    const text = `${JSON.stringify(outcome.value.design, null, 2)}\n`;
+    if (outcome.state === "superseded") return null;
+    if (outcome.state === "refused") return page.notSaved;
+    // What is too large for a link is not made three times as large by lines of its own for every number.
+    const text = `${JSON.stringify(outcome.value.design, null, outcome.value.link === "" ? 0 : 2)}\n`;
     const name = fileName(design.title, "json");
     this.#around.download(new Blob([text], { type: "application/json" }), name);
     this.markSaved(design);
-    this.#notices.say(page.savedAs(isolated(name)));
     this.#keep();
+    return page.savedAs(isolated(name));
   }
 
-  /** The address that opens this very design; null while the design is not one that the solver accepts. */
+  /** Whether the design on the stage is so large that no link holds it: it is kept as a file. */
+  get tooLargeForLink(): boolean {
+    return this.#surface.settled?.solved.link === "";
+  }
+
+  /** Says that there is no link of so large a design, and offers the file. */
+  sayTooLarge(): void {
+    const act = async () => (await this.#save()) ?? page.notSaved;
+    this.#notices.say(page.tooLargeForLink, { label: page.commands.save, act });
+  }
+
+  /** The address that opens this very design; null while the design is not one that the solver accepts, or one that is too large for a link. */
   async address(): Promise<string | null> {
-    const link = this.#surface.settled?.solved.link ?? "";
-    if (link !== "") return `${this.#around.address()}#${link}`;
+    if (this.tooLargeForLink) return null;
+    const settled = this.#surface.settled?.solved.link;
+    if (settled) return `${this.#around.address()}#${settled}`;
     const outcome = await this.#solver.parse(JSON.stringify(this.#store.design));
-    return outcome.state === "done" ? `${this.#around.address()}#${outcome.value.link}` : null;
+    const link = outcome.state === "done" ? outcome.value.link : "";
+    return link === "" ? null : `${this.#around.address()}#${link}`;
   }
 
-  /** Writes the link of what is on the stage into the address. */
+  /** Writes the link of what is on the stage into the address; of what has none, nothing. */
   writeAddress(): void {
     const link = this.#surface.shown?.solved.link ?? "";
-    if (link === "") return;
-    this.#lastWritten = `#${link}`;
+    if (link === "" && !this.tooLargeForLink) return;
+    this.#lastWritten = link === "" ? "" : `#${link}`;
     this.#around.writeFragment(link);
   }
 
@@ -171,6 +190,11 @@ export class Keeper {
     this.#kept = shown;
     if (this.#surface.settled !== shown) return;
     this.#keep();
+    if (!this.tooLargeForLink) this.#toldTooLarge = false;
+    else if (!this.#toldTooLarge) {
+      this.#toldTooLarge = true;
+      this.sayTooLarge();
+    }
     const written = this.#store.canUndo || this.#store.canRedo || this.#around.fragment() !== "";
     if (written && !this.#held()) this.writeAddress();
   }
@@ -184,7 +208,7 @@ export class Keeper {
     const origin = JSON.stringify(this.#origin.of(shown.design));
     if (shown.design === this.#store.design) this.#memory.keep(shown.solved.link, this.#store);
     const kept = keepWork(this.#around.shelf, this.#seat.name, { text, link: shown.solved.link, unsaved, origin });
-    if (kept || !unsaved || this.#warned) return;
+    if (kept || !unsaved || this.#warned || this.tooLargeForLink) return;
     this.#warned = true;
     this.#notices.say(page.notKept);
   }

@@ -3,8 +3,8 @@
 import type { Making, Refusal } from "../document/types";
 import type { MakerClient } from "../maker/client";
 
-/** Documents are read as text; the format's own limit is 1 MiB of JSON. */
-const MAX_TEXT_BYTES = 4 * 1024 * 1024;
+/** Documents are read as text; the format's own limit is 32 MiB of JSON, and of a link 1 MiB. */
+const MAX_TEXT_BYTES = 32 * 1024 * 1024;
 
 /** Things that were made are larger: a million triangles are 50 MB. */
 const MAX_MADE_BYTES = 512 * 1024 * 1024;

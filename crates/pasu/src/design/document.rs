@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::de::{Deserialize, Deserializer, Error as _, Unexpected};
 use serde::ser::{Serialize, Serializer};
 
-use super::limits::{BYTES, MODES, PARTS, VERSION};
+use super::limits::{BYTES, LINK_BYTES, MODES, PARTS, VERSION};
 use super::number::plain;
 use super::part::Part;
 use super::placement::Placement;
@@ -110,13 +110,23 @@ impl Design {
         Design(Document { parts, ..self.0.clone() })
     }
 
-    /// Refuses a design whose document is too long.
+    /// Refuses a design whose document is too long, as a whole or without its networks: what these cost is in proportion to their length, and of other shapes a megabyte says more than anybody waits for.
     fn within_limit(self) -> Result<Design> {
         let length = self.to_json().len();
-        if length > BYTES {
-            let message = format!("expected a design of at most {BYTES} bytes of JSON, found {length}");
-            let error = Error::new(Code::TooLarge, "", message);
-            return Err(error.with("greatest", BYTES as f64).with("found", length as f64));
+        if length > LINK_BYTES {
+            let lengths = self.0.parts.iter().map(|part| match part.shape {
+                Shape::VertexFrame(_) => text::write(&part.shape).len(),
+                _ => 0,
+            });
+            let of_networks: usize = lengths.sum();
+            let beside = if of_networks > 0 { " beside networks of patches" } else { "" };
+            for (found, most, what) in [(length - of_networks, LINK_BYTES, beside), (length, BYTES, "")] {
+                if found > most {
+                    let message = format!("expected a design of at most {most} bytes of JSON{what}, found {found}");
+                    let error = Error::new(Code::TooLarge, "", message);
+                    return Err(error.with("greatest", most as f64).with("found", found as f64));
+                }
+            }
         }
         Ok(self)
     }

@@ -3,8 +3,14 @@
 /// The format version that this program reads and writes.
 pub(crate) const VERSION: u32 = 1;
 
-/// The longest JSON text, given or canonical, in bytes.
-pub(crate) const BYTES: usize = 1 << 20;
+/// The longest JSON text of what goes into a link, in bytes; of no design is more than that anything but networks of patches.
+pub(crate) const LINK_BYTES: usize = 1 << 20;
+
+/// The longest JSON text, given or canonical, in bytes: 100,000 patches take some 17 MB with all twelve digits and parameters of their own, and some forces beside.
+pub(crate) const BYTES: usize = 1 << 25;
+
+/// How many values the tree of a document may have. 100,000 patches take three million; each takes some tens of bytes of memory while it is read.
+pub(crate) const VALUES: usize = 1 << 22;
 
 /// The most parts of a design.
 pub(crate) const PARTS: usize = 500;

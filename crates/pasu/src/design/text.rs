@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::error::Category;
 use serde_json::ser::Formatter;
 
-use super::limits::BYTES;
+use super::limits::{BYTES, VALUES};
 use super::number::plain;
 use super::value::{DEEPEST, Value};
 use crate::error::{Code, Error, Result};
@@ -40,7 +40,11 @@ fn fault(text: &str, error: &serde_json::Error) -> Error {
                 format!("This JSON text ends in the middle, at line {line}, column {column}; is it cut short?");
             Error::new(Code::NotJson, "", message)
         }
-        // The one refusal of the tree that text can meet: it is too short for too many values.
+        Category::Data if what.starts_with(&format!("invalid length {}", VALUES + 1)) => {
+            let message = format!("expected a design of at most {VALUES} values, found more");
+            Error::new(Code::TooLarge, "", message).with("greatest", VALUES)
+        }
+        // The other refusal of the tree that text can meet.
         Category::Data => {
             let message =
                 format!("This is not JSON: nested more than {DEEPEST} levels deep at line {line}, column {column}.");

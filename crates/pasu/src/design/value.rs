@@ -10,6 +10,7 @@ use serde::de::{self, Deserialize, DeserializeSeed, Deserializer, MapAccess, Seq
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_path_to_error::{Segment, Track};
 
+use super::limits::VALUES;
 use super::number::{parse, plain};
 use super::refusal::{inside_field, inside_item, shortened};
 
@@ -33,9 +34,6 @@ pub(crate) enum Value {
 /// How deep a value may nest. A design nests nine deep; a JavaScript object that contains itself has no bottom.
 pub(super) const DEEPEST: usize = 64;
 
-/// How many values a tree may have. A design of 1 MiB of JSON holds fewer: each takes two bytes at least.
-const MOST: usize = 1 << 19;
-
 impl Value {
     /// A number as a link has it. What is none stays a text: the reader refuses it and says where.
     pub(crate) fn spelled(text: &str) -> Value {
@@ -45,7 +43,7 @@ impl Value {
 
     /// Reads any plain data; where that fails, with the path of what could not be read.
     pub(super) fn read<'de, D: Deserializer<'de>>(source: D) -> Result<Value, (String, D::Error)> {
-        let left = Cell::new(Some(MOST));
+        let left = Cell::new(Some(VALUES));
         let mut track = Track::new();
         let value =
             Nested { depth: 0, left: &left }.deserialize(serde_path_to_error::Deserializer::new(source, &mut track));
@@ -121,7 +119,7 @@ impl<'de> DeserializeSeed<'de> for Nested<'_> {
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
         self.left.set(self.left.get().and_then(|left| left.checked_sub(1)));
         match self.left.get() {
-            None => Err(de::Error::invalid_length(MOST + 1, &"at most 524288 values in one design")),
+            None => Err(de::Error::invalid_length(VALUES + 1, &"at most 4194304 values in one design")),
             Some(_) => deserializer.deserialize_any(self),
         }
     }
@@ -195,7 +193,7 @@ impl<'de> Visitor<'de> for Nested<'_> {
 
 impl<'de> Deserialize<'de> for Value {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Nested { depth: 0, left: &Cell::new(Some(MOST)) }.deserialize(deserializer)
+        Nested { depth: 0, left: &Cell::new(Some(VALUES)) }.deserialize(deserializer)
     }
 }
 
@@ -235,8 +233,8 @@ mod tests {
         let error = serde_json::from_str::<Value>(&deep(DEEPEST + 1)).unwrap_err();
         assert!(error.to_string().starts_with("invalid length 65, expected at most 64 levels"), "{error}");
         let many = |n: usize| format!("[{}0]", "0,".repeat(n - 2));
-        assert!(serde_json::from_str::<Value>(&many(MOST)).is_ok());
-        assert!(serde_json::from_str::<Value>(&many(MOST + 1)).is_err());
+        assert!(serde_json::from_str::<Value>(&many(VALUES)).is_ok());
+        assert!(serde_json::from_str::<Value>(&many(VALUES + 1)).is_err());
     }
 
     #[test]

@@ -59,6 +59,16 @@ impl FourSided {
         Breaks { knots, ..Breaks::smooth(waves) }
     }
 
+    /// The coefficients of `u^3` and of `v^3`.
+    pub(super) fn cubic(&self) -> [DVec3; 2] {
+        [self.coefficients[3], self.coefficients[6]]
+    }
+
+    /// The same forces on other points and with other cubic terms.
+    pub(super) fn moved(&self, points: [DVec3; 8], cubic: [DVec3; 2]) -> FourSided {
+        FourSided { bumps: self.bumps.clone(), ..FourSided::new(points, cubic, self.sides) }
+    }
+
     /// The points of its frame.
     pub(super) fn points(&self) -> [DVec3; 8] {
         self.points
@@ -90,11 +100,11 @@ impl FourSided {
         for u in cell.u {
             for v in cell.v {
                 for (longest, second) in longest.iter_mut().zip(self.second(u, v)) {
-                    *longest = longest.max((second * stretch).length());
+                    *longest = longest.max((second * stretch).length_squared());
                 }
             }
         }
-        longest
+        longest.map(libm::sqrt)
     }
 
     /// No point is longer than the longest of the control points of the patch in Bernstein's form, within whose hull it lies.
@@ -113,15 +123,15 @@ impl FourSided {
             let row: [DVec3; 4] = core::array::from_fn(|l| (0..4).map(|k| along[k] * monomials[k][l]).sum());
             for across in RISING {
                 let point: DVec3 = (0..4).map(|l| across[l] * row[l]).sum();
-                longest = longest.max((point * stretch).length());
+                longest = longest.max((point * stretch).length_squared());
             }
         }
-        longest
+        libm::sqrt(longest)
     }
 }
 
 /// A curve of constant `u`: polynomials in `v`.
-struct Curve<'a> {
+pub(super) struct Curve<'a> {
     patch: &'a FourSided,
     u: f64,
     position: [DVec3; 4],
@@ -200,7 +210,8 @@ impl Patch for FourSided {
 }
 
 impl FourSided {
-    fn curve(&self, u: f64) -> Curve<'_> {
+    /// The curve of one `u`.
+    pub(super) fn curve(&self, u: f64) -> Curve<'_> {
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = self.coefficients;
         Curve {
             patch: self,

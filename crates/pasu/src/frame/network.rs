@@ -17,13 +17,13 @@ pub(super) fn along(side: usize) -> usize {
     usize::from(side < 2)
 }
 
-/// Refuses a patch two corners of which are the same point. The path begins at the patches.
+/// Refuses a patch two corners of which are the same point: of patches by their numbers with their eight points. The path begins at the patches.
 ///
 /// # Errors
 /// `pinched-surface`.
-pub(super) fn refuse_coincident_corners(patches: &[FramePatch], points: impl Fn(u32) -> DVec3) -> Result<()> {
-    for (index, patch) in patches.iter().enumerate() {
-        let corners = CORNERS.map(|place| points(patch.frame[place]));
+pub(super) fn refuse_coincident_corners(patches: impl Iterator<Item = (usize, [DVec3; 8])>) -> Result<()> {
+    for (index, points) in patches {
+        let corners = CORNERS.map(|place| points[place]);
         for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
             if corners[i] == corners[j] {
                 let [one, other] = [i, j].map(|corner| CORNERS[corner] + 1);

@@ -56,7 +56,11 @@ impl<'a> PatchGrids<'a> {
                     )));
                 }
                 let found = lines_within(&patches, stretch, tolerance - rounding, VERTEX_LIMIT);
-                let mut lines = found.ok_or_else(beyond)?;
+                let (mut lines, deviation) = found.ok_or_else(beyond)?;
+                if rows.is_none() && columns.is_none() {
+                    let bound = Some(deviation + rounding).filter(|bound| bound.is_finite());
+                    return Ok(PatchGrids { placed, lines, bound });
+                }
                 for lines in &mut lines {
                     let even = Lines::even(rows.unwrap_or(lines.u.len()), columns.unwrap_or(lines.v.len()));
                     if rows.is_some() {
@@ -99,13 +103,16 @@ impl<'a> PatchGrids<'a> {
 
     /// Names the grids and their winding.
     pub(super) fn append_topology(&self, topology: &mut String) {
+        let mut hash = Xxh64::new(0);
         for (patch, Lines { u, v }) in self.lines.iter().enumerate() {
-            let winding = if self.placed.is_forwards(patch) { '+' } else { '-' };
-            let mut hash = Xxh64::new(0);
-            u.iter().chain(v).for_each(|place| hash.update(&place.to_le_bytes()));
-            // A String takes whatever is written to it.
-            let _ = write!(topology, "{}x{}{winding}{:016x}", u.len(), v.len(), hash.digest());
+            hash.update(&[u8::from(self.placed.is_forwards(patch))]);
+            for lines in [u, v] {
+                hash.update(&(lines.len() as u32).to_le_bytes());
+                lines.iter().for_each(|place| hash.update(&place.to_le_bytes()));
+            }
         }
+        // A String takes whatever is written to it.
+        let _ = write!(topology, "{}p{}v{:016x}", self.lines.len(), self.n_vertices(), hash.digest());
     }
 
     /// Appends what depends on the grids alone, and room for positions and normals.
@@ -172,7 +179,7 @@ impl<'a> PatchGrids<'a> {
             for (j, v) in lines.v.iter().enumerate() {
                 let jet = row.jet_at(&columns, j);
                 let normal = outward * direction(patch, (*u, *v), jet.du, jet.dv);
-                let position = self.placed.place(&jet).position.to_array().map(|x| x as f32);
+                let position = self.placed.point(jet.position).to_array().map(|x| x as f32);
                 if position.iter().any(|x| !x.is_finite()) {
                     let message = format!(
                         "the surface runs beyond what a mesh can hold at row {i}, column {j}; numbers up to 3e38 can be held"
@@ -185,12 +192,16 @@ impl<'a> PatchGrids<'a> {
             }
         }
         for (side, met) in patch.sides().into_iter().enumerate() {
-            let here: Vec<usize> = along_side(lines, side).collect();
+            let mut here = along_side(lines, side);
             match met {
-                Side::Pole => here.iter().for_each(|vertex| positions[*vertex] = positions[here[0]]),
+                Side::Pole => {
+                    if let Some(first) = here.next() {
+                        here.for_each(|vertex| positions[vertex] = positions[first]);
+                    }
+                }
                 // The opposite side has it.
                 Side::Joined if side % 2 == 1 => {
-                    for (to, from) in here.into_iter().zip(along_side(lines, side - 1)) {
+                    for (to, from) in here.zip(along_side(lines, side - 1)) {
                         (positions[to], normals[to]) = (positions[from], normals[from]);
                     }
                 }

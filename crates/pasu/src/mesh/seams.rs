@@ -15,7 +15,7 @@ pub(super) struct Seams<'a> {
 
 impl Seams<'_> {
     /// For every side that two patches share the vertices of both, those that are one point beside each other: first those of the patch that has it.
-    fn shared(&self) -> impl Iterator<Item = [Vec<usize>; 2]> + '_ {
+    fn shared(&self) -> impl Iterator<Item = [Run; 2]> + '_ {
         let sides =
             self.patches.iter().enumerate().flat_map(|(patch, met)| {
                 met.sides().into_iter().enumerate().map(move |(side, met)| (patch, side, met))
@@ -23,19 +23,17 @@ impl Seams<'_> {
         sides.filter_map(|(patch, side, met)| match met {
             // The first of the two has it.
             Side::Shared { patch: other, side: others, is_reversed } if (other, others) < (patch, side) => {
-                let mut from = self.vertices(other, others);
-                if is_reversed {
-                    from.reverse();
-                }
-                Some([from, self.vertices(patch, side)])
+                let from = self.run(other, others)?;
+                Some([if is_reversed { from.reversed() } else { from }, self.run(patch, side)?])
             }
             _ => None,
         })
     }
 
-    fn vertices(&self, patch: usize, side: usize) -> Vec<usize> {
-        let (Some(lines), Some(first)) = (self.lines.get(patch), self.firsts.get(patch)) else { return Vec::new() };
-        along_side(lines, side).map(|vertex| first + vertex).collect()
+    fn run(&self, patch: usize, side: usize) -> Option<Run> {
+        let (lines, first) = self.lines.get(patch).zip(self.firsts.get(patch))?;
+        let run = Run::of(lines, side);
+        Some(Run { first: run.first + first, ..run })
     }
 
     /// The vertex of corner number `4 patch + corner`.
@@ -49,7 +47,7 @@ impl Seams<'_> {
     /// Puts what is one point on one place, to the bit.
     pub(super) fn close(&self, positions: &mut [[f32; 3]]) {
         for [from, to] in self.shared() {
-            for (to, from) in to.into_iter().zip(from) {
+            for (to, from) in to.vertices().zip(from.vertices()) {
                 positions[to] = positions[from];
             }
         }
@@ -65,17 +63,17 @@ impl Seams<'_> {
         let own = self.patches.iter().enumerate().flat_map(|(patch, of)| {
             let sides = of.sides().into_iter().enumerate();
             sides.filter_map(move |(side, met)| match met {
-                Side::Pole => self
-                    .vertices(patch, side)
-                    .first()
-                    .map(|first| [vec![*first; self.vertices(patch, side).len()], self.vertices(patch, side)]),
+                Side::Pole => {
+                    let run = self.run(patch, side)?;
+                    Some([Run { step: 0, ..run }, run])
+                }
                 // The opposite side has it.
-                Side::Joined if side % 2 == 1 => Some([self.vertices(patch, side - 1), self.vertices(patch, side)]),
+                Side::Joined if side % 2 == 1 => Some([self.run(patch, side - 1)?, self.run(patch, side)?]),
                 _ => None,
             })
         });
         for [from, to] in own.chain(self.shared()) {
-            for (to, from) in to.into_iter().zip(from) {
+            for (to, from) in to.vertices().zip(from.vertices()) {
                 numbers[to] = from as u32;
             }
         }
@@ -107,8 +105,7 @@ impl Seams<'_> {
             }
         }
         for [from, to] in self.shared() {
-            let n = to.len();
-            for (one, other) in from.into_iter().zip(to).take(n.saturating_sub(1)).skip(1) {
+            for (one, other) in from.vertices().zip(to.vertices()).take(to.n.saturating_sub(1)).skip(1) {
                 let (first, second) = (vector(normals[one]), vector(normals[other]));
                 if is_smooth(first, second) {
                     let mean = single(first + second);
@@ -136,14 +133,37 @@ fn single(sum: DVec3) -> [f32; 3] {
     sum.normalize_or(DVec3::Z).to_array().map(|x| x as f32)
 }
 
+/// The vertices of one side of a grid, one after the other.
+#[derive(Debug, Clone, Copy)]
+struct Run {
+    first: usize,
+    step: isize,
+    n: usize,
+}
+
+impl Run {
+    /// In the order of the parameter that runs along the side.
+    fn of(lines: &Lines, side: usize) -> Run {
+        let (rows, columns) = (lines.u.len(), lines.v.len());
+        match side {
+            0 => Run { first: 0, step: 1, n: columns },
+            1 => Run { first: (rows - 1) * columns, step: 1, n: columns },
+            2 => Run { first: 0, step: columns as isize, n: rows },
+            _ => Run { first: columns - 1, step: columns as isize, n: rows },
+        }
+    }
+
+    fn reversed(self) -> Run {
+        let last = (self.n as isize - 1).max(0);
+        Run { first: self.first.wrapping_add_signed(last * self.step), step: -self.step, ..self }
+    }
+
+    fn vertices(self) -> impl Iterator<Item = usize> {
+        (0..self.n as isize).map(move |i| self.first.wrapping_add_signed(i * self.step))
+    }
+}
+
 /// The vertices of one side of a grid, in the order of the parameter that runs along it.
 pub(super) fn along_side(lines: &Lines, side: usize) -> impl Iterator<Item = usize> + use<> {
-    let (rows, columns) = (lines.u.len(), lines.v.len());
-    let (first, step, n) = match side {
-        0 => (0, 1, columns),
-        1 => ((rows - 1) * columns, 1, columns),
-        2 => (0, columns, rows),
-        _ => (columns - 1, columns, rows),
-    };
-    (0..n).map(move |i| first + i * step)
+    Run::of(lines, side).vertices()
 }

@@ -102,7 +102,7 @@ impl Lines {
     }
 }
 
-/// Lines for patches of one shape, with which every cell keeps a distance; `None` beyond so many vertices. Patches that share a side have the same lines across it.
+/// Lines for patches of one shape, with which every cell keeps a distance, and the largest that one has; `None` beyond so many vertices. Patches that share a side have the same lines across it.
 ///
 /// A cell that does not is halved across the direction that adds more to its bound, and with it the strip of cells that has the same lines. The axes are stretched by these factors.
 pub(crate) fn lines_within(
@@ -110,30 +110,41 @@ pub(crate) fn lines_within(
     stretch: [f64; 3],
     distance: f64,
     most_vertices: usize,
-) -> Option<Vec<Lines>> {
-    let mut lines = Lines::fewest_of(patches);
+) -> Option<(Vec<Lines>, f64)> {
+    let mut lines: Vec<Lines> = patches.iter().map(|patch| Lines::fewest(*patch)).collect();
     let strips = Strips::of(patches);
+    strips.share(directions(&mut lines));
+    // Of each patch whether its lines are others than when its cells were looked at last, and the largest distance of one.
+    let mut is_new = vec![true; patches.len()];
+    let mut largest = vec![0.0f64; patches.len()];
     loop {
         if lines.iter().map(Lines::n_vertices).sum::<usize>() > most_vertices {
             return None;
         }
         let mut is_done = true;
-        for (patch, lines) in patches.iter().zip(&mut lines) {
+        let each = patches.iter().zip(&mut lines).zip(is_new.iter_mut().zip(&mut largest));
+        for ((patch, lines), (is_new, largest)) in each.filter(|(_, (is_new, _))| **is_new) {
+            *largest = 0.0;
             let (mut rows, mut columns) = (Vec::new(), Vec::new());
             for (i, j, cell) in lines.cells() {
-                if !(patch.deviation(cell, stretch) <= distance) {
+                let deviation = patch.deviation(cell, stretch);
+                *largest = largest.max(deviation);
+                if !(deviation <= distance) {
                     let ([p, q], suprema) = (cell.lengths(), patch.suprema(cell, stretch));
                     if p * p * suprema.uu >= q * q * suprema.vv { rows.push(i) } else { columns.push(j) }
                 }
             }
-            is_done &= rows.is_empty() && columns.is_empty();
+            *is_new = !(rows.is_empty() && columns.is_empty());
+            is_done &= !*is_new;
             Lines::halve(&mut lines.u, rows);
             Lines::halve(&mut lines.v, columns);
         }
         if is_done {
-            return Some(lines);
+            return Some((lines, largest.into_iter().fold(0.0, f64::max)));
         }
-        strips.share(directions(&mut lines));
+        for (is_new, are_others) in is_new.iter_mut().zip(strips.share(directions(&mut lines)).chunks_exact(2)) {
+            *is_new |= are_others.contains(&true);
+        }
     }
 }
 

@@ -30,11 +30,19 @@ impl Strips {
         Strips { of, is_own_reverse: (0..n).map(|direction| sets.is_contradicted(direction)).collect() }
     }
 
-    /// Gives every direction, in the order of their numbers, the lines of its strip.
-    pub(super) fn share(&self, mut lines: Vec<&mut Vec<f64>>) {
+    /// Gives every direction, in the order of their numbers, the lines of its strip, and says of which these are others than before.
+    pub(super) fn share(&self, lines: Vec<&mut Vec<f64>>) -> Vec<bool> {
         let mut all: Vec<Vec<f64>> = vec![Vec::new(); self.of.len()];
         for (own, (top, is_against)) in lines.iter().zip(&self.of) {
             let into = &mut all[*top];
+            // Mostly all of a strip have the same lines already.
+            let is_there = match is_against {
+                true => into.len() == own.len() && into.iter().zip(own.iter().rev()).all(|(a, b)| *a == 1.0 - b),
+                false => into == *own,
+            };
+            if is_there && !self.is_own_reverse[*top] {
+                continue;
+            }
             if self.is_own_reverse[*top] {
                 into.extend(own.iter().flat_map(|place| [*place, 1.0 - place]));
             } else if *is_against {
@@ -51,14 +59,25 @@ impl Strips {
                 *last = 1.0;
             }
         }
-        for (own, (top, is_against)) in lines.iter_mut().zip(&self.of) {
-            own.clear();
+        let take = |(own, (top, is_against)): (&mut Vec<f64>, &(usize, bool))| {
+            let here = all[*top].iter();
             match is_against {
-                true => own.extend(all[*top].iter().rev().map(|place| 1.0 - place)),
-                false => own.extend_from_slice(&all[*top]),
+                true => replace(own, here.rev().map(|place| 1.0 - place)),
+                false => replace(own, here.copied()),
             }
-        }
+        };
+        lines.into_iter().zip(&self.of).map(take).collect()
     }
+}
+
+/// Puts other numbers into a list, and says whether they are others.
+fn replace(list: &mut Vec<f64>, others: impl ExactSizeIterator<Item = f64> + Clone) -> bool {
+    let is_same = list.len() == others.len() && list.iter().zip(others.clone()).all(|(one, other)| *one == other);
+    if !is_same {
+        list.clear();
+        list.extend(others);
+    }
+    !is_same
 }
 
 /// The direction whose lines cut a side.

@@ -1,6 +1,6 @@
 //! One part of a design: a solved shape where it stands.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat3, DVec3};
 
@@ -12,7 +12,7 @@ use crate::patch::SurfaceJet;
 /// A solved shape, scaled, turned and moved: `p -> matrix p + shift`.
 #[derive(Debug)]
 pub(crate) struct Placed {
-    solved: Solved,
+    solved: Arc<Solved>,
     matrix: DMat3,
     shift: DVec3,
     index: usize,
@@ -32,11 +32,11 @@ impl Placed {
     /// # Errors
     /// As [`Solved::of`].
     pub(crate) fn new(part: &Part, index: usize) -> Result<Placed> {
-        Ok(Placed::of(Solved::of(part, index)?, &part.place, index))
+        Ok(Placed::of(Arc::new(Solved::of(part, index)?), &part.place, index))
     }
 
     /// A shape that has been solved.
-    pub(super) fn of(solved: Solved, place: &Placement, index: usize) -> Placed {
+    pub(super) fn of(solved: Arc<Solved>, place: &Placement, index: usize) -> Placed {
         let matrix = DMat3::from_cols_array_2d(&place.matrix()).transpose();
         let shift = DVec3::from_array(place.shift);
         Placed { solved, matrix, shift, index, is_forwards: OnceLock::new() }
@@ -46,12 +46,22 @@ impl Placed {
         &self.solved
     }
 
+    /// The same shape for somebody else to place.
+    pub(super) fn shared(&self) -> Arc<Solved> {
+        Arc::clone(&self.solved)
+    }
+
     /// The linear part of the placement.
     pub(crate) fn matrix(&self) -> DMat3 {
         self.matrix
     }
 
-    /// Where a point of the shape comes to be, and its derivatives.
+    /// Where a point of the shape comes to be.
+    pub(crate) fn point(&self, point: DVec3) -> DVec3 {
+        self.matrix * point + self.shift
+    }
+
+    /// The same of a point with its derivatives.
     pub(crate) fn place(&self, jet: &SurfaceJet) -> SurfaceJet {
         let (m, shift) = (self.matrix, self.shift);
         SurfaceJet {

@@ -52,6 +52,24 @@ impl Solved {
         }
     }
 
+    /// As [`Solved::of`], with every bit the same, where another shape was solved before: of a network whose points were moved the strips alone are solved that have to be.
+    ///
+    /// # Errors
+    /// As [`Solved::of`].
+    #[cfg_attr(
+        not(feature = "patchwork"),
+        expect(unused_variables, reason = "no other kind has parts of its own to keep")
+    )]
+    pub(crate) fn after(part: &Part, index: usize, before: &Solved) -> Result<Solved> {
+        #[cfg(feature = "patchwork")]
+        if let (Shape::VertexFrame(network), Solved::Frame(frame)) = (&part.shape, before)
+            && let Some(frame) = frame.after(network)
+        {
+            return Ok(Solved::Frame(frame));
+        }
+        Solved::of(part, index)
+    }
+
     /// The patches, of which there is at least one.
     pub(crate) fn patches(&self) -> Vec<&dyn Patch> {
         (0..self.n_patches()).map(|index| self.patch(index)).collect()

@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::kept::Kept;
 use super::placed::Placed;
+use super::solved::Solved;
 use crate::design::{Design, Part};
 use crate::error::{Code, Error, Result};
 
@@ -24,6 +25,8 @@ use crate::error::{Code, Error, Result};
 pub struct Solution {
     design: Design,
     parts: Vec<Slot>,
+    /// What each part was in a design before, where that helps to solve it.
+    before: Vec<Option<Arc<Solved>>>,
     /// What each part is made as, which others know: as a pot, and as a solid.
     bodies: Vec<[Kept; 2]>,
 }
@@ -38,8 +41,42 @@ impl Solution {
         Solution {
             design: design.clone(),
             parts: parts.iter().map(|_| OnceLock::new()).collect(),
+            before: parts.iter().map(|_| None).collect(),
             bodies: parts.iter().map(|_| Default::default()).collect(),
         }
+    }
+
+    /// The solution of a design much like this one's, of which nothing is computed yet that this one has not: parts of the same shape are not solved again, and of a network of patches whose points were moved only the strips on
+    /// which they are. Every answer is to the bit that of [`Solution::of`].
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions, Solution};
+    ///
+    /// let before = Solution::of(&Design::parse("#1/bloor-wilson?n1=5")?);
+    /// let design = Design::parse("#1/bloor-wilson?n1=6")?;
+    /// assert_eq!(before.after(&design).fingerprint()?, pasu::fingerprint(&design)?);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    #[must_use]
+    pub fn after(&self, design: &Design) -> Solution {
+        let mut solution = Solution::of(design);
+        for (index, part) in design.parts().iter().enumerate() {
+            // At its own place first.
+            let order = core::iter::once(index).chain(0..self.parts.len());
+            let mut known = order.filter_map(|place| {
+                let placed = self.parts.get(place)?.get()?.as_ref().ok()?;
+                Some((self.design.parts().get(place)?, placed))
+            });
+            let is_same = |other: &Part| other.wall.is_some() == part.wall.is_some() && other.shape == part.shape;
+            match known.clone().find(|(other, _)| is_same(other)) {
+                Some((_, placed)) => {
+                    let placed = Placed::of(placed.shared(), &part.place, index);
+                    solution.parts[index] = OnceLock::from(Ok(Arc::new(placed)));
+                }
+                None => solution.before[index] = known.next().map(|(_, placed)| placed.shared()),
+            }
+        }
+        solution
     }
 
     /// The design.
@@ -53,7 +90,14 @@ impl Solution {
     /// `no-such-point` for a part that does not exist; what [`Surface::solve`](crate::Surface::solve) refuses.
     pub(crate) fn part(&self, index: usize) -> Result<&Arc<Placed>> {
         let (slot, part) = self.existing(index)?;
-        slot.get_or_init(|| Placed::new(part, index).map(Arc::new)).as_ref().map_err(Error::clone)
+        let solve = || match self.before.get(index) {
+            Some(Some(before)) => {
+                let solved = Solved::after(part, index, before)?;
+                Ok(Arc::new(Placed::of(Arc::new(solved), &part.place, index)))
+            }
+            _ => Placed::new(part, index).map(Arc::new),
+        };
+        slot.get_or_init(solve).as_ref().map_err(Error::clone)
     }
 
     /// A part and where its solution is kept.
@@ -95,7 +139,7 @@ impl Solution {
     pub(crate) fn with(design: &Design, solved: Vec<super::Solved>) -> Solution {
         let solution = Solution::of(design);
         for (index, solved) in solved.into_iter().enumerate() {
-            let placed = Placed::of(solved, &design.parts()[index].place, index);
+            let placed = Placed::of(Arc::new(solved), &design.parts()[index].place, index);
             assert!(solution.parts[index].set(Ok(Arc::new(placed))).is_ok());
         }
         solution

@@ -5,7 +5,7 @@ use pasu::{Code, Design, Format, Making, MeshOptions, Product};
 use serde_json::json;
 
 use crate::support::design_of;
-use crate::support::networks::{Dice, Net, Wrap, cube, edges, farthest, measured, torus};
+use crate::support::networks::{Dice, Net, Wrap, cube, cubes_at_random, edges, farthest, measured, polycube, torus};
 
 #[test]
 fn a_cube_of_frames_is_a_solid() {
@@ -256,4 +256,37 @@ fn ten_thousand_patches_are_solved_and_sampled() {
     // Far more than it takes: only what grows with the square of the patches is caught.
     assert!(taken.as_secs_f64() < 10.0, "{taken:?}");
     assert_eq!(Design::parse(&design.link()).unwrap(), design);
+}
+
+#[test]
+fn bodies_that_branch_are_solids_of_their_volume() {
+    let (mut made, mut refused) = (0, 0);
+    for seed in 300..340 {
+        let mut dice = Dice(seed);
+        let cubes = cubes_at_random(2 + dice.below(5), &mut dice);
+        let mut net = polycube(&cubes, &mut dice);
+        let design = design_of(&net.shape(&json!("global")).to_string());
+        let options = MeshOptions { tolerance: Some(0.02), ..MeshOptions::default() };
+        if let Err(error) = pasu::mesh(&design, &options) {
+            // Two cubes that touch along an edge alone have four faces there.
+            assert_eq!(error.code(), Code::CrossesItself, "{seed} {error}");
+            refused += 1;
+            continue;
+        }
+        made += 1;
+        let body = &measured(&design).parts[0].body;
+        let (volume, area) = (body.clay.unwrap().volume.value, body.area.value);
+        let expected = (8.0 * cubes.len() as f64, 4.0 * net.patches.len() as f64);
+        assert!((volume - expected.0).abs() < 1e-9 && (area - expected.1).abs() < 1e-9, "{seed} {volume} {area}");
+        // Bent, they are as closed.
+        for at in &mut net.vertices {
+            *at = at.map(|x| x + 0.15 * dice.number());
+        }
+        let design = design_of(&net.shape(&json!("global")).to_string());
+        let mesh = pasu::mesh(&design, &options).unwrap();
+        mesh.validate().unwrap();
+        assert!(edges(&mesh).iter().all(|times| *times == 2), "{seed}");
+        assert!(farthest(&design, &mesh) <= 0.02 && measured(&design).parts[0].body.clay.unwrap().volume.value > 0.0);
+    }
+    assert!(made >= 20 && refused >= 1, "{made} {refused}");
 }

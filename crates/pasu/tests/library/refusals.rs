@@ -371,9 +371,17 @@ fn documents() {
 
 #[test]
 fn limits_of_size() {
-    let given = format!("{}{}", with_shape(SHAPE), " ".repeat(1 << 20));
-    let message = format!("expected a design of at most 1048576 bytes of JSON, found {}", given.len());
-    check(Design::parse(&given), "a megabyte of white space", ("too-large", "", &message));
+    let given = format!("{}{}", with_shape(SHAPE), " ".repeat(1 << 25));
+    let message = format!("expected a design of at most 33554432 bytes of JSON, found {}", given.len());
+    check(Design::parse(&given), "megabytes of white space", ("too-large", "", &message));
+
+    // Neither is a tree of more values than anybody has memory for.
+    let given = format!("{{ \"pasu\": 1, \"parts\": [{}1] }}", "1,".repeat(1 << 22));
+    check(
+        Design::parse(&given),
+        "four million values",
+        ("too-large", "", "expected a design of at most 4194304 values, found more"),
+    );
 
     // A short document may have a long canonical form; what could not be opened again is not opened.
     let mode = |n: usize| format!(r#"{{"n":{n},"cos":{{"force":[{}]}}}}"#, vec!["1e20"; 64].join(","));

@@ -105,6 +105,7 @@ export const page = phrases("page", {
   viewDamaged: "Part of how this link shows the pot could not be read and is left out.",
   noSharing: "Sharing did not work here.",
   noLink: "There is no link yet: the design has a value that the solver cannot use.",
+  tooLargeForLink: "This design is too large for an address. Save it as a file, which holds all of it.",
   savedAs: (name: string) => `Saved as “${name}”.`,
   notSaved: "Not saved: the design has a value that the solver cannot use.",
   notKept: "This browser keeps no copy of your work. Save it, or copy its link, before you leave.",

@@ -9,7 +9,7 @@ mod readable;
 mod wrapping;
 
 use super::document::Design;
-use super::limits::{BYTES, VERSION, newer};
+use super::limits::{LINK_BYTES, VERSION, newer};
 use super::refusal::shortened;
 use crate::error::{Code, Error, Result};
 
@@ -49,12 +49,28 @@ impl Design {
     /// assert_eq!(vase.link(), "1/bloor-wilson?n1=5");
     /// # Ok::<(), pasu::Error>(())
     /// ```
+    /// Empty for a design of more than 1 MiB as JSON, which only a large network of patches has: [`Design::try_link`] refuses it.
     #[inline]
     pub fn link(&self) -> String {
+        self.try_link().unwrap_or_default()
+    }
+
+    /// As [`Design::link`].
+    ///
+    /// ```
+    /// let vase = pasu::Design::parse("#1/bloor-wilson?n1=5")?;
+    /// assert_eq!(vase.try_link()?, vase.link());
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `too-large` for a design of more than 1 MiB as JSON, with `what` among its arguments `link`: it is kept as a file.
+    #[inline]
+    pub fn try_link(&self) -> Result<String> {
         let design = &self.ordered();
         match readable::write(design) {
-            Some(readable) => format!("{VERSION}/{readable}"),
-            None => format!("{VERSION}~{}", packed::write(design)),
+            Some(readable) => Ok(format!("{VERSION}/{readable}")),
+            None => Ok(format!("{VERSION}~{}", packed::write(design)?)),
         }
     }
 }
@@ -63,8 +79,8 @@ impl Design {
 #[inline]
 fn read(text: &str) -> Result<Design> {
     // Damage cannot make a link longer than its packed form, and decoding an endless text takes long.
-    if text.len() > 2 * BYTES {
-        let message = format!("expected a link of at most {} characters, found {}", 2 * BYTES, text.len());
+    if text.len() > 2 * LINK_BYTES {
+        let message = format!("expected a link of at most {} characters, found {}", 2 * LINK_BYTES, text.len());
         return Err(Error::new(Code::TooLarge, "", message));
     }
     let link = wrapping::remove(text)?;

@@ -8,16 +8,25 @@ use miniz_oxide::inflate::core::{DecompressorOxide, decompress, inflate_flags};
 
 use super::damage::damaged;
 use crate::design::document::Design;
-use crate::design::limits::BYTES;
+use crate::design::limits::LINK_BYTES;
 use crate::error::{Code, Error, Result};
 
 /// The effort of the compressor. Equal designs have equal links only as long as it stays, with the version of
 /// `miniz_oxide`; links made otherwise open all the same.
 const EFFORT: u8 = 9;
 
+/// # Errors
+/// `too-large` for a design that a link does not hold: its reader would refuse it, and no address is so long.
 #[inline]
-pub(super) fn write(design: &Design) -> String {
-    URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(design.to_json().as_bytes(), EFFORT))
+pub(super) fn write(design: &Design) -> Result<String> {
+    let document = design.to_json();
+    if document.len() > LINK_BYTES {
+        let message =
+            format!("expected a design of at most {LINK_BYTES} bytes of JSON for a link, found {}", document.len());
+        let error = Error::new(Code::TooLarge, "", message).with("what", "link").with("greatest", LINK_BYTES as f64);
+        return Err(error.with("found", document.len() as f64));
+    }
+    Ok(URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(document.as_bytes(), EFFORT)))
 }
 
 /// Reads what follows `1~`. The checksum of the zlib format (RFC 1950) tells every damage from a design.
@@ -31,7 +40,7 @@ pub(super) fn read(text: &str) -> Result<Design> {
 
 fn inflated(bytes: &[u8]) -> Result<Vec<u8>> {
     let flags = inflate_flags::TINFL_FLAG_PARSE_ZLIB_HEADER | inflate_flags::TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
-    let mut document = vec![0; BYTES];
+    let mut document = vec![0; LINK_BYTES];
     let (status, read, written) = decompress(&mut DecompressorOxide::new(), bytes, &mut document, 0, flags);
     match status {
         TINFLStatus::Done if read == bytes.len() => {
@@ -42,7 +51,7 @@ fn inflated(bytes: &[u8]) -> Result<Vec<u8>> {
         TINFLStatus::HasMoreOutput => Err(Error::new(
             Code::TooLarge,
             "",
-            format!("expected a design of at most {BYTES} bytes of JSON, found more"),
+            format!("expected a design of at most {LINK_BYTES} bytes of JSON, found more"),
         )),
         TINFLStatus::Adler32Mismatch => Err(damaged("its checksum is wrong")),
         _ => Err(damaged("its letters do not fit together")),

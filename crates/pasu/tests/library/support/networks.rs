@@ -224,3 +224,50 @@ pub(crate) fn farthest(design: &Design, mesh: &pasu::Mesh) -> f64 {
         .map(|(point, exact)| point.distance(DVec3::from_slice(exact)))
         .fold(0.0, f64::max)
 }
+
+/// The boundary of cubes of side 2 that stand face to face, at these places of a lattice: every visible face a frame, begun and run through in any way. Corners have three to six faces.
+pub(crate) fn polycube(cubes: &[[i64; 3]], dice: &mut Dice) -> Net {
+    let mut numbers = std::collections::HashMap::new();
+    let mut net = Net { vertices: Vec::new(), patches: Vec::new() };
+    for cube in cubes {
+        for face in 0..6 {
+            let (axis, end) = (face / 2, if face % 2 == 0 { -1 } else { 1 });
+            let mut beside = *cube;
+            beside[axis] += end;
+            if cubes.contains(&beside) {
+                continue;
+            }
+            let round = [[-1, -1], [0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
+            let mut frame = round.map(|[a, b]| {
+                let mut at = cube.map(|x| 2 * x);
+                at[axis] += end;
+                at[(axis + 1) % 3] += a;
+                at[(axis + 2) % 3] += b;
+                *numbers.entry(at).or_insert_with(|| {
+                    net.vertices.push(at.map(|x| x as f64));
+                    net.vertices.len() - 1
+                })
+            });
+            frame.rotate_left(2 * dice.below(4));
+            if dice.below(2) == 1 {
+                frame.reverse();
+                frame.rotate_left(1);
+            }
+            net.patches.push(json!({ "frame": frame }));
+        }
+    }
+    net
+}
+
+/// So many cubes that hang together by faces.
+pub(crate) fn cubes_at_random(n: usize, dice: &mut Dice) -> Vec<[i64; 3]> {
+    let mut cubes = vec![[0; 3]];
+    while cubes.len() < n {
+        let mut next = cubes[dice.below(cubes.len())];
+        next[dice.below(3)] += if dice.below(2) == 0 { 1 } else { -1 };
+        if !cubes.contains(&next) {
+            cubes.push(next);
+        }
+    }
+    cubes
+}
