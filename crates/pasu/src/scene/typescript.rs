@@ -1,6 +1,7 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
 use super::difference::{Counterpart, Difference};
+use super::hit::Hit;
 use crate::answer::Answer;
 use crate::fit::Ringed;
 use crate::make::{Finding, MeshReport, Remedy, Report};
@@ -46,6 +47,7 @@ pub fn typescript_of_answers() -> String {
         Ringed::declare,
         Difference::declare,
         Counterpart::declare,
+        Hit::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text
