@@ -355,3 +355,23 @@ export interface Counterpart {
   /** In the second scene. */
   readonly after: number;
 }
+
+/** A place where a ray meets a part, or the place of the surface of a part that is nearest to a point in it. */
+export interface Hit {
+  /** The number of the part. */
+  readonly part: number;
+  /** How far it is from the origin of the ray, or how deep the point is beneath the surface. */
+  readonly distance: number;
+  /** The place, after placement. */
+  readonly point: Point;
+  /** The unit vector out of the part there; of a surface without an inside, out of the pot. */
+  readonly normal: Point;
+  /** Of a part with a wall what it is of that; null where the part has none. */
+  readonly face: FaceKind | null;
+  /** Of a part without a wall the number of the patch, of which a surface between two curves has one; null where it has a wall. */
+  readonly patch: number | null;
+  /** Along the patch, as in `evaluate`; null of a part with a wall, and of an octant. */
+  readonly u: number | null;
+  /** Across the patch, as in `evaluate`. */
+  readonly v: number | null;
+}

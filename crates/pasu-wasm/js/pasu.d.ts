@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Difference, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
+import type { Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -407,6 +407,24 @@ export function paint(source: DesignSource, map: MapName, options?: MeshOptions 
 
 /** Whether two designs are one scene, whatever the order of their parts, and otherwise what became of each part. */
 export function compare(before: DesignSource, after: DesignSource): Difference;
+
+/** A ray from a point in a direction, which need not have length 1. */
+export interface Ray {
+  origin: Point;
+  direction: Point;
+}
+
+/**
+ * Where a ray meets the parts of a design, the nearest first: every place where it goes through the surface of one, to 1e-9 of the size of the part. A part with a wall is met as the clay that is made of it, outside, lining,
+ * rim and all.
+ */
+export function pick(source: DesignSource, ray: Ray): Hit[];
+
+/**
+ * The parts of a design that hold a point, the one whose surface is nearest first: `distance` says how deep beneath it the point is, `point` where it is nearest. Octants, blends and closed networks hold what is in them, and what
+ * has a wall what is in its clay; a surface without a wall holds nothing.
+ */
+export function at(source: DesignSource, point: Point): Hit[];
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

@@ -62,11 +62,14 @@ const cellsFile = (source, part, format, options) => call("cellsFile", source, p
 const inside = (source, part) => call("inside", source, part);
 const insideValues = (source, part, map, at) => call("insideValues", source, part, map, at);
 const compare = (before, after) => call("compare", before, after);
+const pick = (source, ray) => call("pick", source, ray);
+const at = (source, point) => call("at", source, point);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
 
 export {
+  at,
   bound,
   cells,
   cellsFile,
@@ -90,6 +93,7 @@ export {
   PasuError,
   paint,
   parse,
+  pick,
   provenance,
   pull,
   pulled,

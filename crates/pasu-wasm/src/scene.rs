@@ -14,3 +14,23 @@ pub fn compare(before: &JsValue, after: &JsValue) -> Result<JsValue, JsValue> {
     let compared = || Ok(pasu::compare(&source::design(before)?, &source::design(after)?));
     plain_object(&compared().map_err(|error| thrown(&error))?)
 }
+
+/// Where a ray meets the parts of a design, as a list of plain objects.
+///
+/// # Errors
+/// When the source is not a design, or one of its parts cannot be solved; when the ray is none.
+#[wasm_bindgen]
+pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
+    let picked = || source::solution(source)?.pick(source::argument(ray, "ray")?);
+    plain_object(&picked().map_err(|error| thrown(&error))?)
+}
+
+/// The parts of a design that hold a point, as a list of plain objects.
+///
+/// # Errors
+/// When the source is not a design, or one of its parts cannot be solved; when the point is none.
+#[wasm_bindgen]
+pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
+    let held = || source::solution(source)?.at(source::argument(point, "point")?);
+    plain_object(&held().map_err(|error| thrown(&error))?)
+}

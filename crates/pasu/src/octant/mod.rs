@@ -6,6 +6,7 @@
 mod climb;
 mod curved;
 mod flat;
+mod inside;
 mod moments;
 mod solved;
 

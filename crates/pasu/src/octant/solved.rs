@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::curved::Curved;
 use super::flat::Flat;
+use super::inside::{self, Through};
 use super::moments::moments;
 use crate::design::Octant;
 use crate::patch::{Patch, Side};
@@ -57,11 +58,29 @@ impl Supersphere {
         (volume, DVec3::from_array(first))
     }
 
+    /// Whether a point is in it, its border included.
+    pub(crate) fn holds(&self, at: DVec3) -> bool {
+        at.min_element() >= 0.0 && self.excess(at) <= 0.0
+    }
+
+    /// Where the line `origin + t direction` goes through its border, in the order of `t`.
+    pub(crate) fn through(&self, origin: DVec3, direction: DVec3) -> Vec<Through> {
+        inside::through(self.exponents, origin, direction)
+    }
+
+    /// The unit normal out of it at a point of one of its patches.
+    pub(crate) fn normal(&self, at: DVec3, patch: usize) -> DVec3 {
+        inside::normal(self.exponents, at, patch)
+    }
+
+    /// A point well inside.
+    pub(crate) fn core(&self) -> DVec3 {
+        inside::core(self.exponents)
+    }
+
     /// `x^a + y^b + z^c - 1` where no coordinate is negative: at most 0 in the octant, and 0 on its curved side.
-    #[cfg(test)]
     fn excess(&self, at: DVec3) -> f64 {
-        let powers = at.to_array().into_iter().zip(self.exponents).map(|(x, exponent)| libm::pow(x.max(0.0), exponent));
-        powers.sum::<f64>() - 1.0
+        inside::excess(self.exponents, at)
     }
 }
 

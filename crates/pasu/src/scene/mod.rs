@@ -1,11 +1,24 @@
 //! Designs as scenes: sets of solids.
 
+mod border;
+mod bounds;
+mod boxes;
 mod compare;
+mod crossings;
 mod difference;
+mod hit;
+mod holds;
+mod nearest;
+mod pick;
+mod space;
+mod tile;
+mod triangles;
 #[cfg(feature = "typescript")]
 mod typescript;
 
 pub use compare::compare;
 pub use difference::{Counterpart, Difference};
+pub use hit::{Hit, Ray};
+pub use pick::{at, pick};
 #[cfg(feature = "typescript")]
 pub use typescript::typescript_of_answers;

@@ -1,6 +1,7 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
 use super::difference::{Counterpart, Difference};
+use super::hit::Hit;
 use crate::answer::Answer;
 use crate::fit::{Apart, Ringed, Scanned};
 use crate::make::{Finding, MeshReport, Remedy, Report};
@@ -48,6 +49,7 @@ pub fn typescript_of_answers() -> String {
         Apart::declare,
         Difference::declare,
         Counterpart::declare,
+        Hit::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

@@ -169,6 +169,11 @@ impl Piece {
         Piece { kind: FaceKind::Outer, form, outward: skin.outward(), is_level: false, is_exact: true }
     }
 
+    /// Whether it is straight for every `v`.
+    pub(crate) fn is_straight(&self) -> bool {
+        matches!(self.form, Form::Ruled { .. })
+    }
+
     /// Whether the whole face lies in one plane across the axis of the pot.
     ///
     /// ```

@@ -174,6 +174,11 @@ impl Skin {
         self.size
     }
 
+    /// How many waves go round at most.
+    pub(crate) fn waves(&self) -> f64 {
+        self.upright.waves()
+    }
+
     /// Whether the foot is a point, and the rim.
     pub(crate) fn poles(&self) -> [bool; 2] {
         self.poles

@@ -175,6 +175,15 @@ impl Solved {
         }
     }
 
+    /// The octant that it is, whose inside is known by a formula.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn octant(&self) -> Option<&Supersphere> {
+        match self {
+            Solved::Octant(octant) => Some(octant),
+            _ => None,
+        }
+    }
+
     /// The closed form of its inside, if that is known.
     #[cfg(feature = "patchwork")]
     pub(crate) fn volume(&self) -> Option<&Volume> {

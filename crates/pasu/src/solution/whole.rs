@@ -29,6 +29,9 @@ pub struct Solution {
     before: Vec<Option<Arc<Solved>>>,
     /// What each part is made as, which others know: as a pot, and as a solid.
     bodies: Vec<[Kept; 2]>,
+    /// What each part is in space, and all of them together, which the scene knows.
+    spaces: Vec<Kept>,
+    scene: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -43,6 +46,8 @@ impl Solution {
             parts: parts.iter().map(|_| OnceLock::new()).collect(),
             before: parts.iter().map(|_| None).collect(),
             bodies: parts.iter().map(|_| Default::default()).collect(),
+            spaces: parts.iter().map(|_| Kept::default()).collect(),
+            scene: Kept::default(),
         }
     }
 
@@ -114,6 +119,19 @@ impl Solution {
     /// `no-such-point`.
     pub(crate) fn bodies(&self, index: usize) -> Result<&[Kept; 2]> {
         self.bodies.get(index).ok_or_else(|| self.no_such_part(index))
+    }
+
+    /// Where what a part is in space is kept, of whoever knows that.
+    ///
+    /// # Errors
+    /// `no-such-point`.
+    pub(crate) fn space(&self, index: usize) -> Result<&Kept> {
+        self.spaces.get(index).ok_or_else(|| self.no_such_part(index))
+    }
+
+    /// Where what all parts are together is kept.
+    pub(crate) fn scene(&self) -> &Kept {
+        &self.scene
     }
 
     fn no_such_part(&self, index: usize) -> Error {

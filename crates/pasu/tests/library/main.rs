@@ -34,6 +34,7 @@ mod sharp_walls;
 mod single_precision;
 mod sketch;
 mod solid;
+mod space;
 mod support;
 mod surfaces;
 mod tolerance;

@@ -1,0 +1,181 @@
+//! The pieces of which the border of a part is made, whatever they are of, and what encloses them.
+
+use core::f64::consts::TAU;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::tile::Tile;
+use crate::face::{Face, FaceKind};
+use crate::patch::{Breaks, Cell, Side};
+use crate::solid::Pot;
+use crate::solution::Placed;
+
+/// What is measured of a face, of which no bounds are known, is taken this many times: a kink may be twice as high between two samples as it seems.
+const MARGIN: f64 = 2.0;
+
+/// A bound is larger than what it bounds by more than rounding, which is this part of the largest coordinate.
+const ROUNDING: f64 = 8e-16;
+
+/// Into how many pieces a closed piece is cut at least, so that none is flat.
+const LEAST_ROUND: usize = 6;
+
+/// The fewest and the most columns of a face of a wall.
+const COLUMNS: (f64, f64) = (12.0, 96.0);
+
+/// One piece `X(u, v)`, placed, over the unit square.
+#[derive(Debug)]
+pub(super) enum Border {
+    /// A patch, of which bounds are proved.
+    Patch { placed: Arc<Placed>, patch: usize, stretch: [f64; 3] },
+    /// A face of a wall, of which they are measured.
+    Face { pot: Arc<Pot>, face: usize },
+}
+
+/// Position and first derivatives.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Jet {
+    pub(super) position: DVec3,
+    pub(super) du: DVec3,
+    pub(super) dv: DVec3,
+}
+
+impl Border {
+    /// Every patch of a part.
+    pub(super) fn patches(placed: &Arc<Placed>) -> Vec<Border> {
+        let matrix = placed.matrix();
+        // What scales, then turns: a vector is as long as the stretched one before.
+        let stretch = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(DVec3::length);
+        let patches = 0..placed.solved().n_patches();
+        patches.map(|patch| Border::Patch { placed: Arc::clone(placed), patch, stretch }).collect()
+    }
+
+    /// Every face of a pot.
+    pub(super) fn faces(pot: &Arc<Pot>) -> Vec<Border> {
+        (0..pot.faces().len()).map(|face| Border::Face { pot: Arc::clone(pot), face }).collect()
+    }
+
+    pub(super) fn jet(&self, u: f64, v: f64) -> Jet {
+        match self {
+            Border::Patch { placed, patch, .. } => {
+                let jet = placed.place(&placed.solved().patch(*patch).jet(u, v));
+                Jet { position: jet.position, du: jet.du, dv: jet.dv }
+            }
+            Border::Face { pot, face } => {
+                let jet = pot.faces()[*face].jet(u, v * TAU);
+                Jet { position: jet.position, du: jet.da, dv: jet.dv * TAU }
+            }
+        }
+    }
+
+    /// Whether its bounds are proved.
+    pub(super) fn is_proved(&self) -> bool {
+        matches!(self, Border::Patch { .. })
+    }
+
+    /// What it is of a wall.
+    pub(super) fn kind(&self) -> Option<FaceKind> {
+        match self {
+            Border::Patch { .. } => None,
+            Border::Face { pot, face } => Some(pot.faces()[*face].kind()),
+        }
+    }
+
+    /// The unit normal out of the body, or out of the pot where there is none; beside a place at which it has no direction, the nearest that has.
+    pub(super) fn normal(&self, u: f64, v: f64) -> DVec3 {
+        const BESIDE: [f64; 4] = [0.0, 1e-9, 1e-6, 1e-3];
+        let outward = match self {
+            Border::Patch { placed, patch, .. } => {
+                if placed.is_forwards(*patch) {
+                    1.0
+                } else {
+                    -1.0
+                }
+            }
+            Border::Face { pot, face } => pot.faces()[*face].outward(),
+        };
+        let beside = |x: f64, by: f64| if x < 0.5 { x + by } else { x - by };
+        let products = BESIDE.into_iter().map(|by| {
+            let jet = self.jet(beside(u, by), beside(v, by));
+            (jet.du.cross(jet.dv), jet.du.length() * jet.dv.length())
+        });
+        let found = products.into_iter().find(|(normal, size)| normal.length() > 1e-9 * size && *size > 0.0);
+        found.map_or(DVec3::Z, |(normal, _)| normal.normalize_or(DVec3::Z) * outward)
+    }
+
+    /// The cells with which it begins: between knots, and so many that none is flat.
+    pub(super) fn cells(&self) -> Vec<Cell> {
+        let [along, round] = match self {
+            Border::Patch { placed, patch, .. } => {
+                let patch = placed.solved().patch(*patch);
+                let [along, round] = patch.breaks();
+                let sides = patch.sides();
+                let least = |side: usize| if sides[side] == Side::Joined { LEAST_ROUND } else { 1 };
+                [lines(&along, least(0)), lines(&round, least(2))]
+            }
+            Border::Face { pot, face } => {
+                let piece = &pot.faces()[*face];
+                // What runs straight or in an arc from one curve to another needs few rows.
+                let rows = if piece.is_straight() { 1 } else { 6 };
+                let columns = (2.0 * pot.skin().waves() + 4.0).clamp(COLUMNS.0, COLUMNS.1) as usize;
+                let even = |n: usize| (0..=n).map(|i| i as f64 / n as f64).collect();
+                [even(rows), even(columns)]
+            }
+        };
+        let rows = along.windows(2).map(|u| [u[0], u[1]]);
+        let columns = || round.windows(2).map(|v| [v[0], v[1]]);
+        rows.flat_map(|u| columns().map(move |v| Cell { u, v })).collect()
+    }
+
+    /// A cell with what encloses it.
+    pub(super) fn tile(&self, border: usize, cell: Cell) -> Tile {
+        let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
+        let corners = [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| self.jet(u, v).position);
+        let size = corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
+        let ([p, q], mut deviation, bends);
+        match self {
+            Border::Patch { placed, patch, stretch } => {
+                let patch = placed.solved().patch(*patch);
+                [p, q] = cell.lengths();
+                let suprema = patch.suprema(cell, *stretch);
+                bends = [p * p * suprema.uu, p * q * suprema.uv, q * q * suprema.vv];
+                deviation = patch.deviation(cell, *stretch);
+            }
+            Border::Face { .. } => {
+                bends = self.measured(cell, corners).map(|bend| MARGIN * bend);
+                deviation = 0.125 * (bends[0] + 2.0 * bends[1] + bends[2]);
+            }
+        }
+        deviation += ROUNDING * size;
+        if !deviation.is_finite() {
+            deviation = f64::INFINITY;
+        }
+        Tile { border, cell, corners, deviation, bends }
+    }
+
+    /// The second differences of a cell, each the largest of those of its lines through corners and middles.
+    fn measured(&self, cell: Cell, [a, b, c, d]: [DVec3; 4]) -> [f64; 3] {
+        let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
+        let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
+        let [s, n, w, e, m] = [(u, v0), (u, v1), (u0, v), (u1, v), (u, v)].map(|(u, v)| self.jet(u, v).position);
+        let bend = |lines: [[DVec3; 3]; 3]| {
+            let bends = lines.into_iter().map(|[from, at, to]| 4.0 * ((from - at) + (to - at)).length());
+            bends.fold(0.0, f64::max)
+        };
+        let twist = |one: DVec3, other: DVec3, third: DVec3, fourth: DVec3| ((one - other) - (third - fourth)).length();
+        let parts = [twist(a, s, w, m), twist(s, b, m, e), twist(w, m, c, n), twist(m, e, n, d)];
+        let twisted = parts.into_iter().map(|part| 4.0 * part).fold(twist(a, b, c, d), f64::max);
+        [bend([[a, s, b], [w, m, e], [c, n, d]]), twisted, bend([[a, w, c], [s, m, n], [b, e, d]])]
+    }
+}
+
+/// Knots and ends, and between two of them so many pieces that there are enough in all.
+fn lines(breaks: &Breaks, least: usize) -> Vec<f64> {
+    let knots = breaks.with_ends();
+    let pieces = least.div_ceil(knots.len() - 1);
+    let between = |pair: &[f64]| {
+        let (from, step) = (pair[0], (pair[1] - pair[0]) / pieces as f64);
+        (0..pieces).map(|i| from + i as f64 * step).collect::<Vec<f64>>()
+    };
+    knots.windows(2).flat_map(between).chain([1.0]).collect()
+}

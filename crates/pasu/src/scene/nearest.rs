@@ -1,0 +1,164 @@
+//! The place of the border of a part that is nearest to a point.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use glam::{DMat2, DVec2, DVec3};
+
+use super::boxes::Within;
+use super::space::{Space, TILE};
+use super::tile::Tile;
+use crate::watch;
+
+/// The most tiles that are looked at: from the middle of a ball all of its border is as near.
+const MOST: usize = 1500;
+
+/// What is found is no further than this part of the size from what is nearest, unless there are too many places as near.
+const ENOUGH: f64 = 1e-9;
+
+/// Steps by which a place is brought nearer.
+const STEPS: usize = 24;
+
+/// The nearest place that was found, and how far all of the border is at least.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearest {
+    pub(super) border: usize,
+    pub(super) u: f64,
+    pub(super) v: f64,
+    pub(super) position: DVec3,
+    pub(super) distance: f64,
+    /// No place is nearer than this.
+    pub(super) least: f64,
+}
+
+/// What is still to be looked at, the nearest first.
+struct Open {
+    least: f64,
+    what: What,
+}
+
+enum What {
+    Node(u32),
+    Tile(Box<Tile>),
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Open {}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.least.total_cmp(&self.least)
+    }
+}
+
+impl Space {
+    /// The place of the border that is nearest to a point.
+    pub(super) fn nearest(&self, point: DVec3) -> Nearest {
+        self.nearest_within(point, 0.0)
+    }
+
+    /// The same; a place that is known to be further than `enough` at least, or no further at most, is near enough.
+    pub(super) fn nearest_within(&self, point: DVec3, enough: f64) -> Nearest {
+        let tiles = self.tiles();
+        let mut best =
+            Nearest { border: 0, u: 0.0, v: 0.0, position: DVec3::ZERO, distance: f64::INFINITY, least: 0.0 };
+        let mut open = BinaryHeap::new();
+        open.extend(tiles.boxes.root().map(|root| Open { least: 0.0, what: What::Node(root) }));
+        let mut n_left = MOST;
+        while let Some(Open { least, what }) = open.pop() {
+            best.least = least.min(best.distance);
+            let is_told = enough > 0.0 && (least > enough || best.distance <= enough);
+            if least >= best.distance - ENOUGH * self.size() || is_told || n_left == 0 || watch::is_stopped() {
+                return best;
+            }
+            let mut look = |tile: Tile| {
+                let least = tile.distance_to(point).max(least);
+                if least < best.distance {
+                    let [u, v] = tile.middle();
+                    let (at, position) = self.nearer(&tile, DVec2::new(u, v), point);
+                    let distance = (position - point).length();
+                    if distance < best.distance {
+                        let least = best.least;
+                        best = Nearest { border: tile.border, u: at.x, v: at.y, position, distance, least };
+                    }
+                    open.push(Open { least, what: What::Tile(Box::new(tile)) });
+                }
+            };
+            match what {
+                What::Node(node) => match tiles.boxes.within(node) {
+                    Within::Thing(tile) => look(tiles.all[tile]),
+                    Within::Halves(halves) => open.extend(halves.map(|half| {
+                        let away = tiles.boxes.bounds(half).distance_to(point);
+                        Open { least: away.max(least), what: What::Node(half) }
+                    })),
+                },
+                What::Tile(tile) => {
+                    n_left -= 1;
+                    watch::work(2 * TILE);
+                    match tile.halves(&self.borders) {
+                        Some(halves) => halves.into_iter().for_each(look),
+                        None => return best,
+                    }
+                }
+            }
+        }
+        best.least = best.distance;
+        best
+    }
+
+    /// A place of a tile that is nearer than its middle: by steps to the foot of the perpendicular on the tangent plane, each as long as it brings it nearer.
+    fn nearer(&self, tile: &Tile, from: DVec2, point: DVec3) -> (DVec2, DVec3) {
+        let border = &self.borders[tile.border];
+        let ([u0, u1], [v0, v1]) = (tile.cell.u, tile.cell.v);
+        let (low, high) = (DVec2::new(u0, v0), DVec2::new(u1, v1));
+        let mut at = from;
+        let mut jet = border.jet(at.x, at.y);
+        for (corner, (u, v)) in tile.corners.into_iter().zip([(u0, v0), (u1, v0), (u0, v1), (u1, v1)]) {
+            if (corner - point).length_squared() < (jet.position - point).length_squared() {
+                (at, jet) = (DVec2::new(u, v), border.jet(u, v));
+            }
+        }
+        for _ in 0..STEPS {
+            let away = point - jet.position;
+            let normal = DMat2::from_cols(
+                DVec2::new(jet.du.length_squared(), jet.du.dot(jet.dv)),
+                DVec2::new(jet.du.dot(jet.dv), jet.dv.length_squared()),
+            );
+            let downhill = DVec2::new(jet.du.dot(away), jet.dv.dot(away));
+            let full = match normal.determinant() {
+                0.0 => downhill / normal.col(0).x.max(normal.col(1).y),
+                _ => normal.inverse() * downhill,
+            };
+            let mut length = 1.0;
+            let moved = loop {
+                let next = (at + full * length).clamp(low, high);
+                if !next.is_finite() || next == at || length < 1e-3 {
+                    break None;
+                }
+                let found = border.jet(next.x, next.y);
+                if (found.position - point).length_squared() < away.length_squared() {
+                    break Some((next, found));
+                }
+                length *= 0.25;
+            };
+            let Some((next, found)) = moved else { break };
+            let gained = away.length() - (found.position - point).length();
+            (at, jet) = (next, found);
+            if gained <= 1e-13 * self.size() {
+                break;
+            }
+        }
+        (at, jet.position)
+    }
+}

@@ -1,0 +1,231 @@
+//! What a part is in space: its border in pieces, each enclosed, and whether that goes round an inside.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, OnceLock};
+
+use glam::{DMat3, DVec3};
+
+use super::border::Border;
+use super::bounds::Bounds;
+use super::boxes::Boxes;
+use super::tile::Tile;
+use crate::error::{Code, Error, Result};
+use crate::octant::Supersphere;
+use crate::solid::Product;
+use crate::solution::{Placed, Solution};
+use crate::watch;
+
+/// Tiles are halved until none is further from its triangles than this part of the size of the part, or there are so many.
+const COARSE: f64 = 1.0 / 48.0;
+
+/// The most tiles that are kept; more are made where they are needed, and forgotten.
+const MOST_TILES: usize = 512;
+
+/// What a tile counts for, in units of [`watch::work`].
+pub(super) const TILE: u64 = 100;
+
+/// Coordinates beyond this, and parts smaller than its inverse, have squares that are no numbers.
+const LARGEST: f64 = 1e100;
+
+/// A part where it stands, as all that is asked of a scene sees it.
+#[derive(Debug)]
+pub(super) struct Space {
+    pub(super) part: usize,
+    pub(super) borders: Vec<Border>,
+    /// Whether the border goes round an inside.
+    pub(super) is_solid: bool,
+    placed: Arc<Placed>,
+    /// Of an octant, its frame.
+    inverse: Option<DMat3>,
+    pub(super) bounds: Bounds,
+    tiles: OnceLock<Tiles>,
+    core: OnceLock<Option<(DVec3, f64)>>,
+}
+
+/// Tiles with the tree of their boxes.
+#[derive(Debug)]
+pub(super) struct Tiles {
+    pub(super) all: Vec<Tile>,
+    pub(super) boxes: Boxes,
+}
+
+impl Space {
+    fn new(solution: &Solution, part: usize) -> Result<Space> {
+        let placed = Arc::clone(solution.part(part)?);
+        let (_, of) = solution.existing(part)?;
+        let pot = match of.wall {
+            // What cannot be made is there all the same: as the surface that is seen of it.
+            Some(_) => solution.pot(part, Product::Pot).ok().map(Arc::new),
+            None => None,
+        };
+        watch::go_on()?;
+        let (borders, is_solid) = match &pot {
+            Some(pot) => (Border::faces(pot), true),
+            None => (Border::patches(&placed), placed.solved().is_closed()),
+        };
+        let mut space = Space {
+            part,
+            borders,
+            is_solid,
+            inverse: placed.solved().octant().map(|_| placed.matrix().inverse()),
+            placed,
+            bounds: Bounds::NOTHING,
+            tiles: OnceLock::new(),
+            core: OnceLock::new(),
+        };
+        space.bounds = match space.inverse {
+            Some(_) => {
+                let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
+                let corners: [DVec3; 8] = core::array::from_fn(|i| space.from_own(corner(i)));
+                let bounds = Bounds::of(&corners);
+                bounds.wider(1e-15 * bounds.low.abs().max(bounds.high.abs()).max_element())
+            }
+            None => space.tiles().all.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds())),
+        };
+        let (size, most) = (space.bounds.size(), space.bounds.low.abs().max(space.bounds.high.abs()).max_element());
+        if !(size > 1.0 / LARGEST && most < LARGEST) {
+            let message = format!(
+                "this part is {size:e} across and {most:e} from the origin at most, which cannot be computed with in space: expected sizes and places between {:e} and {LARGEST:e}",
+                1.0 / LARGEST
+            );
+            let error = Error::new(Code::Overflow, space.placed.own_path(), message);
+            return Err(error.with("found", size).with("least", 1.0 / LARGEST).with("greatest", LARGEST));
+        }
+        Ok(space)
+    }
+
+    /// The octant that it is, if it is one.
+    pub(super) fn octant(&self) -> Option<&Supersphere> {
+        self.placed.solved().octant()
+    }
+
+    /// The part as it was solved.
+    pub(super) fn placed(&self) -> &Placed {
+        &self.placed
+    }
+
+    fn from_own(&self, at: DVec3) -> DVec3 {
+        self.placed.matrix() * at + self.placed.shift()
+    }
+
+    /// A point in the frame of an octant.
+    pub(super) fn own(&self, at: DVec3) -> DVec3 {
+        self.own_direction(at - self.placed.shift())
+    }
+
+    pub(super) fn own_direction(&self, direction: DVec3) -> DVec3 {
+        self.inverse.map_or(direction, |inverse| inverse * direction)
+    }
+
+    /// A normal in the frame of an octant, placed.
+    pub(super) fn normal_from_own(&self, normal: DVec3) -> DVec3 {
+        self.inverse.map_or(normal, |inverse| inverse.transpose() * normal).normalize_or(DVec3::Z)
+    }
+
+    /// From corner to corner of its box.
+    pub(super) fn size(&self) -> f64 {
+        self.bounds.size()
+    }
+
+    /// Whether what encloses it is proved, and not measured.
+    pub(super) fn is_proved(&self) -> bool {
+        self.borders.iter().all(Border::is_proved)
+    }
+
+    /// The tiles of its border, made when they are first asked for.
+    pub(super) fn tiles(&self) -> &Tiles {
+        self.tiles.get_or_init(|| {
+            let cells = self.borders.iter().enumerate().flat_map(|(index, border)| {
+                border.cells().into_iter().map(move |cell| border.tile(index, cell))
+            });
+            let mut open: VecDeque<Tile> = cells.collect();
+            let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
+            let enough = COARSE * corners.size();
+            let mut all = Vec::with_capacity(open.len());
+            // Generation by generation.
+            while let Some(tile) = open.pop_front() {
+                let is_halved = tile.deviation > enough && all.len() + open.len() < MOST_TILES && !watch::is_stopped();
+                match is_halved.then(|| tile.halves(&self.borders)).flatten() {
+                    Some(halves) => open.extend(halves),
+                    None => all.push(tile),
+                }
+                watch::work(TILE);
+            }
+            let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
+            Tiles { boxes: Boxes::new(&bounds), all }
+        })
+    }
+
+    /// A point well inside and how far it is from the border at least; `None` of what has no inside, or none that was found.
+    pub(super) fn core(&self) -> Option<(DVec3, f64)> {
+        *self.core.get_or_init(|| {
+            if !self.is_solid {
+                return None;
+            }
+            let at = match self.octant() {
+                Some(octant) => self.from_own(octant.core()),
+                None => self.deep()?,
+            };
+            (self.holds(at) == Some(true)).then(|| (at, self.nearest(at).least)).filter(|(_, depth)| *depth > 0.0)
+        })
+    }
+
+    /// A point half of the way through, from some tiles inwards: the deepest of a few.
+    fn deep(&self) -> Option<DVec3> {
+        const TRIED: usize = 8;
+        let tiles = &self.tiles().all;
+        let step = tiles.len().div_ceil(TRIED).max(1);
+        let through = tiles.iter().step_by(step).filter_map(|tile| {
+            let [u, v] = tile.middle();
+            let border = &self.borders[tile.border];
+            let (at, inwards) = (border.jet(u, v).position, -border.normal(u, v));
+            let start = at + inwards * (1e-7 * self.size());
+            let out = self.crossings(start, inwards).found.first()?.t;
+            Some((out, at + inwards * (0.5 * out)))
+        });
+        let deepest = through.fold(None, |best: Option<(f64, DVec3)>, next| match best {
+            Some((depth, _)) if depth >= next.0 => best,
+            _ => Some(next),
+        });
+        deepest.map(|(_, at)| at)
+    }
+}
+
+impl Solution {
+    /// What a part is in space, found once.
+    ///
+    /// # Errors
+    /// As [`Solution::part`]; `overflow`; `cancelled`.
+    pub(super) fn in_space(&self, part: usize) -> Result<Arc<Space>> {
+        let kept = self.space(part)?;
+        if let Some(space) = kept.get::<Result<Arc<Space>>>() {
+            return space.clone();
+        }
+        let space = Space::new(self, part).map(Arc::new);
+        watch::go_on()?;
+        kept.keep(space.clone());
+        space
+    }
+
+    /// All parts in space.
+    ///
+    /// # Errors
+    /// As [`Solution::in_space`].
+    pub(super) fn scenery(&self) -> Result<Arc<Scenery>> {
+        if let Some(scenery) = self.scene().get::<Arc<Scenery>>() {
+            return Ok(Arc::clone(scenery));
+        }
+        let parts = (0..self.n_parts()).map(|part| self.in_space(part)).collect::<Result<Vec<_>>>()?;
+        let bounds: Vec<Bounds> = parts.iter().map(|part| part.bounds).collect();
+        let scenery = Arc::new(Scenery { boxes: Boxes::new(&bounds), parts });
+        self.scene().keep(Arc::clone(&scenery));
+        Ok(scenery)
+    }
+}
+
+/// All parts of a design with the tree of their boxes.
+#[derive(Debug)]
+pub(super) struct Scenery {
+    pub(super) parts: Vec<Arc<Space>>,
+    pub(super) boxes: Boxes,
+}

@@ -1,0 +1,90 @@
+//! A cell of the border of a part, with what encloses it.
+
+use glam::DVec3;
+
+use super::border::{Border, Jet};
+use super::bounds::Bounds;
+use super::triangles::Triangle;
+use crate::patch::Cell;
+
+/// A cell whose border is no further from the two triangles of its corners than it says.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tile {
+    /// The piece of the border.
+    pub(super) border: usize,
+    pub(super) cell: Cell,
+    /// At `(u0, v0)`, `(u1, v0)`, `(u0, v1)`, `(u1, v1)`: points of the border itself.
+    pub(super) corners: [DVec3; 4],
+    /// How far border and triangles are apart at most.
+    pub(super) deviation: f64,
+    /// Bounds of `X_uu`, `X_uv` and `X_vv` in parameters that run from 0 to 1 across the cell.
+    pub(super) bends: [f64; 3],
+}
+
+/// What bends by more than this part of its length is halved across the bend; all else across the length.
+const BENT: f64 = 0.05;
+
+impl Tile {
+    pub(super) fn bounds(&self) -> Bounds {
+        Bounds::of(&self.corners).wider(self.deviation)
+    }
+
+    /// The two triangles of its corners.
+    pub(super) fn triangles(&self) -> [Triangle; 2] {
+        let [a, b, c, d] = self.corners;
+        [Triangle([a, b, d]), Triangle([a, d, c])]
+    }
+
+    /// How far two points of it are apart at most.
+    pub(super) fn size(&self) -> f64 {
+        let [a, b, c, d] = self.corners;
+        let sides = [(a, b), (c, d), (a, c), (b, d), (a, d), (b, c)];
+        sides.into_iter().map(|(one, other)| (one - other).length()).fold(0.0, f64::max) + 2.0 * self.deviation
+    }
+
+    /// How long it is along `u` and along `v`.
+    fn lengths(&self) -> [f64; 2] {
+        let [a, b, c, d] = self.corners;
+        [(b - a).length().max((d - c).length()), (c - a).length().max((d - b).length())]
+    }
+
+    /// Its middle.
+    pub(super) fn middle(&self) -> [f64; 2] {
+        [self.cell.u, self.cell.v].map(|[from, to]| 0.5 * from + 0.5 * to)
+    }
+
+    /// The position and derivatives in its middle.
+    pub(super) fn middle_jet(&self, borders: &[Border]) -> Jet {
+        let [u, v] = self.middle();
+        borders[self.border].jet(u, v)
+    }
+
+    /// How far `X_u` and `X_v`, in parameters that run from 0 to 1 across the cell, are from those of its middle at most.
+    pub(super) fn turns(&self) -> [f64; 2] {
+        let [uu, uv, vv] = self.bends;
+        [0.5 * (uu + uv), 0.5 * (uv + vv)]
+    }
+
+    /// Its halves; `None` where there is no number between its ends.
+    pub(super) fn halves(&self, borders: &[Border]) -> Option<[Tile; 2]> {
+        let [along, round] = self.lengths();
+        let [uu, _, vv] = self.bends;
+        let is_bent = 0.125 * uu.max(vv) > BENT * along.max(round);
+        let is_along = if is_bent { uu >= vv } else { along >= round };
+        let halves = |[from, to]: [f64; 2]| {
+            let middle = 0.5 * from + 0.5 * to;
+            (from < middle && middle < to).then_some([[from, middle], [middle, to]])
+        };
+        let Cell { u, v } = self.cell;
+        let of_u = || halves(u).map(|halves| halves.map(|u| Cell { u, v }));
+        let of_v = || halves(v).map(|halves| halves.map(|v| Cell { u, v }));
+        let cells = if is_along { of_u().or_else(of_v) } else { of_v().or_else(of_u) }?;
+        Some(cells.map(|cell| borders[self.border].tile(self.border, cell)))
+    }
+
+    /// How far a point is from it at least.
+    pub(super) fn distance_to(&self, point: DVec3) -> f64 {
+        let near = self.triangles().into_iter().map(|triangle| (triangle.nearest(point) - point).length());
+        (near.fold(f64::INFINITY, f64::min) - self.deviation).max(0.0)
+    }
+}
