@@ -1,7 +1,7 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Difference, Measures, Pulled, Report, Ringed } from "./answers.js";
-import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
+import type { Connectivity, Difference, Measures, Pulled, Report, Ringed } from "./answers.js";
+import type { Conversion, Design, Handles, Shape, Tree, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
 export type * from "./design.js";
@@ -393,6 +393,15 @@ export function paint(source: DesignSource, map: MapName, options?: MeshOptions 
 
 /** Whether two designs are one scene, whatever the order of their parts, and otherwise what became of each part. */
 export function compare(before: DesignSource, after: DesignSource): Difference;
+
+/** The one tree of a scene: its objects apart from each other, and in each its parts, glued. Numbers that are computed have all their digits. */
+export function tree(source: DesignSource): Tree;
+
+/** The design of a tree, of an object or its JSON: its leaves in their order, each where the unions above it put it. What is refused names its place in the tree. */
+export function flat(tree: Tree | string): Design;
+
+/** Which parts are glued into which object, and the symmetric matrix of which are glued to which. */
+export function connectivity(source: DesignSource): Connectivity;
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

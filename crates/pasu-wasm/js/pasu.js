@@ -62,6 +62,9 @@ const cellsFile = (source, part, format, options) => call("cellsFile", source, p
 const inside = (source, part) => call("inside", source, part);
 const insideValues = (source, part, map, at) => call("insideValues", source, part, map, at);
 const compare = (before, after) => call("compare", before, after);
+const tree = (source) => call("tree", source);
+const flat = (tree) => call("flat", tree);
+const connectivity = (source) => call("connectivity", source);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -72,11 +75,13 @@ export {
   cellsFile,
   check,
   compare,
+  connectivity,
   convert,
   derivatives,
   evaluate,
   fingerprint,
   fit,
+  flat,
   free,
   handles,
   init as default,
@@ -95,6 +100,7 @@ export {
   pulled,
   sketch,
   solid,
+  tree,
   water,
   write,
 };

@@ -1,5 +1,6 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
+use super::connectivity::Connectivity;
 use super::difference::{Counterpart, Difference};
 use crate::answer::Answer;
 use crate::fit::Ringed;
@@ -46,6 +47,7 @@ pub fn typescript_of_answers() -> String {
         Ringed::declare,
         Difference::declare,
         Counterpart::declare,
+        Connectivity::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

@@ -37,4 +37,5 @@ mod solid;
 mod support;
 mod surfaces;
 mod tolerance;
+mod trees;
 mod watch;

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use crate::support::design;
 use crate::support::networks::Dice;
 
-fn scene(parts: &[Value]) -> Design {
+pub(crate) fn scene(parts: &[Value]) -> Design {
     design(&json!({ "pasu": 1, "parts": parts }).to_string())
 }
 
 /// A whole number below `n`.
-fn below(dice: &mut Dice, n: usize) -> usize {
+pub(crate) fn below(dice: &mut Dice, n: usize) -> usize {
     (((0.5 + 0.5 * dice.number()) * n as f64) as usize).min(n - 1)
 }
 
@@ -22,14 +22,14 @@ fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
     ((least + (greatest - least) * (0.5 + 0.5 * dice.number())) * 1e4).round() / 1e4
 }
 
-fn shuffled<T>(dice: &mut Dice, items: &mut [T]) {
+pub(crate) fn shuffled<T>(dice: &mut Dice, items: &mut [T]) {
     for last in (1..items.len()).rev() {
         let other = below(dice, last + 1);
         items.swap(last, other);
     }
 }
 
-fn part(dice: &mut Dice, index: usize) -> Value {
+pub(crate) fn part(dice: &mut Dice, index: usize) -> Value {
     let number = |dice: &mut Dice| between(dice, 0.5, 3.0);
     let shape = match below(dice, 4) {
         0 => {
@@ -62,7 +62,7 @@ fn part(dice: &mut Dice, index: usize) -> Value {
     part
 }
 
-fn numbers(value: &Value) -> [f64; 3] {
+pub(crate) fn numbers(value: &Value) -> [f64; 3] {
     [0, 1, 2].map(|index| value[index].as_f64().unwrap())
 }
 
@@ -78,7 +78,7 @@ fn placed_otherwise(dice: &mut Dice, part: &mut Value) {
 }
 
 /// The rotation of a placement, as rows.
-fn rotation(place: &Value) -> [[f64; 3]; 3] {
+pub(crate) fn rotation(place: &Value) -> [[f64; 3]; 3] {
     let axis = numbers(&place["axis"]);
     let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
     let [h, k, l] = axis.map(|c| c / length);
@@ -111,13 +111,7 @@ fn turned(place: &mut Value, rows: [[f64; 3]; 3]) {
 }
 
 /// A vase that was turned about its own axis first, or mirrored in a plane through it, so that it is the same solid.
-fn moved_within_itself(dice: &mut Dice, part: &mut Value) {
-    let shape = &part["shape"];
-    let fold = match shape["kind"].as_str().unwrap() {
-        "rings" => Some(5),
-        _ if shape["r"][1] == 0.0 => None,
-        _ => shape["n"][1].as_u64().map(|n| n as usize - 1),
-    };
+fn moved_within_itself(dice: &mut Dice, part: &mut Value, fold: Option<usize>) {
     let place = &mut part["place"];
     let [sx, sy, sz] = numbers(&place["scale"]);
     let is_even = sx.abs() == sy.abs();
@@ -141,6 +135,15 @@ fn moved_within_itself(dice: &mut Dice, part: &mut Value) {
     let lengths = if quarters % 2 == 1 { [sy.abs(), sx.abs()] } else { [sx.abs(), sy.abs()] };
     place["scale"] = json!([lengths[0], hand * lengths[1], sz.abs()]);
     turned(place, columns.map(|[x, y, z]| [x, hand * y, z]));
+}
+
+/// By how many turns a vase is its own image; any where there is no number.
+fn fold_of(shape: &Value) -> Option<usize> {
+    match shape["kind"].as_str().unwrap() {
+        "rings" => Some(5),
+        _ if shape["r"][1] == 0.0 => None,
+        _ => shape["n"][1].as_u64().map(|n| n as usize - 1),
+    }
 }
 
 /// The same scene in other words.
@@ -259,7 +262,8 @@ fn a_vase_has_one_placement_of_those_that_make_the_same_solid() {
                 assert!(nearest < 1e-9, "{nearest} in {part}\n{found:?}");
             }
         }
-        moved_within_itself(&mut dice, &mut part);
+        let fold = fold_of(&part["shape"]);
+        moved_within_itself(&mut dice, &mut part, fold);
         let second = scene(std::slice::from_ref(&part));
         let other = second.parts()[0].place;
         assert_eq!(other.scale, found.scale, "{part}");
