@@ -151,6 +151,11 @@ export interface Making {
    * 1 mm and better 2. `"print"` when left out, and then nothing that is found of it is an error.
    */
   craft?: "print" | "clay" | undefined;
+  /**
+   * Whether a file of triangles has the parts of each object as one closed solid; apart when left out. Only {@link write} joins them. What cannot be joined is refused with `crosses-itself` at `union`, formats without triangles with
+   * `out-of-range`.
+   */
+  union?: boolean | undefined;
 }
 
 /** What a file was made of, and how. */

@@ -17,6 +17,7 @@ mod frames;
 mod handles;
 mod hostile;
 mod interface;
+mod joined;
 mod links;
 mod looks;
 mod measure;
