@@ -375,3 +375,11 @@ export interface Hit {
   /** Across the patch, as in `evaluate`. */
   readonly v: number | null;
 }
+
+/** Which parts of a design are glued to which, and to which discrete object each belongs; parts by their number in the document. */
+export interface Connectivity {
+  /** The discrete object of each part; objects are numbered 0, 1, 2 as they first appear. */
+  readonly objects: readonly number[];
+  /** Row by row, for each pair of parts whether both are glued into one object. Symmetric; each part is glued to itself. */
+  readonly glued: readonly (readonly boolean[])[];
+}

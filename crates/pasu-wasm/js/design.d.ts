@@ -429,6 +429,63 @@ export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino"
 /** A clay body. */
 export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";
 
+/** A scene as a tree of its unions. */
+export interface Tree {
+  /** The version of the format. */
+  readonly pasu: 1;
+  /** At most 200 characters of plain text. */
+  readonly title?: string;
+  /** What 1 means; centimetres when left out. */
+  readonly unit?: Unit;
+  /** 1 to 500 leaves; unions nest at most 24 deep. */
+  readonly tree: TreeNode;
+}
+
+/** A solid or a union of solids. */
+export type TreeNode = TreeLeaf | ConnectedUnion | UnconnectedUnion;
+
+/** A solid: a part without its place. */
+export interface TreeLeaf {
+  /** A name that no other leaf has. */
+  readonly name?: string;
+  /** Its surface, before placement. */
+  readonly shape: Shape;
+  /** Factors along x, y and z, before turning. Not 0. Only leaves scale. */
+  readonly scale?: readonly [number, number, number];
+  /** The wall that makes its surface a pot. */
+  readonly wall?: Wall;
+  /** Its clay and glaze. */
+  readonly look?: Look;
+  /** Where it stands, seen from the first member of the union that it is in; of the root, where the whole stands. */
+  readonly place?: Motion;
+}
+
+/** Leaves and connected unions, glued into one object. */
+export interface ConnectedUnion {
+  /** 2 or more, of which the first is not moved. */
+  readonly connected: readonly (TreeLeaf | ConnectedUnion)[];
+  /** Where it stands, seen from the first member of the union that it is in; of the root, where the whole stands. */
+  readonly place?: Motion;
+}
+
+/** Objects, apart from each other. */
+export interface UnconnectedUnion {
+  /** 2 or more, of which the first is not moved. */
+  readonly unconnected: readonly TreeNode[];
+  /** Where it stands, seen from the first member of the union that it is in; of the root, where the whole stands. */
+  readonly place?: Motion;
+}
+
+/** Turned, then moved. */
+export interface Motion {
+  /** The direction of the axis of rotation. */
+  readonly axis?: readonly [number, number, number];
+  /** The angle in radians, anti-clockwise seen from where the axis points to. */
+  readonly angle?: number;
+  /** The movement along x, y and z, after turning. */
+  readonly shift?: readonly [number, number, number];
+}
+
 /** A colour of one's own, `#rrggbb`: of sRGB. */
 export type Colour = `#${string}`;
 

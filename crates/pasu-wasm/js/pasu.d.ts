@@ -1,7 +1,7 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
-import type { Conversion, Design, Handles, Shape, VaseOrder } from "./design.js";
+import type { Connectivity, Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
+import type { Conversion, Design, Handles, Shape, Tree, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
 export type * from "./design.js";
@@ -151,6 +151,11 @@ export interface Making {
    * 1 mm and better 2. `"print"` when left out, and then nothing that is found of it is an error.
    */
   craft?: "print" | "clay" | undefined;
+  /**
+   * Whether a file of triangles has the parts of each object as one closed solid; apart when left out. Only {@link write} joins them. What cannot be joined is refused with `crosses-itself` at `union`, formats without triangles with
+   * `out-of-range`.
+   */
+  union?: boolean | undefined;
 }
 
 /** What a file was made of, and how. */
@@ -425,6 +430,15 @@ export function pick(source: DesignSource, ray: Ray): Hit[];
  * has a wall what is in its clay; a surface without a wall holds nothing.
  */
 export function at(source: DesignSource, point: Point): Hit[];
+
+/** The one tree of a scene: its objects apart from each other, and in each its parts, glued. Numbers that are computed have all their digits. */
+export function tree(source: DesignSource): Tree;
+
+/** The design of a tree, of an object or its JSON: its leaves in their order, each where the unions above it put it. What is refused names its place in the tree. */
+export function flat(tree: Tree | string): Design;
+
+/** Which parts are glued into which object, and the symmetric matrix of which are glued to which. */
+export function connectivity(source: DesignSource): Connectivity;
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

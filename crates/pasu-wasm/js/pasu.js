@@ -64,6 +64,9 @@ const insideValues = (source, part, map, at) => call("insideValues", source, par
 const compare = (before, after) => call("compare", before, after);
 const pick = (source, ray) => call("pick", source, ray);
 const at = (source, point) => call("at", source, point);
+const tree = (source) => call("tree", source);
+const flat = (tree) => call("flat", tree);
+const connectivity = (source) => call("connectivity", source);
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -75,11 +78,13 @@ export {
   cellsFile,
   check,
   compare,
+  connectivity,
   convert,
   derivatives,
   evaluate,
   fingerprint,
   fit,
+  flat,
   free,
   handles,
   init as default,
@@ -99,6 +104,7 @@ export {
   pulled,
   sketch,
   solid,
+  tree,
   water,
   write,
 };

@@ -17,6 +17,7 @@ struct MakingFields {
     shrinkage: Option<Finite>,
     tolerance: Option<Finite>,
     craft: Option<CraftName>,
+    union: Option<bool>,
 }
 
 #[derive(Deserialize)]
@@ -56,7 +57,7 @@ struct SketchFields {
     fill: Option<Finite>,
 }
 
-/// Reads `{ product, size, shrinkage, tolerance, craft }`; all of it may be left out.
+/// Reads `{ product, size, shrinkage, tolerance, craft, union }`; all of it may be left out.
 pub(crate) fn making(options: &JsValue) -> Result<Making> {
     let given: Option<MakingFields> = source::argument(options, "making")?;
     let given = given.unwrap_or_default();
@@ -69,6 +70,7 @@ pub(crate) fn making(options: &JsValue) -> Result<Making> {
             CraftName::Print => Craft::Print,
             CraftName::Clay => Craft::Clay,
         }),
+        union: given.union.unwrap_or_default(),
     })
 }
 
@@ -95,6 +97,9 @@ pub(crate) fn made(making: &Making) -> core::result::Result<Object, JsValue> {
     }
     if let Some(craft) = making.craft {
         set(&object, "craft", craft.name().into())?;
+    }
+    if making.union {
+        set(&object, "union", true.into())?;
     }
     Ok(object)
 }

@@ -1,8 +1,10 @@
 //! Designs as scenes.
 
+use pasu::{Result, Tree};
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
+use crate::plain::Plain;
 use crate::{plain_object, source};
 
 /// How a scene differs from another, as a plain object.
@@ -10,8 +12,8 @@ use crate::{plain_object, source};
 /// # Errors
 /// When one of them is not a design.
 #[wasm_bindgen]
-pub fn compare(before: &JsValue, after: &JsValue) -> Result<JsValue, JsValue> {
-    let compared = || Ok(pasu::compare(&source::design(before)?, &source::design(after)?));
+pub fn compare(before: &JsValue, after: &JsValue) -> core::result::Result<JsValue, JsValue> {
+    let compared = || Result::Ok(pasu::compare(&source::design(before)?, &source::design(after)?));
     plain_object(&compared().map_err(|error| thrown(&error))?)
 }
 
@@ -33,4 +35,38 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
 pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
     let held = || source::solution(source)?.at(source::argument(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
+}
+
+/// The tree of a scene, as a plain object.
+///
+/// # Errors
+/// When the source is not a design.
+#[wasm_bindgen]
+pub fn tree(source: &JsValue) -> core::result::Result<JsValue, JsValue> {
+    let design = source::design(source).map_err(|error| thrown(&error))?;
+    plain_object(&pasu::tree(&design))
+}
+
+/// The design of a tree, as a plain object.
+///
+/// # Errors
+/// When this is not a tree, neither as an object nor as JSON text, or what it says is not a design.
+#[wasm_bindgen]
+pub fn flat(tree: &JsValue) -> core::result::Result<JsValue, JsValue> {
+    let read = || match tree.as_string() {
+        Some(text) => Tree::parse(&text),
+        None => Tree::read(Plain(tree.clone())),
+    };
+    let design = read().and_then(|tree| pasu::flat(&tree)).map_err(|error| thrown(&error))?;
+    plain_object(&design)
+}
+
+/// Which parts are glued, as a plain object.
+///
+/// # Errors
+/// When the source is not a design.
+#[wasm_bindgen]
+pub fn connectivity(source: &JsValue) -> core::result::Result<JsValue, JsValue> {
+    let design = source::design(source).map_err(|error| thrown(&error))?;
+    plain_object(&pasu::connectivity(&design))
 }

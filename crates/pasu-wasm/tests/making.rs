@@ -4,8 +4,8 @@
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pasu_wasm::{
-    check, compare, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch, solid, watched, water,
-    write,
+    check, compare, connectivity, flat, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch,
+    solid, tree, watched, water, write,
 };
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -144,6 +144,47 @@ fn scenes_are_compared() {
     assert_eq!(at(&moved, "isSame"), JsValue::FALSE);
     assert_eq!((at(&moved, "moved.0.before").as_f64(), at(&moved, "moved.0.after").as_f64()), (Some(0.0), Some(1.0)));
     expect(compare(&scene(0.0, 2.0), &"nothing".into()), "damaged-link", "");
+}
+
+#[wasm_bindgen_test]
+fn scenes_are_trees_and_lists() {
+    let octant = r#""shape": { "kind": "octant", "exponents": [2, 2, 2] }"#;
+    let part =
+        |x: f64, object: usize| format!(r#"{{ "object": {object}, {octant}, "place": {{ "shift": [{x}, 0, 0] }} }}"#);
+    let scene: JsValue =
+        format!(r#"{{ "pasu": 1, "parts": [{}, {}, {}] }}"#, part(1.0, 0), part(2.0, 4), part(4.0, 0)).into();
+    let found = tree(&scene).expect("a tree");
+    assert_eq!(at(&found, "tree.place.shift.0").as_f64(), Some(1.0));
+    assert_eq!(at(&found, "tree.unconnected.0.connected.1.place.shift.0").as_f64(), Some(3.0));
+    let again = flat(&found).expect("a design");
+    assert_eq!(link(&again).expect("a link"), link(&scene).expect("a link"));
+    let text = js_sys::JSON::stringify(&found).expect("JSON");
+    assert_eq!(link(&flat(&text).expect("a design")).expect("a link"), link(&scene).expect("a link"));
+    let matrix = connectivity(&scene).expect("a matrix");
+    assert_eq!(at(&matrix, "objects.1").as_f64(), Some(1.0));
+    assert_eq!((at(&matrix, "glued.0.2"), at(&matrix, "glued.0.1")), (JsValue::TRUE, JsValue::FALSE));
+    expect(connectivity(&"nothing".into()), "damaged-link", "");
+    expect(tree(&"nothing".into()), "damaged-link", "");
+    expect(flat(&"nothing".into()), "not-json", "");
+    expect(
+        flat(&js(&format!(
+            r#"{{ "pasu": 1, "tree": {{ "connected": [{{ {octant} }}, {{ {octant} }}], "scale": [1, 1, 2] }} }}"#
+        ))),
+        "unknown-field",
+        "tree.scale",
+    );
+    // What only an object can say: no number, and a union that is its own member.
+    let leaf = js(&format!(r#"{{ "pasu": 1, "tree": {{ {octant}, "place": {{ "angle": 0 }} }} }}"#));
+    set(&at(&leaf, "tree.place"), "angle", f64::NAN.into());
+    expect(flat(&leaf), "not-finite", "tree.place.angle");
+    let union = js(r#"{ "connected": [] }"#);
+    let members = js_sys::Array::from(&at(&union, "connected"));
+    members.push(&union);
+    members.push(&union);
+    set(&union, "connected", members.into());
+    let cyclic = js(r#"{ "pasu": 1 }"#);
+    set(&cyclic, "tree", union);
+    expect(flat(&cyclic), "too-large", "");
 }
 
 #[wasm_bindgen_test]

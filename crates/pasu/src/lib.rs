@@ -73,7 +73,8 @@ pub use design::{
 };
 #[cfg(feature = "patchwork")]
 pub use design::{
-    Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Octant, Section, VertexFrame,
+    Blend, Continuity, Falloff, Force, Form, FramePatch, FrameRule, Harmonic, Method, Motion, Octant, Section,
+    VertexFrame,
 };
 #[cfg(feature = "typescript")]
 pub use design::{
@@ -106,7 +107,10 @@ pub use pull::{Hand, Pulled, pull};
 #[cfg(feature = "typescript")]
 pub use scene::typescript_of_answers;
 #[cfg(feature = "patchwork")]
-pub use scene::{Counterpart, Difference, Hit, Ray, at, compare, pick};
+pub use scene::{
+    Connectivity, Content, Counterpart, Difference, Hit, Leaf, Node, Ray, Tree, at, compare, connectivity, flat, pick,
+    tree,
+};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

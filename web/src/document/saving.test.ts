@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { type Choices, choicesOf, makingOf, scaleOf, toleranceIn } from "./saving";
-import type { Making, Measures } from "./types";
+import { type Choices, choicesOf, hasGlued, makingOf, scaleOf, toleranceIn } from "./saving";
+import type { Design, Making, Measures, Part } from "./types";
 
 const MEASURES = {
   height: { value: 10, error: 0 },
@@ -59,6 +59,7 @@ test.each<Making>([
   { product: "solid" },
   { product: "pot", size: { height: 0.1 + 0.2 }, shrinkage: 12.5 },
   { product: "pot", size: { width: 1 / 3 }, tolerance: 0.01 },
+  { product: "solid", shrinkage: 3, union: true },
   { product: "pot", size: { capacity: 500 }, shrinkage: 8, tolerance: 0.02 },
 ])("the fields that a file was made with ask for it again: %j", (made) => {
   for (const unit of ["cm", "mm", "in"] as const) {
@@ -67,6 +68,7 @@ test.each<Making>([
     if ("field" in again) throw new Error(again.code);
     expect(Object.keys(again).sort()).toEqual(Object.keys(made).sort());
     expect(again.product).toBe(made.product);
+    expect(again.union).toBe(made.union);
     expect(again.shrinkage ?? 0).toBe(made.shrinkage ?? 0);
     expect(Object.keys(again.size ?? {})).toEqual(Object.keys(made.size ?? {}));
     for (const [name, value] of Object.entries(made.size ?? {})) {
@@ -80,4 +82,18 @@ test("a making says nothing of a shrinkage of nothing, and a surface without a w
   const none = { size: "designed", measure: "", shrinkage: "" };
   expect(choicesOf({ product: "pot", shrinkage: 0 }, "cm", false)).toEqual({ product: "solid", ...none });
   expect(choicesOf({}, "cm", true)).toEqual({ product: "pot", ...none });
+});
+
+test("only what is glued to something can be joined", () => {
+  const octant = { kind: "octant", exponents: [2, 2, 2] } as const;
+  const vase = { kind: "second-order", r: [1, 0, 1, 0] } as const;
+  const wall = { thickness: 0.1, base: 0.1 };
+  const of = (...parts: readonly Part[]): Design => ({ pasu: 1, parts });
+  expect(hasGlued(of({ shape: octant }), "solid")).toBe(false);
+  expect(hasGlued(of({ shape: octant }, { shape: octant }), "solid")).toBe(true);
+  expect(hasGlued(of({ shape: octant }, { shape: octant, object: 1 }), "solid")).toBe(false);
+  expect(hasGlued(of({ shape: vase, wall }, { shape: octant }), "pot")).toBe(true);
+  // A surface without a wall is no part of a pot.
+  expect(hasGlued(of({ shape: vase, wall }, { shape: vase }), "pot")).toBe(false);
+  expect(hasGlued(of({ shape: vase, wall }, { shape: vase }), "solid")).toBe(true);
 });

@@ -2,7 +2,7 @@
 
 import { formatNumber, parseNumber } from "../number";
 import { UNITS as MILLIMETRES } from "./tables.gen";
-import type { Format, Making, Measures, Product, Unit } from "./types";
+import type { Design, Format, Making, Measures, Product, Unit } from "./types";
 import { millilitres } from "./volume";
 
 export interface FileFormat {
@@ -69,6 +69,8 @@ export interface Choices {
   readonly shrinkage: string;
   /** In millimetres of the file; empty for what suits the size. */
   readonly tolerance: string;
+  /** Whether the parts of one object become one solid. */
+  readonly union?: boolean;
 }
 
 /** Why a choice cannot be made, and in which field. */
@@ -76,6 +78,17 @@ export interface Problem {
   readonly field: "measure" | "shrinkage" | "tolerance";
   readonly code: "shrinkage" | "size" | "holds-nothing" | "tolerance";
 }
+
+/** Whether there is anything to be joined: two parts of one object that a file has. */
+export function hasGlued({ parts }: Design, product: Product): boolean {
+  const isPot = product === "pot" && parts.some((part) => part.wall !== undefined);
+  const made = parts.filter(({ wall, shape }) => !isPot || wall !== undefined || CLOSED.has(shape.kind));
+  const objects = made.map(({ object = 0 }) => object);
+  return new Set(objects).size < objects.length;
+}
+
+/** Kinds that may be a solid without a wall. */
+const CLOSED: ReadonlySet<string> = new Set(["vertex-frame", "blend", "octant"]);
 
 /** Digits that leave a number what it was, but for what a change of units adds to it. */
 const EXACT = 12;
@@ -97,7 +110,12 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
     return { field: "measure", code: "holds-nothing" };
   }
   const size = measure === null ? {} : { size: sizeOf(choices.size, measure, unit) };
-  const sized: Making = { product: choices.product, ...size, ...(shrinkage > 0 ? { shrinkage } : {}) };
+  const sized: Making = {
+    product: choices.product,
+    ...size,
+    ...(shrinkage > 0 ? { shrinkage } : {}),
+    ...(choices.union ? { union: true } : {}),
+  };
   if (choices.tolerance.trim() === "") return sized;
   const tolerance = numberIn(choices.tolerance);
   if (tolerance === null || tolerance <= 0) return { field: "tolerance", code: "tolerance" };
@@ -107,7 +125,7 @@ export function makingOf(choices: Choices, measures: Measures, unit: Unit): Maki
 
 /** What the fields say of how a file was made, but for its tolerance, which goes by the size; `walled` is whether there can be a hollow pot. */
 export function choicesOf(
-  { product, size, shrinkage = 0 }: Making,
+  { product, size, shrinkage = 0, union = false }: Making,
   unit: Unit,
   walled: boolean,
 ): Omit<Choices, "tolerance"> {
@@ -117,6 +135,7 @@ export function choicesOf(
     size: kind,
     measure: measure === null ? "" : formatNumber(measure, EXACT),
     shrinkage: shrinkage === 0 ? "" : formatNumber(shrinkage, EXACT),
+    ...(union ? { union } : {}),
   };
 }
 

@@ -31,7 +31,17 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
   "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out"],
   "pinched-surface": ["no-area", "waist", "shrinks", "section", "corners"],
-  "crosses-itself": ["surface", "surface-close", "outline", "does-not-close", "section", "sections", "edge", "region"],
+  "crosses-itself": [
+    "surface",
+    "surface-close",
+    "outline",
+    "does-not-close",
+    "section",
+    "sections",
+    "edge",
+    "region",
+    "not-joined",
+  ],
   "no-room": [
     "no-disc",
     "no-base",

@@ -62,6 +62,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       sections: () => making.crosses.sections,
       edge: () => making.crosses.edge,
       region: () => making.crosses.region,
+      "not-joined": () => making.crosses.notJoined,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },

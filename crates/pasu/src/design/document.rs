@@ -110,6 +110,15 @@ impl Design {
         Design(Document { parts, ..self.0.clone() })
     }
 
+    /// The design of these parts, of which there are no more than may be.
+    ///
+    /// # Errors
+    /// As [`Design::read`].
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn of_parts(title: Option<String>, unit: Unit, parts: Vec<Part>) -> Result<Design> {
+        Design(Document { pasu: VERSION, title, unit, parts: canonical(parts)? }).within_limit()
+    }
+
     /// Refuses a design whose document is too long, as a whole or without its networks: what these cost is in proportion to their length, and of other shapes a megabyte says more than anybody waits for.
     fn within_limit(self) -> Result<Design> {
         let length = self.to_json().len();
@@ -193,7 +202,7 @@ impl<'de> Deserialize<'de> for Design {
 }
 
 /// Comes before every other check: a newer document may differ in any way.
-fn check_version(value: &Value) -> Result<()> {
+pub(crate) fn check_version(value: &Value) -> Result<()> {
     let Value::Record(fields) = value else { return Ok(()) };
     let given = fields.iter().find(|(name, _)| name == "pasu").map_or(&Value::Null, |(_, value)| value);
     let current = f64::from(VERSION);
@@ -248,7 +257,7 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
 crate::answer::known_as!(Design, "Design");
 
 /// Refuses a tree with a null in it.
-fn without_null(value: &Value) -> Result<()> {
+pub(crate) fn without_null(value: &Value) -> Result<()> {
     match value {
         Value::Null => Err(Error::new(Code::WrongType, "", "expected a value, found null")),
         Value::List(items) => {

@@ -18,6 +18,8 @@ mod link;
 mod list;
 mod look;
 mod modes;
+#[cfg(feature = "patchwork")]
+mod motion;
 mod names;
 mod number;
 #[cfg(feature = "patchwork")]
@@ -48,6 +50,8 @@ mod value;
 #[cfg(feature = "patchwork")]
 mod vertex_frame;
 mod wall;
+#[cfg(feature = "patchwork")]
+pub(crate) mod written;
 
 #[cfg(feature = "patchwork")]
 pub use blend::{Blend, Form, Harmonic, Method, Section};
@@ -61,6 +65,8 @@ pub(crate) use fields::Dimension;
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
 pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
+#[cfg(feature = "patchwork")]
+pub use motion::Motion;
 pub(crate) use number::{plain, rounded};
 #[cfg(feature = "patchwork")]
 pub use octant::Octant;

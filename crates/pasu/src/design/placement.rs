@@ -102,7 +102,7 @@ impl Placement {
 
 /// A rotation: unit axis to twelve decimals, angle in [-pi, pi).
 #[derive(Clone, Copy)]
-struct Turn {
+pub(super) struct Turn {
     axis: [f64; 3],
     angle: f64,
 }
@@ -161,6 +161,82 @@ impl Turn {
         // `0.0 - c` and not `-c`: zero stays without a sign.
         Turn { axis: self.axis.map(|c| 0.0 - c), angle }
     }
+}
+
+/// A rotation in double precision, as a unit quaternion and as the rows of its matrix.
+#[cfg(feature = "patchwork")]
+pub(super) struct Exact {
+    real: f64,
+    vector: [f64; 3],
+    rows: [[f64; 3]; 3],
+}
+
+/// What double precision leaves of the angle of a turn that was computed from others.
+#[cfg(feature = "patchwork")]
+const NOISE: f64 = 1e-14;
+
+#[cfg(feature = "patchwork")]
+impl Turn {
+    /// A turn as it was given; `None` of one that turns nothing.
+    pub(super) fn exact(axis: [f64; 3], angle: f64) -> Option<Exact> {
+        // Whole turns are none.
+        let angle = even(angle);
+        let angle = if (-PI..=PI).contains(&angle) { angle } else { reduced(angle) };
+        let axis = unit(axis).filter(|_| angle != 0.0)?;
+        let (real, sin) = match angle.abs() == PI {
+            true => (0.0, 1.0f64.copysign(angle)),
+            false => (libm::cos(angle / 2.0), libm::sin(angle / 2.0)),
+        };
+        let rows = rotation(axis, if angle == PI { -PI } else { angle });
+        Some(Exact { real, vector: axis.map(|c| c * sin), rows })
+    }
+}
+
+#[cfg(feature = "patchwork")]
+impl Exact {
+    /// The image of a vector.
+    pub(super) fn applied(&self, vector: [f64; 3]) -> [f64; 3] {
+        self.rows.map(|row| row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2])
+    }
+
+    /// First the other rotation, then this one. Of the matrix of the product there is no use.
+    pub(super) fn after(&self, other: &Exact) -> Exact {
+        let ([a, b, c], [x, y, z]) = (self.vector, other.vector);
+        let (s, t) = (self.real, other.real);
+        let real = s * t - (a * x + b * y + c * z);
+        let vector = [s * x + t * a + b * z - c * y, s * y + t * b + c * x - a * z, s * z + t * c + a * y - b * x];
+        Exact { real, vector, rows: self.rows }
+    }
+
+    /// Axis and angle in the one way of writing them, not rounded but freed of noise.
+    pub(super) fn told(&self) -> ([f64; 3], f64) {
+        let full = 2.0 * libm::atan2(norm(self.vector), self.real);
+        let angle = if full > PI { full - 2.0 * PI } else { full };
+        let even = reduced(angle);
+        let turn = match unit(self.vector) {
+            Some(axis) if angle.abs() > NOISE => {
+                let angle = if (angle.abs() - even.abs()).abs() <= NOISE { even } else { angle };
+                Turn { axis: settled(axis), angle: below_half_turn(angle) }.oriented()
+            }
+            _ => Turn { axis: UPRIGHT, angle: 0.0 },
+        };
+        (turn.axis, turn.angle)
+    }
+}
+
+/// The axis of twelve decimals that has this direction, if there is one: an axis of so many is a little off unit length, and divided by that it may round to another.
+#[cfg(feature = "patchwork")]
+fn settled(axis: [f64; 3]) -> [f64; 3] {
+    let near = axis.map(rounded_in_unit);
+    let steps = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9].map(|step| f64::from(step - 1) * 1e-12));
+    let candidates = steps.map(|step| [0, 1, 2].map(|i| rounded_in_unit(near[i] + step[i])));
+    let distance = |candidate: &[f64; 3]| {
+        let unit = unit(*candidate).unwrap_or(UPRIGHT);
+        norm([0, 1, 2].map(|i| unit[i] - axis[i]))
+    };
+    let proper = candidates.filter(|candidate| direction(*candidate) == Some(*candidate));
+    let nearest = proper.min_by(|one, other| distance(one).total_cmp(&distance(other)));
+    nearest.filter(|candidate| distance(candidate) <= NOISE).unwrap_or(axis)
 }
 
 /// The axis of a turn by 0.

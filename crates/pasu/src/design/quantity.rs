@@ -179,6 +179,12 @@ pub(super) fn maybe_positive<'de, D: Deserializer<'de>, Q: Quantity>(deserialize
     deserializer.deserialize_option(Maybe(Range::Positive, PhantomData))
 }
 
+/// Numbers other than 0, which may be left out.
+#[cfg(feature = "patchwork")]
+pub(crate) fn maybe_not_zero<'de, D: Deserializer<'de>, Q: Quantity>(deserializer: D) -> Result<Option<Q>, D::Error> {
+    deserializer.deserialize_option(Maybe(Range::NotZero, PhantomData))
+}
+
 /// Numbers of a range; when they are left out, these.
 pub(super) fn or<'de, D: Deserializer<'de>, Q: Quantity>(
     deserializer: D,
@@ -189,14 +195,14 @@ pub(super) fn or<'de, D: Deserializer<'de>, Q: Quantity>(
 }
 
 /// Whatever may be left out and then has its default.
-pub(super) fn or_default<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(
+pub(crate) fn or_default<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(
     deserializer: D,
 ) -> Result<T, D::Error> {
     Option::deserialize(deserializer).map(Option::unwrap_or_default)
 }
 
 /// A whole number from 0 to `u32::MAX`; 0 when it is left out.
-pub(super) fn whole<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+pub(crate) fn whole<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
     deserializer.deserialize_option(Whole)
 }
 
@@ -216,7 +222,7 @@ pub(super) fn is_zero(x: &f64) -> bool {
 }
 
 /// Whether something need not be written.
-pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+pub(crate) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 

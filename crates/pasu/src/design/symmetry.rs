@@ -23,7 +23,7 @@ pub(crate) struct Symmetry {
 
 impl Symmetry {
     /// No motion but to stay.
-    const NONE: Symmetry = Symmetry { fold: Some(1.0), mirror: None };
+    pub(crate) const NONE: Symmetry = Symmetry { fold: Some(1.0), mirror: None };
 
     /// Of a surface that closes round the axis; of any other none is known.
     pub(crate) fn of(problem: &BoundaryValue) -> Symmetry {

@@ -36,6 +36,40 @@ pub(super) const PART: &[Entry] = &[
     optional("look", "Look", "Its clay and glaze."),
 ];
 
+/// A scene as a tree.
+pub(super) const TREE: &[Entry] = &[
+    required("pasu", "1", "The version of the format."),
+    optional("title", "string", "At most 200 characters of plain text."),
+    optional("unit", "Unit", "What 1 means; centimetres when left out."),
+    required("tree", "TreeNode", "1 to 500 leaves; unions nest at most 24 deep."),
+];
+
+pub(super) const LEAF: &[Entry] = &[
+    optional("name", "string", "A name that no other leaf has."),
+    required("shape", "Shape", "Its surface, before placement."),
+    optional(
+        "scale",
+        "readonly [number, number, number]",
+        "Factors along x, y and z, before turning. Not 0. Only leaves scale.",
+    ),
+    optional("wall", "Wall", "The wall that makes its surface a pot."),
+    optional("look", "Look", "Its clay and glaze."),
+    optional("place", "Motion", PLACE),
+];
+
+pub(super) const CONNECTED: &[Entry] = &[
+    required("connected", "readonly (TreeLeaf | ConnectedUnion)[]", "2 or more, of which the first is not moved."),
+    optional("place", "Motion", PLACE),
+];
+
+pub(super) const UNCONNECTED: &[Entry] = &[
+    required("unconnected", "readonly TreeNode[]", "2 or more, of which the first is not moved."),
+    optional("place", "Motion", PLACE),
+];
+
+const PLACE: &str =
+    "Where it stands, seen from the first member of the union that it is in; of the root, where the whole stands.";
+
 pub(super) const BOUNDARY_VALUE: &[Entry] = &[
     required("kind", "\"boundary-value\"", "Any Fourier boundary data."),
     required("span", "number | \"2pi\"", "The length of the interval of v round the axis."),

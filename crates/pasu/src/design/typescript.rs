@@ -5,9 +5,10 @@ use super::declarations::{alternatives, interface, numbers, union};
 use super::fields::Fields;
 use super::handles::{End, Handle, HandleId, Handles, Restraint, Step};
 use super::look::{Clay, Glaze};
+use super::motion::Motion;
 use super::placement::Placement;
 use super::shape::KINDS;
-use super::tables::{DESIGN, LOOK, PART, WALL};
+use super::tables::{CONNECTED, DESIGN, LEAF, LOOK, PART, TREE, UNCONNECTED, WALL};
 use super::unit::Unit;
 use super::wall::{RimForm, Side};
 use crate::answer::Answer;
@@ -36,6 +37,13 @@ pub fn typescript() -> String {
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
     union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
     union(&mut text, "ClayName", "A clay body.", Clay::NAMES);
+    interface(&mut text, "Tree", "A scene as a tree of its unions.", TREE);
+    let nodes = ["TreeLeaf", "ConnectedUnion", "UnconnectedUnion"].map(str::to_owned);
+    alternatives(&mut text, "TreeNode", "A solid or a union of solids.", &nodes);
+    interface(&mut text, "TreeLeaf", "A solid: a part without its place.", LEAF);
+    interface(&mut text, "ConnectedUnion", "Leaves and connected unions, glued into one object.", CONNECTED);
+    interface(&mut text, "UnconnectedUnion", "Objects, apart from each other.", UNCONNECTED);
+    numbers(&mut text, "Motion", "Turned, then moved.", None, Motion::FIELDS);
     text.push_str("\n/** A colour of one's own, `#rrggbb`: of sRGB. */\nexport type Colour = `#${string}`;\n");
     union(
         &mut text,

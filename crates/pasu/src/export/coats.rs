@@ -182,17 +182,22 @@ fn passes(body: &Coated) -> bool {
 
 /// Every plain look of a body, in the order in which they first come, and which each triangle has.
 pub(super) fn looks(look: Look, coats: &[Coat]) -> (Vec<Look>, Vec<usize>) {
+    let (mut looks, numbers) = numbered(coats.iter().map(|coat| coat.of(look)));
+    if coats.is_empty() {
+        looks.push(Coat::Outside.of(look));
+    }
+    (looks, numbers)
+}
+
+/// Looks, each once in the order in which they first come, and which of them each is.
+pub(super) fn numbered(all: impl Iterator<Item = Look>) -> (Vec<Look>, Vec<usize>) {
     let mut looks: Vec<Look> = Vec::new();
-    let mut number = |coat: Coat| {
-        let plain = coat.of(look);
+    let number = |plain: Look| {
         looks.iter().position(|each| *each == plain).unwrap_or_else(|| {
             looks.push(plain);
             looks.len() - 1
         })
     };
-    let numbers = coats.iter().map(|coat| number(*coat)).collect();
-    if coats.is_empty() {
-        number(Coat::Outside);
-    }
+    let numbers = all.map(number).collect();
     (looks, numbers)
 }

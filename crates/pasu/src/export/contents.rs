@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::coats::{Coat, looks};
+use super::coats::{Coat, looks, numbered};
 use super::numbers::short;
 use super::provenance::told;
 use crate::design::{Look, Unit};
@@ -27,18 +27,24 @@ pub(super) struct Body<'a> {
     pub(super) faces: Vec<(FaceKind, usize, usize)>,
     /// What each triangle is covered with, where not all are as the outside is.
     pub(super) coats: Vec<Coat>,
+    /// How each triangle looks, where it was put together of several bodies; nothing else says it then.
+    pub(super) plain: Vec<Look>,
 }
 
 impl Body<'_> {
     /// The looks of its triangles, each the same everywhere, the first of all that of the first triangle.
     pub(super) fn looks(&self) -> Vec<Look> {
-        looks(self.look, &self.coats).0
+        self.numbered().0
     }
 
     /// Which of [`Body::looks`] each triangle has.
     pub(super) fn look_of(&self) -> impl Fn(usize) -> usize {
-        let numbers = looks(self.look, &self.coats).1;
+        let numbers = self.numbered().1;
         move |triangle| numbers.get(triangle).copied().unwrap_or(0)
+    }
+
+    fn numbered(&self) -> (Vec<Look>, Vec<usize>) {
+        if self.plain.is_empty() { looks(self.look, &self.coats) } else { numbered(self.plain.iter().copied()) }
     }
 
     /// The number of triangles.

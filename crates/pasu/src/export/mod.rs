@@ -7,6 +7,8 @@ mod contents;
 mod crc32;
 mod drawn;
 mod glb;
+#[cfg(feature = "patchwork")]
+mod joined;
 mod material;
 mod numbers;
 mod obj;

@@ -20,6 +20,10 @@ const SIZE: &str = "size";
 const SHRINKAGE: &str = "shrinkage";
 const TOLERANCE: &str = "tolerance";
 const CRAFT: &str = "craft";
+const UNION: &str = "union";
+
+/// What is said of a union where there is one.
+const JOINED: &str = "true";
 
 /// A making as names and texts, all of ASCII: unit, product and shrinkage always, the others where they were given. Lengths are in the unit of the design.
 pub(super) fn told(making: &Making, unit: Unit) -> Vec<(&'static str, String)> {
@@ -31,6 +35,7 @@ pub(super) fn told(making: &Making, unit: Unit) -> Vec<(&'static str, String)> {
     told.push((SHRINKAGE, plain(making.shrinkage)));
     told.extend(making.tolerance.map(|tolerance| (TOLERANCE, plain(tolerance))));
     told.extend(making.craft.map(|craft| (CRAFT, craft.name().to_owned())));
+    told.extend(making.union.then(|| (UNION, JOINED.to_owned())));
     told
 }
 
@@ -43,6 +48,7 @@ pub(super) fn making(note: impl Fn(&str) -> Option<String>) -> Option<Making> {
         shrinkage: read(note(SHRINKAGE), number)?.unwrap_or_default(),
         tolerance: read(note(TOLERANCE), number)?,
         craft: read(note(CRAFT), |text| Craft::ALL.into_iter().find(|one| one.name() == text))?,
+        union: read(note(UNION), |text| (text == JOINED).then_some(true))?.unwrap_or_default(),
     };
     making.is_in_range().then_some(making)
 }
@@ -63,6 +69,9 @@ pub(super) fn line(making: &Making) -> String {
     }
     if let Some(craft) = making.craft {
         add(CRAFT, craft.name());
+    }
+    if making.union {
+        add(UNION, JOINED);
     }
     line
 }
@@ -134,8 +143,10 @@ mod tests {
         let shrinkage = prop_oneof![Just(0.0), Just(12.0), 0.0..50.0];
         let craft = prop_oneof![Just(None), Just(Some(Craft::Print)), Just(Some(Craft::Clay))];
         let tolerance = prop_oneof![Just(None), above.prop_map(Some)];
-        (any::<bool>(), size, shrinkage, tolerance, craft).prop_map(|(solid, size, shrinkage, tolerance, craft)| {
-            Making { product: if solid { Product::Solid } else { Product::Pot }, size, shrinkage, tolerance, craft }
+        let all = (any::<bool>(), size, shrinkage, tolerance, craft, any::<bool>());
+        all.prop_map(|(solid, size, shrinkage, tolerance, craft, union)| {
+            let product = if solid { Product::Solid } else { Product::Pot };
+            Making { product, size, shrinkage, tolerance, craft, union }
         })
     }
 

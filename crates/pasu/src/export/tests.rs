@@ -64,6 +64,7 @@ impl Cup {
             indices: (&self.indices).into(),
             faces: self.faces.clone(),
             coats: Vec::new(),
+            plain: Vec::new(),
         }
     }
 }
@@ -96,7 +97,8 @@ impl Face for Turned {
 }
 
 /// Short enough for the header of an STL.
-const MADE: Making = Making { product: Product::Pot, size: None, shrinkage: 5.0, tolerance: None, craft: None };
+const MADE: Making =
+    Making { product: Product::Pot, size: None, shrinkage: 5.0, tolerance: None, craft: None, union: false };
 
 fn notes(title: &str, link: &str) -> Notes {
     Notes {

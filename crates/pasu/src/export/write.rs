@@ -4,6 +4,8 @@ use glam::DVec3;
 
 use super::coats::{Coated, coated, uncoated};
 use super::contents::{Body, Notes};
+#[cfg(feature = "patchwork")]
+use super::joined::joined;
 use super::template::{Frame, Paper, Stand};
 use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
@@ -32,8 +34,10 @@ const MOST_TRIANGLES: usize = 20_000_000;
 /// - STEP holds one closed solid per part, whose faces are cubic B-splines within a hundred-thousandth of its size of the exact faces, or within the tolerance asked for if that is less; how far they are off at most is in its header.
 /// - SVG is a template at true scale, on one page or on sheets of paper.
 ///
+/// - With [`Making::union`] the parts of one object are one closed solid, the union of their triangles. It passes the checks that every part passes.
+///
 /// # Errors
-/// As [`solid`](crate::solid()); `too-large` beyond 20 million triangles, for a template that reaches further than 10 m, and for one that takes more than 200 sheets. A design with warnings is written all the same; the verdict is in the file.
+/// As [`solid`](crate::solid()); `crosses-itself` for parts that cannot be joined, and `out-of-range` for a format without triangles in which they are to be; `too-large` beyond 20 million triangles, for a template that reaches further than 10 m, and for one that takes more than 200 sheets. A design with warnings is written all the same; the verdict is in the file.
 ///
 /// ```
 /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -65,6 +69,9 @@ impl Solution {
 
 fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u8>> {
     let design = solution.design();
+    if making.union {
+        refuse_union(format)?;
+    }
     solution.all_workable()?;
     let millimetres = making.scale_of(solution)?.millimetres;
     let mut made = Vec::with_capacity(solution.n_parts());
@@ -97,6 +104,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| coated_body(design, &notes.title, &made.mesh, format)).collect();
+    let bodies = if making.union { joined_bodies(design, &made, bodies)? } else { bodies };
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -190,7 +198,33 @@ fn covered<'a>(
     Coated { positions, indices, faces, coats }: Coated<'a>,
 ) -> Body<'a> {
     let look = design.parts()[part].look;
-    Body { name: named(design, title, part), look, positions, indices, faces, coats }
+    Body { name: named(design, title, part), look, positions, indices, faces, coats, plain: Vec::new() }
+}
+
+/// Refuses to join parts in a file that has no triangles.
+fn refuse_union(format: Format) -> Result<()> {
+    let message =
+        format!("parts are joined as triangles: expected stl, 3mf, glb, obj, obj.zip or ply, found {}", format.name());
+    match format {
+        Format::Step | Format::Svg | Format::SvgA4 | Format::SvgLetter => {
+            Err(Error::new(Code::OutOfRange, "union", message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The bodies of a file with those of one object as one.
+#[cfg(feature = "patchwork")]
+fn joined_bodies<'a>(design: &Design, made: &[Finished], bodies: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+    let objects: Vec<u32> = made.iter().map(|made| design.parts()[made.mesh.part].object).collect();
+    joined(bodies, &objects)
+}
+
+/// What joins bodies is left out of this build.
+#[cfg(not(feature = "patchwork"))]
+fn joined_bodies<'a>(_: &Design, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+    let message = "what joins parts is left out of this build: it takes the feature patchwork";
+    Err(Error::new(Code::UnsupportedShape, "union", message).with("what", "left-out"))
 }
 
 /// What a part is called in a file.

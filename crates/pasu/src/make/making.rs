@@ -35,6 +35,8 @@ pub struct Making {
     pub tolerance: Option<f64>,
     /// By what craft it is made, which says how thin a wall may be and how far it may lean; by printing when left out, and then nothing that is found of it is an error.
     pub craft: Option<Craft>,
+    /// Whether a file of triangles has the parts of each object as one solid, as they are glued; apart when left out. [`solid`](crate::solid()) has them apart either way.
+    pub union: bool,
 }
 
 /// The factors between a design and what is made of it.

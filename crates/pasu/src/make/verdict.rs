@@ -109,7 +109,14 @@ pub(crate) fn verdict(
         let name = design.parts().get(part).and_then(|part| part.name.as_deref());
         name.map_or_else(|| format!("part {}", part + 1), |name| format!("{name:?}"))
     };
-    findings.extend(together::findings(&meshes, name, millimetres));
+    let object = |part: usize| design.parts().get(part).map(|part| part.object);
+    // What becomes one solid is not in its own way.
+    let is_joined = |finding: &Finding| {
+        let other =
+            design.parts().iter().enumerate().find(|(index, _)| finding.args.get("other") == Some(&(*index).into()));
+        making.union && other.is_some_and(|(index, _)| object(index) == object(finding.part))
+    };
+    findings.extend(together::findings(&meshes, name, millimetres).into_iter().filter(|finding| !is_joined(finding)));
     findings.sort_by_key(|finding| finding.severity);
     Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
 }

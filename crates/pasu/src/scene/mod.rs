@@ -3,22 +3,29 @@
 mod border;
 mod bounds;
 mod boxes;
+mod branch;
 mod compare;
+mod connectivity;
 mod crossings;
 mod difference;
+mod flat;
 mod hit;
 mod holds;
 mod nearest;
 mod pick;
 mod space;
 mod tile;
+mod tree;
 mod triangles;
 #[cfg(feature = "typescript")]
 mod typescript;
 
 pub use compare::compare;
+pub use connectivity::{Connectivity, connectivity};
 pub use difference::{Counterpart, Difference};
+pub use flat::flat;
 pub use hit::{Hit, Ray};
 pub use pick::{at, pick};
+pub use tree::{Content, Leaf, Node, Tree, tree};
 #[cfg(feature = "typescript")]
 pub use typescript::typescript_of_answers;

@@ -135,9 +135,11 @@ impl Space {
     /// The tiles of its border, made when they are first asked for.
     pub(super) fn tiles(&self) -> &Tiles {
         self.tiles.get_or_init(|| {
-            let cells = self.borders.iter().enumerate().flat_map(|(index, border)| {
-                border.cells().into_iter().map(move |cell| border.tile(index, cell))
-            });
+            let cells = self
+                .borders
+                .iter()
+                .enumerate()
+                .flat_map(|(index, border)| border.cells().into_iter().map(move |cell| border.tile(index, cell)));
             let mut open: VecDeque<Tile> = cells.collect();
             let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
             let enough = COARSE * corners.size();

@@ -1,5 +1,6 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
+use super::connectivity::Connectivity;
 use super::difference::{Counterpart, Difference};
 use super::hit::Hit;
 use crate::answer::Answer;
@@ -50,6 +51,7 @@ pub fn typescript_of_answers() -> String {
         Difference::declare,
         Counterpart::declare,
         Hit::declare,
+        Connectivity::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use crate::support::design;
 use crate::support::networks::Dice;
 
-fn scene(parts: &[Value]) -> Design {
+pub(crate) fn scene(parts: &[Value]) -> Design {
     design(&json!({ "pasu": 1, "parts": parts }).to_string())
 }
 
 /// A whole number below `n`.
-fn below(dice: &mut Dice, n: usize) -> usize {
+pub(crate) fn below(dice: &mut Dice, n: usize) -> usize {
     (((0.5 + 0.5 * dice.number()) * n as f64) as usize).min(n - 1)
 }
 
@@ -22,14 +22,14 @@ fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
     ((least + (greatest - least) * (0.5 + 0.5 * dice.number())) * 1e4).round() / 1e4
 }
 
-fn shuffled<T>(dice: &mut Dice, items: &mut [T]) {
+pub(crate) fn shuffled<T>(dice: &mut Dice, items: &mut [T]) {
     for last in (1..items.len()).rev() {
         let other = below(dice, last + 1);
         items.swap(last, other);
     }
 }
 
-fn part(dice: &mut Dice, index: usize) -> Value {
+pub(crate) fn part(dice: &mut Dice, index: usize) -> Value {
     let number = |dice: &mut Dice| between(dice, 0.5, 3.0);
     let shape = match below(dice, 4) {
         0 => {
@@ -62,7 +62,7 @@ fn part(dice: &mut Dice, index: usize) -> Value {
     part
 }
 
-fn numbers(value: &Value) -> [f64; 3] {
+pub(crate) fn numbers(value: &Value) -> [f64; 3] {
     [0, 1, 2].map(|index| value[index].as_f64().unwrap())
 }
 
@@ -78,7 +78,7 @@ fn placed_otherwise(dice: &mut Dice, part: &mut Value) {
 }
 
 /// The rotation of a placement, as rows.
-fn rotation(place: &Value) -> [[f64; 3]; 3] {
+pub(crate) fn rotation(place: &Value) -> [[f64; 3]; 3] {
     let axis = numbers(&place["axis"]);
     let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
     let [h, k, l] = axis.map(|c| c / length);
@@ -111,13 +111,7 @@ fn turned(place: &mut Value, rows: [[f64; 3]; 3]) {
 }
 
 /// A vase that was turned about its own axis first, or mirrored in a plane through it, so that it is the same solid.
-fn moved_within_itself(dice: &mut Dice, part: &mut Value) {
-    let shape = &part["shape"];
-    let fold = match shape["kind"].as_str().unwrap() {
-        "rings" => Some(5),
-        _ if shape["r"][1] == 0.0 => None,
-        _ => shape["n"][1].as_u64().map(|n| n as usize - 1),
-    };
+fn moved_within_itself(dice: &mut Dice, part: &mut Value, fold: Option<usize>) {
     let place = &mut part["place"];
     let [sx, sy, sz] = numbers(&place["scale"]);
     let is_even = sx.abs() == sy.abs();
@@ -141,6 +135,15 @@ fn moved_within_itself(dice: &mut Dice, part: &mut Value) {
     let lengths = if quarters % 2 == 1 { [sy.abs(), sx.abs()] } else { [sx.abs(), sy.abs()] };
     place["scale"] = json!([lengths[0], hand * lengths[1], sz.abs()]);
     turned(place, columns.map(|[x, y, z]| [x, hand * y, z]));
+}
+
+/// By how many turns a vase is its own image; any where there is no number.
+fn fold_of(shape: &Value) -> Option<usize> {
+    match shape["kind"].as_str().unwrap() {
+        "rings" => Some(5),
+        _ if shape["r"][1] == 0.0 => None,
+        _ => shape["n"][1].as_u64().map(|n| n as usize - 1),
+    }
 }
 
 /// The same scene in other words.
@@ -259,7 +262,8 @@ fn a_vase_has_one_placement_of_those_that_make_the_same_solid() {
                 assert!(nearest < 1e-9, "{nearest} in {part}\n{found:?}");
             }
         }
-        moved_within_itself(&mut dice, &mut part);
+        let fold = fold_of(&part["shape"]);
+        moved_within_itself(&mut dice, &mut part, fold);
         let second = scene(std::slice::from_ref(&part));
         let other = second.parts()[0].place;
         assert_eq!(other.scale, found.scale, "{part}");
@@ -276,6 +280,88 @@ fn a_vase_has_one_placement_of_those_that_make_the_same_solid() {
         }
     }
     assert!(n_equal > 590, "{n_equal} of {n_vases}");
+}
+
+/// A blend, and by how many turns it is its own image.
+fn blend(dice: &mut Dice) -> (Value, Option<usize>) {
+    let size = |dice: &mut Dice| between(dice, 0.5, 2.0);
+    let disc = |[x, y]: [f64; 2]| json!({ "form": "disc", "radius": [x, y] });
+    let (start, end, fold) = match below(dice, 5) {
+        0 => {
+            let [one, other] = [size(dice), size(dice)];
+            (disc([one; 2]), disc([other; 2]), None)
+        }
+        1 => (disc([1.0, size(dice) + 1.0]), disc([2.0; 2]), Some(2)),
+        2 => {
+            let petals = |size: f64| {
+                json!({ "form": "outline",
+                "x": [{ "n": 1, "cos": 2 }, { "n": 4, "cos": size }], "y": [{ "n": 1, "sin": 2 }, { "n": 4, "sin": -size }] })
+            };
+            (petals(between(dice, 0.1, 0.3)), disc([0.0; 2]), Some(5))
+        }
+        3 => {
+            let square = |size: f64| json!({ "form": "rectangle", "radius": [size, size] });
+            (square(size(dice)), square(size(dice)), Some(4))
+        }
+        _ => {
+            let form = ["rectangle", "disc-in-square"][below(dice, 2)];
+            let rectangle = json!({ "form": "rectangle", "radius": [size(dice), 1.5 + size(dice)] });
+            (json!({ "form": form, "radius": [1, size(dice)] }), rectangle, Some(2))
+        }
+    };
+    let [mut start, mut end] = [start, end];
+    if end["radius"][0] == 0.0 {
+        end = start.clone();
+    }
+    for (section, z) in [(&mut start, 0.0), (&mut end, 3.0)] {
+        let [taper, dz] = [between(dice, -0.2, 0.2), between(dice, 1.0, 3.0)];
+        for (name, value) in [("z", z), ("taper", taper), ("dz", dz)] {
+            section[name] = json!(value);
+        }
+    }
+    (json!({ "kind": "blend", "start": start, "end": end }), fold)
+}
+
+/// As a vase, between sections of any form.
+#[test]
+fn a_blend_has_one_placement_of_those_that_make_the_same_solid() {
+    let mut dice = Dice(48);
+    let n_blends = 300;
+    let mut n_equal = 0;
+    for index in 0..n_blends {
+        let mut part = part(&mut dice, 0);
+        let (shape, fold) = blend(&mut dice);
+        part["shape"] = shape;
+        let first = scene(std::slice::from_ref(&part));
+        let found = first.parts()[0].place;
+        assert_eq!(scene(&[serde_json::from_str(&part_json(&first)).unwrap()]), first, "not its own canonical form");
+        if index % 10 == 0 {
+            // Every fortieth of u and of v is there: of the square that they run over, its images, and every fifth and half of a turn.
+            let at: Vec<f64> =
+                (0..41 * 41).flat_map(|k| [f64::from(k / 41) / 40.0, f64::from(k % 41) / 40.0, 0.3]).collect();
+            let points = |place: &Placement| -> Vec<[f64; 3]> {
+                let (rows, shift) = (place.matrix(), place.shift);
+                let placed = |p: &[f64]| [0, 1, 2].map(|i| (0..3).map(|j| rows[i][j] * p[j]).sum::<f64>() + shift[i]);
+                pasu::evaluate(&first, 0, &at).unwrap().chunks_exact(3).map(placed).collect()
+            };
+            let (before, after) = (points(&place_of(&part["place"])), points(&found));
+            for point in before.iter().step_by(13).filter(|_| fold.is_some()) {
+                let distance = |other: &[f64; 3]| (0..3).map(|i| (point[i] - other[i]).powi(2)).sum::<f64>().sqrt();
+                let nearest = after.iter().map(distance).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-9, "{nearest} in {part}\n{found:?}");
+            }
+        }
+        moved_within_itself(&mut dice, &mut part, fold);
+        let second = scene(std::slice::from_ref(&part));
+        let other = second.parts()[0].place;
+        assert_eq!(other.scale, found.scale, "{part}");
+        let numbers = |place: &Placement| [place.axis[0], place.axis[1], place.axis[2], place.angle];
+        for (one, other) in numbers(&found).into_iter().zip(numbers(&other)) {
+            assert!((one - other).abs() < 1.1e-11, "{part}\n{found:?}\n{other:?}");
+        }
+        n_equal += usize::from(first.link() == second.link());
+    }
+    assert!(n_equal > 290, "{n_equal} of {n_blends}");
 }
 
 fn part_json(design: &Design) -> String {

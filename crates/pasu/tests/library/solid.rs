@@ -88,7 +88,8 @@ fn near(found: f64, expected: f64, relative: f64) {
     assert!((found / expected - 1.0).abs() < relative, "{found} is not {expected}");
 }
 
-const POT: Making = Making { product: Product::Pot, size: None, shrinkage: 0.0, tolerance: None, craft: None };
+const POT: Making =
+    Making { product: Product::Pot, size: None, shrinkage: 0.0, tolerance: None, craft: None, union: false };
 const SOLID: Making = Making { product: Product::Solid, ..POT };
 
 #[test]

@@ -8,6 +8,7 @@ import {
   choicesOf,
   FORMATS,
   fileFormat,
+  hasGlued,
   makingOf,
   type Problem,
   type SizeKind,
@@ -18,6 +19,7 @@ import type { Format, Making, Measures, Product, Refusal, Report } from "../../d
 import { millilitres } from "../../document/volume";
 import { formatNumber } from "../../number";
 import { setExport } from "../../state/actions";
+import { checks } from "../../ui/checks";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
@@ -94,7 +96,7 @@ export class PasuExport extends DesignerElement {
     const { chosen, measures } = this;
     const { design } = this.designer.state;
     const unit = unitOf(design);
-    const made = measures && makingOf(chosen, measures, unit);
+    const made = measures && makingOf(this.choices, measures, unit);
     const problem = made && "field" in made ? made : null;
     const making = made && !("field" in made) ? made : null;
     const ready = making !== null && this.report?.ok === true && !this.saving;
@@ -138,7 +140,7 @@ export class PasuExport extends DesignerElement {
         ${this.text("shrinkage", words.shrinkage, words.percent, problem)}
         ${fileFormat(this.format).triangles ? this.text("tolerance", words.tolerance, quantities.units.mm, problem, words.fine) : nothing}
       </div>
-      ${this.outcome(making)} ${this.cells()}
+      ${this.canJoin ? this.join() : nothing} ${this.outcome(making)} ${this.cells()}
       <p class="problem" role="alert">${this.failure}</p>
       <div slot="actions" class="progress" role="status">
         ${this.saving ? html`<span>${words.writing}</span>${track(words.writing, this.written)}` : this.brief(making)}
@@ -150,6 +152,28 @@ export class PasuExport extends DesignerElement {
         ${words.save(words.formats[this.format].label)}
       </button>
     </pasu-dialog>`;
+  }
+
+  /** Whether the parts that are glued can be one solid in a file of this format. */
+  private get canJoin(): boolean {
+    return fileFormat(this.format).triangles && hasGlued(this.designer.state.design, this.chosen.product);
+  }
+
+  /** What is asked for of this design in this format. */
+  private get choices(): Choices {
+    return this.canJoin ? this.chosen : { ...this.chosen, union: false };
+  }
+
+  private join() {
+    return html`<label class="check">
+      <input
+        type="checkbox"
+        name="union"
+        .checked=${this.chosen.union === true}
+        @change=${(event: Event) => this.choose({ union: (event.target as HTMLInputElement).checked })}
+      />
+      <span>${words.join}</span>
+    </label>`;
   }
 
   /** What is inside of a solid between two sections, for programs of analysis. */
@@ -330,7 +354,7 @@ export class PasuExport extends DesignerElement {
 
   /** What the fields ask for, to be compared; empty when that makes no sense. */
   private making(): string {
-    const made = this.measures && makingOf(this.chosen, this.measures, unitOf(this.designer.store.design));
+    const made = this.measures && makingOf(this.choices, this.measures, unitOf(this.designer.store.design));
     return made && !("field" in made) ? JSON.stringify(made) : "";
   }
 
@@ -385,7 +409,7 @@ export class PasuExport extends DesignerElement {
     this.dispatchEvent(new Event("export-closed"));
   };
 
-  static override readonly styles = [base, buttons, fields, choiceStyles, sentenceStyles, exportStyles];
+  static override readonly styles = [base, buttons, fields, checks, choiceStyles, sentenceStyles, exportStyles];
 }
 
 /** How far something is; as long as nothing is known of it, that it goes on. */

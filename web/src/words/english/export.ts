@@ -57,6 +57,7 @@ export const exporting = phrases("exporting", {
   tolerance: "Tolerance",
   /** In the field of a tolerance that is left to Pasu. */
   fine: "fine",
+  join: "Join glued parts into one solid",
   writing: "Writing the file…",
   stop: "Stop",
   cancel: "Cancel",

@@ -55,6 +55,8 @@ export const making = phrases("making", {
     doesNotClose: "The sides of the pot do not close.",
     edge: "Three patches have an edge in common. No more than two can meet along one.",
     region: "What is sculpted goes round a corner at which not four patches meet, so that it cannot lie flat there.",
+    notJoined:
+      "These parts cannot be joined into one solid: their surfaces meet too closely to be told apart. Parts that run into each other clearly can be.",
     /** The sentence, and how fine triangles may be that do not show it. */
     steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
   },

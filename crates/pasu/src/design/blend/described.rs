@@ -5,6 +5,7 @@ use super::fields::{Blend, Form, Harmonic, Method, Section, TERMS};
 use crate::design::declarations::{interface, union};
 use crate::design::described::{Address, Described};
 use crate::design::number::rounded;
+use crate::design::placement::Placement;
 #[cfg(feature = "typescript")]
 use crate::design::tables::{BLEND, HARMONIC, OUTLINE_SECTION, SECTION};
 use crate::error::{Code, Error, Result};
@@ -39,6 +40,12 @@ impl Described for Blend {
 
     fn waves(&self) -> Vec<(String, f64)> {
         self.harmonics().map(|(place, harmonic)| (format!("{place}.n"), harmonic.n)).collect()
+    }
+
+    fn standing(self, given: &Placement, place: Placement) -> (Self, Placement) {
+        let is_upright = place.angle == 0.0 && place.scale[1] > 0.0;
+        let place = if is_upright { place } else { self.symmetry().standing(given, place) };
+        (self, place)
     }
 
     /// Refuses outlines without a wave, a method that the sections do not have, and numbers whose products leave the range of numbers.

@@ -4,6 +4,7 @@ mod described;
 mod fields;
 #[cfg(feature = "typescript")]
 mod sliders;
+mod symmetry;
 
 pub use fields::{Blend, Form, Harmonic, Method, Section};
 #[cfg(feature = "typescript")]

@@ -1,0 +1,196 @@
+//! Files in which the parts of one object are one solid.
+
+use std::collections::HashMap;
+
+use pasu::{Code, Design, Format, Making, Product, provenance, write};
+use serde_json::{Value, json};
+
+use crate::scenes::{below, part, scene};
+use crate::support::networks::Dice;
+
+fn making() -> Making {
+    Making { product: Product::Solid, tolerance: Some(0.02), union: true, ..Making::default() }
+}
+
+/// The volume of the triangles of an STL file in cubic centimetres, and how many closed bodies they are: corners are told by their bits.
+fn solid_of(bytes: &[u8]) -> (f64, usize) {
+    let n = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
+    let number = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let mut numbers: HashMap<[u32; 3], usize> = HashMap::new();
+    let mut edges: HashMap<(usize, usize), usize> = HashMap::new();
+    let (mut six, mut triangles) = (0.0, Vec::new());
+    for triangle in 0..n {
+        let corners = [0, 1, 2].map(|k| [0, 1, 2].map(|axis| number(84 + 50 * triangle + 12 + 12 * k + 4 * axis)));
+        let [a, b, c] = corners.map(|p| p.map(|x| f64::from(x) / 10.0));
+        six += a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        let t = corners.map(|p| {
+            let next = numbers.len();
+            *numbers.entry(p.map(f32::to_bits)).or_insert(next)
+        });
+        (0..3).for_each(|k| *edges.entry((t[k], t[(k + 1) % 3])).or_default() += 1);
+        triangles.push(t);
+    }
+    assert!(edges.iter().all(|((a, b), count)| *count == 1 && edges.get(&(*b, *a)) == Some(&1)), "not closed");
+    // Corners that hang together.
+    let mut root: Vec<usize> = (0..numbers.len()).collect();
+    fn find(root: &mut [usize], mut at: usize) -> usize {
+        while root[at] != at {
+            root[at] = root[root[at]];
+            at = root[at];
+        }
+        at
+    }
+    for [a, b, c] in triangles {
+        for (one, other) in [(a, b), (b, c)] {
+            let (one, other) = (find(&mut root, one), find(&mut root, other));
+            root[one] = other;
+        }
+    }
+    (six / 6.0, (0..root.len()).filter(|at| root[*at] == *at).count())
+}
+
+/// Between two equal rectangles: a box.
+fn cuboid([rx, ry, h]: [f64; 3], shift: [f64; 3], object: usize) -> Value {
+    let section = |z: f64| json!({ "form": "rectangle", "radius": [rx, ry], "z": z, "taper": 0, "dz": h });
+    json!({ "shape": { "kind": "blend", "start": section(0.0), "end": section(h) }, "place": { "shift": shift }, "object": object })
+}
+
+#[test]
+fn the_volume_is_that_of_inclusion_and_exclusion() {
+    let mut dice = Dice(71);
+    let mut n_refused = 0;
+    for round in 0..40 {
+        // Sizes and places on a grid, so that faces often lie in one plane; or not.
+        let grid = if round % 2 == 0 { 2.0 } else { 997.0 };
+        let mut number =
+            |least: f64, most: f64| ((least + (most - least) * (0.5 + 0.5 * dice.number())) * grid).round() / grid;
+        let sizes = [(); 2].map(|()| [number(0.5, 2.0), number(0.5, 2.0), number(1.0, 3.0)]);
+        let shift = [number(-1.0, 1.0), number(-1.0, 1.0), number(-0.5, 0.5)];
+        let overlap = (0..3).map(|axis| {
+            let range = |size: [f64; 3], at: f64| {
+                if axis < 2 { (at - size[axis], at + size[axis]) } else { (at, at + size[2]) }
+            };
+            let ((a, b), (c, d)) = (range(sizes[0], 0.0), range(sizes[1], shift[axis]));
+            (b.min(d) - a.max(c)).max(0.0)
+        });
+        let common: f64 = overlap.product();
+        let volume = |[x, y, z]: [f64; 3]| 4.0 * x * y * z;
+        let expected = volume(sizes[0]) + volume(sizes[1]) - common;
+        let design = scene(&[cuboid(sizes[0], [0.0; 3], 0), cuboid(sizes[1], shift, 0)]);
+        match write(&design, Format::Stl, &making()) {
+            Ok(file) => {
+                let (found, n_bodies) = solid_of(&file);
+                assert_eq!(n_bodies, 1, "{sizes:?} {shift:?}");
+                assert!((found - expected).abs() < 1e-4 * expected, "{found} {expected}: {sizes:?} {shift:?}");
+            }
+            Err(error) => {
+                assert_eq!((error.code(), error.path()), (Code::CrossesItself, "union"), "{error}");
+                n_refused += 1;
+            }
+        }
+    }
+    assert!(n_refused <= 2, "{n_refused} of 40 refused");
+}
+
+#[test]
+fn a_ball_of_octants_and_a_knob_on_a_jar_are_one_solid_each() {
+    let octant =
+        |scale: [f64; 3]| json!({ "shape": { "kind": "octant", "exponents": [2, 2, 2] }, "place": { "scale": scale } });
+    let signs = (0..8).map(|corner| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { 2.0 } else { -2.0 }));
+    let ball = scene(&signs.map(octant).collect::<Vec<Value>>());
+    let apart = write(&ball, Format::Stl, &Making { union: false, ..making() }).unwrap();
+    let (volume, n_bodies) = solid_of(&write(&ball, Format::Stl, &making()).unwrap());
+    let exact = 4.0 / 3.0 * std::f64::consts::PI * 8.0;
+    assert_eq!(n_bodies, 1);
+    assert!((volume - exact).abs() < 0.02 * exact, "{volume} {exact}");
+    assert!(apart.len() > write(&ball, Format::Stl, &making()).unwrap().len(), "faces within are left out");
+
+    let jar = json!({ "name": "jar", "shape": { "kind": "second-order", "r": [3, 0, 3, 0], "t": [0, 0], "n": [1, 2], "height": 4 }, "wall": { "thickness": 0.4, "base": 0.5 }, "look": { "glaze": "cobalt" } });
+    let knob = json!({ "name": "knob", "shape": { "kind": "octant", "exponents": [3, 3, 3] }, "place": { "shift": [2.8, 0, -0.5] }, "look": { "clay": "porcelain" } });
+    let design = scene(&[jar.clone(), knob.clone()]);
+    let making = Making { product: Product::Pot, ..making() };
+    let (_, n_bodies) = solid_of(&write(&design, Format::Stl, &making).unwrap());
+    assert_eq!(n_bodies, 1);
+    let text = String::from_utf8_lossy(&write(&design, Format::Obj, &making).unwrap()).into_owned();
+    assert!(text.contains("jar") && text.contains("knob"));
+    assert!(text.matches("usemtl ").count() >= 2, "both looks are there");
+    // The same however the parts are ordered, and it says how it was made.
+    let other = scene(&[knob.clone(), jar.clone()]);
+    for format in [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::ObjZip, Format::Ply] {
+        let file = write(&design, format, &making).unwrap();
+        assert!(write(&other, format, &making).unwrap() == file, "{format:?}");
+        // The header of an STL file has no room for the link of two parts.
+        let Some(told) = provenance(&file).filter(|_| format != Format::Stl) else {
+            assert_eq!(format, Format::Stl);
+            continue;
+        };
+        assert_eq!(told.making, Some(making), "{format:?}");
+        assert!(write(&Design::parse(&told.link).unwrap(), format, &making).unwrap() == file, "{format:?}");
+    }
+    // Of separate objects nothing is joined.
+    let mut loose = knob;
+    loose["object"] = json!(1);
+    let separate = scene(&[jar, loose]);
+    let plain = Making { union: false, ..making };
+    let [one, other] = [making, plain].map(|making| solid_bytes(&separate, &making));
+    assert!(one == other);
+    for format in [Format::Step, Format::Svg] {
+        let error = write(&design, format, &making).unwrap_err();
+        assert_eq!((error.code(), error.path()), (Code::OutOfRange, "union"), "{format:?}");
+    }
+}
+
+/// The triangles of an STL file, without what it says of itself.
+fn solid_bytes(design: &Design, making: &Making) -> Vec<u8> {
+    write(design, Format::Stl, making).unwrap().split_off(80)
+}
+
+#[test]
+fn random_pairs_are_one_closed_solid_or_refused() {
+    let mut dice = Dice(72);
+    let (mut n_joined, mut n_refused) = (0, 0);
+    for _ in 0..24 {
+        let mut parts: Vec<Value> = Vec::new();
+        while parts.len() < 2 {
+            let mut next = part(&mut dice, parts.len());
+            next["object"] = json!(0);
+            next["place"]["shift"] = json!([(); 3].map(|()| dice.number().abs()));
+            if next["shape"]["kind"] == "octant" || below(&mut dice, 2) == 0 {
+                parts.push(next);
+            }
+        }
+        let design = scene(&parts);
+        let making = Making { tolerance: Some(0.05), ..making() };
+        let plain = Making { union: false, ..making };
+        let Ok(apart) = pasu::solid(&design, &plain) else { continue };
+        let volumes: Vec<f64> = apart
+            .iter()
+            .map(|mesh| {
+                let at =
+                    |vertex: u32| [0, 1, 2].map(|axis| f64::from(mesh.positions[3 * vertex as usize + axis]) / 10.0);
+                let six = mesh.indices.chunks_exact(3).map(|t| {
+                    let [a, b, c] = [at(t[0]), at(t[1]), at(t[2])];
+                    a[0] * (b[1] * c[2] - b[2] * c[1])
+                        + a[1] * (b[2] * c[0] - b[0] * c[2])
+                        + a[2] * (b[0] * c[1] - b[1] * c[0])
+                });
+                six.sum::<f64>() / 6.0
+            })
+            .collect();
+        match write(&design, Format::Stl, &making) {
+            Ok(file) => {
+                let (found, _) = solid_of(&file);
+                let (most, all) = (volumes[0].max(volumes[1]), volumes[0] + volumes[1]);
+                assert!(found > most * (1.0 - 1e-4) && found < all * (1.0 + 1e-4), "{found} of {volumes:?}");
+                n_joined += 1;
+            }
+            Err(error) => {
+                assert_eq!((error.code(), error.path()), (Code::CrossesItself, "union"), "{error}");
+                n_refused += 1;
+            }
+        }
+    }
+    assert!(n_joined >= 12 && n_refused <= 1, "{n_joined} joined, {n_refused} refused");
+}
