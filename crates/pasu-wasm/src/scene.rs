@@ -22,7 +22,7 @@ pub fn compare(before: &JsValue, after: &JsValue) -> core::result::Result<JsValu
 /// # Errors
 /// When the source is not a design, or one of its parts cannot be solved; when the ray is none.
 #[wasm_bindgen]
-pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
+pub fn pick(source: &JsValue, ray: &JsValue) -> core::result::Result<JsValue, JsValue> {
     let picked = || source::solution(source)?.pick(source::argument(ray, "ray")?);
     plain_object(&picked().map_err(|error| thrown(&error))?)
 }
@@ -32,7 +32,7 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
 /// # Errors
 /// When the source is not a design, or one of its parts cannot be solved; when the point is none.
 #[wasm_bindgen]
-pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
+pub fn at(source: &JsValue, point: &JsValue) -> core::result::Result<JsValue, JsValue> {
     let held = || source::solution(source)?.at(source::argument(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
 }

@@ -30,7 +30,7 @@ const ARGS = {
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
   "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out"],
-  "pinched-surface": ["no-area", "waist", "shrinks", "section", "corners"],
+  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners"],
   "crosses-itself": [
     "surface",
     "surface-close",
@@ -59,7 +59,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "crossing",
     "close",
   ],
-  "too-large": ["triangles"],
+  "too-large": ["triangles", "weights"],
 };
 
 const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [

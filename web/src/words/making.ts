@@ -25,6 +25,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     const [found, greatest] = [numberOf(refusal, "found"), numberOf(refusal, "greatest")];
     if (greatest === null || refusal.args?.rows !== undefined) return null;
     if (textOf(refusal, "what") === "triangles") return making.tooManyTriangles(greatest);
+    if (textOf(refusal, "what") === "weights") return making.tooSteep;
     if (found === null || !refusal.path.includes(".shape")) return null;
     const component = textOf(refusal, "component");
     return component === null ? making.tooManyWaves(found, greatest) : making.tooFast(component);
@@ -49,6 +50,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       shrinks: () => ofFace(refusal, "face", making.pinched.shrinks),
       corners: () => making.pinched.corners,
       section: () => making.pinched.section,
+      "no-height": () => making.pinched.noHeight,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },

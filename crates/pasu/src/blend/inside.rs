@@ -57,17 +57,25 @@ impl Inside {
 const SAMPLES: usize = 12;
 
 impl Volume {
-    /// The values of a map at triples `(u, v, w)`.
+    /// The values of a map at triples `(u, v, w)`. What all points of one `w` have in common is formed once, in whatever order they come.
     pub(crate) fn mapped(&self, map: InsideMap, at: &[f64]) -> Vec<f64> {
-        let sign = self.sign();
-        let value = |[u, v, w]: &[f64; 3]| {
-            let (layer, along, across) = (self.layer(*w), self.place(0, *u), self.place(1, *v));
-            match map {
-                InsideMap::Residual => layer.residual(&along, &across).length(),
-                InsideMap::Jacobian => sign * layer.jacobian(&along, &across),
+        let sign = if map == InsideMap::Jacobian { self.sign() } else { 1.0 };
+        let points = at.as_chunks::<3>().0;
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        order.sort_by(|one, other| points[*one][2].total_cmp(&points[*other][2]));
+        let mut values = vec![0.0; points.len()];
+        for level in order.chunk_by(|one, other| points[*one][2] == points[*other][2]) {
+            let layer = self.layer(points[level[0]][2]);
+            for index in level {
+                let [u, v, _] = points[*index];
+                let (along, across) = (self.place(0, u), self.place(1, v));
+                values[*index] = match map {
+                    InsideMap::Residual => layer.residual(&along, &across).length(),
+                    InsideMap::Jacobian => sign * layer.jacobian(&along, &across),
+                };
             }
-        };
-        at.as_chunks::<3>().0.iter().map(value).collect()
+        }
+        values
     }
 
     /// 1, or -1 where most of the inside is turned against its parameters.

@@ -138,7 +138,7 @@ fn coord(p: DVec2) -> robust::Coord<f64> {
     robust::Coord { x: p.x, y: p.y }
 }
 
-/// Refuses sections that bound no area, that run through themselves, and two that lie in each other.
+/// Refuses sections that bound no area, that run through themselves, two that lie in each other, and two between which there is no height.
 ///
 /// # Errors
 /// `pinched-surface` and `crosses-itself`, with the section and the place.
@@ -165,6 +165,12 @@ pub(super) fn refuse_broken(both: [&Section; 2], polygons: &[Polygon; 2], path: 
         let message = "both sections lie at the same height, one in the other: expected another height, or sections beside each other";
         let error = Error::new(Code::CrossesItself, format!("{path}.end.z"), message);
         return Err(error.near(DVec3::from((at, end.z)).to_array()).with("what", "sections"));
+    }
+    if [end.z - start.z, start.dz, end.dz].iter().all(|rise| rise.abs() <= NO_AREA * extent) {
+        let message =
+            "both sections lie at the same height, and no tangent rises from it: expected a solid that has some height";
+        let error = Error::new(Code::PinchedSurface, format!("{path}.end.z"), message);
+        return Err(error.with("what", "no-height"));
     }
     Ok(())
 }

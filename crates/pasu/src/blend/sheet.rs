@@ -180,13 +180,17 @@ impl Patch for Sheet {
 
     /// In a plane the two triangles of a cell are all of the quadrilateral of its corners, if that is convex, and so are the chords of one parameter for every value of the other, in which the sheet is straight: what matters is how far
     /// arcs are from these, not where on a chord a point is.
-    fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
-        let suprema = self.suprema(cell, stretch);
+    fn deviation_by(&self, cell: Cell, suprema: &Suprema) -> f64 {
         let is_straight = suprema.uu == 0.0 || suprema.vv == 0.0;
         if !(self.is_level && is_straight && self.is_convex(cell)) {
             return suprema.deviation(cell.lengths());
         }
-        Suprema { uv: 0.0, ..suprema }.deviation(cell.lengths())
+        Suprema { uv: 0.0, ..*suprema }.deviation(cell.lengths())
+    }
+
+    fn is_alike_round(&self) -> bool {
+        let is_wave = |function: &Function| matches!(function, Function::Cosine(_) | Function::Sine(_));
+        self.functions[1].iter().all(|function| is_wave(function) || function.is_constant())
     }
 
     fn breaks(&self) -> [Breaks; 2] {

@@ -49,6 +49,10 @@ impl Patch for Flank {
         self.0.suprema(cell, stretch)
     }
 
+    fn is_alike_round(&self) -> bool {
+        self.0.is_alike_round()
+    }
+
     fn breaks(&self) -> [Breaks; 2] {
         self.0.breaks()
     }

@@ -8,7 +8,7 @@ use crate::solution::{Placed, Solution};
 /// How well the inside of part number `part` solves its equation, and whether it is turned over anywhere, by samples; before placement.
 ///
 /// # Errors
-/// `no-such-point` for a part that does not exist; `unsupported-shape` for one that is no blend; what solving refuses.
+/// `no-such-point` for a part that does not exist; `unsupported-shape` for one that is no blend; `overflow` where weights are so large that no number tells what is left of the equation; what solving refuses.
 ///
 /// ```
 /// # let text = r#"{ "pasu": 1, "parts": [{ "shape": { "kind": "blend",
@@ -37,7 +37,13 @@ impl Solution {
     /// # Errors
     /// As [`inside`].
     pub fn inside(&self, part: usize) -> Result<Inside> {
-        volume_of(self.part(part)?).map(Volume::inside)
+        let placed = self.part(part)?;
+        let inside = volume_of(placed)?.inside();
+        if inside.residual.is_finite() && inside.residual_rms.is_finite() && inside.jacobian_mean.is_finite() {
+            return Ok(inside);
+        }
+        let message = "what these weights leave of the equation is beyond all numbers";
+        Err(Error::new(Code::Overflow, placed.path("shape.weights"), message))
     }
 
     /// As [`inside_values`].

@@ -34,9 +34,19 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
     /// Suprema of `|X|`, `|X_uu|`, `|X_uv|`, `|X_vv|` on a cell, with the axes stretched by these factors.
     fn suprema(&self, cell: Cell, stretch: [f64; 3]) -> Suprema;
 
-    /// How far `X` and the two triangles of a cell are apart at most, either way, with the axes stretched.
+    /// Whether the suprema of a cell are the same whatever its `v`: then one cell tells of all in its row.
+    fn is_alike_round(&self) -> bool {
+        false
+    }
+
+    /// How far `X` and the two triangles of a cell are apart at most, either way, by the suprema of the cell, for a patch whose rows have them in common.
+    fn deviation_by(&self, cell: Cell, suprema: &Suprema) -> f64 {
+        suprema.deviation(cell.lengths())
+    }
+
+    /// The same, with the axes stretched.
     fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
-        self.suprema(cell, stretch).deviation(cell.lengths())
+        self.deviation_by(cell, &self.suprema(cell, stretch))
     }
 
     /// What resolves it along `u` and along `v`.

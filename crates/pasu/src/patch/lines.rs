@@ -1,7 +1,7 @@
 //! Where the grid lines of patches are.
 
 use super::breaks::Breaks;
-use super::cell::Cell;
+use super::cell::{Cell, Suprema};
 use super::contract::Patch;
 use super::side::Side;
 use super::strips::Strips;
@@ -86,14 +86,19 @@ impl Lines {
         })
     }
 
-    /// Halves the intervals of these numbers.
+    /// Halves the intervals of these numbers, in one pass: there may be millions.
     pub(crate) fn halve(lines: &mut Vec<f64>, mut intervals: Vec<usize>) {
         intervals.sort_unstable();
         intervals.dedup();
-        for i in intervals.into_iter().rev() {
-            let middle = 0.5 * (lines[i] + lines[i + 1]);
-            lines.insert(i + 1, middle);
+        let mut halved = Vec::with_capacity(lines.len() + intervals.len());
+        let mut next = intervals.into_iter().peekable();
+        for (i, line) in lines.iter().enumerate() {
+            halved.push(*line);
+            if let (Some(_), Some(beyond)) = (next.next_if_eq(&i), lines.get(i + 1)) {
+                halved.push(0.5 * (line + beyond));
+            }
         }
+        *lines = halved;
     }
 
     /// Gives every patch the lines that its neighbours have across a shared side, and those that they have from theirs.
@@ -102,7 +107,7 @@ impl Lines {
     }
 }
 
-/// Lines for patches of one shape, with which every cell keeps a distance, and the largest that one has; `None` beyond so many vertices. Patches that share a side have the same lines across it.
+/// Lines for patches of one shape, with which every cell keeps a distance, and the largest that one has; `None` beyond so many vertices, and where lines would have to lie too near to each other. Patches that share a side have the same lines across it.
 ///
 /// A cell that does not is halved across the direction that adds more to its bound, and with it the strip of cells that has the same lines. The axes are stretched by these factors.
 pub(crate) fn lines_within(
@@ -111,29 +116,42 @@ pub(crate) fn lines_within(
     distance: f64,
     most_vertices: usize,
 ) -> Option<(Vec<Lines>, f64)> {
+    // A patch has two rows at least, which leaves a width for its columns; where one cell tells of all, nothing has to be cut to know that they would be narrower.
+    let finest = 2.0 / most_vertices as f64;
+    let is_beyond = |patch: &&dyn Patch| {
+        let on_end = |u: f64| patch.suprema(Cell { u: [u; 2], v: [0.0, finest] }, stretch).vv;
+        let is_round = patch.is_alike_round() && patch.sides()[2] == Side::Joined;
+        is_round && [0.0, 1.0].iter().any(|u| 0.125 * finest * finest * on_end(*u) > distance)
+    };
+    if patches.iter().any(is_beyond) {
+        return None;
+    }
     let mut lines: Vec<Lines> = patches.iter().map(|patch| Lines::fewest(*patch)).collect();
     let strips = Strips::of(patches);
     strips.share(directions(&mut lines));
     // Of each patch whether its lines are others than when its cells were looked at last, and the largest distance of one.
     let mut is_new = vec![true; patches.len()];
     let mut largest = vec![0.0f64; patches.len()];
+    let mut before = 0;
     loop {
-        if lines.iter().map(Lines::n_vertices).sum::<usize>() > most_vertices {
+        let n_vertices = lines.iter().map(Lines::n_vertices).sum::<usize>();
+        // Lines that would lie nearer to each other than two can are none: then halving comes to nothing.
+        if n_vertices > most_vertices || n_vertices <= before {
             return None;
         }
+        before = n_vertices;
         let mut is_done = true;
         let each = patches.iter().zip(&mut lines).zip(is_new.iter_mut().zip(&mut largest));
         for ((patch, lines), (is_new, largest)) in each.filter(|(_, (is_new, _))| **is_new) {
             *largest = 0.0;
             let (mut rows, mut columns) = (Vec::new(), Vec::new());
-            for (i, j, cell) in lines.cells() {
-                let deviation = patch.deviation(cell, stretch);
+            visit(*patch, lines, stretch, |i, j, cell, deviation, of_row| {
                 *largest = largest.max(deviation);
                 if !(deviation <= distance) {
-                    let ([p, q], suprema) = (cell.lengths(), patch.suprema(cell, stretch));
+                    let ([p, q], suprema) = (cell.lengths(), of_row.unwrap_or_else(|| patch.suprema(cell, stretch)));
                     if p * p * suprema.uu >= q * q * suprema.vv { rows.push(i) } else { columns.push(j) }
                 }
-            }
+            });
             *is_new = !(rows.is_empty() && columns.is_empty());
             is_done &= !*is_new;
             Lines::halve(&mut lines.u, rows);
@@ -155,8 +173,46 @@ fn directions(lines: &mut [Lines]) -> Vec<&mut Vec<f64>> {
 
 /// The largest distance between patches and the triangles of their cells.
 pub(crate) fn deviation_of(patches: &[&dyn Patch], lines: &[Lines], stretch: [f64; 3]) -> f64 {
-    let of = |(patch, lines): (&&dyn Patch, &Lines)| {
-        lines.cells().map(|(_, _, cell)| patch.deviation(cell, stretch)).fold(0.0, f64::max)
-    };
-    patches.iter().zip(lines).map(of).fold(0.0, f64::max)
+    let mut most = 0.0f64;
+    for (patch, lines) in patches.iter().zip(lines) {
+        visit(*patch, lines, stretch, |_, _, _, deviation, _| most = most.max(deviation));
+    }
+    most
+}
+
+/// Shows every cell with the numbers of its lines, how far its triangles are off at most, and the suprema that all of its row have in common, where a patch says so.
+fn visit(
+    patch: &dyn Patch,
+    lines: &Lines,
+    stretch: [f64; 3],
+    mut show: impl FnMut(usize, usize, Cell, f64, Option<Suprema>),
+) {
+    let is_alike = patch.is_alike_round();
+    let mut known: Option<(usize, Suprema)> = None;
+    for (i, j, cell) in lines.cells() {
+        if !is_alike {
+            show(i, j, cell, patch.deviation(cell, stretch), None);
+            continue;
+        }
+        let suprema = match known {
+            Some((row, suprema)) if row == i => suprema,
+            _ => known.insert((i, patch.suprema(cell, stretch))).1,
+        };
+        show(i, j, cell, patch.deviation_by(cell, &suprema), Some(suprema));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_are_halved_each_once_and_the_rest_stays() {
+        let mut lines = vec![0.0, 0.25, 0.5, 1.0];
+        Lines::halve(&mut lines, vec![2, 0, 2]);
+        assert_eq!(lines, [0.0, 0.125, 0.25, 0.5, 0.75, 1.0]);
+        // There is nothing beyond the last line.
+        Lines::halve(&mut lines, vec![5, 9]);
+        assert_eq!(lines, [0.0, 0.125, 0.25, 0.5, 0.75, 1.0]);
+    }
 }

@@ -18,6 +18,11 @@ impl Solution {
         if let (Some(surface), (_, part)) = (placed.solved().fourier(), self.existing(index)?) {
             few_waves(part, surface, index)?;
             slow_enough(part, surface, index)?;
+        } else if let (Some(_), (_, part)) = (placed.solved().volume(), self.existing(index)?) {
+            refuse_waves(part, index, |_| true)?;
+        }
+        if placed.solved().volume().is_some() {
+            calm_enough(placed, index)?;
         }
         Ok(placed)
     }
@@ -34,7 +39,11 @@ impl Solution {
 fn few_waves(part: &Part, surface: &Surface, index: usize) -> Result<()> {
     // What a document gives and the surface does not have, petals of no depth, does no harm.
     // Waves of a radius are those of x and y with one more and one less.
-    let is_used = |n: f64| [n - 1.0, n, n + 1.0].iter().any(|n| surface.distinct().contains(n));
+    refuse_waves(part, index, |n| [n - 1.0, n, n + 1.0].iter().any(|n| surface.distinct().contains(n)))
+}
+
+/// Refuses a number of waves that is used and beyond the limit.
+fn refuse_waves(part: &Part, index: usize, is_used: impl Fn(f64) -> bool) -> Result<()> {
     match part.shape.waves().into_iter().find(|(_, n)| n.abs() > WAVES && is_used(*n)) {
         None => Ok(()),
         Some((place, n)) => {
@@ -79,4 +88,21 @@ fn slow_enough(part: &Part, surface: &Surface, index: usize) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Refuses a blend whose weights let a wave fall off from a section faster than searches and sums follow.
+fn calm_enough(placed: &Placed, index: usize) -> Result<()> {
+    let solved = placed.solved();
+    let rates = (0..solved.n_patches()).flat_map(|patch| solved.patch(patch).breaks().map(|breaks| breaks.rate));
+    let found = rates.fold(0.0, f64::max);
+    if found <= RATE {
+        return Ok(());
+    }
+    let message = format!(
+        "with these weights a wave falls off from its section at a rate of {}, expected at most {}: it can only be drawn",
+        plain(libm::round(found)),
+        plain(RATE)
+    );
+    let error = Error::new(Code::TooLarge, format!("parts[{index}].shape.weights"), message).with("what", "weights");
+    Err(error.with("greatest", RATE).with("found", found))
 }

@@ -89,6 +89,10 @@ impl Patch for Surface {
         Suprema { size, uu, uv, vv }
     }
 
+    fn is_alike_round(&self) -> bool {
+        true
+    }
+
     fn breaks(&self) -> [Breaks; 2] {
         let waves = self.distinct().iter().fold(0.0f64, |highest, n| highest.max(n.abs()));
         let terms = self.components().iter().flatten();

@@ -1,6 +1,7 @@
 //! The tests of the library on whole designs, one file a subject. One program for all of them: each program takes as long to compile as most of them take to run.
 
 mod allocation;
+mod blend_hostile;
 mod blends;
 mod canonical;
 mod conversion;

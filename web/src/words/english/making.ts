@@ -7,6 +7,7 @@ export const making = phrases("making", {
     `A pot that is measured or made has at most ${greatest} waves round it, and this has ${found}: it can only be drawn.`,
   tooFast: (axis: string) =>
     `The equation of ${axis} changes too fast along the profile to be measured or made: it can only be drawn.`,
+  tooSteep: "With these weights the solid leaves its sections too fast to be measured or made: it can only be drawn.",
   tooManyTriangles: (greatest: string) => `It takes more than ${greatest} triangles. A coarser tolerance takes fewer.`,
   tooFine: (found: string) => `Triangles as fine as ${found} are more than can be made, or finer than their numbers.`,
   /** Sides and ends of a pot, inside a sentence. */
@@ -44,6 +45,7 @@ export const making = phrases("making", {
     waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",
     shrinks: (face: string) => `The ${face} shrinks to nothing, so that the numbers of a file cannot hold it.`,
     section: "A section encloses no area. A blend flows between two that do.",
+    noHeight: "Both sections lie at the same height, and no tangent rises from it: the solid would be flat.",
     corners: "Two corners of a patch are the same point. A patch needs four.",
   },
   crosses: {

@@ -1,0 +1,178 @@
+//! Blends that were meant to break, take for ever or lie: each kind of bad input a dozen times.
+
+use pasu::{
+    Code, Design, Error, InsideMap, Making, MeasureOptions, MeshOptions, Product, check, evaluate, inside,
+    inside_values, measure, mesh, solid,
+};
+use serde_json::{Value, json};
+
+/// An outline whose `x` is a sum of sines and whose `y` is the same of cosines.
+fn waves(pairs: &[(f64, f64)], z: f64, [taper, dz]: [f64; 2]) -> Value {
+    let series = |name: &str| -> Vec<Value> { pairs.iter().map(|(n, by)| json!({ "n": n, name: by })).collect() };
+    json!({ "form": "outline", "x": series("sin"), "y": series("cos"), "z": z, "taper": taper, "dz": dz })
+}
+
+fn section(form: &str, radius: [f64; 2], z: f64, [taper, dz]: [f64; 2]) -> Value {
+    json!({ "form": form, "radius": radius, "z": z, "taper": taper, "dz": dz })
+}
+
+fn disc(z: f64, dz: f64) -> Value {
+    section("disc", [1.0, 1.0], z, [0.0, dz])
+}
+
+/// A disc of the same size with its middle four radii away.
+fn beside([taper, dz]: [f64; 2]) -> Value {
+    json!({ "form": "outline", "x": [{ "n": 0, "cos": 4 }, { "n": 1, "sin": 1 }], "y": [{ "n": 1, "cos": 1 }], "z": 0, "taper": taper, "dz": dz })
+}
+
+fn design(start: &Value, end: &Value, more: &Value) -> Design {
+    let mut shape = json!({ "kind": "blend", "start": start, "end": end });
+    more.as_object().into_iter().flatten().for_each(|(name, value)| shape[name] = value.clone());
+    Design::parse(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }).to_string()).unwrap()
+}
+
+const MAKING: Making = Making { product: Product::Solid, tolerance: None, size: None, shrinkage: 0.0, craft: None };
+
+/// The refusal of whatever is asked of a design that cannot be solved.
+fn refusals(design: &Design) -> [Option<Error>; 4] {
+    [
+        evaluate(design, 0, &[0.3, 0.4, 0.5]).err(),
+        mesh(design, &MeshOptions::default()).err(),
+        measure(design, &MeasureOptions::default()).err(),
+        solid(design, &MAKING).err(),
+    ]
+}
+
+#[test]
+fn sections_that_run_through_themselves_are_refused_with_the_place() {
+    let mut outlines: Vec<Value> = [2.0, 3.0, 7.0].map(|n| waves(&[(n, 1.0)], 0.0, [0.0, 2.0])).to_vec();
+    outlines.push(waves(&[(1.0, 1.0), (2.0, 0.8)], 0.0, [0.0, 2.0]));
+    outlines.push(waves(&[(1.0, 0.3), (6.0, 1.0)], 0.0, [0.0, 2.0]));
+    // A loop that is a hundredth of the outline, and one on each of many waves.
+    outlines.push(waves(&[(1.0, 1.0), (4.0, 0.3)], 0.0, [0.0, 2.0]));
+    outlines.extend([100.0, 128.0, 340.0, 1000.0].map(|n| waves(&[(1.0, 1.0), (n, 0.2)], 0.0, [0.0, 2.0])));
+    let eight = |middle: f64| json!({ "form": "outline", "x": [{ "n": 0, "cos": middle }, { "n": 1, "sin": 1 }], "y": [{ "n": 2, "sin": 1 }], "z": 0, "taper": 0, "dz": 2 });
+    outlines.extend([eight(0.0), eight(1e-3)]);
+    for outline in outlines {
+        for (start, end, name) in [(&outline, &disc(2.0, 2.0), "start"), (&disc(2.0, 2.0), &outline, "end")] {
+            for error in refusals(&design(start, end, &json!({}))) {
+                let error = error.unwrap_or_else(|| panic!("{outline} was taken"));
+                assert_eq!((error.code(), error.path()), (Code::CrossesItself, &*format!("parts[0].shape.{name}")));
+                assert!(error.place().is_some(), "{error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn sections_that_lie_in_each_other_or_have_no_height_are_refused() {
+    let cross = |radius: [f64; 2], dz: f64| section("rectangle", radius, 0.0, [0.0, dz]);
+    for (start, end) in [
+        (disc(0.0, 2.0), section("disc", [0.5, 0.5], 0.0, [0.0, -2.0])),
+        (disc(0.0, 0.0), section("disc", [0.5, 0.5], 0.0, [0.0, 0.0])),
+        (cross([3.0, 0.5], 2.0), cross([0.5, 3.0], -2.0)),
+        (cross([3.0, 0.001], 2.0), cross([0.001, 3.0], -2.0)),
+    ] {
+        for error in refusals(&design(&start, &end, &json!({}))) {
+            let error = error.unwrap_or_else(|| panic!("{start}, {end} were taken"));
+            assert_eq!((error.code(), error.path()), (Code::CrossesItself, "parts[0].shape.end.z"), "{error}");
+            assert!(error.place().is_some(), "{error}");
+        }
+    }
+    // Beside each other, but nothing leaves the plane.
+    for error in refusals(&design(&disc(0.0, 0.0), &beside([0.5, 0.0]), &json!({}))) {
+        let error = error.expect("a solid without height was taken");
+        assert_eq!((error.code(), error.path()), (Code::PinchedSurface, "parts[0].shape.end.z"), "{error}");
+    }
+}
+
+#[test]
+fn equal_heights_with_tangents_that_fold_are_told_with_the_place() {
+    for (start, end) in [
+        (disc(0.0, 5.0), beside([0.0, 5.0])),
+        (disc(0.0, 5.0), beside([0.0, -5.0])),
+        (disc(0.0, 5.0), beside([4.0, -5.0])),
+        (disc(0.0, -5.0), beside([0.0, 5.0])),
+        (disc(0.0, 1e6), beside([0.0, 1e6])),
+        // Not equal, but not far from it.
+        (disc(0.0, 30.0), disc(1.0, 30.0)),
+    ] {
+        let design = design(&start, &end, &json!({}));
+        mesh(&design, &MeshOptions::default()).unwrap().validate().unwrap();
+        let report = check(&design, &MAKING).unwrap();
+        assert!(!report.is_ok() && report.findings[0].at.is_some(), "{start}, {end}: {:?}", report.findings);
+        let error = solid(&design, &MAKING).unwrap_err();
+        assert_eq!((error.code(), error.path()), (Code::CrossesItself, "parts[0].shape"), "{error}");
+        assert!(error.place().is_some() && inside(&design, 0).unwrap().is_folded());
+    }
+}
+
+#[test]
+fn waves_and_weights_without_an_end_are_refused_at_once() {
+    let too_fine = |design: &Design, path: &str| {
+        let making = [measure(design, &MeasureOptions::default()).err(), solid(design, &MAKING).err()];
+        for error in making {
+            let error = error.expect("it can only be drawn");
+            assert_eq!((error.code(), error.path()), (Code::TooLarge, path), "{error}");
+        }
+        // Drawing it is a mesh of more vertices than there can be, which takes no trying.
+        assert_eq!(mesh(design, &MeshOptions::default()).unwrap_err().code(), Code::TooLarge);
+        assert!(evaluate(design, 0, &[0.3, 0.4, 0.5]).unwrap().iter().all(|x| x.is_finite()));
+    };
+    for n in [1e9, 1e11] {
+        // Away from the middle and back, so that it runs through itself nowhere.
+        let mut outline = waves(&[(1.0, 1.0), (n - 1.0, 1e-3), (n + 1.0, 1e-3)], 0.0, [0.0, 2.0]);
+        outline["x"][1]["sin"] = json!(-1e-3);
+        too_fine(&design(&outline, &disc(2.0, 2.0), &json!({})), "parts[0].shape.start.x[1].n");
+    }
+    let oval = section("disc", [2.0, 1.0], 3.0, [0.0, 2.0]);
+    too_fine(&design(&disc(0.0, 2.0), &oval, &json!({ "weights": [1, 1e300, 1] })), "parts[0].shape.weights");
+    // More waves than are made are drawn.
+    let outline = waves(&[(1.0, 1.0), (200.0, 1e-4)], 0.0, [0.0, 2.0]);
+    let fine = design(&outline, &disc(2.0, 2.0), &json!({}));
+    mesh(&fine, &MeshOptions { tolerance: Some(0.01), ..MeshOptions::default() }).unwrap();
+    assert_eq!(measure(&fine, &MeasureOptions::default()).unwrap_err().path(), "parts[0].shape.start.x[1].n");
+}
+
+#[test]
+fn a_residual_beyond_all_numbers_is_refused() {
+    let half = |z: f64| section("disc-in-square", [1.0, 2.0], z, [0.3, 2.0]);
+    let design = design(&half(0.0), &half(2.0), &json!({ "weights": [1e300, 1, 1] }));
+    let error = inside(&design, 0).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::Overflow, "parts[0].shape.weights"), "{error}");
+    // What does not take the weights is still told.
+    assert!(inside_values(&design, 0, InsideMap::Jacobian, &[0.5, 0.5, 0.5]).unwrap()[0].is_finite());
+}
+
+#[test]
+fn the_most_terms_end_and_more_are_refused() {
+    let half = section("disc-in-square", [1.0, 2.0], 0.0, [0.3, 2.0]);
+    let flat = section("rectangle-reversed", [1.0, 2.0], 2.0, [0.3, 2.0]);
+    for (method, terms) in
+        [("collocation", [64, 64, 64]), ("collocation", [256, 16, 64]), ("modal", [16, 256, 1]), ("modal", [64, 64, 1])]
+    {
+        let design = design(&half, &flat, &json!({ "method": method, "terms": terms }));
+        let found = evaluate(&design, 0, &[0.3, 0.4, 0.5, 0.7, 0.1, 0.2]).unwrap();
+        assert!(found.iter().all(|x| x.is_finite()), "{method} {terms:?}: {found:?}");
+    }
+    for terms in [json!([65, 64, 1]), json!([256, 256, 64]), json!([1e300, 1, 1]), json!([4, 4, 65]), json!([4, 4, -1])]
+    {
+        let shape = json!({ "kind": "blend", "start": half, "end": flat, "method": "collocation", "terms": terms });
+        let error = Design::parse(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }).to_string()).unwrap_err();
+        assert!([Code::TooLarge, Code::OutOfRange].contains(&error.code()), "{terms}: {error}");
+    }
+}
+
+#[test]
+fn values_do_not_depend_on_the_order_of_the_points() {
+    let start = section("rectangle", [1.0, 2.0], 0.0, [0.3, 2.0]);
+    let design = design(&start, &disc(3.0, 2.0), &json!({ "terms": [5, 4, 3] }));
+    let points: Vec<[f64; 3]> = (0..60).map(|i| [7, 11, 3].map(|step| f64::from(i * step % 10) / 10.0)).collect();
+    for map in InsideMap::ALL {
+        let together = inside_values(&design, 0, map, &points.concat()).unwrap();
+        for (point, value) in points.iter().zip(&together) {
+            let alone = inside_values(&design, 0, map, point).unwrap();
+            assert_eq!(alone[0].to_bits(), value.to_bits(), "{map:?} at {point:?}");
+        }
+    }
+}
