@@ -95,6 +95,31 @@ test("everything is from the catalogue", async () => {
   await pot.page.locator("pasu-network-patch .acts button").first().click();
   await pot.page.locator("pasu-network-patch .force").waitFor();
   expect(await unmarked(pot)).toEqual([]);
+  await pot.page.locator("pasu-network-panel [data-command=patches]").click();
+  await pot.page.locator("pasu-patches .stage canvas").waitFor();
+  expect(await unmarked(pot)).toEqual([]);
+});
+
+test("patches are compared over the same edges, and what cannot be says so", async () => {
+  const { pot } = await opened();
+  await pot.button("Patches compared…").click();
+  const dialogue = pot.page.locator("pasu-patches");
+  await dialogue.locator(".stage canvas").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await dialogue.locator(".stage").focus();
+  await pot.page.keyboard.press("ArrowLeft");
+  await pot.type("Height of the force", "-5");
+  await pot.type("a1, across", "3");
+  expect(await dialogue.getByRole("alert").count()).toBe(0);
+  await pot.type("Width of its region", "1.5");
+  await dialogue.getByText("expected a region of the patch, up to 1").waitFor();
+  await pot.type("Width of its region", "0.8");
+  await expect.poll(() => dialogue.getByRole("alert").count()).toBe(0);
+  await pot.type("a2, along", "0");
+  // A strip needs it: the solver's own words.
+  await dialogue.getByText("This cannot be shown").waitFor();
+  await pot.page.keyboard.press("Escape");
+  await dialogue.waitFor({ state: "detached" });
 });
 
 /** A can of five rows of four patches, open at both ends: it has no handle. */

@@ -16,11 +16,12 @@ export type Command =
   | "share"
   | "embed"
   | "compare"
+  | "patches"
   | "picture"
   | "help";
 
 /** What the bar across the top has a button for. */
-export type BarCommand = Exclude<Command, "draw" | "redraw" | "scan">;
+export type BarCommand = Exclude<Command, "draw" | "redraw" | "scan" | "patches">;
 
 export class CommandEvent extends Event {
   readonly command: Command;

@@ -43,6 +43,7 @@ const DIALOGUES = {
   link: () => import("./dialogs/link-dialog"),
   embed: () => import("./dialogs/embed-dialog"),
   compare: () => import("./dialogs/compare-dialog"),
+  patches: () => import("./dialogs/patches-dialog"),
 } as const;
 
 /** A link as this or an older version writes it, wherever in a text. */
@@ -201,6 +202,8 @@ export class PasuApp extends DesignerElement {
         return html`<pasu-mix-dialog .designer=${designer} @mix-chosen=${this.mixed} @mix-closed=${close}></pasu-mix-dialog>`;
       case "shelf":
         return html`<pasu-shelf .designer=${designer} @shelf-closed=${close}></pasu-shelf>`;
+      case "patches":
+        return html`<pasu-patches .designer=${designer} @patches-closed=${close}></pasu-patches>`;
       case "help":
         return html`<pasu-help @help-closed=${close}></pasu-help>`;
       case "picture":
@@ -231,6 +234,7 @@ export class PasuApp extends DesignerElement {
       case "picture":
       case "export":
       case "compare":
+      case "patches":
         await this.show(command);
         return;
       case "draw":

@@ -27,6 +27,7 @@ import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
 import { type NetworkDesk, networkDesk } from "../../work/network-desk";
 import { openObj, saveObj } from "../../work/network-files";
+import { CommandEvent } from "../command";
 import "./network-patch";
 
 const BUILDS = {
@@ -76,6 +77,20 @@ export class PasuNetworkPanel extends DesignerElement {
         </div>
       </section>
       <pasu-network-patch .designer=${this.designer}></pasu-network-patch>
+      <section aria-label=${words.beside}>
+        <h3>${words.beside}</h3>
+        <p class="told">${words.besideAbout}</p>
+        <div class="acts">
+          <button
+            class="button outlined"
+            type="button"
+            data-command="patches"
+            @click=${() => this.dispatchEvent(new CommandEvent("patches"))}
+          >
+            ${words.besideOpen}
+          </button>
+        </div>
+      </section>
       <section aria-label=${words.file}>
         <h3>${words.file}</h3>
         <p class="told">${words.fileAbout}</p>

@@ -14,6 +14,9 @@ export const networks = phrases("networks", {
   about: (patchCount: number, pointCount: number) =>
     `${patches(patchCount)} through ${points(pointCount)}. Each goes through the corners and the middles of its edges.`,
   onStage: "Points on the stage",
+  beside: "Other patches",
+  besideAbout: "The same four edges as a patch of the equation, a Coons patch and a NURBS patch.",
+  besideOpen: "Patches compared…",
   pick: "Pick",
   picked: (pointCount: number, patchCount: number) => `${points(pointCount)} and ${patches(patchCount)} picked.`,
   pickedNone: "Nothing is picked: click a point or the square in the middle of a patch, with shift several.",
