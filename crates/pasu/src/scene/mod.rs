@@ -5,6 +5,7 @@ mod compare;
 mod connectivity;
 mod difference;
 mod flat;
+mod node;
 mod tree;
 #[cfg(feature = "typescript")]
 mod typescript;
@@ -13,6 +14,7 @@ pub use compare::compare;
 pub use connectivity::{Connectivity, connectivity};
 pub use difference::{Counterpart, Difference};
 pub use flat::flat;
-pub use tree::{Content, Leaf, Node, Tree, tree};
+pub use node::{Content, Leaf, Node};
+pub use tree::{Tree, tree};
 #[cfg(feature = "typescript")]
 pub use typescript::typescript_of_answers;
