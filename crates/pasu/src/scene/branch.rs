@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::tree::{Content, Leaf, Node};
+use super::node::{Content, Leaf, Node};
 use crate::design::{Look, Motion, Shape, Wall, written};
 use crate::error::{Code, Error, Result};
 

@@ -1,6 +1,7 @@
 //! From a tree to the flat list of its leaves.
 
-use super::tree::{Content, Node, Tree};
+use super::node::{Content, Node};
+use super::tree::Tree;
 use crate::design::{Design, Motion, Part};
 use crate::error::{Code, Error, Result};
 

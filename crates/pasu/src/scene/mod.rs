@@ -12,6 +12,7 @@ mod flat;
 mod hit;
 mod holds;
 mod nearest;
+mod node;
 mod pick;
 mod space;
 mod tile;
@@ -25,7 +26,8 @@ pub use connectivity::{Connectivity, connectivity};
 pub use difference::{Counterpart, Difference};
 pub use flat::flat;
 pub use hit::{Hit, Ray};
+pub use node::{Content, Leaf, Node};
 pub use pick::{at, pick};
-pub use tree::{Content, Leaf, Node, Tree, tree};
+pub use tree::{Tree, tree};
 #[cfg(feature = "typescript")]
 pub use typescript::typescript_of_answers;

@@ -31,7 +31,8 @@ fn design(start: &Value, end: &Value, more: &Value) -> Design {
     Design::parse(&json!({ "pasu": 1, "parts": [{ "shape": shape }] }).to_string()).unwrap()
 }
 
-const MAKING: Making = Making { product: Product::Solid, tolerance: None, size: None, shrinkage: 0.0, craft: None };
+const MAKING: Making =
+    Making { product: Product::Solid, tolerance: None, size: None, shrinkage: 0.0, craft: None, union: false };
 
 /// The refusal of whatever is asked of a design that cannot be solved.
 fn refusals(design: &Design) -> [Option<Error>; 4] {

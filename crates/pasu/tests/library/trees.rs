@@ -184,6 +184,7 @@ fn the_matrix_is_that_of_the_objects() {
 }
 
 #[test]
+#[allow(clippy::approx_constant, reason = "a quarter of a turn as a document has it")]
 fn quarter_turns_and_simple_numbers_stay_what_they_are() {
     // One petal, so that no turn makes the same solid.
     let shape = json!({ "kind": "second-order", "r": [3, 0.2, 2, 0.1], "n": [1, 2], "height": 4 });
