@@ -124,6 +124,7 @@ impl Design {
         let length = self.to_json().len();
         if length > LINK_BYTES {
             let lengths = self.0.parts.iter().map(|part| match part.shape {
+                #[cfg(feature = "patchwork")]
                 Shape::VertexFrame(_) => text::write(&part.shape).len(),
                 _ => 0,
             });
