@@ -64,6 +64,7 @@ const insideValues = (source, part, map, at) => call("insideValues", source, par
 const compare = (before, after) => call("compare", before, after);
 const pick = (source, ray) => call("pick", source, ray);
 const at = (source, point) => call("at", source, point);
+const constraints = (source, options) => watched(options, (others, by) => by("constraints", source, others));
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -75,6 +76,7 @@ export {
   cellsFile,
   check,
   compare,
+  constraints,
   convert,
   derivatives,
   evaluate,

@@ -47,7 +47,7 @@ pub use crate::making::{check, measure, obj_materials, open, paint, provenance, 
 #[cfg(feature = "making")]
 pub use crate::pull::{pull, pulled};
 #[cfg(feature = "making")]
-pub use crate::scene::{at, compare, pick};
+pub use crate::scene::{at, compare, constraints, pick};
 pub use crate::shape::{convert, handles};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;

@@ -1,9 +1,16 @@
 //! Designs as scenes.
 
+use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::{plain_object, source};
+
+#[derive(Deserialize, Default)]
+#[serde(expecting = "an object of options")]
+struct ConstraintFields {
+    slack: Option<f64>,
+}
 
 /// How a scene differs from another, as a plain object.
 ///
@@ -33,4 +40,17 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
 pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
     let held = || source::solution(source)?.at(source::argument(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
+}
+
+/// Whether a scene keeps its constraints, as a plain object.
+///
+/// # Errors
+/// When the source is not a design, or one of its parts cannot be solved; when the slack is no length.
+#[wasm_bindgen]
+pub fn constraints(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    let judged = || {
+        let given: Option<ConstraintFields> = source::argument(options, "options")?;
+        source::solution(source)?.constraints(given.unwrap_or_default().slack)
+    };
+    plain_object(&judged().map_err(|error| thrown(&error))?)
 }

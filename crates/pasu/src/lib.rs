@@ -106,7 +106,7 @@ pub use pull::{Hand, Pulled, pull};
 #[cfg(feature = "typescript")]
 pub use scene::typescript_of_answers;
 #[cfg(feature = "patchwork")]
-pub use scene::{Counterpart, Difference, Hit, Ray, at, compare, pick};
+pub use scene::{Breach, Constraints, Counterpart, Difference, Hit, Ray, at, compare, constraints, pick};
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;
 pub use surface::Surface;

@@ -39,7 +39,7 @@ pub(super) struct Space {
     inverse: Option<DMat3>,
     pub(super) bounds: Bounds,
     tiles: OnceLock<Tiles>,
-    core: OnceLock<Option<(DVec3, f64)>>,
+    core: OnceLock<Option<DVec3>>,
 }
 
 /// Tiles with the tree of their boxes.
@@ -136,7 +136,7 @@ impl Space {
     pub(super) fn tiles(&self) -> &Tiles {
         self.tiles.get_or_init(|| {
             let cells = self.borders.iter().enumerate().flat_map(|(index, border)| {
-                border.cells().into_iter().map(move |cell| border.tile(index, cell))
+                border.cells().into_iter().map(move |cell| Tile::of(&self.borders, index, cell))
             });
             let mut open: VecDeque<Tile> = cells.collect();
             let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
@@ -156,8 +156,8 @@ impl Space {
         })
     }
 
-    /// A point well inside and how far it is from the border at least; `None` of what has no inside, or none that was found.
-    pub(super) fn core(&self) -> Option<(DVec3, f64)> {
+    /// A point well inside; `None` of what has no inside, or none that was found.
+    pub(super) fn core(&self) -> Option<DVec3> {
         *self.core.get_or_init(|| {
             if !self.is_solid {
                 return None;
@@ -166,7 +166,7 @@ impl Space {
                 Some(octant) => self.from_own(octant.core()),
                 None => self.deep()?,
             };
-            (self.holds(at) == Some(true)).then(|| (at, self.nearest(at).least)).filter(|(_, depth)| *depth > 0.0)
+            (self.holds(at) == Some(true)).then_some(at)
         })
     }
 

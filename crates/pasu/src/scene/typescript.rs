@@ -1,5 +1,6 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
+use super::breach::{Breach, Constraints};
 use super::difference::{Counterpart, Difference};
 use super::hit::Hit;
 use crate::answer::Answer;
@@ -48,6 +49,8 @@ pub fn typescript_of_answers() -> String {
         Difference::declare,
         Counterpart::declare,
         Hit::declare,
+        Constraints::declare,
+        Breach::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

@@ -3,6 +3,7 @@
 mod allocation;
 mod blends;
 mod canonical;
+mod constraints;
 mod conversion;
 mod export;
 mod findings;
