@@ -76,7 +76,7 @@ impl Space {
         space.bounds = match space.inverse {
             Some(_) => {
                 let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-                let corners: [DVec3; 8] = core::array::from_fn(|i| space.from_own(corner(i)));
+                let corners: [DVec3; 8] = core::array::from_fn(|i| space.placed_point(corner(i)));
                 let bounds = Bounds::of(&corners);
                 bounds.wider(1e-15 * bounds.low.abs().max(bounds.high.abs()).max_element())
             }
@@ -104,7 +104,7 @@ impl Space {
         &self.placed
     }
 
-    fn from_own(&self, at: DVec3) -> DVec3 {
+    fn placed_point(&self, at: DVec3) -> DVec3 {
         self.placed.matrix() * at + self.placed.shift()
     }
 
@@ -118,7 +118,7 @@ impl Space {
     }
 
     /// A normal in the frame of an octant, placed.
-    pub(super) fn normal_from_own(&self, normal: DVec3) -> DVec3 {
+    pub(super) fn placed_normal(&self, normal: DVec3) -> DVec3 {
         self.inverse.map_or(normal, |inverse| inverse.transpose() * normal).normalize_or(DVec3::Z)
     }
 
@@ -163,7 +163,7 @@ impl Space {
                 return None;
             }
             let at = match self.octant() {
-                Some(octant) => self.from_own(octant.core()),
+                Some(octant) => self.placed_point(octant.core()),
                 None => self.deep()?,
             };
             (self.holds(at) == Some(true)).then_some(at)
