@@ -650,3 +650,30 @@ test("a network of patches is read, evaluated, meshed, measured and written", as
     ]);
   });
 });
+
+test("a scene says what is where and whether it keeps its constraints", async () => {
+  await inFreshProject((project) => {
+    const text = `
+      import init, { at, constraints, pick } from "pasu";
+      await init();
+      const ball = (x, object) => ({ object, shape: { kind: "octant", exponents: [2, 2, 2] }, place: { shift: [x, 0, 0] } });
+      const scene = { pasu: 1, parts: [ball(0, 0), ball(0.5, 1)] };
+      const hits = pick(scene, { origin: [0.6, 0.1, -1], direction: [0, 0, 2] });
+      console.log(hits.map(({ part, patch }) => [part, patch].join()).join(" "), hits[0].distance, hits[0].normal.join());
+      console.log(at(scene, [0.6, 0.2, 0.15]).map(({ part, distance }) => part + " " + distance.toFixed(6)).join(" "));
+      const { isKept, breaches } = constraints(scene, { slack: 0.001, progress: () => true });
+      console.log(isKept, breaches.map(({ code, isProved }) => [code, isProved].join()).join(" "));
+      try {
+        pick(scene, { origin: [0, 0, Number.NaN], direction: [0, 0, 1] });
+      } catch ({ code, path }) {
+        console.log(code, path);
+      }
+    `;
+    assert.deepEqual(run(project, "space.mjs", text).trim().split("\n"), [
+      "0,3 1,3 0,0 1,0 1 0,0,-1",
+      "1 0.100000 0 0.150000",
+      "false interference,true",
+      "not-finite ray.origin[2]",
+    ]);
+  });
+});

@@ -383,3 +383,37 @@ export interface Connectivity {
   /** Row by row, for each pair of parts whether both are glued into one object. Symmetric; each part is glued to itself. */
   readonly glued: readonly (readonly boolean[])[];
 }
+
+/** Whether a scene keeps its constraints. */
+export interface Constraints {
+  /** Whether all three are kept: nothing is broken, and nothing undecided. */
+  readonly isKept: boolean;
+  /** The slack within which parts touch, in the unit of the design. */
+  readonly slack: number;
+  /** What breaks a constraint, what could not be decided, and which discrete objects touch. */
+  readonly breaches: readonly Breach[];
+  /** How many more there are than are told. */
+  readonly leftOut: number;
+}
+
+/** What two parts are to each other, where that is to be known. */
+export interface Breach {
+  /** A stable kebab-case word: `interference` of parts of different objects, `not-connected` of a part that touches no other of its object, `within` of a part wholly inside another, `same-place` of one body twice; `contact` of objects that touch; `undecided-interference`, `undecided-connection` and `undecided-within` where the limit of work was not enough. */
+  readonly code: string;
+  /** An error breaks a constraint, a warning is undecided, a note is a contact. */
+  readonly severity: "error" | "warning" | "note";
+  /** The part that it is about. */
+  readonly part: number;
+  /** The other part. */
+  readonly other: number;
+  /** One sentence. */
+  readonly message: string;
+  /** What the sentence names, as `Error::args`(crate::Error::args) has it: the names of both. */
+  readonly args: PasuErrorArgs;
+  /** A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of the part towards the other, in model units after placement. */
+  readonly at: Point | null;
+  /** How deep the witness is beneath the surface of the other at least, or how far what is not connected is away at least. */
+  readonly distance: number | null;
+  /** Whether it rests on proved bounds alone. Bounds of the faces of walls are measured. */
+  readonly isProved: boolean;
+}

@@ -1,6 +1,6 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Connectivity, Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
+import type { Connectivity, Constraints, Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
 import type { Conversion, Design, Handles, Shape, Tree, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
@@ -439,6 +439,18 @@ export function flat(tree: Tree | string): Design;
 
 /** Which parts are glued into which object, and the symmetric matrix of which are glued to which. */
 export function connectivity(source: DesignSource): Connectivity;
+
+/** How near parts have to come to touch. */
+export interface ConstraintOptions {
+  /** A length in the unit of the design; a millionth of the size of the scene without it. */
+  slack?: number | undefined;
+}
+
+/**
+ * Whether a scene keeps its constraints: no two discrete objects share points, the parts of one object hang together, no part is wholly inside another. Two parts interfere where a place of one is more than the slack beneath the
+ * surface of the other, are in contact where they come as near as the slack and a plane is between them, and are apart otherwise. What cannot be decided within a limit of work is said to be undecided.
+ */
+export function constraints(source: DesignSource, options?: ConstraintOptions & Watch): Constraints;
 
 /** The water in a design that is filled up to a level, the z of the world in the unit of the design. */
 export function water(source: DesignSource, level: number): Water;

@@ -67,6 +67,7 @@ const at = (source, point) => call("at", source, point);
 const tree = (source) => call("tree", source);
 const flat = (tree) => call("flat", tree);
 const connectivity = (source) => call("connectivity", source);
+const constraints = (source, options) => watched(options, (others, by) => by("constraints", source, others));
 const water = (source, level) => call("water", source, level);
 const open = (bytes) => call("open", bytes) ?? null;
 const provenance = (bytes) => call("provenance", bytes) ?? null;
@@ -79,6 +80,7 @@ export {
   check,
   compare,
   connectivity,
+  constraints,
   convert,
   derivatives,
   evaluate,

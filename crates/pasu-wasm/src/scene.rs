@@ -1,18 +1,25 @@
 //! Designs as scenes.
 
-use pasu::{Result, Tree};
+use pasu::Tree;
+use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::plain::Plain;
 use crate::{plain_object, source};
 
+#[derive(Deserialize, Default)]
+#[serde(expecting = "an object of options")]
+struct ConstraintFields {
+    slack: Option<f64>,
+}
+
 /// How a scene differs from another, as a plain object.
 ///
 /// # Errors
 /// When one of them is not a design.
 #[wasm_bindgen]
-pub fn compare(before: &JsValue, after: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn compare(before: &JsValue, after: &JsValue) -> Result<JsValue, JsValue> {
     let compared = || Result::Ok(pasu::compare(&source::design(before)?, &source::design(after)?));
     plain_object(&compared().map_err(|error| thrown(&error))?)
 }
@@ -22,7 +29,7 @@ pub fn compare(before: &JsValue, after: &JsValue) -> core::result::Result<JsValu
 /// # Errors
 /// When the source is not a design, or one of its parts cannot be solved; when the ray is none.
 #[wasm_bindgen]
-pub fn pick(source: &JsValue, ray: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
     let picked = || source::solution(source)?.pick(source::argument(ray, "ray")?);
     plain_object(&picked().map_err(|error| thrown(&error))?)
 }
@@ -32,7 +39,7 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> core::result::Result<JsValue, Js
 /// # Errors
 /// When the source is not a design, or one of its parts cannot be solved; when the point is none.
 #[wasm_bindgen]
-pub fn at(source: &JsValue, point: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
     let held = || source::solution(source)?.at(source::argument(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
 }
@@ -42,7 +49,7 @@ pub fn at(source: &JsValue, point: &JsValue) -> core::result::Result<JsValue, Js
 /// # Errors
 /// When the source is not a design.
 #[wasm_bindgen]
-pub fn tree(source: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn tree(source: &JsValue) -> Result<JsValue, JsValue> {
     let design = source::design(source).map_err(|error| thrown(&error))?;
     plain_object(&pasu::tree(&design))
 }
@@ -52,7 +59,7 @@ pub fn tree(source: &JsValue) -> core::result::Result<JsValue, JsValue> {
 /// # Errors
 /// When this is not a tree, neither as an object nor as JSON text, or what it says is not a design.
 #[wasm_bindgen]
-pub fn flat(tree: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn flat(tree: &JsValue) -> Result<JsValue, JsValue> {
     let read = || match tree.as_string() {
         Some(text) => Tree::parse(&text),
         None => Tree::read(Plain(tree.clone())),
@@ -66,7 +73,20 @@ pub fn flat(tree: &JsValue) -> core::result::Result<JsValue, JsValue> {
 /// # Errors
 /// When the source is not a design.
 #[wasm_bindgen]
-pub fn connectivity(source: &JsValue) -> core::result::Result<JsValue, JsValue> {
+pub fn connectivity(source: &JsValue) -> Result<JsValue, JsValue> {
     let design = source::design(source).map_err(|error| thrown(&error))?;
     plain_object(&pasu::connectivity(&design))
+}
+
+/// Whether a scene keeps its constraints, as a plain object.
+///
+/// # Errors
+/// When the source is not a design, or one of its parts cannot be solved; when the slack is no length.
+#[wasm_bindgen]
+pub fn constraints(source: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    let judged = || {
+        let given: Option<ConstraintFields> = source::argument(options, "options")?;
+        source::solution(source)?.constraints(given.unwrap_or_default().slack)
+    };
+    plain_object(&judged().map_err(|error| thrown(&error))?)
 }

@@ -4,8 +4,8 @@
 
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint8Array, Uint32Array};
 use pasu_wasm::{
-    check, compare, connectivity, flat, link, measure, mesh, obj_materials, open, paint, parse, provenance, sketch,
-    solid, tree, watched, water, write,
+    check, compare, connectivity, constraints, flat, link, measure, mesh, obj_materials, open, paint, parse, pick,
+    provenance, sketch, solid, tree, watched, water, write,
 };
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -188,6 +188,30 @@ fn scenes_are_trees_and_lists() {
     let cyclic = js(r#"{ "pasu": 1 }"#);
     put(&cyclic, "tree", union);
     expect(flat(&cyclic), "too-large", "");
+}
+
+#[wasm_bindgen_test]
+fn what_is_where_is_told() {
+    let ball = |x: f64, object: u32| {
+        format!(
+            r#"{{ "object": {object}, "shape": {{ "kind": "octant", "exponents": [2, 2, 2] }}, "place": {{ "shift": [{x}, 0, 0] }} }}"#
+        )
+    };
+    let scene = JsValue::from(format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, ball(0.0, 0), ball(0.5, 1)));
+    let ray = js(r#"{ "origin": [0.6, 0.1, -1], "direction": [0, 0, 2] }"#);
+    let hits = pick(&scene, &ray).expect("hits");
+    assert_eq!((at(&hits, "0.part").as_f64(), at(&hits, "0.distance").as_f64()), (Some(0.0), Some(1.0)));
+    assert_eq!((at(&hits, "3.part").as_f64(), at(&hits, "length").as_f64()), (Some(1.0), Some(4.0)));
+    assert_eq!(at(&hits, "0.normal.2").as_f64(), Some(-1.0));
+    let held = pasu_wasm::at(&scene, &js("[0.6, 0.2, 0.15]")).expect("parts");
+    assert_eq!((at(&held, "length").as_f64(), at(&held, "1.part").as_f64()), (Some(2.0), Some(0.0)));
+    let report = constraints(&scene, &JsValue::UNDEFINED).expect("a report");
+    assert_eq!((at(&report, "isKept"), at(&report, "breaches.0.code")), (JsValue::FALSE, "interference".into()));
+    expect(pick(&scene, &js(r#"{ "origin": [0, 0, 0], "direction": [0, 0, 0] }"#)), "out-of-range", "ray.direction");
+    expect(pick(&scene, &js(r#"{ "origin": [0, 0, 0] }"#)), "missing-field", "direction");
+    let nowhere = js_sys::Array::of3(&0.into(), &f64::NAN.into(), &0.into());
+    expect(pasu_wasm::at(&scene, &nowhere), "not-finite", "point[1]");
+    expect(constraints(&scene, &js(r#"{ "slack": -1 }"#)), "out-of-range", "slack");
 }
 
 #[wasm_bindgen_test]

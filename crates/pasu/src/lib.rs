@@ -108,8 +108,8 @@ pub use pull::{Hand, Pulled, pull};
 pub use scene::typescript_of_answers;
 #[cfg(feature = "patchwork")]
 pub use scene::{
-    Connectivity, Content, Counterpart, Difference, Hit, Leaf, Node, Ray, Tree, at, compare, connectivity, flat, pick,
-    tree,
+    Breach, Connectivity, Constraints, Content, Counterpart, Difference, Hit, Leaf, Node, Ray, Tree, at, compare,
+    connectivity, constraints, flat, pick, tree,
 };
 pub use solid::{Piece, Pot, Product};
 pub use solution::Solution;

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::tile::Tile;
 use crate::face::{Face, FaceKind};
 use crate::patch::{Breaks, Cell, Side};
 use crate::solid::Pot;
@@ -13,9 +12,6 @@ use crate::solution::Placed;
 
 /// What is measured of a face, of which no bounds are known, is taken this many times: a kink may be twice as high between two samples as it seems.
 const MARGIN: f64 = 2.0;
-
-/// A bound is larger than what it bounds by more than rounding, which is this part of the largest coordinate.
-const ROUNDING: f64 = 8e-16;
 
 /// Into how many pieces a closed piece is cut at least, so that none is flat.
 const LEAST_ROUND: usize = 6;
@@ -127,30 +123,21 @@ impl Border {
         rows.flat_map(|u| columns().map(move |v| Cell { u, v })).collect()
     }
 
-    /// A cell with what encloses it.
-    pub(super) fn tile(&self, border: usize, cell: Cell) -> Tile {
-        let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
-        let corners = [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| self.jet(u, v).position);
-        let size = corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
-        let ([p, q], mut deviation, bends);
+    /// How far a cell with these corners is from its two triangles at most, but for rounding, and bounds of `X_uu`, `X_uv` and `X_vv` in parameters that run from 0 to 1 across it.
+    pub(super) fn enclosed(&self, cell: Cell, corners: [DVec3; 4]) -> (f64, [f64; 3]) {
         match self {
             Border::Patch { placed, patch, stretch } => {
                 let patch = placed.solved().patch(*patch);
-                [p, q] = cell.lengths();
+                let [p, q] = cell.lengths();
                 let suprema = patch.suprema(cell, *stretch);
-                bends = [p * p * suprema.uu, p * q * suprema.uv, q * q * suprema.vv];
-                deviation = patch.deviation(cell, *stretch);
+                let bends = [p * p * suprema.uu, p * q * suprema.uv, q * q * suprema.vv];
+                (patch.deviation(cell, *stretch), bends)
             }
             Border::Face { .. } => {
-                bends = self.measured(cell, corners).map(|bend| MARGIN * bend);
-                deviation = 0.125 * (bends[0] + 2.0 * bends[1] + bends[2]);
+                let bends = self.measured(cell, corners).map(|bend| MARGIN * bend);
+                (0.125 * (bends[0] + 2.0 * bends[1] + bends[2]), bends)
             }
         }
-        deviation += ROUNDING * size;
-        if !deviation.is_finite() {
-            deviation = f64::INFINITY;
-        }
-        Tile { border, cell, corners, deviation, bends }
     }
 
     /// The second differences of a cell, each the largest of those of its lines through corners and middles.

@@ -40,11 +40,6 @@ impl Bounds {
         point.cmpge(self.low).all() && point.cmple(self.high).all()
     }
 
-    /// Whether all of the other box is in it.
-    pub(super) fn is_round(&self, other: &Bounds) -> bool {
-        other.low.cmpge(self.low).all() && other.high.cmple(self.high).all()
-    }
-
     /// How far a point is from it; 0 inside.
     pub(super) fn distance_to(&self, point: DVec3) -> f64 {
         (self.low - point).max(point - self.high).max(DVec3::ZERO).length()

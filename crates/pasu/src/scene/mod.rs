@@ -4,13 +4,16 @@ mod border;
 mod bounds;
 mod boxes;
 mod branch;
+mod breach;
 mod compare;
 mod connectivity;
+mod constraints;
 mod crossings;
 mod difference;
 mod flat;
 mod hit;
 mod holds;
+mod meeting;
 mod nearest;
 mod node;
 mod pick;
@@ -21,8 +24,10 @@ mod triangles;
 #[cfg(feature = "typescript")]
 mod typescript;
 
+pub use breach::{Breach, Constraints};
 pub use compare::compare;
 pub use connectivity::{Connectivity, connectivity};
+pub use constraints::constraints;
 pub use difference::{Counterpart, Difference};
 pub use flat::flat;
 pub use hit::{Hit, Ray};

@@ -127,7 +127,7 @@ impl Space {
     fn hit(&self, crossing: &Crossing) -> Hit {
         let Crossing { border, u, v, t, position, .. } = *crossing;
         let normal = match self.octant() {
-            Some(octant) => self.normal_from_own(octant.normal(self.own(position), border)),
+            Some(octant) => self.placed_normal(octant.normal(self.own(position), border)),
             None => self.borders[border].normal(u, v),
         };
         self.hit_at(border, [u, v], t, position, normal)
@@ -137,7 +137,7 @@ impl Space {
     fn beneath(&self, at: DVec3) -> Hit {
         let nearest = self.nearest(at);
         let normal = match self.octant() {
-            Some(octant) => self.normal_from_own(octant.normal(self.own(nearest.position), nearest.border)),
+            Some(octant) => self.placed_normal(octant.normal(self.own(nearest.position), nearest.border)),
             None => self.borders[nearest.border].normal(nearest.u, nearest.v),
         };
         self.hit_at(nearest.border, [nearest.u, nearest.v], nearest.distance, nearest.position, normal)

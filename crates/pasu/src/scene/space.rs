@@ -39,7 +39,7 @@ pub(super) struct Space {
     inverse: Option<DMat3>,
     pub(super) bounds: Bounds,
     tiles: OnceLock<Tiles>,
-    core: OnceLock<Option<(DVec3, f64)>>,
+    core: OnceLock<Option<DVec3>>,
 }
 
 /// Tiles with the tree of their boxes.
@@ -76,7 +76,7 @@ impl Space {
         space.bounds = match space.inverse {
             Some(_) => {
                 let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
-                let corners: [DVec3; 8] = core::array::from_fn(|i| space.from_own(corner(i)));
+                let corners: [DVec3; 8] = core::array::from_fn(|i| space.placed_point(corner(i)));
                 let bounds = Bounds::of(&corners);
                 bounds.wider(1e-15 * bounds.low.abs().max(bounds.high.abs()).max_element())
             }
@@ -104,7 +104,7 @@ impl Space {
         &self.placed
     }
 
-    fn from_own(&self, at: DVec3) -> DVec3 {
+    fn placed_point(&self, at: DVec3) -> DVec3 {
         self.placed.matrix() * at + self.placed.shift()
     }
 
@@ -118,7 +118,7 @@ impl Space {
     }
 
     /// A normal in the frame of an octant, placed.
-    pub(super) fn normal_from_own(&self, normal: DVec3) -> DVec3 {
+    pub(super) fn placed_normal(&self, normal: DVec3) -> DVec3 {
         self.inverse.map_or(normal, |inverse| inverse.transpose() * normal).normalize_or(DVec3::Z)
     }
 
@@ -135,11 +135,9 @@ impl Space {
     /// The tiles of its border, made when they are first asked for.
     pub(super) fn tiles(&self) -> &Tiles {
         self.tiles.get_or_init(|| {
-            let cells = self
-                .borders
-                .iter()
-                .enumerate()
-                .flat_map(|(index, border)| border.cells().into_iter().map(move |cell| border.tile(index, cell)));
+            let cells = self.borders.iter().enumerate().flat_map(|(index, border)| {
+                border.cells().into_iter().map(move |cell| Tile::of(&self.borders, index, cell))
+            });
             let mut open: VecDeque<Tile> = cells.collect();
             let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
             let enough = COARSE * corners.size();
@@ -158,17 +156,17 @@ impl Space {
         })
     }
 
-    /// A point well inside and how far it is from the border at least; `None` of what has no inside, or none that was found.
-    pub(super) fn core(&self) -> Option<(DVec3, f64)> {
+    /// A point well inside; `None` of what has no inside, or none that was found.
+    pub(super) fn core(&self) -> Option<DVec3> {
         *self.core.get_or_init(|| {
             if !self.is_solid {
                 return None;
             }
             let at = match self.octant() {
-                Some(octant) => self.from_own(octant.core()),
+                Some(octant) => self.placed_point(octant.core()),
                 None => self.deep()?,
             };
-            (self.holds(at) == Some(true)).then(|| (at, self.nearest(at).least)).filter(|(_, depth)| *depth > 0.0)
+            (self.holds(at) == Some(true)).then_some(at)
         })
     }
 

@@ -21,10 +21,25 @@ pub(super) struct Tile {
     pub(super) bends: [f64; 3],
 }
 
+/// A bound is larger than what it bounds by more than rounding, which is this part of the largest coordinate.
+const ROUNDING: f64 = 8e-16;
+
 /// What bends by more than this part of its length is halved across the bend; all else across the length.
 const BENT: f64 = 0.05;
 
 impl Tile {
+    /// A cell of a piece of the border.
+    pub(super) fn of(borders: &[Border], border: usize, cell: Cell) -> Tile {
+        let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
+        let corners = [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| borders[border].jet(u, v).position);
+        let size = corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
+        let (deviation, bends) = borders[border].enclosed(cell, corners);
+        let deviation = deviation + ROUNDING * size;
+        // What is no number encloses everything.
+        let deviation = if deviation.is_finite() { deviation } else { f64::INFINITY };
+        Tile { border, cell, corners, deviation, bends }
+    }
+
     pub(super) fn bounds(&self) -> Bounds {
         Bounds::of(&self.corners).wider(self.deviation)
     }
@@ -79,7 +94,7 @@ impl Tile {
         let of_u = || halves(u).map(|halves| halves.map(|u| Cell { u, v }));
         let of_v = || halves(v).map(|halves| halves.map(|v| Cell { u, v }));
         let cells = if is_along { of_u().or_else(of_v) } else { of_v().or_else(of_u) }?;
-        Some(cells.map(|cell| borders[self.border].tile(self.border, cell)))
+        Some(cells.map(|cell| Tile::of(borders, self.border, cell)))
     }
 
     /// How far a point is from it at least.

@@ -1,5 +1,6 @@
 //! The TypeScript declarations of what is answered in numbers and words.
 
+use super::breach::{Breach, Constraints};
 use super::connectivity::Connectivity;
 use super::difference::{Counterpart, Difference};
 use super::hit::Hit;
@@ -52,6 +53,8 @@ pub fn typescript_of_answers() -> String {
         Counterpart::declare,
         Hit::declare,
         Connectivity::declare,
+        Constraints::declare,
+        Breach::declare,
     ];
     all.into_iter().for_each(|declare| declare(&mut text));
     text

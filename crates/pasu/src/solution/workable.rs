@@ -18,10 +18,10 @@ impl Solution {
         if let (Some(surface), (_, part)) = (placed.solved().fourier(), self.existing(index)?) {
             few_waves(part, surface, index)?;
             slow_enough(part, surface, index)?;
-        } else if let (Some(_), (_, part)) = (placed.solved().volume(), self.existing(index)?) {
-            refuse_waves(part, index, |_| true)?;
         }
+        #[cfg(feature = "patchwork")]
         if placed.solved().volume().is_some() {
+            refuse_waves(self.existing(index)?.1, index, |_| true)?;
             calm_enough(placed, index)?;
         }
         Ok(placed)
@@ -91,6 +91,7 @@ fn slow_enough(part: &Part, surface: &Surface, index: usize) -> Result<()> {
 }
 
 /// Refuses a blend whose weights let a wave fall off from a section faster than searches and sums follow.
+#[cfg(feature = "patchwork")]
 fn calm_enough(placed: &Placed, index: usize) -> Result<()> {
     let solved = placed.solved();
     let rates = (0..solved.n_patches()).flat_map(|patch| solved.patch(patch).breaks().map(|breaks| breaks.rate));

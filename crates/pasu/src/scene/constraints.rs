@@ -1,0 +1,304 @@
+//! Whether a scene keeps the three constraints of ASB88.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+
+use super::breach::{Breach, Constraints};
+use super::meeting::{Budget, Meeting};
+use super::space::{Scenery, Space};
+use crate::design::{Design, Part, plain};
+use crate::error::{Args, Code, Error, Result};
+use crate::make::Severity;
+use crate::numeric::signed_sets::SignedSets;
+use crate::solution::Solution;
+use crate::watch;
+
+/// Without a slack of its own, a scene has this part of its size.
+const SLACK: f64 = 1e-6;
+
+/// All the work that a scene is worth, in pairs of tiles: about half a second.
+const MOST_WORK: u64 = 150_000;
+
+/// The most breaches that are told one by one.
+const MOST_TOLD: usize = 1000;
+
+/// Whether a scene keeps the three constraints of ASB88 (J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, 1988): (1) no two discrete objects share points, (2) the parts of one object hang together, (3) no part is wholly inside another.
+///
+/// `slack` is a length in the unit of the design, a millionth of the size of the scene where there is none. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
+/// both is further from each other than it, and are *in contact* where they come as near and a plane lies between them that neither passes by more than the slack. Contact connects, and is no interference. What is none of these within the limit
+/// of work is said to be undecided.
+///
+/// A part without a wall that is an open surface has no inside: it may be in a solid, and be connected, but holds nothing and interferes with no other such.
+///
+/// # Errors
+/// What is refused of a part, with its path; `overflow`; `not-finite` and `out-of-range` of a slack that is not greater than 0; `cancelled`.
+///
+/// ```
+/// use pasu::{Design, constraints};
+///
+/// let ball = |x: f64, object: u32| {
+///     format!(r#"{{ "object": {object}, "shape": {{ "kind": "octant", "exponents": [2, 2, 2] }}, "place": {{ "shift": [{x}, 0, 0] }} }}"#)
+/// };
+/// let scene = |x: f64| Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, ball(0.0, 0), ball(x, 1)));
+/// assert!(constraints(&scene(1.5)?, None)?.is_kept);
+/// let report = constraints(&scene(0.5)?, None)?;
+/// assert_eq!(report.breaches[0].code, "interference");
+/// # Ok::<(), pasu::Error>(())
+/// ```
+pub fn constraints(design: &Design, slack: Option<f64>) -> Result<Constraints> {
+    Solution::of(design).constraints(slack)
+}
+
+impl Solution {
+    /// As [`constraints`].
+    ///
+    /// # Errors
+    /// As [`constraints`].
+    pub fn constraints(&self, slack: Option<f64>) -> Result<Constraints> {
+        let scenery = self.scenery()?;
+        let slack = match slack {
+            Some(slack) => checked(slack)?,
+            None => SLACK * scenery.size(),
+        };
+        let parts = self.design().parts();
+        let mut judge = Judge {
+            parts,
+            scenery: &scenery,
+            slack,
+            budget: Budget(MOST_WORK),
+            told: Vec::new(),
+            n_left_out: 0,
+            joined: SignedSets::new(parts.len()),
+            doubtful: Vec::new(),
+        };
+        judge.pairs();
+        judge.objects();
+        watch::go_on()?;
+        let is_kept = judge.n_left_out == 0 && judge.told.iter().all(|breach| breach.severity == Severity::Note);
+        Ok(Constraints { is_kept, slack, breaches: judge.told, left_out: judge.n_left_out })
+    }
+}
+
+fn checked(slack: f64) -> Result<f64> {
+    if !slack.is_finite() {
+        let message = format!("expected a finite number, found {slack}");
+        return Err(Error::new(Code::NotFinite, "slack", message).with("found", slack));
+    }
+    if !(slack > 0.0) {
+        let message = format!("expected a number greater than 0, found {}", plain(slack));
+        return Err(Error::new(Code::OutOfRange, "slack", message).with("found", slack));
+    }
+    Ok(slack)
+}
+
+impl Scenery {
+    /// From corner to corner of the box round all.
+    fn size(&self) -> f64 {
+        self.boxes.root().map_or(1.0, |root| self.boxes.bounds(root).size())
+    }
+}
+
+struct Judge<'a> {
+    parts: &'a [Part],
+    scenery: &'a Scenery,
+    slack: f64,
+    budget: Budget,
+    told: Vec<Breach>,
+    n_left_out: usize,
+    /// Parts of one object that touch.
+    joined: SignedSets,
+    /// Pairs of one object of which that is not known.
+    doubtful: Vec<[usize; 2]>,
+}
+
+impl Judge<'_> {
+    fn space(&self, part: usize) -> &Space {
+        &self.scenery.parts[part]
+    }
+
+    fn name(&self, part: usize) -> String {
+        self.parts[part]
+            .name
+            .clone()
+            .map_or_else(|| format!("part {}", part + 1), |name| format!("\u{201c}{name}\u{201d}"))
+    }
+
+    /// Every two parts whose boxes come as near as the slack.
+    fn pairs(&mut self) {
+        let scenery = self.scenery;
+        for part in 0..self.parts.len() {
+            let near = self.space(part).bounds.wider(self.slack);
+            let mut others = Vec::new();
+            scenery.boxes.each(|bounds| bounds.distance(&near) == 0.0, |other| others.push(other));
+            others.retain(|other| *other < part);
+            others.sort_unstable();
+            for other in others {
+                self.pair(other, part);
+            }
+        }
+    }
+
+    fn pair(&mut self, one: usize, other: usize) {
+        let (first, second) = (&self.parts[one], &self.parts[other]);
+        let is_one_object = first.object == second.object;
+        if !is_one_object && !self.space(one).is_solid && !self.space(other).is_solid {
+            return;
+        }
+        let is_same = first.shape == second.shape && first.place == second.place && first.wall == second.wall;
+        let meeting = if is_same {
+            None
+        } else {
+            let (scenery, slack) = (self.scenery, self.slack);
+            Some(scenery.parts[one].meeting(&scenery.parts[other], slack, is_one_object, &mut self.budget))
+        };
+        let Some(meeting) = meeting else {
+            self.joined.join(one, other, false);
+            let at = self.space(one).tiles().all.first().map(|tile| tile.corners[0]);
+            self.tell("same-place", Severity::Error, [other, one], at, None);
+            return;
+        };
+        match meeting {
+            Meeting::Apart { .. } => {}
+            Meeting::Contact { at } => {
+                if is_one_object {
+                    self.joined.join(one, other, false);
+                } else {
+                    self.tell("contact", Severity::Note, [other, one], Some(at), None);
+                }
+            }
+            Meeting::Through { at, depth, is_own } => {
+                self.meet([other, one], is_one_object, at, depth);
+                for ([part, outer], is_own) in [[one, other], [other, one]].into_iter().zip(is_own) {
+                    if !is_own {
+                        self.tell("undecided-within", Severity::Warning, [part, outer], None, None);
+                    }
+                }
+            }
+            Meeting::Inside { is_first, at, depth } => {
+                let [inner, outer] = if is_first { [one, other] } else { [other, one] };
+                self.meet([other, one], is_one_object, at, depth);
+                self.tell("within", Severity::Error, [inner, outer], Some(at), Some(depth));
+            }
+            Meeting::Undecided { touch } if is_one_object => match touch {
+                // How deep does not matter; whether one is within the other does.
+                Some(_) => {
+                    self.joined.join(one, other, false);
+                    self.own_places([one, other]);
+                }
+                None => self.doubtful.push([one, other]),
+            },
+            Meeting::Undecided { touch } => {
+                self.tell("undecided-interference", Severity::Warning, [other, one], touch, None);
+            }
+        }
+    }
+
+    /// Two parts that have a place in common.
+    fn meet(&mut self, [part, other]: [usize; 2], is_one_object: bool, at: DVec3, depth: f64) {
+        if is_one_object {
+            self.joined.join(part, other, false);
+        } else {
+            self.tell("interference", Severity::Error, [part, other], Some(at), Some(depth));
+        }
+    }
+
+    /// Whether each of two parts that meet has a place of its own.
+    fn own_places(&mut self, both: [usize; 2]) {
+        for [part, other] in [both, [both[1], both[0]]] {
+            let (space, outer) = (&self.scenery.parts[part], &self.scenery.parts[other]);
+            if outer.is_solid && space.own_place(outer, self.slack, &mut self.budget).is_none() {
+                self.tell("undecided-within", Severity::Warning, [part, other], None, None);
+            }
+        }
+    }
+
+    /// Whether the parts of every object hang together.
+    fn objects(&mut self) {
+        let mut objects: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        for (index, part) in self.parts.iter().enumerate() {
+            objects.entry(part.object).or_default().push(index);
+        }
+        for parts in objects.into_values() {
+            let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+            for part in &parts {
+                groups.entry(self.joined.find(*part).0).or_default().push(*part);
+            }
+            let groups: Vec<Vec<usize>> = groups.into_values().collect();
+            // The largest, and of those as large the first, is what the others are loose from.
+            let main = (0..groups.len()).rev().max_by_key(|index| groups[*index].len());
+            for group in groups.iter().enumerate().filter(|(index, _)| Some(*index) != main).map(|(_, group)| group) {
+                let is_in = |part: &usize| group.contains(part);
+                let doubt = self.doubtful.iter().find(|pair| is_in(&pair[0]) != is_in(&pair[1])).copied();
+                match doubt {
+                    Some([one, other]) => {
+                        let both = if is_in(&one) { [one, other] } else { [other, one] };
+                        self.tell("undecided-connection", Severity::Warning, both, None, None);
+                    }
+                    None => self.loose(group, &parts),
+                }
+            }
+        }
+    }
+
+    /// Tells of a group of parts that touches none of the others of its object.
+    fn loose(&mut self, group: &[usize], parts: &[usize]) {
+        let mut nearest: Option<(f64, usize, usize)> = None;
+        for part in group {
+            for other in parts.iter().filter(|other| !group.contains(other)) {
+                let apart = self.space(*part).bounds.distance(&self.space(*other).bounds);
+                if nearest.is_none_or(|(least, ..)| apart < least) {
+                    nearest = Some((apart, *part, *other));
+                }
+            }
+        }
+        let Some((_, part, other)) = nearest else { return };
+        let scenery = self.scenery;
+        let (one, another) = (&scenery.parts[part], &scenery.parts[other]);
+        let least = match one.meeting(another, self.slack, true, &mut self.budget) {
+            Meeting::Apart { least } => Some(least),
+            _ => None,
+        };
+        let at = one.nearest(another.bounds.middle()).position;
+        self.tell("not-connected", Severity::Error, [part, other], Some(at), least);
+    }
+
+    fn tell(&mut self, code: &'static str, severity: Severity, both: [usize; 2], at: Option<DVec3>, by: Option<f64>) {
+        if self.told.len() >= MOST_TOLD {
+            self.n_left_out += 1;
+            return;
+        }
+        let [part, other] = both;
+        let names = both.map(|part| self.name(part));
+        let message = sentence(code, &names, at, by);
+        let args = Args::from([("part", names[0].as_str().into()), ("other", names[1].as_str().into())]);
+        let is_proved = both.iter().all(|part| self.space(*part).is_proved());
+        let at = at.map(|at| at.to_array());
+        self.told.push(Breach { code, severity, part, other, message, args, at, distance: by, is_proved });
+    }
+}
+
+fn sentence(code: &str, [part, other]: &[String; 2], at: Option<DVec3>, by: Option<f64>) -> String {
+    let place = at.map_or_else(String::new, |at| format!(" at {}", crate::solid::place(at)));
+    let by = by.map_or_else(String::new, |by| format!(" by {} at least", crate::solid::short(by)));
+    match code {
+        "interference" => format!(
+            "{part} runs into {other}{place}, beneath the surface{by}: expected separate objects to share no point"
+        ),
+        "same-place" => format!("{part} is the same body in the same place as {other}"),
+        "within" => {
+            format!("all of {part} is inside {other}{place}{by}: expected every part to have a place of its own")
+        }
+        "not-connected" => format!(
+            "{part} touches no other part of its object; the nearest, {other}, is away{by}{place}: expected the parts of an object to be connected"
+        ),
+        "contact" => format!("{part} touches {other}{place}"),
+        "undecided-within" => format!(
+            "whether all of {part} is inside {other} could not be told: every place of it that was looked at is"
+        ),
+        "undecided-connection" => {
+            format!("whether {part} touches {other}, to which it is to be connected, could not be told")
+        }
+        _ => format!("whether {part} runs into {other} could not be told{place}"),
+    }
+}

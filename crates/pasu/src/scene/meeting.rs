@@ -1,0 +1,394 @@
+//! How two parts meet: apart, touching, one through the other, or one within the other.
+//!
+//! Tiles of one are held against tiles of the other, the pair that may be nearest first. A pair is no nearer than its triangles are, less what the border is from them; where the nearest is further than the slack, all of both are. Meanwhile places
+//! of either surface are asked how deep they are in the other.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use glam::DVec3;
+
+use super::boxes::Within;
+use super::space::{Space, TILE};
+use super::tile::Tile;
+use crate::watch;
+
+/// The most pairs of tiles that are held against each other for two parts.
+const MOST_PAIRS: u64 = 5000;
+
+/// The most places that are asked for how deep they are.
+const MOST_ASKED: usize = 64;
+
+/// What such a question counts for, in pairs of tiles.
+const ASKED: u64 = 8;
+
+/// The most places that are asked for one outside of the other part.
+const MOST_OUTSIDE: usize = 64;
+
+/// The most boxes and tiles that are looked at for how far a part reaches in one direction.
+const MOST_REACHING: usize = 4000;
+
+/// Directions between the normals of two surfaces that touch, of which one may be that of the plane between them.
+const BETWEEN: u8 = 8;
+
+/// What is left to be done for a scene, in pairs of tiles.
+pub(super) struct Budget(pub(super) u64);
+
+impl Budget {
+    fn take(&mut self, units: u64) -> bool {
+        watch::work(TILE * units);
+        let is_there = self.0 >= units && !watch::is_stopped();
+        self.0 = self.0.saturating_sub(units);
+        is_there
+    }
+}
+
+/// How two parts meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Meeting {
+    /// They are further from each other than the slack: by this at least.
+    Apart { least: f64 },
+    /// They come as near as the slack there, and a plane is between them that neither passes by more.
+    Contact { at: DVec3 },
+    /// This place belongs to one and is so deep in the other at least, which is more than the slack; for each whether a place of its own was found.
+    Through { at: DVec3, depth: f64, is_own: [bool; 2] },
+    /// The borders are apart, and all of the first is in the second, or the other way round; this deep at least.
+    Inside { is_first: bool, at: DVec3, depth: f64 },
+    /// None of it could be told; `touch` is where they come as near as the slack, if that is known.
+    Undecided { touch: Option<DVec3> },
+}
+
+/// Two things that are to be held against each other.
+struct Open {
+    least: f64,
+    rank: f64,
+    of: [Item; 2],
+}
+
+#[derive(Clone)]
+enum Item {
+    Node(u32),
+    Tile(Box<Tile>),
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Open {}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Open {
+    /// The nearest first, and of those that are as near the one that comes first.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.least.total_cmp(&self.least).then(self.rank.total_cmp(&other.rank))
+    }
+}
+
+/// What is being found of two parts.
+struct Pair<'a> {
+    parts: [&'a Space; 2],
+    slack: f64,
+    /// Whether one place where they touch is all that is sought: then the smallest of those that are as near are looked at first, and else the largest, so that all of where they touch is seen before any of it closely.
+    is_touch_enough: bool,
+    n_asked: usize,
+    /// Where they come as near as the slack.
+    touch: Option<DVec3>,
+    n_touches: usize,
+}
+
+impl Space {
+    /// How this part meets another. Of parts that are to be connected it is enough to know where they touch.
+    pub(super) fn meeting(&self, other: &Space, slack: f64, is_touch_enough: bool, budget: &mut Budget) -> Meeting {
+        let apart = self.bounds.distance(&other.bounds);
+        if apart > slack {
+            return Meeting::Apart { least: apart };
+        }
+        if !budget.take(2 * ASKED) {
+            return Meeting::Undecided { touch: None };
+        }
+        let mut pair = Pair { parts: [self, other], slack, is_touch_enough, n_asked: 0, touch: None, n_touches: 0 };
+        let cores = [(self, other), (other, self)].into_iter().find_map(|(one, outer)| {
+            let at = one.core()?;
+            Some((at, outer.depth_beyond(at, slack)?))
+        });
+        match cores {
+            Some(known) => match pair.through(known, budget) {
+                all @ Meeting::Through { is_own: [true, true], .. } => all,
+                // It may be all of one.
+                some => pair.borders(Some(some), budget),
+            },
+            None => pair.borders(None, budget),
+        }
+    }
+
+    /// How deep a point is beneath the surface at least, if it is in the part and deeper than this.
+    fn depth_beyond(&self, at: DVec3, slack: f64) -> Option<f64> {
+        if !self.is_solid || !self.bounds.holds(at) || self.holds(at) != Some(true) {
+            return None;
+        }
+        Some(self.nearest_within(at, slack).least).filter(|depth| *depth > slack)
+    }
+
+    /// A place of the surface that is further from another part than the slack; `None` where none was found.
+    pub(super) fn own_place(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<DVec3> {
+        let tiles = &self.tiles().all;
+        let corners = || tiles.iter().flat_map(|tile| tile.corners);
+        let wide = other.bounds.wider(slack);
+        if let Some(at) = corners().find(|corner| !wide.holds(*corner)) {
+            return Some(at);
+        }
+        if !other.is_solid {
+            return corners().next();
+        }
+        let step = (4 * tiles.len()).div_ceil(MOST_OUTSIDE).max(1);
+        corners().step_by(step).find(|corner| {
+            budget.take(ASKED)
+                && other.holds(*corner) == Some(false)
+                && other.nearest_within(*corner, slack).least > slack
+        })
+    }
+
+    /// The unit normal in the middle of a tile.
+    fn normal_of(&self, tile: &Tile) -> DVec3 {
+        let [u, v] = tile.middle();
+        self.borders[tile.border].normal(u, v)
+    }
+
+    /// How far the part reaches in a direction at most, to within `enough`.
+    fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> f64 {
+        let tiles = self.tiles();
+        let of_tile = |tile: &Tile| tile.corners.map(|at| at.dot(direction)).into_iter().fold(f64::MIN, f64::max);
+        let of_node = |node: u32| {
+            let bounds = tiles.boxes.bounds(node);
+            let farthest = DVec3::select(direction.cmpge(DVec3::ZERO), bounds.high, bounds.low);
+            farthest.dot(direction)
+        };
+        let mut open = BinaryHeap::new();
+        let push = |open: &mut BinaryHeap<Open>, most: f64, item: Item| {
+            // The furthest first.
+            open.push(Open { least: -most, rank: 0.0, of: [item.clone(), item] });
+        };
+        if let Some(root) = tiles.boxes.root() {
+            push(&mut open, of_node(root), Item::Node(root));
+        }
+        let mut reached = f64::NEG_INFINITY;
+        for _ in 0..MOST_REACHING {
+            let Some(Open { least, of: [item, _], .. }) = open.pop() else { break };
+            let most = -least;
+            if most <= reached + enough || !budget.take(1) {
+                return most;
+            }
+            let mut look = |tile: Tile| {
+                let corner = of_tile(&tile);
+                reached = reached.max(corner);
+                push(&mut open, (corner + tile.deviation).min(most), Item::Tile(Box::new(tile)));
+            };
+            match item {
+                Item::Node(node) => match tiles.boxes.within(node) {
+                    Within::Thing(tile) => look(tiles.all[tile]),
+                    Within::Halves(halves) => {
+                        halves.into_iter().for_each(|half| push(&mut open, of_node(half).min(most), Item::Node(half)));
+                    }
+                },
+                Item::Tile(tile) => match tile.halves(&self.borders) {
+                    Some(halves) => halves.into_iter().for_each(look),
+                    None => return most,
+                },
+            }
+        }
+        open.peek().map_or(reached, |open| -open.least)
+    }
+}
+
+impl Pair<'_> {
+    /// Holds the borders against each other; `known` is what is known beforehand, but for whether one part is wholly within the other.
+    fn borders(&mut self, known: Option<Meeting>, budget: &mut Budget) -> Meeting {
+        let undecided = |pair: &Self| known.unwrap_or(Meeting::Undecided { touch: pair.touch });
+        let mut n_left = MOST_PAIRS;
+        let mut open = BinaryHeap::new();
+        if let [Some(one), Some(other)] = self.parts.map(|part| part.tiles().boxes.root()) {
+            open.push(self.open([Item::Node(one), Item::Node(other)], 0.0));
+        }
+        let mut least = f64::INFINITY;
+        // Whether there are tiles that come as near as the slack, or nearer than can be told.
+        let mut is_near = false;
+        while let Some(pair) = open.pop() {
+            if pair.least > self.slack {
+                least = pair.least;
+                break;
+            }
+            if n_left == 0 || !budget.take(1) {
+                return undecided(self);
+            }
+            n_left -= 1;
+            if let [Item::Tile(one), Item::Tile(other)] = &pair.of {
+                let tiles = [**one, **other];
+                if self.is_touch(&tiles) {
+                    is_near = true;
+                    if self.is_touch_enough || known.is_some() {
+                        return undecided(self);
+                    }
+                    if self.n_touches.is_power_of_two()
+                        && let Some(contact) = self.contact(&tiles, budget)
+                    {
+                        return contact;
+                    }
+                }
+                if known.is_none()
+                    && let Some(deep) = self.asked(&tiles, budget)
+                {
+                    return self.through(deep, budget);
+                }
+                if tiles.iter().all(|tile| tile.size() <= 0.25 * self.slack) {
+                    is_near = true;
+                    continue;
+                }
+            }
+            self.halve(pair, &mut open);
+        }
+        if is_near { undecided(self) } else { self.apart(least, known) }
+    }
+
+    /// Of parts of which a place of one is deep in the other.
+    fn through(&self, (at, depth): (DVec3, f64), budget: &mut Budget) -> Meeting {
+        let [one, other] = self.parts;
+        let is_own = [(one, other), (other, one)].map(|(part, of)| part.own_place(of, self.slack, budget).is_some());
+        Meeting::Through { at, depth, is_own }
+    }
+
+    /// What is to be said of borders that are so far from each other at least.
+    fn apart(&self, least: f64, known: Option<Meeting>) -> Meeting {
+        let [one, other] = self.parts;
+        for (is_first, inner, outer) in [(true, one, other), (false, other, one)] {
+            let Some(at) = inner.tiles().all.first().map(|tile| tile.corners[0]) else { continue };
+            match outer.holds(at) {
+                Some(true) => return Meeting::Inside { is_first, at, depth: least },
+                Some(false) => {}
+                None => return known.unwrap_or(Meeting::Undecided { touch: None }),
+            }
+        }
+        known.unwrap_or(Meeting::Apart { least })
+    }
+
+    fn open(&self, of: [Item; 2], least: f64) -> Open {
+        let bounds = |part: usize| match &of[part] {
+            Item::Node(node) => self.parts[part].tiles().boxes.bounds(*node),
+            Item::Tile(tile) => tile.bounds(),
+        };
+        let [one, other] = [bounds(0), bounds(1)];
+        let apart = match &of {
+            [Item::Tile(one), Item::Tile(other)] => {
+                let [p, q] = nearest(one, other);
+                (p - q).length() - one.deviation - other.deviation
+            }
+            _ => one.distance(&other),
+        };
+        let size = one.size().max(other.size());
+        Open { least: apart.max(least), rank: if self.is_touch_enough { -size } else { size }, of }
+    }
+
+    /// Takes apart the larger of two things.
+    fn halve(&self, pair: Open, open: &mut BinaryHeap<Open>) {
+        let size = |part: usize| match &pair.of[part] {
+            Item::Node(node) => self.parts[part].tiles().boxes.bounds(*node).size(),
+            Item::Tile(tile) => tile.size(),
+        };
+        let first = usize::from(size(1) > size(0));
+        for part in [first, 1 - first] {
+            let space = self.parts[part];
+            let halves: Vec<Item> = match &pair.of[part] {
+                Item::Node(node) => match space.tiles().boxes.within(*node) {
+                    Within::Thing(tile) => vec![Item::Tile(Box::new(space.tiles().all[tile]))],
+                    Within::Halves(halves) => halves.into_iter().map(Item::Node).collect(),
+                },
+                Item::Tile(tile) => match tile.halves(&space.borders) {
+                    Some(halves) => halves.into_iter().map(|half| Item::Tile(Box::new(half))).collect(),
+                    None => continue,
+                },
+            };
+            for half in halves {
+                let mut of = pair.of.clone();
+                of[part] = half;
+                let next = self.open(of, pair.least);
+                open.push(next);
+            }
+            return;
+        }
+    }
+
+    /// A place of one of two tiles that is deep in the other part: those are asked that lie beneath the tangent plane in the middle of the other tile.
+    fn asked(&mut self, tiles: &[Tile; 2], budget: &mut Budget) -> Option<(DVec3, f64)> {
+        for (part, tile) in tiles.iter().enumerate() {
+            let (outer, beyond) = (self.parts[1 - part], &tiles[1 - part]);
+            if !outer.is_solid {
+                continue;
+            }
+            let foot = beyond.middle_jet(&outer.borders).position;
+            let normal = outer.normal_of(beyond);
+            let middle = tile.middle_jet(&self.parts[part].borders).position;
+            for at in core::iter::once(middle).chain(tile.corners) {
+                let is_beneath = (at - foot).dot(normal) < -self.slack;
+                if self.n_asked >= MOST_ASKED || !is_beneath || !outer.bounds.holds(at) {
+                    continue;
+                }
+                if !budget.take(ASKED) {
+                    return None;
+                }
+                self.n_asked += 1;
+                if let Some(depth) = outer.depth_beyond(at, self.slack) {
+                    return Some((at, depth));
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether the borders of two tiles are known to come as near to each other as the slack.
+    fn is_touch(&mut self, tiles: &[Tile; 2]) -> bool {
+        let [p, q] = nearest(&tiles[0], &tiles[1]);
+        let is_touch = (p - q).length() + tiles[0].deviation + tiles[1].deviation <= self.slack;
+        if is_touch {
+            self.n_touches += 1;
+            self.touch.get_or_insert(0.5 * p + 0.5 * q);
+        }
+        is_touch
+    }
+
+    /// Of parts that touch at two tiles: contact, if a plane is between them.
+    fn contact(&self, tiles: &[Tile; 2], budget: &mut Budget) -> Option<Meeting> {
+        let [one, other] = self.parts;
+        let normals = [0, 1].map(|part| self.parts[part].normal_of(&tiles[part]));
+        (0..=BETWEEN).find_map(|k| {
+            let share = f64::from(k) / f64::from(BETWEEN);
+            let direction = (normals[0] * share - normals[1] * (1.0 - share)).normalize_or_zero();
+            if direction == DVec3::ZERO {
+                return None;
+            }
+            let enough = 0.125 * self.slack;
+            let reach = one.reach(direction, enough, budget) + other.reach(-direction, enough, budget);
+            (reach <= self.slack).then_some(Meeting::Contact { at: self.touch? })
+        })
+    }
+}
+
+/// The nearest points of the triangles of two tiles.
+fn nearest(one: &Tile, other: &Tile) -> [DVec3; 2] {
+    let mut best = [one.corners[0], other.corners[0]];
+    for p in one.triangles() {
+        for q in other.triangles() {
+            let next = p.between(&q);
+            if (next[0] - next[1]).length_squared() < (best[0] - best[1]).length_squared() {
+                best = next;
+            }
+        }
+    }
+    best
+}
