@@ -18,8 +18,8 @@ fields! {
     }
 }
 
-/// What rounding leaves of a shift, as a share of the numbers that it was made of.
-const NOISE: f64 = 2e-15;
+/// What rounding leaves of a shift, as a share of the largest number that it was made of: three products in each of two turns, some thirty roundings.
+const NOISE: f64 = 8e-15;
 
 impl Default for Motion {
     /// No motion at all.

@@ -292,7 +292,10 @@ proptest! {
                 prop_assert!(before[2].abs() < within + drift && after[2].abs() < within, "{index}: {before:?} {after:?}");
             } else {
                 prop_assert!((before[2] - after[2]).abs() < within + drift, "{index}: {before:?} {after:?}");
-                prop_assert!((before[1] - after[1]).abs() < 1e-8 * problem.scale() * crowding, "{index}: {before:?} {after:?}");
+                // A step beside the ring the slope has changed by the bending.
+                let bent = step * crowding * crowding * problem.scale();
+                let apart = (before[1] - after[1]).abs();
+                prop_assert!(apart < 1e-8 * problem.scale() * crowding + 10.0 * bent, "{index}: {before:?} {after:?}");
             }
         }
         for (u, is_free) in [(0.0, problem.free.start), (1.0, problem.free.end)] {

@@ -100,7 +100,7 @@ pub fn fit_scan(scan: &Scan, tolerance: f64) -> Result<Scanned> {
     let triangles = triangles(scan)?;
     let unable = || {
         let message = "too few levels of the scan are closed round an axis: expected a pot that stands upright";
-        Error::new(Code::UnsupportedShape, "positions", message).with("what", "no-pot")
+        Error::new(Code::UnsupportedShape, "positions", message)
     };
     let levels = levels(&triangles).ok_or_else(unable)?;
     let bridged = without_handle(&levels.sections);
