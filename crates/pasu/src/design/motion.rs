@@ -18,8 +18,11 @@ fields! {
     }
 }
 
-/// What rounding leaves of a shift, as a share of the largest number that it was made of: three products in each of two turns, some thirty roundings.
-const NOISE: f64 = 8e-15;
+/// What rounding leaves of a shift that is taken apart, as a share of the largest number that it was made of.
+const APART: f64 = 2e-15;
+
+/// The same of one that is put together: there is the rounding of both turns, and that by which the shift was freed of noise when it was taken apart.
+const TOGETHER: f64 = 1.6e-14;
 
 impl Default for Motion {
     /// No motion at all.
@@ -48,7 +51,7 @@ impl Motion {
             (Some(own), None) => ((self.axis, self.angle), own.applied(inner.shift)),
             (Some(own), Some(other)) => (own.after(&other).told(), own.applied(inner.shift)),
         };
-        self.moving(turn, self.shift, moved, &inner.shift)
+        self.moving(turn, [self.shift, moved], &inner.shift, TOGETHER)
     }
 
     /// This motion, seen from where another leads to: what has to come before that to make this one.
@@ -59,13 +62,13 @@ impl Motion {
             (Some(back), None) => (back.told(), back.applied(away)),
             (Some(back), Some(own)) => (back.after(&own).told(), back.applied(away)),
         };
-        self.moving(turn, [0.0; 3], moved, &frame.shift)
+        self.moving(turn, [[0.0; 3], moved], &frame.shift, APART)
     }
 
     /// The sum of two shifts, as exact as the numbers are that they were made of, after a turn.
-    fn moving(&self, (axis, angle): ([f64; 3], f64), one: [f64; 3], other: [f64; 3], of: &[f64; 3]) -> Motion {
+    fn moving(&self, (axis, angle): ([f64; 3], f64), [one, other]: [[f64; 3]; 2], of: &[f64; 3], noise: f64) -> Motion {
         let largest = self.shift.iter().chain(of).fold(0.0f64, |largest, c| largest.max(c.abs()));
-        Motion { axis, angle, shift: [0, 1, 2].map(|i| cleared(one[i] + other[i], NOISE * largest)) }
+        Motion { axis, angle, shift: [0, 1, 2].map(|i| cleared(one[i] + other[i], noise * largest)) }
     }
 }
 
@@ -121,6 +124,12 @@ mod tests {
         assert!(written.around(&written).shift[0].is_finite());
     }
 
+    /// To the last of twelve digits, which may fall to either side where there is a tie; what is 0 is 0.
+    fn same(one: &[f64], other: &[f64]) -> bool {
+        let near = |a: f64, b: f64| (a == 0.0) == (b == 0.0) && (a - b).abs() <= 1.1e-11 * a.abs().max(0.1);
+        one.iter().zip(other).all(|(a, b)| near(*a, *b))
+    }
+
     fn number() -> impl Strategy<Value = f64> {
         prop_oneof![
             3 => (-40_000i32..40_000).prop_map(|x| f64::from(x) / 1e4),
@@ -155,11 +164,11 @@ mod tests {
             // A small turn has an axis of few digits.
             let canonical = Motion::of(&again.placing([1.0; 3]).canonical().unwrap());
             if given.angle == 0.0 || given.angle.abs() > 0.02 {
-                prop_assert_eq!((canonical.axis, canonical.angle), (given.axis, given.angle), "{:?}", frame);
+                prop_assert!(same(&canonical.axis, &given.axis) && same(&[canonical.angle], &[given.angle]), "{:?} {:?} {:?}", frame, canonical, given);
             }
             let is_small = |c: &f64| c.abs() > 0.0 && c.abs() < 0.1;
             if !given.shift.iter().any(is_small) {
-                prop_assert_eq!(canonical.shift, given.shift, "{:?}", frame);
+                prop_assert!(same(&canonical.shift, &given.shift), "{:?} {:?} {:?}", frame, canonical, given);
             }
         }
     }

@@ -341,6 +341,23 @@ fn a_scan_becomes_rings_where_it_stands() {
     assert!(self::pot(&found.design).rings.len() <= 14, "{}", self::pot(&found.design).rings.len());
 }
 
+/// As many columns as directions are looked at in: corners lie in these, to rounding.
+#[test]
+fn a_scan_whose_corners_lie_in_the_directions_is_seen_all_round() {
+    let shape = r#"{ "kind": "rings", "rings": [
+        { "u": 0, "r": { "mean": 3, "waves": [{ "n": 6, "cos": 0.2 }] }, "z": { "mean": 0 } },
+        { "u": 1, "r": { "mean": 4 }, "z": { "mean": 8 } }] }"#;
+    for shift in ["[0, 0, 0]", "[5, 0, 1]", "[-37.1, 12.3, 100]"] {
+        let text = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "place": {{ "shift": {shift} }} }}] }}"#);
+        let options = MeshOptions { rows: Some(120), columns: Some(181), ..MeshOptions::default() };
+        let found = mesh(&Design::parse(&text).unwrap(), &options).unwrap();
+        let mut scan = Scan::new(found.positions);
+        scan.indices = Some(found.indices);
+        let scanned = fit_scan(&scan, 0.05).unwrap_or_else(|error| panic!("{shift}: {error}"));
+        assert!(scanned.distance <= 0.05, "{shift}: {}", scanned.distance);
+    }
+}
+
 #[test]
 fn what_a_ring_cannot_say_of_a_scan_is_told() {
     let pot = Design::parse("#1/fourth-order?r0=2&r1=2&rm=3&h1=6").unwrap();

@@ -123,6 +123,9 @@ const EDGES = [
   [2, 0],
 ] as const;
 
+/** A piece is seen beside its ends too, over this part of the gap to the next direction: two that meet in a direction would both be beside it by rounding. */
+const BESIDE = 0.01;
+
 /** Marks the directions that a straight piece is seen in. */
 function mark(section: Float64Array, [x0, y0, x1, y1]: readonly [number, number, number, number]): void {
   const step = (2 * Math.PI) / DIRECTIONS;
@@ -130,7 +133,7 @@ function mark(section: Float64Array, [x0, y0, x1, y1]: readonly [number, number,
   // The short way round.
   const turn = Math.atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1);
   const [low, high] = turn < 0 ? [begin + turn, begin] : [begin, begin + turn];
-  for (let k = Math.ceil(low / step); k * step <= high; k += 1) {
+  for (let k = Math.ceil(low / step - BESIDE); k <= high / step + BESIDE; k += 1) {
     const [dx, dy] = [Math.cos(k * step), Math.sin(k * step)];
     const cross = dx * (y1 - y0) - dy * (x1 - x0);
     if (cross === 0) continue;

@@ -100,12 +100,16 @@ fn cut(triangles: &[[DVec3; 3]], axis: DVec2, bottom: f64, heights: &[f64]) -> V
     sections
 }
 
+/// A piece is seen beside its ends too, over this part of the gap to the next direction: two that meet in a direction would both be beside it by rounding.
+const BESIDE: f64 = 0.01;
+
 /// Marks the directions in which a straight piece is seen from the axis, the short way round.
 fn mark(section: &mut [f64], from: DVec2, to: DVec2) {
     let step = TAU / DIRECTIONS as f64;
     let begin = libm::atan2(from.y, from.x);
     let turn = libm::atan2(from.perp_dot(to), from.dot(to));
     let (low, high) = if turn < 0.0 { (begin + turn, begin) } else { (begin, begin + turn) };
+    let (low, high) = (low - BESIDE * step, high + BESIDE * step);
     let first = libm::ceil(low / step);
     for k in (0..=DIRECTIONS).map(|k| first + k as f64).take_while(|k| k * step <= high) {
         let direction = DVec2::new(libm::cos(k * step), libm::sin(k * step));
