@@ -257,7 +257,7 @@ mod tests {
             let (i, j) = (2 * (k / n), 2 * (k % n));
             let round = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
             let frame = round.map(|(a, b)| number(i + a, j + b));
-            let force = if k % 3 == 0 { r#"{"f0":[0,1,2],"u":[0.2,0.9],"falloff":"smooth"}"# } else { "" };
+            let force = if k.is_multiple_of(3) { r#"{"f0":[0,1,2],"u":[0.2,0.9],"falloff":"smooth"}"# } else { "" };
             format!(r#"{{"frame":{frame:?},"a1":[1,2,{}],"forces":[{force}]}}"#, 1 + k % 4)
         };
         let patches: Vec<String> = (0..m * n).map(patch).collect();
