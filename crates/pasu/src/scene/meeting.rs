@@ -19,8 +19,11 @@ const MOST_PAIRS: u64 = 5000;
 /// The most places that are asked for how deep they are.
 const MOST_ASKED: usize = 64;
 
-/// What such a question counts for, in pairs of tiles.
+/// What such a question counts for at least, in pairs of tiles,
 const ASKED: u64 = 8;
+
+/// and for each tile that is looked at to answer it: a place is brought nearer on it, step by step.
+const LOOKED_AT: u64 = 8;
 
 /// The most places that are asked for one outside of the other part.
 const MOST_OUTSIDE: usize = 64;
@@ -117,7 +120,7 @@ impl Space {
         let mut pair = Pair { parts: [self, other], slack, is_touch_enough, n_asked: 0, touch: None, n_touches: 0 };
         let cores = [(self, other), (other, self)].into_iter().find_map(|(one, outer)| {
             let at = one.core()?;
-            Some((at, outer.depth_beyond(at, slack)?))
+            Some((at, outer.depth_beyond(at, slack, budget)?))
         });
         match cores {
             Some(known) => match pair.through(known, budget) {
@@ -130,11 +133,18 @@ impl Space {
     }
 
     /// How deep a point is beneath the surface at least, if it is in the part and deeper than this.
-    fn depth_beyond(&self, at: DVec3, slack: f64) -> Option<f64> {
+    fn depth_beyond(&self, at: DVec3, slack: f64, budget: &mut Budget) -> Option<f64> {
         if !self.is_solid || !self.bounds.holds(at) || self.holds(at) != Some(true) {
             return None;
         }
-        Some(self.nearest_within(at, slack).least).filter(|depth| *depth > slack)
+        Some(self.away(at, slack, budget)).filter(|depth| *depth > slack)
+    }
+
+    /// How far the surface is from a point at least, as far as it has to be known whether that is more than the slack.
+    fn away(&self, at: DVec3, slack: f64, budget: &mut Budget) -> f64 {
+        let nearest = self.nearest_within(at, slack);
+        budget.take(LOOKED_AT * nearest.n_looked_at);
+        nearest.least
     }
 
     /// A place of the surface that is further from another part than the slack; `None` where none was found.
@@ -150,9 +160,7 @@ impl Space {
         }
         let step = (4 * tiles.len()).div_ceil(MOST_OUTSIDE).max(1);
         corners().step_by(step).find(|corner| {
-            budget.take(ASKED)
-                && other.holds(*corner) == Some(false)
-                && other.nearest_within(*corner, slack).least > slack
+            budget.take(ASKED) && other.holds(*corner) == Some(false) && other.away(*corner, slack, budget) > slack
         })
     }
 
@@ -343,7 +351,7 @@ impl Pair<'_> {
                     return None;
                 }
                 self.n_asked += 1;
-                if let Some(depth) = outer.depth_beyond(at, self.slack) {
+                if let Some(depth) = outer.depth_beyond(at, self.slack, budget) {
                     return Some((at, depth));
                 }
             }

@@ -29,6 +29,8 @@ pub(super) struct Nearest {
     pub(super) distance: f64,
     /// No place is nearer than this.
     pub(super) least: f64,
+    /// How many tiles were looked at for it.
+    pub(super) n_looked_at: u64,
 }
 
 /// What is still to be looked at, the nearest first.
@@ -71,8 +73,15 @@ impl Space {
     /// The same; a place that is known to be further than `enough` at least, or no further at most, is near enough.
     pub(super) fn nearest_within(&self, point: DVec3, enough: f64) -> Nearest {
         let tiles = self.tiles();
-        let mut best =
-            Nearest { border: 0, u: 0.0, v: 0.0, position: DVec3::ZERO, distance: f64::INFINITY, least: 0.0 };
+        let mut best = Nearest {
+            border: 0,
+            u: 0.0,
+            v: 0.0,
+            position: DVec3::ZERO,
+            distance: f64::INFINITY,
+            least: 0.0,
+            n_looked_at: 0,
+        };
         let mut open = BinaryHeap::new();
         open.extend(tiles.boxes.root().map(|root| Open { least: 0.0, what: What::Node(root) }));
         let mut n_left = MOST;
@@ -83,14 +92,14 @@ impl Space {
                 return best;
             }
             let mut look = |tile: Tile| {
+                best.n_looked_at += 1;
                 let least = tile.distance_to(point).max(least);
                 if least < best.distance {
                     let [u, v] = tile.middle();
                     let (at, position) = self.nearer(&tile, DVec2::new(u, v), point);
                     let distance = (position - point).length();
                     if distance < best.distance {
-                        let least = best.least;
-                        best = Nearest { border: tile.border, u: at.x, v: at.y, position, distance, least };
+                        best = Nearest { border: tile.border, u: at.x, v: at.y, position, distance, ..best };
                     }
                     open.push(Open { least, what: What::Tile(Box::new(tile)) });
                 }
