@@ -1,6 +1,16 @@
 // The interface of the package. The types of the design document are in design.d.ts, those of measures and reports in answers.d.ts.
 
-import type { Connectivity, Constraints, Difference, Hit, Measures, Pulled, Report, Ringed, Scanned } from "./answers.js";
+import type {
+  Connectivity,
+  Constraints,
+  Difference,
+  Hit,
+  Measures,
+  Pulled,
+  Report,
+  Ringed,
+  Scanned,
+} from "./answers.js";
 import type { Conversion, Design, Handles, Shape, Tree, VaseOrder } from "./design.js";
 
 export type * from "./answers.js";
