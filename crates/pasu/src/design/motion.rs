@@ -126,7 +126,10 @@ mod tests {
 
     /// To the last of twelve digits, which may fall to either side where there is a tie; what is 0 is 0.
     fn same(one: &[f64], other: &[f64]) -> bool {
-        let near = |a: f64, b: f64| (a == 0.0) == (b == 0.0) && (a - b).abs() <= 1.1e-11 * a.abs().max(0.1);
+        // One of the last digit, and no more.
+        let unit = |a: f64| libm::exp10(libm::floor(libm::log10(a.abs())) - 11.0);
+        let near =
+            |a: f64, b: f64| a == b || (a != 0.0 && b != 0.0 && (a - b).abs() <= 1.01 * unit(a.abs().max(b.abs())));
         one.iter().zip(other).all(|(a, b)| near(*a, *b))
     }
 
