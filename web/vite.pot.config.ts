@@ -13,7 +13,11 @@ export default defineConfig({
   publicDir: false,
   clearScreen: false,
   resolve: { alias: aliases },
-  worker: workers,
+  // In one file each: a bundler that takes the package copies a worker's file and knows nothing of what that imports.
+  worker: {
+    ...workers,
+    rolldownOptions: { output: { ...workers.rolldownOptions.output, codeSplitting: false } },
+  },
   build: {
     target: "es2022",
     outDir: POT_PACKAGE,

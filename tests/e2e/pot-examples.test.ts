@@ -56,6 +56,30 @@ for (const [name, path] of [
   });
 }
 
+test("through a bundler a pot shows what takes the whole module, too", async () => {
+  const { page } = await here.open("react/index.html");
+  await page.waitForFunction(() => document.querySelector("pasu-pot")?.loaded);
+  const section = (radius: number, z: number) =>
+    ({ form: "rectangle", radius: [radius, radius], z, taper: 0, dz: 6 }) as const;
+  const shape = { kind: "blend", start: section(2, 0), end: section(3, 6) };
+  for (const part of [
+    { shape },
+    { shape: { kind: "second-order", r: [1, 0.1, 0.6, 0.06], height: 2 }, wall: { thickness: 0.05, base: 0.05 } },
+  ]) {
+    await page.evaluate(async (part) => {
+      const pot = document.querySelector("pasu-pot");
+      if (!pot) throw new Error("there is no pot");
+      const ended = new Promise<void>((resolve, reject) => {
+        pot.addEventListener("load", () => resolve(), { once: true });
+        pot.addEventListener("error", ({ detail }) => reject(new Error(detail.message)), { once: true });
+      });
+      pot.design = { pasu: 1, parts: [part] } as never;
+      await ended;
+    }, part);
+    expect(sight(await page.locator("pasu-pot").screenshot()).tones).toBeGreaterThan(100);
+  }
+});
+
 test("on a slide a pot is there when its turn comes, and the keys are the slides' until it has the focus", async () => {
   const guest = await here.open("slides.html");
   const { page } = guest;

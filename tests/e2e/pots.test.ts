@@ -42,15 +42,22 @@ test("nothing is fetched or made before a pot comes near the screen", async () =
 });
 
 test("sixty pots share one context and one worker, and those on the screen come first", async ({ annotate }) => {
-  const guest = await here.open({ html: `${HEAD}${pots(MANY).join("")}` });
+  // Events of this name do not reach the window.
+  const listening = `<script>document.addEventListener("load", ({ target }) => (window.order ??= []).push(target), true)</script>`;
+  const guest = await here.open({ html: `${HEAD}${listening}${pots(MANY).join("")}` });
   const times = await guest.page.evaluate(async () => {
     const all = [...document.querySelectorAll("pasu-pot")];
     const seen = all.filter((pot) => pot.getBoundingClientRect().top < innerHeight);
     while (!seen.every((pot) => pot.loaded)) await new Promise((resolve) => requestAnimationFrame(resolve));
-    return { visible: seen.length, ms: Math.round(performance.now()) };
+    const ms = Math.round(performance.now());
+    const order = (window as unknown as { readonly order: readonly Element[] }).order.filter(
+      (each) => each.localName === "pasu-pot",
+    );
+    return { visible: seen.length, first: seen.filter((pot) => order.indexOf(pot) < seen.length).length, ms };
   });
   await annotate(`${times.visible} visible pots of ${MANY} after ${times.ms} ms`);
   expect(times.visible).toBeGreaterThanOrEqual(12);
+  expect(times.first).toBe(times.visible);
   const first = await counted(guest);
   expect(first).toMatchObject({ contexts: 1, workers: 1 });
   // Those far below wait.

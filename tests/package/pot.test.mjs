@@ -5,6 +5,7 @@ import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { before, test } from "node:test";
+import { gzipSync } from "node:zlib";
 import { inFreshProject, ROOT } from "./install.mjs";
 
 const WEB = join(ROOT, "web");
@@ -36,7 +37,6 @@ test("the package of the element holds what it promises and nothing else", async
     ]);
     const assets = readdirSync(join(home, "assets")).map((file) => file.replace(/-[\w-]{8}\./, "."));
     assert.deepEqual(assets.sort(), [
-      "bindings.js",
       "define.js",
       "glaze.js",
       "ground.js",
@@ -63,6 +63,18 @@ test("the package of the element holds what it promises and nothing else", async
   });
 });
 
+test("what is fetched before a pot is near, and then, is no more than the documents say", () => {
+  const text = readFileSync(join(ROOT, "docs/embedding.md"), "utf8");
+  const [, own, then] = /own module \((\d+) kB gzip\) .*?\bthen, once, (\d+) kB/s.exec(text).map(Number);
+  const weight = (pattern) => {
+    const files = readdirSync(join(PACKAGE, "assets")).filter((file) => pattern.test(file));
+    return files.reduce((sum, file) => sum + gzipSync(readFileSync(join(PACKAGE, "assets", file))).length, 0) / 1000;
+  };
+  const [before, after] = [weight(/^define-/), weight(/^(stage|ground|glaze|solver|pasu_drawing_bg)-/)];
+  assert.ok(before > 10 && before <= own, `${before} kB`);
+  assert.ok(after > 100 && after <= then, `${after} kB`);
+});
+
 test("a bundler takes the element with its worker and its module", async () => {
   await inProject((project) => {
     writeFileSync(join(project, "index.html"), '<!doctype html><script type="module" src="./main.js"></script>');
@@ -73,12 +85,18 @@ test("a bundler takes the element with its worker and its module", async () => {
     execFileSync(process.execPath, [VITE, "build", "--target", "es2022", "--logLevel", "error"], { cwd: project });
     const files = readdirSync(join(project, "dist/assets"));
     const home = join(project, "node_modules/pasu-pot/assets");
-    for (const name of readdirSync(home).filter((file) => /^(solver|pasu_drawing_bg)-/.test(file))) {
+    const copied = readdirSync(home).filter((file) => /^(solver|maker)-|\.wasm$/.test(file));
+    assert.equal(copied.length, 5);
+    for (const name of copied) {
       const bytes = readFileSync(join(home, name));
       assert.ok(
         files.some((file) => readFileSync(join(project, "dist/assets", file)).equals(bytes)),
         `${name} is not among ${files}`,
       );
+    }
+    // Nobody copies what these would import.
+    for (const worker of copied.filter((file) => file.endsWith(".js"))) {
+      assert.doesNotMatch(readFileSync(join(home, worker), "utf8"), /\b(?:import\(?|from)\s*["'`]\./, worker);
     }
   });
 });

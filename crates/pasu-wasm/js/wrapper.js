@@ -119,10 +119,13 @@ export function entry(simd, scalar, whole = simd) {
     return loading;
   }
 
-  /** Loads what this entry leaves out, once, in place of its own module; what is not left out does the same until then. */
-  function widen() {
+  /**
+   * Loads what this entry leaves out, once, in place of its own module; what is not left out does the same until then. `source` says where it is,
+   * if not beside this file.
+   */
+  function widen(source) {
     if (wide === own) return init();
-    widening ??= instantiate(wide).catch((error) => {
+    widening ??= instantiate(wide, source).catch((error) => {
       widening = undefined;
       throw error;
     });

@@ -1,3 +1,8 @@
+import { Leisure } from "./leisure";
+
+/** Of all stages of a page. */
+const leisure = new Leisure();
+
 /**
  * Draws when something changed and only then: `invalidate` asks for one frame, `draw` says whether there is motion left,
  * and the loop stops itself when there is none.
@@ -7,7 +12,6 @@ export class Loop {
   private last: number | null = null;
   private paused = false;
   private wanted = false;
-  private timer: ReturnType<typeof setTimeout> | undefined;
   private waiting: (() => void)[] = [];
 
   /**
@@ -18,7 +22,7 @@ export class Loop {
 
   /** Whether a frame is still to come. */
   get pending(): boolean {
-    return this.wanted || this.timer !== undefined;
+    return this.wanted || leisure.has(this.ask);
   }
 
   invalidate(): void {
@@ -26,13 +30,9 @@ export class Loop {
     if (this.request === 0 && !this.paused) this.request = requestAnimationFrame(this.frame);
   }
 
-  /** Asks for one frame after a time without any; a call replaces the one before. */
+  /** Asks for one frame after a time without any, or when all other stages have had theirs; a call replaces the one before. */
   later(milliseconds: number): void {
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => {
-      this.timer = undefined;
-      this.invalidate();
-    }, milliseconds);
+    leisure.after(milliseconds, this.ask);
   }
 
   /** Holds frames back (a lost context, a stage without size); what was asked for is kept. */
@@ -57,11 +57,12 @@ export class Loop {
 
   dispose(): void {
     this.pause();
-    clearTimeout(this.timer);
-    this.timer = undefined;
+    leisure.forget(this.ask);
     this.wanted = false;
     this.release();
   }
+
+  private readonly ask = () => this.invalidate();
 
   private readonly frame = (now: number): void => {
     this.request = 0;

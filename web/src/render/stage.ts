@@ -133,6 +133,8 @@ export class Stage {
   private rate = 0;
   private gesturing = false;
   private movedAt = -Infinity;
+  /** Whether something has changed since the last frame, which may be long ago where many stages are drawn. */
+  private hurried = false;
   /** The pose last told to the page. */
   private told = "";
   private disposed = false;
@@ -556,6 +558,7 @@ export class Stage {
   /** Something is different: a quick frame now, a fine one when all is quiet. */
   private changed(): void {
     this.movedAt = performance.now();
+    this.hurried = true;
     this.loop.invalidate();
   }
 
@@ -636,7 +639,8 @@ export class Stage {
     if (this.spinning && !this.gesturing) this.camera.orbit(this.rate * Math.min(seconds, LONGEST_STEP), 0);
     const moving = this.camera.step(seconds) || this.spinning;
     const now = performance.now();
-    if (moving || this.gesturing) this.movedAt = now;
+    if (moving || this.gesturing || this.hurried) this.movedAt = now;
+    this.hurried = false;
     const busy = now - this.movedAt < REST_DELAY;
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
     this.prepare(this.camera, width / height);

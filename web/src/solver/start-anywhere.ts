@@ -5,7 +5,11 @@ import { boot } from "../worker/boot";
 import type { SolverPort } from "./messages";
 import address from "./worker.ts?worker&url";
 
-const begun = boot(new URL("../../../crates/pasu-wasm/pkg/pasu_drawing_bg.wasm", import.meta.url));
+// Each by an expression that bundlers know.
+const begun = boot(new URL("../../../crates/pasu-wasm/pkg/pasu_drawing_bg.wasm", import.meta.url), {
+  scalar: new URL("../../../crates/pasu-wasm/pkg/pasu_scalar_bg.wasm", import.meta.url),
+  whole: new URL("../../../crates/pasu-wasm/pkg/pasu_bg.wasm", import.meta.url),
+});
 
 export function startWorker(): SolverPort {
   return begun(startAnywhere(new URL(address, import.meta.url)));

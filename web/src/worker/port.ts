@@ -29,4 +29,6 @@ export interface Port<Request, Answer> {
 /** The compiled package, the first thing that a worker is told; null when it has to fetch it by itself. */
 export interface Begin {
   readonly module: WebAssembly.Module | null;
+  /** Where that module is which has what this one leaves out, if not beside the worker's file. */
+  readonly whole?: string;
 }

@@ -16,7 +16,7 @@ export interface Package {
   /** The code of a fault that is none of the design's. */
   readonly fault: string;
   /** Loads what the package leaves out; something has come that takes it. */
-  readonly widen?: () => Promise<void>;
+  readonly widen?: (source?: string) => Promise<void>;
 }
 
 /** `perform` answers or throws, and may say how far it is; the buffers of what it answers travel, they are not copied. */
@@ -26,14 +26,19 @@ export function serve<Request extends { readonly id: number }, Answer>(
   perform: (request: Request, tell: (done: number) => void) => Answer,
   buffersOf: (answer: Answer) => Transferable[],
 ): void {
+  let whole: string | undefined;
   let begin: (ready: Promise<void>) => void;
   let ready = new Promise<void>((resolve) => {
     begin = resolve;
   });
 
   scope.addEventListener("message", ({ data }) => {
-    if ("module" in data) begin(data.module ? init(data.module) : init());
-    else void respond(data);
+    if ("module" in data) {
+      whole = data.whole;
+      begin(data.module ? init(data.module) : init());
+    } else {
+      void respond(data);
+    }
   });
 
   async function respond(request: Request): Promise<void> {
@@ -55,7 +60,7 @@ export function serve<Request extends { readonly id: number }, Answer>(
     } catch (error) {
       if (!widen || !isLeftOut(error)) throw error;
     }
-    const wider = widen();
+    const wider = widen(whole);
     // What is asked meanwhile waits, and goes on with what there is where it could not be had.
     ready = wider.catch(() => {});
     await wider;

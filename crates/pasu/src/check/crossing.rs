@@ -9,6 +9,7 @@ use core::ops::ControlFlow;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use super::boxes::{Bounded, Boxes};
+use super::plane::Plane;
 use crate::watch;
 
 type Point = [f32; 3];
@@ -69,15 +70,17 @@ fn search(
     group: impl Fn(u32) -> Option<u32>,
     Limits { most, enough, most_pairs }: Limits,
 ) -> (Vec<[u32; 2]>, Option<u32>) {
-    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| positions[vertex as usize]);
+    let corners = |[a, b, c]: &[u32; 3]| [positions[*a as usize], positions[*b as usize], positions[*c as usize]];
     let bounded = triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, corners(triangle)));
     let bounded: Vec<Bounded> = bounded.collect();
+    let planes: Vec<Plane> = triangles.iter().map(|triangle| Plane::of(&corners(triangle))).collect();
     let groups: Vec<Option<u32>> = (0..triangles.len() as u32).map(group).collect();
     let boxes = Boxes::new(bounded.clone());
     let may_cross = |p: u32, q: u32| groups[p as usize].is_none() || groups[p as usize] != groups[q as usize];
     let does_cross = |p: u32, q: u32| {
         let [one, other] = [p, q].map(|number| &triangles[number as usize]);
-        cross(one, other, &corners(one), &corners(other))
+        let face = |number: u32, triangle| Face { at: corners(triangle), plane: &planes[number as usize] };
+        cross(one, other, &face(p, one), &face(q, other))
     };
     let mut found = Vec::new();
     let mut given_up = None;
@@ -116,8 +119,27 @@ fn crowded(bounded: &[Bounded], boxes: &Boxes, may_cross: impl Fn(u32, u32) -> b
     (n_beside / 2 * SAMPLED > most_pairs).then_some(most.1)
 }
 
+/// The corners of a triangle, and its plane.
+struct Face<'a> {
+    at: [Point; 3],
+    plane: &'a Plane,
+}
+
+impl Face<'_> {
+    /// The sign of the volume of the triangle and a point, which is exact.
+    fn volume(&self, point: Point) -> f64 {
+        let [a, b, c] = self.at;
+        self.plane.volume(a, point).unwrap_or_else(|| volume(a, b, c, point))
+    }
+
+    fn is_beside(&self, segment: [Point; 2]) -> bool {
+        let (from, to) = (self.volume(segment[0]), self.volume(segment[1]));
+        (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
+    }
+}
+
 /// Whether two triangles have more in common than vertices and edges that they share.
-fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bool {
+fn cross(p: &[u32; 3], q: &[u32; 3], of_p: &Face, of_q: &Face) -> bool {
     let mut shared = [(0, 0); 3];
     let mut n_shared = 0;
     for (i, vertex) in p.iter().enumerate() {
@@ -126,18 +148,19 @@ fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bo
             n_shared += 1;
         }
     }
+    let (at_p, at_q) = (&of_p.at, &of_q.at);
     match shared[..n_shared] {
-        [] => are_touching(at_p, at_q),
+        [] => are_touching(of_p, of_q),
         [(i, j)] => {
             let far = |at: &[Point; 3], k: usize| [at[(k + 1) % 3], at[(k + 2) % 3]];
             let (far_p, far_q) = (far(at_p, i), far(at_q, j));
             // What they have in common begins at the vertex, is convex, and so reaches the far edge of one of them if it is more.
-            !is_beside(far_p, at_q) && !is_beside(far_q, at_p) && (meets(far_p, at_q) || meets(far_q, at_p))
+            !of_q.is_beside(far_p) && !of_p.is_beside(far_q) && (meets(far_p, of_q) || meets(far_q, of_p))
         }
         [(i, j), (k, l)] => {
             // Folded onto each other: in one plane, with both far corners on the same side of the edge.
             let (edge, apex, other) = ([at_p[i], at_p[k]], at_p[3 - i - k], at_q[3 - j - l]);
-            if volume(edge[0], edge[1], apex, other) != 0.0 {
+            if of_p.volume(other) != 0.0 {
                 return false;
             }
             let axes = plane(&[edge[0], edge[1], apex]);
@@ -148,30 +171,28 @@ fn cross(p: &[u32; 3], q: &[u32; 3], at_p: &[Point; 3], at_q: &[Point; 3]) -> bo
     }
 }
 
-/// Whether a segment is on one side of the plane of a triangle.
-fn is_beside(segment: [Point; 2], t: &[Point; 3]) -> bool {
-    let [from, to] = segment.map(|corner| volume(t[0], t[1], t[2], corner));
-    (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
-}
-
 /// Whether two triangles without a common vertex have a point in common.
-fn are_touching(p: &[Point; 3], q: &[Point; 3]) -> bool {
+fn are_touching(p: &Face, q: &Face) -> bool {
     for (one, other) in [(p, q), (q, p)] {
-        let signs = one.map(|corner| volume(other[0], other[1], other[2], corner));
-        if signs.iter().all(|sign| *sign > 0.0) || signs.iter().all(|sign| *sign < 0.0) {
+        let [a, b, c] = one.at;
+        let first = other.volume(a);
+        let is_beyond = |corner| other.volume(corner) * first.signum() > 0.0;
+        if first != 0.0 && is_beyond(b) && is_beyond(c) {
             return false;
         }
     }
     // Where they meet, an edge of one meets the other.
-    (0..3).any(|i| meets([p[i], p[(i + 1) % 3]], q) || meets([q[i], q[(i + 1) % 3]], p))
+    let edge = |of: &Face, i: usize| [of.at[i], of.at[(i + 1) % 3]];
+    (0..3).any(|i| meets(edge(p, i), q) || meets(edge(q, i), p))
 }
 
 /// Whether a segment has a point in common with a triangle, its border included.
-fn meets([a, b]: [Point; 2], t: &[Point; 3]) -> bool {
-    let (from, to) = (volume(t[0], t[1], t[2], a), volume(t[0], t[1], t[2], b));
+fn meets([a, b]: [Point; 2], face: &Face) -> bool {
+    let (from, to) = (face.volume(a), face.volume(b));
     if (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0) {
         return false;
     }
+    let t = &face.at;
     if from == 0.0 && to == 0.0 {
         return meets_in_plane([a, b], t);
     }

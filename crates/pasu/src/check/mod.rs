@@ -4,6 +4,7 @@ mod boxes;
 mod closed;
 mod crossing;
 mod degenerate;
+mod plane;
 
 pub(crate) use closed::{Topology, closed};
 pub(crate) use crossing::{a_crossing, crossings_soon};

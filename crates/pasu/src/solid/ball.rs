@@ -76,8 +76,8 @@ impl Crowd {
                 continue;
             }
             // The half that is further inside shrinks the ball by more.
-            let mut halves =
-                [index + 1, node.second as usize].map(|half| (half, self.nodes[half].power(at, inward, radius)));
+            let power = |half: usize| (half, self.nodes[half].power(at, inward, radius));
+            let mut halves = [power(index + 1), power(node.second as usize)];
             if halves[0].1 < halves[1].1 {
                 halves.swap(0, 1);
             }

@@ -25,6 +25,7 @@ import { solvers } from "./shared-solver";
 import { type Sight, watchSight } from "./sights";
 import type { Hand } from "./sliders";
 import { sourceOf, textAt } from "./source";
+import { came, comes, waitsForThoseSeen } from "./those-seen";
 
 /** How finely pots are sampled: they are smaller than the designer's. The steps are those of {@link gridFor}. */
 const FINENESS = 2;
@@ -144,6 +145,7 @@ export class PasuPotElement extends LitElement implements Contract {
     this.leave = [
       watchSight(this, (sight) => {
         this.sight = sight;
+        if (!sight.seen) came(this);
         this.begin();
         this.turn();
       }),
@@ -158,6 +160,7 @@ export class PasuPotElement extends LitElement implements Contract {
     for (const leave of this.leave) leave();
     this.leave = [];
     this.sight = { near: false, seen: false };
+    came(this);
     queueMicrotask(() => {
       if (!this.isConnected) this.end();
     });
@@ -177,11 +180,17 @@ export class PasuPotElement extends LitElement implements Contract {
 
   /** Nothing is fetched before the element is near the screen. */
   private begin(): void {
-    const now = this.loading === "eager" || this.sight.near;
+    const { near, seen } = this.sight;
+    const now = this.loading === "eager" || near || seen;
     if (!now || !this.isConnected || !this.hasUpdated) return;
+    if (this.pending && !seen && waitsForThoseSeen(this.resume)) return;
     void this.holder.open();
-    if (this.pending) void this.read();
+    if (!this.pending) return;
+    if (seen) comes(this);
+    void this.read();
   }
+
+  private readonly resume = () => this.begin();
 
   /** Another design is to be shown. */
   private renew(): void {
@@ -210,6 +219,7 @@ export class PasuPotElement extends LitElement implements Contract {
     this.untold = false;
     this.isLoaded = false;
     this.aimed = "";
+    came(this);
     this.wall?.rest();
     this.holder.stage?.show({ parts: [], bounds: null });
   }
@@ -280,6 +290,7 @@ export class PasuPotElement extends LitElement implements Contract {
   private refuse(error: unknown): void {
     const refusal = isRefusal(error) ? error : { code: "internal", path: "", message: String(error) };
     this.problem = refusal;
+    came(this);
     this.tell(refusal);
   }
 
@@ -347,6 +358,7 @@ export class PasuPotElement extends LitElement implements Contract {
   private drawn(): void {
     if (!this.untold || !this.shown) return;
     this.untold = false;
+    came(this);
     if (this.held) return;
     this.isLoaded = true;
     this.dispatchEvent(new CustomEvent("load", { detail: changeOf(this.shown) }));

@@ -16,6 +16,7 @@ interface Watched {
 }
 
 const watched = new Map<Element, Watched>();
+const changed = new Set<Watched>();
 let observers: readonly [near: IntersectionObserver, seen: IntersectionObserver] | null = null;
 
 /** Tells where an element is whenever that changes, until what comes back is called. */
@@ -32,6 +33,14 @@ export function watchSight(element: Element, told: Told): () => void {
   };
 }
 
+/** Those on the screen hear it before those that are only near it. */
+function tell(): void {
+  const all = [...changed].sort((one, other) => Number(other.sight.seen) - Number(one.sight.seen));
+  changed.clear();
+  const alive = new Set(watched.values());
+  for (const one of all) if (alive.has(one)) one.told(one.sight);
+}
+
 function observer(what: keyof Sight, rootMargin: string): IntersectionObserver {
   return new IntersectionObserver(
     (entries) => {
@@ -39,7 +48,9 @@ function observer(what: keyof Sight, rootMargin: string): IntersectionObserver {
         const one = watched.get(target);
         if (!one || one.sight[what] === isIntersecting) continue;
         one.sight = { ...one.sight, [what]: isIntersecting };
-        one.told(one.sight);
+        // Which of the two observers is heard first is the browser's choice: both are, before anybody is told.
+        if (changed.size === 0) setTimeout(tell);
+        changed.add(one);
       }
     },
     { rootMargin },
