@@ -3,21 +3,53 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use pasu::{Design, Solution};
+use pasu::{Design, Result, Solution};
 
 thread_local! {
-    static LAST: RefCell<Option<Rc<Solution>>> = const { RefCell::new(None) };
+    static LAST: RefCell<Option<Last>> = const { RefCell::new(None) };
+}
+
+/// No longer text is kept beside its solution.
+const LONGEST: usize = 1 << 20;
+
+struct Last {
+    solution: Rc<Solution>,
+    /// What its design was read from, where that was text.
+    text: Option<String>,
 }
 
 /// The solution of a design: that of the last call where it was of an equal design, and otherwise one that takes over from it what is the same. Equal designs have the same canonical link, and so the same answers.
 pub(crate) fn solution(design: &Design) -> Rc<Solution> {
     LAST.with_borrow_mut(|last| match last {
-        Some(known) if known.design() == design => Rc::clone(known),
+        Some(known) if known.solution.design() == design => Rc::clone(&known.solution),
         _ => {
-            let next = last.as_ref().map_or_else(|| Solution::of(design), |known| known.after(design));
-            Rc::clone(last.insert(Rc::new(next)))
+            let next = last.as_ref().map_or_else(|| Solution::of(design), |known| known.solution.after(design));
+            let solution = Rc::new(next);
+            *last = Some(Last { solution: Rc::clone(&solution), text: None });
+            solution
         }
     })
+}
+
+/// The solution of the design that a text says; of the text of the last call it is not even read again, which for hundreds of parts takes longer than most answers.
+///
+/// # Errors
+/// As [`Design::parse`].
+pub(crate) fn solution_of(text: &str) -> Result<Rc<Solution>> {
+    let known = LAST.with_borrow(|last| {
+        let same = last.as_ref().filter(|known| known.text.as_deref() == Some(text));
+        same.map(|known| Rc::clone(&known.solution))
+    });
+    if let Some(solution) = known {
+        return Ok(solution);
+    }
+    let solution = solution(&Design::parse(text)?);
+    LAST.with_borrow_mut(|last| {
+        if let Some(known) = last {
+            known.text = (text.len() <= LONGEST).then(|| text.to_owned());
+        }
+    });
+    Ok(solution)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -38,5 +70,27 @@ mod tests {
         assert!(!Rc::ptr_eq(&first, &other));
         assert_eq!(other.fingerprint().unwrap(), pasu::fingerprint(&design("#1/bloor-wilson?n1=6")).unwrap());
         assert!(!Rc::ptr_eq(&first, &solution(&design("#1/bloor-wilson?n1=5"))));
+    }
+    #[test]
+    fn the_same_text_is_not_read_again() {
+        let (five, six) = ("#1/bloor-wilson?n1=5", "#1/bloor-wilson?n1=6");
+        let first = solution_of(five).unwrap();
+        assert!(Rc::ptr_eq(&first, &solution_of(five).unwrap()));
+        assert!(Rc::ptr_eq(&first, &solution(&design(five))));
+        // Another text of the same design, and the first one again.
+        assert!(Rc::ptr_eq(&first, &solution_of("#1/bloor-wilson?n1=5&a=0.01").unwrap()));
+        assert!(Rc::ptr_eq(&first, &solution_of(five).unwrap()));
+        // A text stands for no other design than its own, whatever was asked in between.
+        let other = solution(&design(six));
+        assert!(Rc::ptr_eq(&other, &solution_of(six).unwrap()));
+        assert_eq!(solution_of(five).unwrap().design(), &design(five));
+        // What is refused leaves everything as it was.
+        assert!(solution_of("#1/bloor-wilson?n1=x").is_err());
+        assert_eq!(solution_of(five).unwrap().design(), &design(five));
+        let long = format!("{}{}", " ".repeat(LONGEST), design(six).to_json());
+        for _ in 0..2 {
+            assert_eq!(solution_of(&long).map(|solution| solution.design().clone()), Ok(design(six)));
+        }
+        assert_eq!(solution_of(five).unwrap().design(), &design(five));
     }
 }

@@ -24,7 +24,10 @@ pub(crate) fn shape(shape: &JsValue) -> Result<Shape> {
 
 /// Reads a design and solves it, unless that is what the last call did.
 pub(crate) fn solution(source: &JsValue) -> Result<Rc<Solution>> {
-    Ok(last::solution(&design(source)?))
+    match source.as_string() {
+        Some(text) => last::solution_of(&text),
+        None => Ok(last::solution(&Design::read(Plain(source.clone()))?)),
+    }
 }
 
 /// Reads an argument that is no design; `path` is what it is called.

@@ -2,6 +2,7 @@
 
 mod cells;
 mod designs;
+mod pairs;
 mod sheet;
 
 use std::fs;
@@ -50,6 +51,9 @@ fn main() -> Result<()> {
             Ok(sheet) => specimens.push(sheet),
             Err(error) => bail!("{}: {error}", specimen.name),
         }
+    }
+    if named.is_empty() {
+        pairs::write(&folder)?;
     }
     println!("{} specimens, {} refused", specimens.len(), refused.len());
     let all = json!({ "specimens": specimens, "refused": refused });

@@ -13,8 +13,9 @@ use crate::workspace::{Workspace, cargo};
 use crate::{command, debian};
 
 /// Each program and the script by which it judges; those in Python have packages of their own.
-const JUDGES: [(&str, &str); 8] = [
+const JUDGES: [(&str, &str); 9] = [
     ("Manifold", "with_manifold.py"),
+    ("Manifold, pairs", "with_manifold_pairs.py"),
     ("trimesh", "with_trimesh.py"),
     ("lib3mf", "with_lib3mf.py"),
     ("OpenCASCADE", "with_opencascade.py"),

@@ -1,5 +1,6 @@
 //! From the closed form to triangles.
 
+mod cleared;
 mod contract;
 mod exact;
 mod fill;
@@ -17,6 +18,6 @@ mod tolerance;
 
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 pub(crate) use grids::Places;
-pub(crate) use patches::{Welded, welded};
+pub(crate) use patches::{Welded, welded, welded_clear};
 pub use sample::{Sampler, bound, mesh};
 pub(crate) use sample::{exact_mesh, grid_places, places};

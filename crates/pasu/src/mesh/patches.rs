@@ -5,6 +5,7 @@ use core::fmt::Write;
 use glam::{DMat3, DVec3};
 use xxhash_rust::xxh64::Xxh64;
 
+use super::cleared::cleared;
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::grid::append_patch;
 use super::normal::cofactors;
@@ -130,16 +131,6 @@ impl<'a> PatchGrids<'a> {
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
     }
 
-    /// The first vertex of each grid.
-    fn firsts(&self) -> Vec<usize> {
-        let mut next = 0;
-        let first = |lines: &Lines| {
-            next += lines.n_vertices();
-            next - lines.n_vertices()
-        };
-        self.lines.iter().map(first).collect()
-    }
-
     /// Fills positions and normals.
     ///
     /// # Errors
@@ -147,7 +138,7 @@ impl<'a> PatchGrids<'a> {
     pub(super) fn fill(&self, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
         let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
         let patches = self.placed.solved().patches();
-        let firsts = self.firsts();
+        let firsts = firsts(&self.lines);
         let outward = cofactors(self.placed.matrix());
         for (index, ((patch, lines), first)) in patches.iter().zip(&self.lines).zip(&firsts).enumerate() {
             let range = *first..first + lines.n_vertices();
@@ -256,10 +247,37 @@ pub(crate) struct Welded {
 /// `tolerance-too-fine`, `too-large`.
 pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> {
     let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
-    let (patches, firsts) = (placed.solved().patches(), grids.firsts());
-    let number = Seams { patches: &patches, lines: &grids.lines, firsts: &firsts }.numbers();
+    let (positions, triangles) = sewn(placed, &grids.lines);
+    let triangles = triangles.into_iter().map(|(corners, _)| corners).collect();
+    Ok(Welded { positions, triangles, bound: grids.bound.unwrap_or(f64::INFINITY) })
+}
+
+/// The same without lines so near to each other that triangles between them are narrower than single precision tells; `None` where there are no such lines, and where without them it is further from the patches than `most`.
+///
+/// # Errors
+/// As [`welded`].
+pub(crate) fn welded_clear(placed: &Placed, tolerance: Option<f64>, most: f64) -> Result<Option<Welded>> {
+    let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
+    let Some((lines, deviation)) = cleared(placed, &grids.lines) else { return Ok(None) };
+    let patches = placed.solved().patches();
+    let m = placed.matrix();
+    let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);
+    let (positions, triangles) = sewn(placed, &lines);
+    let triangles = triangles.into_iter().map(|(corners, _)| corners).collect();
+    let bound = deviation_of(&patches, &lines, stretch) + deviation;
+    Ok((bound <= most).then_some(Welded { positions, triangles, bound }))
+}
+
+/// The cell of a triangle: its patch, and its place among the cells of that.
+pub(super) type InCell = (usize, usize);
+
+/// Places of all lines, and triangles that share their vertices, each with its cell.
+pub(super) fn sewn(placed: &Placed, lines: &[Lines]) -> (Vec<DVec3>, Vec<([u32; 3], InCell)>) {
+    let patches = placed.solved().patches();
+    let firsts = firsts(lines);
+    let number = Seams { patches: &patches, lines, firsts: &firsts }.numbers();
     let (mut positions, mut triangles) = (Vec::with_capacity(number.len()), Vec::new());
-    for (index, (patch, Lines { u, v })) in patches.iter().zip(&grids.lines).enumerate() {
+    for (index, (patch, Lines { u, v })) in patches.iter().zip(lines).enumerate() {
         let columns = patch.columns(Spread::At(v));
         for u in u {
             let row = patch.row(*u);
@@ -268,9 +286,19 @@ pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> 
         let mut indices = Vec::new();
         append_patch(&mut indices, firsts[index] as u32, u.len() as u32, v.len() as u32, placed.is_forwards(index));
         let corners = indices.as_chunks::<3>().0.iter().map(|corners| corners.map(|vertex| number[vertex as usize]));
-        // Along a pole every other triangle has no width.
-        triangles.extend(corners.filter(|[a, b, c]| a != b && b != c && c != a));
+        // Two of each cell, but that along a pole every other triangle has no width.
+        let numbered = corners.enumerate().map(|(triangle, corners)| (corners, (index, triangle / 2)));
+        triangles.extend(numbered.filter(|([a, b, c], _)| a != b && b != c && c != a));
     }
-    let bound = grids.bound.unwrap_or(f64::INFINITY);
-    Ok(Welded { positions, triangles, bound })
+    (positions, triangles)
+}
+
+/// The first vertex of each grid.
+fn firsts(lines: &[Lines]) -> Vec<usize> {
+    let mut next = 0;
+    let first = |lines: &Lines| {
+        next += lines.n_vertices();
+        next - lines.n_vertices()
+    };
+    lines.iter().map(first).collect()
 }

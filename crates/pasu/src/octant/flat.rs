@@ -46,8 +46,15 @@ impl Patch for Flat {
     }
 
     /// A cell is a quadrilateral between two rays, but for what lies between its arcs and their chords: the two triangles are all of it, wherever on it a point of theirs is that of the patch.
+    ///
+    /// One coordinate of an arc rises and the other falls. Where one is the same on arc and chord the other differs by no more than it ranges, which near a tip like a needle is far less than what second derivatives say.
     fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
-        Suprema { uv: 0.0, ..self.suprema(cell, stretch) }.deviation(cell.lengths())
+        let bent = Suprema { uv: 0.0, ..self.suprema(cell, stretch) }.deviation(cell.lengths());
+        let range = |i: usize| {
+            let [from, to] = cell.v.map(|s| self.curve[i].jet(s)[0]);
+            cell.u[1] * (to - from).abs() * stretch[self.axes[i]]
+        };
+        bent.min(range(0)).min(range(1))
     }
 
     fn breaks(&self) -> [Breaks; 2] {

@@ -4,7 +4,7 @@ use super::breaks::Breaks;
 use super::cell::{Cell, Suprema};
 use super::contract::Patch;
 use super::side::Side;
-use super::strips::Strips;
+use super::strips::{SAME_LINE, Strips};
 
 /// A patch that closes round is cut into so many cells at least: with fewer it would be flat.
 const LEAST_ROUND: usize = 6;
@@ -99,6 +99,20 @@ impl Lines {
             }
         }
         *lines = halved;
+    }
+
+    /// Takes away the line of constant `u` (0) or `v` (1) of a patch at this place, and from the others what of it runs through them.
+    pub(crate) fn without(patches: &[&dyn Patch], lines: &mut [Lines], patch: usize, direction: usize, place: f64) {
+        let mut taken = vec![Lines { u: Vec::new(), v: Vec::new() }; lines.len()];
+        if let Some(own) = taken.get_mut(patch) {
+            // The ends are shared as well, and stay.
+            *(if direction == 0 { &mut own.u } else { &mut own.v }) = vec![0.0, place, 1.0];
+        }
+        Lines::share(patches, &mut taken);
+        for (own, taken) in directions(lines).into_iter().zip(directions(&mut taken)) {
+            let is_inner = |place: f64| SAME_LINE < place && place < 1.0 - SAME_LINE;
+            own.retain(|place| !(is_inner(*place) && taken.iter().any(|other| (place - other).abs() <= SAME_LINE)));
+        }
     }
 
     /// Gives every patch the lines that its neighbours have across a shared side, and those that they have from theirs.

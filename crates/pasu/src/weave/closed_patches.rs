@@ -8,14 +8,18 @@ use super::woven::{Woven, WovenFace};
 use crate::check::{self, Topology};
 use crate::error::{Code, Error, Result};
 use crate::face::FaceKind;
-use crate::mesh::{Welded, welded};
+use crate::mesh::{Welded, welded, welded_clear};
 use crate::patch::Side;
 use crate::solid::place;
 use crate::solution::Placed;
 use crate::watch;
 
-/// How many times as finely as asked for a body is meshed, in turn, before it is refused: of a tube of two patches each may be flat at first.
-const FINENESS: [f64; 2] = [1.0, 3.0];
+/// How many times as finely as asked for a body is meshed, in turn, before it is refused, and whether without lines that lie too near to each other for single precision: of a tube of two patches each may be flat at first, and what such lines
+/// leave may be too coarse at first. Less finely only where no tolerance is asked for.
+const ATTEMPTS: [(f64, bool); 5] = [(1.0, false), (1.0, true), (0.4, true), (3.0, false), (3.0, true)];
+
+/// Where no tolerance is asked for, a mesh without lines that are in the way may be off by so many times as much as one with them.
+const LOOSER: f64 = 3.0;
 
 /// The most triangles of one body.
 const MOST_TRIANGLES: usize = 8_000_000;
@@ -28,12 +32,21 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
     refuse_open(placed)?;
     let mut asked = tolerance;
     let mut refusal = None;
-    for fineness in FINENESS {
+    for (fineness, is_clear) in ATTEMPTS {
         watch::go_on()?;
-        let Welded { positions, triangles, bound } = match welded(placed, asked.map(|asked| asked / fineness)) {
+        if fineness < 1.0 && tolerance.is_some() {
+            continue;
+        }
+        let within = asked.map(|asked| asked / fineness);
+        let woven = match is_clear {
+            false => welded(placed, within).map(Some),
+            true => welded_clear(placed, within, tolerance.unwrap_or(LOOSER * asked.unwrap_or(f64::INFINITY))),
+        };
+        let Welded { positions, triangles, bound } = match woven {
+            Ok(Some(woven)) => woven,
+            Ok(None) => continue,
             // What is refused for being too fine was refused for something else before.
             Err(error) => return Err(refusal.unwrap_or(error)),
-            Ok(welded) => welded,
         };
         asked.get_or_insert(bound);
         if triangles.len() > MOST_TRIANGLES {
