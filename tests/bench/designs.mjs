@@ -31,14 +31,15 @@ export function withOneEquation(vase) {
   return design;
 }
 
-/** How far rings are from where they would stand evenly, as parts of their distance. */
-const ASIDE = [-0.25, 0, 0.25];
+/** How far rings are at most from where they would stand evenly, as a part of their distance: what is alike between two rings is solved once, and here nothing is. */
+const ASIDE = 0.3;
 
-/** The same through so many rings, no two neighbouring gaps of one length: between its ends, a little wider and narrower in turn. */
-export function withRings(vase, count) {
+/** The same through so many rings, no two gaps of one length unless `aside` is 0: between its ends, a little wider and narrower in turn. */
+export function withRings(vase, count, aside = ASIDE) {
   const design = structuredClone(vase);
   const { shape } = design.parts[0];
-  const places = Array.from({ length: count }, (_, index) => (index + 1 + ASIDE[index % 3]) / (count + 1));
+  const place = (index) => index + 1 + aside * Math.sin(1.7 * index * index);
+  const places = Array.from({ length: count }, (_, index) => place(index) / (count + 1));
   shape.rings = places.map((u) => ({ u }));
   for (const mode of [shape.x, shape.y, shape.z].flatMap(({ modes }) => modes)) {
     const datum = mode.cos ?? mode.sin;

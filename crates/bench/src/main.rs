@@ -123,16 +123,18 @@ fn solving(rounds: usize) -> Result<()> {
 fn rings(rounds: usize) -> Result<()> {
     let [many, few, none] = [64, 8, 0].map(|rings| designs::vase_of_rings(64, rings));
     let [many, few, none] = [designs::shape(&many?), designs::shape(&few?), designs::shape(&none?)];
+    let even = designs::shape(&designs::vase_of_even_rings(64, 64)?);
     let mut contenders = [
         Contender::new("64 rings", || Surface::solve(&many, "shape")),
+        Contender::new("64 rings, evenly spaced", || Surface::solve(&even, "shape")),
         Contender::new("8 rings", || Surface::solve(&few, "shape")),
         Contender::new("none", || Surface::solve(&none, "shape")),
     ];
     take_turns(&mut contenders, rounds);
-    let [mut many, few, none] = contenders.each_ref().map(|contender| row(contender, 1e3));
+    let [mut many, even, few, none] = contenders.each_ref().map(|contender| row(contender, 1e3));
     many["against"] = few["name"].clone();
     many["at_most"] = json!(PER_RING);
-    print("Solving 64 modes per component through rings", "ms", vec![many, few, none]);
+    print("Solving 64 modes per component through rings", "ms", vec![many, even, few, none]);
     Ok(())
 }
 

@@ -5,6 +5,7 @@ import type { Method } from "../document/blend/solving";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
+import type { Lock } from "../document/locks";
 import type { Levels } from "../document/scanned/levels";
 import type {
   Design,
@@ -19,6 +20,7 @@ import type {
   Report,
   Rings,
   Shape,
+  Wall,
 } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
@@ -108,6 +110,8 @@ export interface PullAsk {
   readonly brush: Brush;
   /** What stays as it is, by the names of the solver. */
   readonly keep: readonly string[];
+  /** The wall within which the pot is to hold what it held, and what else is locked; left out where that is not asked. */
+  readonly hold?: { readonly wall: Wall; readonly locked: readonly Lock[] };
 }
 
 /** The shape that followed, and how far its point stayed behind the hand. */

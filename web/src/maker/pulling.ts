@@ -3,14 +3,24 @@
 import { evaluate, type Hand, parse, pulled } from "pasu";
 import { type Bump, bumpOf, spreadOf, takesRings } from "../document/brush";
 import { curveUnder } from "../document/curves";
-import { SLOPES } from "../document/locks";
+import { makingUp, SLOPES } from "../document/locks";
 import { isRound, pulledRound, type RadialMove } from "../document/radial-pull";
 import { type Hoop, turnedSeries } from "../document/ring-numbers";
 import type { Rings, Sent, SentShape, Series, Shape, Triple } from "../document/types";
 import { withSlopes } from "./end-slopes";
+import { heldMeanwhile } from "./holding-meanwhile";
 import type { PullAsk, PulledShape } from "./messages";
 
 export function pulling(ask: PullAsk): PulledShape {
+  const followed = following(ask);
+  const { hold, shape, at } = ask;
+  if (!hold || shape.kind !== "rings" || followed.shape.kind !== "rings") return followed;
+  const up = makingUp(followed.shape, hold.locked, at[0]);
+  return { ...followed, shape: heldMeanwhile(shape, followed.shape, hold.wall, up) };
+}
+
+/** How the shape follows the hand. */
+function following(ask: Omit<PullAsk, "hold">): PulledShape {
   const { at, by, brush } = ask;
   const keep = ask.keep.filter((name) => name !== SLOPES);
   const shape = ask.keep.includes(SLOPES) ? withSlopes(ask.shape) : ask.shape;
@@ -40,8 +50,8 @@ export function pulling(ask: PullAsk): PulledShape {
   return { shape: still ? shapeOf(made) : short(shapeOf(made), u, keep), at: [u, v], behind: followed.behind };
 }
 
-function turning(shape: Rings, { at, by, brush, keep }: Omit<PullAsk, "kind" | "shape">): PulledShape {
-  const followed = pulling({ kind: "pull", shape, at, by: { ...by, round: 0 }, brush, keep });
+function turning(shape: Rings, { at, by, brush, keep }: Omit<PullAsk, "kind" | "shape" | "hold">): PulledShape {
+  const followed = following({ kind: "pull", shape, at, by: { ...by, round: 0 }, brush, keep });
   const [u, v] = followed.at;
   const degrees = (by.round * 180) / Math.PI;
   const turned = (ring: Hoop): Hoop => ({

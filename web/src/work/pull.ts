@@ -158,7 +158,9 @@ export class Pull {
       const from = this.#begin(held);
       if (!from) return;
       const keep = keptBy(from, locked, held.at[0]);
-      const outcome = await this.#maker.ask({ kind: "pull", shape: from, at: held.at, by, brush, keep });
+      const wall = this.#store.design.parts[this.#place(held)]?.wall;
+      const hold = wall && locked.includes("capacity") ? { hold: { wall, locked } } : {};
+      const outcome = await this.#maker.ask({ kind: "pull", shape: from, at: held.at, by, brush, keep, ...hold });
       if (outcome.state === "superseded") return;
       if (outcome.state === "refused") this.#followed.value = { ...FOLLOWED, refusal: outcome.refusal };
       else this.#follow(held, outcome.value);
@@ -168,7 +170,7 @@ export class Pull {
     }
   }
 
-  /** Once the hand has let go, the rest of the pot sees to it that it holds what it held: that takes measuring, for which no hand waits. */
+  /** Once the hand has let go, the rest of the pot sees to it that it holds to the last digit what it held, which it did nearly before: that takes measuring, for which no hand waits. */
   async #hold(held: Held): Promise<void> {
     const { design } = this.#store;
     const place = this.#place(held);

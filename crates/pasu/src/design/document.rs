@@ -121,6 +121,10 @@ impl Design {
 
     /// Refuses a design whose document is too long, as a whole or without its networks: what these cost is in proportion to their length, and of other shapes a megabyte says more than anybody waits for.
     fn within_limit(self) -> Result<Design> {
+        // Nearly every design is shorter by far, which is known without writing its numbers.
+        if text::longest(&self.0) <= LINK_BYTES {
+            return Ok(self);
+        }
         let length = self.to_json().len();
         if length > LINK_BYTES {
             let lengths = self.0.parts.iter().map(|part| match part.shape {

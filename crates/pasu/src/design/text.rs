@@ -59,17 +59,52 @@ fn fault(text: &str, error: &serde_json::Error) -> Error {
 
 /// Writes on one line, exactly as JavaScript's `JSON.stringify` would, so that a document saved by a page and one written by this crate are equal.
 pub(crate) fn write(document: &(impl Serialize + ?Sized)) -> String {
-    let mut text = Vec::new();
-    let written = document.serialize(&mut serde_json::Serializer::with_formatter(&mut text, AsJavaScript));
-    // Memory takes every byte, and no type of ours refuses to be written.
-    debug_assert!(written.is_ok(), "{written:?}");
-    String::from_utf8(text).unwrap_or_default()
+    String::from_utf8(written(document, Numbers::Written)).unwrap_or_default()
 }
 
-struct AsJavaScript;
+/// How many bytes [`write`] makes at most: numbers are not written for it, which is most of the work, but counted as the longest that there are.
+pub(crate) fn longest(document: &(impl Serialize + ?Sized)) -> usize {
+    written(document, Numbers::Counted).len()
+}
 
-impl Formatter for AsJavaScript {
+fn written(document: &(impl Serialize + ?Sized), numbers: Numbers) -> Vec<u8> {
+    let mut text = Vec::new();
+    let written = document.serialize(&mut serde_json::Serializer::with_formatter(&mut text, numbers));
+    // Memory takes every byte, and no type of ours refuses to be written.
+    debug_assert!(written.is_ok(), "{written:?}");
+    text
+}
+
+/// What becomes of numbers.
+enum Numbers {
+    Written,
+    Counted,
+}
+
+/// As long as a number can be: `-0.0000012345678901234567`.
+const LONGEST: [u8; 25] = [b'0'; 25];
+
+impl Formatter for Numbers {
     fn write_f64<W: io::Write + ?Sized>(&mut self, writer: &mut W, x: f64) -> io::Result<()> {
-        writer.write_all(plain(x).as_bytes())
+        match self {
+            Numbers::Written => writer.write_all(plain(x).as_bytes()),
+            Numbers::Counted => writer.write_all(&LONGEST),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_document_is_longer_than_is_counted() {
+        let numbers = [0.0, -1.2345678901234567e-6, f64::MIN, -f64::MIN_POSITIVE, -123456789012345680000.0, 0.1];
+        for x in numbers {
+            assert!(write(&[x]).len() <= longest(&[x]), "{x}");
+        }
+        assert_eq!(write(&[-1.2345678901234567e-6]).len(), longest(&[1.0]));
+        let text = ["\u{1}\"\\ü", "𝄞"];
+        assert_eq!(write(&text).len(), longest(&text));
     }
 }

@@ -3,13 +3,17 @@
 use super::order::Order;
 use super::pair::Pair;
 use super::rate::Rate;
-use super::roots::{largest_rate, squared_roots};
-use super::series::{self, continue_series};
+use super::roots::squared_roots;
+use super::slow::Slow;
 use super::unsolvable::Unsolvable;
 
 /// Below this rate an order 4 equation is solved by power series about the middle: at 4 the series of the four fundamental solutions
 /// reach e^2 at the ends, so they lose less than one digit, and above it every other form below is as good.
 const SERIES_RATE: f64 = 4.0;
+
+/// Up to this rate no equation of order 4 is in resonance. Of a function that vanishes with its slopes at both ends the integral of `q''^2` is at least `(2 pi)^2` times that of `q'^2` and 500 times that of `q^2`, while `|b| <= 2 rate^2` and
+/// `|c| <= rate^4`: 62 % of the first is the most that the others can make up for.
+const NO_RESONANCE: f64 = 3.0;
 
 /// Half the difference of two real rates above which the roots are taken by themselves. Products of half sum and half difference would have to
 /// write `exp(-rho_2 u)` with factors of size `exp(delta)`; the roots by themselves have a determinant of relative size `delta / sigma`.
@@ -20,9 +24,9 @@ const SEPARATION: f64 = 1.0;
 pub(super) enum Basis {
     /// Order 2: `C`, `S` of the one rate.
     Single(Rate),
-    /// Rates at most [`SERIES_RATE`], of any regime: the power series with initial data 1, `x`, `x^2 / 2`, `x^3 / 6`, which is what
+    /// Rates at most [`SERIES_RATE`], of any regime: the solutions that begin at the middle as 1, `x^2 / 2`, `x`, `x^3 / 6`, which is what
     /// they are when all rates vanish.
-    Series(Box<[Vec<f64>; 4]>),
+    Slow(Slow),
     /// Roots `+-sigma +-delta` near each other, double, or complex (then `delta^2 < 0`): `C C`, `S S`, `S C`, `C S` of both. The squares
     /// `(b +- 2 sqrt(c)) / 4` are real for every `c > 0`, so that no regime needs complex numbers and the double root nothing at all.
     Products { sigma: Rate, delta: Rate },
@@ -31,20 +35,11 @@ pub(super) enum Basis {
 }
 
 impl Basis {
-    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`, and what its even and its odd functions are at `u = 1`.
-    pub(super) fn of(order: Order, b: f64, c: f64) -> Result<(Self, [Pair; 2]), Unsolvable> {
-        let basis = match order {
+    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`, the largest rate of which is known.
+    pub(super) fn of(order: Order, b: f64, c: f64, rate: f64) -> Self {
+        match order {
             Order::Second => Basis::Single(Rate::new(b)),
-            Order::Fourth if largest_rate(order, b, c) <= SERIES_RATE => {
-                let feedback = [(2, b), (0, -c)];
-                let unit = |start: [f64; 4]| continue_series(&start, &feedback, &[]);
-                Basis::Series(Box::new([
-                    unit([1.0, 0.0, 0.0, 0.0]),
-                    unit([0.0, 0.0, 0.5, 0.0]),
-                    unit([0.0, 1.0, 0.0, 0.0]),
-                    unit([0.0, 0.0, 0.0, 1.0 / 6.0]),
-                ]))
-            }
+            Order::Fourth if rate <= SERIES_RATE => Basis::Slow(Slow::new(b, c, rate)),
             Order::Fourth => {
                 let sigma_squared = 0.25 * (b + 2.0 * c.max(0.0).sqrt());
                 let delta_squared = 0.25 * (b - 2.0 * c.max(0.0).sqrt());
@@ -55,22 +50,25 @@ impl Basis {
                     _ => Basis::Products { sigma: Rate::new(sigma_squared), delta: Rate::new(delta_squared) },
                 }
             }
-        };
-        let oscillation = basis.oscillation();
-        let halves = basis.halves();
-        if let Basis::Single(_) = basis {
+        }
+    }
+
+    /// Refuses what may be in resonance, by what the functions are at `u = 1`.
+    pub(super) fn check(&self, halves: &[Pair; 2]) -> Result<(), Unsolvable> {
+        let oscillation = self.oscillation();
+        if let Basis::Single(_) = self {
             // The odd function is compared as sin, whose size is 1.
             for value in [halves[0].first[0], halves[1].first[0] * oscillation.max(1.0)] {
                 if oscillation > 0.0 && value.abs() < 1e-6 * (2.0 + oscillation) {
                     return Err(Unsolvable::Resonant);
                 }
             }
-        } else {
-            for half in &halves {
+        } else if oscillation > 0.0 {
+            for half in halves {
                 half.check(oscillation)?;
             }
         }
-        Ok((basis, halves))
+        Ok(())
     }
 
     fn are_apart(sigma_squared: f64, delta_squared: f64) -> bool {
@@ -86,9 +84,9 @@ impl Basis {
     fn oscillation(&self) -> f64 {
         match self {
             Basis::Single(rate) => rate.oscillation(),
-            // Within the series' reach only roots beyond i pi resonate; 4 > pi, so the check is needed. The series do not know their
-            // roots, and a decaying problem never comes near the threshold.
-            Basis::Series(_) => SERIES_RATE,
+            Basis::Slow(slow) if slow.rate() <= NO_RESONANCE => 0.0,
+            // The series do not know their roots, and a decaying problem never comes near the threshold.
+            Basis::Slow(_) => SERIES_RATE,
             Basis::Products { sigma, delta } if sigma.z < 0.0 => sigma.oscillation() + delta.oscillation(),
             Basis::Products { .. } => 0.0,
             Basis::Separate(first, second) if first.z < 0.0 || second.z < 0.0 => first.z.abs().sqrt(),
@@ -97,7 +95,7 @@ impl Basis {
     }
 
     /// The even and the odd functions at `u = 1`, with their determinants; order 2 has one of each.
-    fn halves(&self) -> [Pair; 2] {
+    pub(super) fn halves(&self) -> [Pair; 2] {
         let Basis::Products { sigma, delta } = self else {
             let [even, more_even, odd, more_odd] = self.jets::<2>(1.0);
             return [Pair::by_subtraction(even, more_even), Pair::by_subtraction(odd, more_odd)];
@@ -110,20 +108,6 @@ impl Basis {
         ]
     }
 
-    /// The same solution with as much of it in the polynomial as can be: power series add up to one of their own.
-    pub(super) fn absorbed(&self, factors: [f64; 4], mut polynomial: Vec<f64>) -> ([f64; 4], Vec<f64>) {
-        let Basis::Series(functions) = self else { return (factors, polynomial) };
-        for (factor, function) in factors.iter().zip(functions.iter()).filter(|(factor, _)| **factor != 0.0) {
-            if polynomial.len() < function.len() {
-                polynomial.resize(function.len(), 0.0);
-            }
-            for (sum, term) in polynomial.iter_mut().zip(function) {
-                *sum += factor * term;
-            }
-        }
-        ([0.0; 4], polynomial)
-    }
-
     /// The functions (two even, two odd; order 2 leaves the second of each 0) at `u` with their derivatives up to order `N - 1`.
     pub(super) fn jets<const N: usize>(&self, u: f64) -> [[f64; N]; 4] {
         match self {
@@ -131,12 +115,7 @@ impl Basis {
                 let (even, odd) = rate.jets(u);
                 [even, [0.0; N], odd, [0.0; N]]
             }
-            Basis::Series(functions) => [
-                series::jet(&functions[0], u),
-                series::jet(&functions[1], u),
-                series::jet(&functions[2], u),
-                series::jet(&functions[3], u),
-            ],
+            Basis::Slow(slow) => slow.jets(u - 0.5),
             Basis::Products { sigma, delta } => {
                 let ((c, s), (c_delta, s_delta)) = (sigma.jets(u), delta.jets(u));
                 [product(&c, &c_delta), product(&s, &s_delta), product(&s, &c_delta), product(&c, &s_delta)]

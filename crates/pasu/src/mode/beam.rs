@@ -3,24 +3,21 @@
 //! Between two rings it is the mode problem of [`Equation`], on an interval whose length shortens the rates. The slopes at smooth rings and at free ends are what makes `q''` continuous there, or 0: one system
 //! with three diagonals for the rings between two corners. In the language of approximation this is an interpolating L-spline of the operator (M. H. Schultz and R. S. Varga, *L-splines*, 1967); a cubic spline where all rates are 0.
 
+use core::ops::Range;
 use std::sync::Arc;
 
+use super::bays::{Bay, Bays};
 use super::equation::Equation;
 use super::expansion::Expansion;
 use super::force;
 use super::order::Order;
-use super::ring::{Free, Ring};
+use super::ring::Free;
+use super::roots::{largest_rate, swing};
 use super::series;
 use super::solution::{ModeData, ModeSolution};
 use super::stiffness::Stiffness;
 use super::unsolvable::Unsolvable;
 use crate::numeric::tridiagonal::Tridiagonal;
-
-/// Rings nearer each other than this are refused: a slope, a value over a gap, would have fewer digits than a mesh shows.
-pub(crate) const CLOSEST: f64 = 1e-6;
-
-/// Lengths that differ by no more than this differ by the rounding of where rings are.
-const SAME: f64 = 2.0 * f64::EPSILON;
 
 /// How much the slopes of a beam that can swing may answer to what holds it: beyond this they cannot be told to the promised digits.
 const RESONANCE: f64 = 1e5;
@@ -28,27 +25,19 @@ const RESONANCE: f64 = 1e5;
 /// The equation of a mode between each two neighbours among the ends and the rings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Beam {
-    bays: Vec<Bay>,
+    bays: Arc<Bays>,
+    /// In `(u - from) / length`: one for every different length.
+    equations: Vec<Equation>,
+    /// As many; none where nothing is to be found.
+    stiffnesses: Vec<Stiffness>,
     /// Smooth stretches from one corner or end to the next. None where there is nothing to find: no rings and no free ends, or order 2.
     chains: Vec<Chain>,
-}
-
-/// The beam between two neighbours.
-#[derive(Debug, Clone, PartialEq)]
-struct Bay {
-    from: f64,
-    to: f64,
-    length: f64,
-    /// In `(u - from) / length`; the same for all of one length.
-    equation: Arc<Equation>,
 }
 
 /// Bays that are joined smoothly.
 #[derive(Debug, Clone, PartialEq)]
 struct Chain {
-    /// Number of the first bay.
-    first: usize,
-    stiffnesses: Vec<Stiffness>,
+    bays: Range<usize>,
     /// Whether the slope at either end is to be found as well.
     is_free: [bool; 2],
     /// For the slopes that are to be found.
@@ -64,13 +53,16 @@ pub(crate) struct Held<'a> {
     pub(crate) rings: &'a [f64],
 }
 
-/// `q(u)` of a beam: its solutions bay by bay.
-#[derive(Debug, Clone, PartialEq)]
+/// `q(u)` of a beam: its solutions bay by bay, none where it is 0.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Deflection {
     pieces: Vec<ModeSolution>,
     /// `q'` at both ends of every bay, where there is more than one: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
 }
+
+/// What there is of every bay where there is nothing.
+static NOTHING: ModeSolution = ModeSolution::zero();
 
 /// Why a beam has no answer, and between which `u`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,62 +74,59 @@ pub(crate) struct Broken {
 
 // Called for every mode from several places, and each call is long: inlined they would weigh more than they save.
 impl Beam {
-    /// The equation of the mode with angular frequency `k` through these rings.
+    /// The equation of the mode with angular frequency `k` on these bays.
     #[inline(never)]
-    pub(crate) fn new(order: Order, [s, t, w]: [f64; 3], k: f64, rings: &[Ring], free: Free) -> Result<Self, Broken> {
-        let all = |why| Broken { why, between: [0, rings.len() + 1] };
-        let [b, c] = Equation::coefficients(order, s, t, w, k).map_err(all)?;
-        let places = || rings.iter().map(|ring| ring.u);
-        let ends = places().chain([1.0]);
-        let mut bays: Vec<Bay> = Vec::with_capacity(rings.len() + 1);
-        for (index, (from, to)) in [0.0].into_iter().chain(places()).zip(ends).enumerate() {
-            let broken = |why| Broken { why, between: [index, index + 1] };
-            let length = to - from;
-            if !(length >= CLOSEST) {
-                return Err(broken(Unsolvable::Crowded));
-            }
-            // Rings are often evenly spaced.
-            let equation = match bays.last().filter(|bay| (bay.length - length).abs() <= SAME) {
-                Some(bay) => Arc::clone(&bay.equation),
-                None => Arc::new(Equation::on(order, s, b, c, length).map_err(broken)?),
-            };
-            bays.push(Bay { from, to, length, equation });
+    pub(crate) fn new(order: Order, [s, t, w]: [f64; 3], k: f64, bays: &Arc<Bays>, free: Free) -> Result<Self, Broken> {
+        let n = bays.bays.len();
+        let all = |why| Broken { why, between: [0, n] };
+        let coefficients = Equation::coefficients(order, s, t, w, k).map_err(all)?;
+        if let Some(index) = bays.crowded() {
+            return Err(Broken { why: Unsolvable::Crowded, between: [index, index + 1] });
         }
-        let mut beam = Beam { bays, chains: Vec::new() };
-        if order == Order::Fourth && (!rings.is_empty() || free != Free::default()) {
-            let corners = rings.iter().enumerate().filter(|(_, ring)| ring.sharp).map(|(index, _)| index + 1);
+        let [b, c] = coefficients;
+        let rate = largest_rate(order, b, c);
+        let mut equations = Vec::with_capacity(bays.lengths.len());
+        for (kind, length) in bays.lengths.iter().enumerate() {
+            equations.push(Equation::on(order, s, coefficients, rate, *length).map_err(|why| {
+                let index = bays.bays.iter().position(|bay| bay.kind == kind).unwrap_or_default();
+                Broken { why, between: [index, index + 1] }
+            })?);
+        }
+        let mut beam = Beam { bays: Arc::clone(bays), equations, stiffnesses: Vec::new(), chains: Vec::new() };
+        if order == Order::Fourth && (n > 1 || free != Free::default()) {
+            beam.stiffnesses = beam.equations.iter().map(Stiffness::of).collect();
+            let can_swing = swing(order, b, c) > 0.0;
             let (mut first, mut starts_free) = (0, free.start);
-            for corner in corners {
-                beam.add_chain([first, corner], [starts_free, true])?;
-                (first, starts_free) = (corner, true);
+            for corner in &bays.corners {
+                beam.add_chain(first..*corner, [starts_free, true], can_swing)?;
+                (first, starts_free) = (*corner, true);
             }
-            beam.add_chain([first, rings.len() + 1], [starts_free, free.end])?;
+            beam.add_chain(first..n, [starts_free, free.end], can_swing)?;
         }
         Ok(beam)
     }
 
     #[inline(never)]
-    fn add_chain(&mut self, between: [usize; 2], is_free: [bool; 2]) -> Result<(), Broken> {
-        let bays = &self.bays[between[0]..between[1]];
-        let mut stiffnesses: Vec<Stiffness> = Vec::with_capacity(bays.len());
-        for (index, bay) in bays.iter().enumerate() {
-            let before = index.checked_sub(1).filter(|before| Arc::ptr_eq(&bays[*before].equation, &bay.equation));
-            stiffnesses.push(before.map_or_else(|| Stiffness::of(&bay.equation), |before| stiffnesses[before]));
-        }
-        let (mut rows, mut scales) = (vec![[0.0; 3]; bays.len() + 1], vec![0.0; bays.len() + 1]);
-        for (index, (bay, stiffness)) in bays.iter().zip(&stiffnesses).enumerate() {
-            let [near, far] = stiffness.near_and_far().map(|part| part / bay.length);
+    fn add_chain(&mut self, bays: Range<usize>, is_free: [bool; 2], can_swing: bool) -> Result<(), Broken> {
+        let n = bays.len();
+        let between = [bays.start, bays.end];
+        let (mut rows, mut scales) = (vec![[0.0; 3]; n + 1], Vec::new());
+        for (index, bay) in self.bays.bays[bays.clone()].iter().enumerate() {
+            let [near, far] = self.stiffnesses[bay.kind].near_and_far().map(|part| part / bay.length);
             rows[index][1] += near;
             rows[index][2] = far;
             rows[index + 1][0] = far;
             rows[index + 1][1] += near;
-            let scale = near.abs().max(far.abs());
-            scales[index] += scale;
-            scales[index + 1] += scale;
+            if can_swing {
+                scales.resize(index + 2, 0.0);
+                let scale = near.abs().max(far.abs());
+                scales[index] += scale;
+                scales[index + 1] += scale;
+            }
         }
         let unknown = usize::from(!is_free[0])..rows.len() - usize::from(!is_free[1]);
         let resonant = Broken { why: Unsolvable::Resonant, between };
-        if bays.iter().any(|bay| bay.equation.swing() > 0.0) {
+        if can_swing {
             // In proportion to how stiff the beam is beside each ring.
             let scaled = unknown.clone().map(|index| {
                 let root = |index: usize| scales.get(index).map_or(1.0, |scale: &f64| scale.sqrt());
@@ -150,7 +139,7 @@ impl Beam {
             }
         }
         let factors = Tridiagonal::factors(&rows[unknown]).ok_or(Broken { why: Unsolvable::Overflow, between })?;
-        self.chains.push(Chain { first: between[0], stiffnesses, is_free, factors });
+        self.chains.push(Chain { bays, is_free, factors });
         Ok(())
     }
 
@@ -161,62 +150,111 @@ impl Beam {
     #[inline(never)]
     pub(crate) fn solve(&self, held: &Held) -> Result<Deflection, Broken> {
         let Held { ends, rings } = *held;
-        if let [Bay { equation, .. }] = &self.bays[..]
-            && self.chains.is_empty()
-        {
+        if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
+            return Ok(Deflection::default());
+        }
+        if let ([equation], true) = (&self.equations[..], self.is_single()) {
             let broken = |why| Broken { why, between: [0, 1] };
             return Ok(Deflection { pieces: vec![equation.solve(&ends).map_err(broken)?], slopes: Vec::new() });
         }
-        if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
-            let pieces = self.bays.iter().map(|_| ModeSolution::zero()).collect();
-            return Ok(Deflection { pieces, slopes: vec![[0.0; 2]; self.bays.len()] });
-        }
-        let inner = (0..self.bays.len() - 1).map(|index| rings.get(index).copied().unwrap_or(0.0));
-        let values: Vec<f64> = [ends.start].into_iter().chain(inner).chain([ends.end]).collect();
-        let forces: Vec<Vec<f64>> = self.bays.iter().map(|bay| bay.force(ends.force)).collect();
-        let mut slopes = vec![[0.0; 2]; self.bays.len()];
+        let bays = &self.bays.bays[..];
+        let n = bays.len();
+        let mut values = Vec::with_capacity(n + 1);
+        values.push(ends.start);
+        values.extend((0..n - 1).map(|index| rings.get(index).copied().unwrap_or(0.0)));
+        values.push(ends.end);
+        let forces: Vec<Vec<f64>> = match ends.force {
+            [] => Vec::new(),
+            force => bays.iter().map(|bay| self.force(bay, force)).collect(),
+        };
+        let force = |index: usize| forces.get(index).map_or(&[][..], Vec::as_slice);
+        let mut slopes = vec![[0.0; 2]; n];
         slopes[0][0] = ends.start_u;
-        slopes[self.bays.len() - 1][1] = ends.end_u;
+        slopes[n - 1][1] = ends.end_u;
         for chain in &self.chains {
-            let bays = chain.first..chain.first + chain.stiffnesses.len();
-            chain.find_slopes(
-                &self.bays[bays.clone()],
-                &values[chain.first..],
-                &forces[bays.clone()],
-                &mut slopes[bays],
-            );
+            self.find_slopes(chain, &values, &forces, &mut slopes);
         }
-        let mut pieces = Vec::with_capacity(self.bays.len());
-        for (index, (bay, force)) in self.bays.iter().zip(&forces).enumerate() {
+        let mut pieces = Vec::with_capacity(n);
+        for (index, bay) in bays.iter().enumerate() {
             let [start_u, end_u] = slopes[index].map(|slope| slope * bay.length);
-            let data = ModeData { start: values[index], end: values[index + 1], start_u, end_u, force };
+            let data = ModeData { start: values[index], end: values[index + 1], start_u, end_u, force: force(index) };
             let broken = |why| Broken { why, between: [index, index + 1] };
-            pieces.push(bay.equation.solve(&data).map_err(broken)?);
+            pieces.push(self.equations[bay.kind].solve(&data).map_err(broken)?);
         }
         Ok(Deflection { pieces, slopes })
     }
 
+    /// Slopes for which `q''` is continuous between the bays of a chain and 0 at free ends. Those given stand at the outer ends already.
+    #[inline(never)]
+    fn find_slopes(&self, chain: &Chain, values: &[f64], forces: &[Vec<f64>], slopes: &mut [[f64; 2]]) {
+        let n = chain.bays.len();
+        let (first, slopes) = (chain.bays.start, &mut slopes[chain.bays.clone()]);
+        let given = [slopes[0][0], slopes[n - 1][1]];
+        let known = |end: usize| if chain.is_free[end] { 0.0 } else { given[end] };
+        // What would bend a beam whose unknown slopes are 0.
+        let mut unbalanced = vec![0.0; n + 1];
+        for (index, bay) in self.bays.bays[chain.bays.clone()].iter().enumerate() {
+            let particular = match forces.get(first + index) {
+                Some(force) => force::particular(&self.equations[bay.kind], force),
+                None => Vec::new(),
+            };
+            let [[p0, p0_u, p0_uu], [p1, p1_u, p1_uu]] = [0.0, 1.0].map(|x| series::jet::<3>(&particular, x));
+            let start_u = if index == 0 { known(0) * bay.length } else { 0.0 };
+            let end_u = if index + 1 == n { known(1) * bay.length } else { 0.0 };
+            let by_values = [values[first + index] - p0, values[first + index + 1] - p1];
+            let [start, end] = self.stiffnesses[bay.kind].second_derivatives(by_values, [start_u - p0_u, end_u - p1_u]);
+            let square = bay.length * bay.length;
+            unbalanced[index] += (start + p0_uu) / square;
+            unbalanced[index + 1] -= (end + p1_uu) / square;
+        }
+        let unknown = usize::from(!chain.is_free[0])..n + 1 - usize::from(!chain.is_free[1]);
+        chain.factors.solve(&mut unbalanced[unknown.clone()]);
+        for index in unknown {
+            if index < n {
+                slopes[index][0] = unbalanced[index];
+            }
+            if index > 0 {
+                slopes[index - 1][1] = unbalanced[index];
+            }
+        }
+    }
+
+    /// A force on the whole beam as what acts on the equation of a bay.
+    #[inline(never)]
+    fn force(&self, bay: &Bay, force: &[f64]) -> Vec<f64> {
+        let square = bay.length * bay.length;
+        let mut scale = match self.equations[bay.kind].order {
+            Order::Second => square,
+            Order::Fourth => square * square,
+        };
+        series::about(force, bay.from)
+            .into_iter()
+            .map(|coefficient| {
+                let scaled = coefficient * scale;
+                scale *= bay.length;
+                scaled
+            })
+            .collect()
+    }
+
+    /// Whether it is a mode problem from end to end, with no slope to be found.
+    fn is_single(&self) -> bool {
+        self.bays.bays.len() == 1 && self.chains.is_empty()
+    }
+
     /// The equation where it is the same from end to end.
     fn single(&self) -> Option<&Equation> {
-        match &self.bays[..] {
-            [bay] => Some(&bay.equation),
-            _ => None,
-        }
+        self.equations.first().filter(|_| self.bays.bays.len() == 1)
     }
 
     /// Whether every ring is a corner, as those of order 2 are.
     pub(crate) fn has_corners(&self) -> bool {
-        self.bays.len() > 1 && self.chains.is_empty()
-    }
-
-    /// The number of the bay at `u`; at a ring the one behind it.
-    fn bay_at(&self, u: f64) -> usize {
-        self.bays.partition_point(|bay| bay.from <= u).saturating_sub(1)
+        self.bays.bays.len() > 1 && self.chains.is_empty()
     }
 
     /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
     pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_in(self.bay_at(u), of, u)
+        self.jets_in(self.bays.at(u), of, u)
     }
 
     /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
@@ -226,27 +264,28 @@ impl Beam {
         u: f64,
         [low, high]: [f64; 2],
     ) -> [[f64; N]; M] {
-        let index = self.bay_at(u.min(high.next_down()).max(low));
-        let x = self.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
+        let index = self.bays.at(u.min(high.next_down()).max(low));
+        let x = self.bays.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
         self.jets_of(index, of, x)
     }
 
     fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        let x = self.bays.get(index).map_or(0.0, |bay| bay.within(u));
+        let x = self.bays.bays.get(index).map_or(0.0, |bay| bay.within(u));
         self.jets_of(index, of, x)
     }
 
     fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
-        let Some(bay) = self.bays.get(index) else { return [[0.0; N]; M] };
-        let mut jets = bay.equation.jets::<N, M>(of.map(|deflection| &deflection.pieces[index]), x);
-        if self.bays.len() == 1 && self.chains.is_empty() {
+        let Some(bay) = self.bays.bays.get(index) else { return [[0.0; N]; M] };
+        let equation = &self.equations[bay.kind];
+        let mut jets = equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
+        if self.is_single() {
             return jets;
         }
         for (jet, deflection) in jets.iter_mut().zip(of) {
             bay.lengthen(jet);
             let end = [0.0, 1.0].into_iter().position(|end| x == end);
-            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), bay.equation.order) {
-                *slope = deflection.slopes[index][end];
+            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), equation.order) {
+                *slope = deflection.slopes.get(index).map_or(0.0, |slopes| slopes[end]);
             }
         }
         jets
@@ -260,12 +299,12 @@ impl Beam {
         to: f64,
     ) -> [[f64; N]; M] {
         let mut suprema = [[0.0f64; N]; M];
-        let first = self.bay_at(from);
-        let among = self.bays.iter().enumerate().skip(first);
+        let first = self.bays.at(from);
+        let among = self.bays.bays.iter().enumerate().skip(first);
         let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
         for (index, bay) in among {
-            let pieces = of.map(|deflection| &deflection.pieces[index]);
-            let mut here = bay.equation.suprema::<N, M>(pieces, bay.within(from), bay.within(to));
+            let pieces = of.map(|deflection| deflection.piece(index));
+            let mut here = self.equations[bay.kind].suprema::<N, M>(pieces, bay.within(from), bay.within(to));
             for (most, here) in suprema.iter_mut().zip(&mut here) {
                 bay.lengthen(here);
                 for (most, here) in most.iter_mut().zip(here) {
@@ -278,101 +317,32 @@ impl Beam {
 
     /// The size of the fastest rate, as [`Equation::largest_rate`].
     pub(crate) fn largest_rate(&self) -> f64 {
-        self.bays.first().map_or(0.0, |bay| bay.equation.largest_rate() / bay.length)
+        self.first().map_or(0.0, |(equation, length)| equation.largest_rate() / length)
     }
 
     /// The rate of the fastest solution that swings without falling off, as [`Equation::swing`].
     pub(crate) fn swing(&self) -> f64 {
-        self.bays.first().map_or(0.0, |bay| bay.equation.swing() / bay.length)
+        self.first().map_or(0.0, |(equation, length)| equation.swing() / length)
+    }
+
+    fn first(&self) -> Option<(&Equation, f64)> {
+        self.equations.first().zip(self.bays.lengths.first().copied())
     }
 }
 
 impl Beam {
     /// The half-width of intervals on which few terms of a power series are enough for both, as [`Equation::reach`]. 0 where there are rings: a series ends at each.
     pub(crate) fn reach(&self, of: [&Deflection; 2]) -> f64 {
-        let (Some(equation), [Some(one), Some(other)]) = (self.single(), of.map(Deflection::single)) else {
-            return 0.0;
-        };
-        equation.reach(one).min(equation.reach(other))
+        let Some(equation) = self.single() else { return 0.0 };
+        let [one, other] = of.map(|deflection| equation.reach(deflection.piece(0)));
+        one.min(other)
     }
 
     /// The expansions of both about `centre`, as [`Equation::expansions`]; none where [`Beam::reach`] is 0.
     pub(crate) fn expansions(&self, of: [&Deflection; 2], centre: f64, half: f64) -> [Expansion; 2] {
-        match (self.single(), of.map(Deflection::single)) {
-            (Some(equation), [Some(one), Some(other)]) => equation.expansions([one, other], centre, half),
-            _ => Default::default(),
-        }
-    }
-}
-
-impl Bay {
-    /// Where `u` is between its ends, from 0 to 1.
-    fn within(&self, u: f64) -> f64 {
-        self.beyond(u).clamp(0.0, 1.0)
-    }
-
-    /// The same for any `u`.
-    fn beyond(&self, u: f64) -> f64 {
-        if u == self.to { 1.0 } else { (u - self.from) / self.length }
-    }
-
-    /// Derivatives in `u` from those in what runs from 0 to 1.
-    fn lengthen<const N: usize>(&self, jet: &mut [f64; N]) {
-        let mut power = 1.0;
-        for value in jet.iter_mut().skip(1) {
-            power *= self.length;
-            *value /= power;
-        }
-    }
-
-    /// A force on the whole beam as what acts on this bay's equation.
-    #[inline(never)]
-    fn force(&self, force: &[f64]) -> Vec<f64> {
-        let power = match self.equation.order {
-            Order::Second => self.length * self.length,
-            Order::Fourth => (self.length * self.length) * (self.length * self.length),
-        };
-        let mut scale = power;
-        series::about(force, self.from)
-            .into_iter()
-            .map(|coefficient| {
-                let scaled = coefficient * scale;
-                scale *= self.length;
-                scaled
-            })
-            .collect()
-    }
-}
-
-impl Chain {
-    /// Slopes for which `q''` is continuous between the bays and 0 at free ends. Those given stand at the outer ends already.
-    #[inline(never)]
-    fn find_slopes(&self, bays: &[Bay], values: &[f64], forces: &[Vec<f64>], slopes: &mut [[f64; 2]]) {
-        let n = bays.len();
-        let given = [slopes[0][0], slopes[n - 1][1]];
-        let known = |end: usize| if self.is_free[end] { 0.0 } else { given[end] };
-        // What would bend a beam whose unknown slopes are 0.
-        let mut unbalanced = vec![0.0; n + 1];
-        for (index, ((bay, stiffness), force)) in bays.iter().zip(&self.stiffnesses).zip(forces).enumerate() {
-            let particular = force::particular(&bay.equation, force);
-            let [[p0, p0_u, p0_uu], [p1, p1_u, p1_uu]] = [0.0, 1.0].map(|x| series::jet::<3>(&particular, x));
-            let start_u = if index == 0 { known(0) * bay.length } else { 0.0 };
-            let end_u = if index + 1 == n { known(1) * bay.length } else { 0.0 };
-            let by_values = [values[index] - p0, values[index + 1] - p1];
-            let [start, end] = stiffness.second_derivatives(by_values, [start_u - p0_u, end_u - p1_u]);
-            let square = bay.length * bay.length;
-            unbalanced[index] += (start + p0_uu) / square;
-            unbalanced[index + 1] -= (end + p1_uu) / square;
-        }
-        let unknown = usize::from(!self.is_free[0])..n + 1 - usize::from(!self.is_free[1]);
-        self.factors.solve(&mut unbalanced[unknown.clone()]);
-        for index in unknown {
-            if index < n {
-                slopes[index][0] = unbalanced[index];
-            }
-            if index > 0 {
-                slopes[index - 1][1] = unbalanced[index];
-            }
+        match self.single() {
+            Some(equation) => equation.expansions(of.map(|deflection| deflection.piece(0)), centre, half),
+            None => Default::default(),
         }
     }
 }
@@ -383,17 +353,15 @@ impl Deflection {
         self.pieces.iter().all(ModeSolution::is_zero)
     }
 
-    /// The closed form where there is one from end to end.
-    fn single(&self) -> Option<&ModeSolution> {
-        match &self.pieces[..] {
-            [piece] => Some(piece),
-            _ => None,
-        }
+    /// The closed form of this bay.
+    fn piece(&self, index: usize) -> &ModeSolution {
+        self.pieces.get(index).unwrap_or(&NOTHING)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Ring;
     use super::*;
 
     const RINGS: [Ring; 4] = [
@@ -402,6 +370,10 @@ mod tests {
         Ring { u: 0.6, sharp: true },
         Ring { u: 0.9, sharp: false },
     ];
+
+    fn bays(rings: &[Ring]) -> Arc<Bays> {
+        Arc::new(Bays::between(rings))
+    }
 
     fn held<'a>(force: &'a [f64], rings: &'a [f64]) -> Held<'a> {
         Held { ends: ModeData { start: 1.0, start_u: -3.0, end: -0.5, end_u: 2.0, force }, rings }
@@ -415,7 +387,7 @@ mod tests {
             for [t, w] in [[0.0, 0.0], [2.0, 1.0], [3.0, 0.0], [-2.0, 0.3], [1.0, 5.0], [60.0, 40.0]] {
                 for k in [0.0, 1.0, 7.0, 60.0] {
                     let free = Free { start: false, end: order == Order::Fourth };
-                    let Ok(beam) = Beam::new(order, [1.0, t, w], k, &RINGS, free) else { continue };
+                    let Ok(beam) = Beam::new(order, [1.0, t, w], k, &bays(&RINGS), free) else { continue };
                     let Ok(solution) = beam.solve(&held(&[3.0, -20.0, 4.0], &[0.3, 0.31, -2.0, 1.0])) else { continue };
                     for (from, to) in [(0.0, 0.2), (0.1, 0.5), (0.2, 0.201), (0.6, 0.6), (0.25, 1.0), (0.0, 1.0)] {
                         let [suprema] = beam.suprema::<4, 1>([&solution], from, to);
@@ -442,7 +414,7 @@ mod tests {
     #[test]
     fn without_rings_it_is_the_mode_problem_to_the_bit() {
         let held = held(&[1.0, 2.0], &[]);
-        let beam = Beam::new(Order::Fourth, [1.5, 3.0, 2.0], 5.0, &[], Free::default()).unwrap();
+        let beam = Beam::new(Order::Fourth, [1.5, 3.0, 2.0], 5.0, &bays(&[]), Free::default()).unwrap();
         let equation = Equation::new(Order::Fourth, 1.5, 3.0, 2.0, 5.0).unwrap();
         let (deflection, solution) = (beam.solve(&held).unwrap(), equation.solve(&held.ends).unwrap());
         for i in 0..=64 {
@@ -454,8 +426,8 @@ mod tests {
 
     #[test]
     fn a_side_of_a_corner_is_next_to_it() {
-        let beam =
-            Beam::new(Order::Fourth, [1.0, 0.0, 0.0], 0.0, &RINGS[2..3], Free { start: true, end: true }).unwrap();
+        let beam = Beam::new(Order::Fourth, [1.0, 0.0, 0.0], 0.0, &bays(&RINGS[2..3]), Free { start: true, end: true })
+            .unwrap();
         let deflection = beam.solve(&held(&[], &[4.0])).unwrap();
         let slope = |u: f64| beam.jets::<2, 1>([&deflection], u)[0];
         assert_eq!(slope(0.6)[0], 4.0);

@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::order::Order;
 use super::pair::Pair;
-use super::roots::{largest_rate, squared_roots};
+use super::roots::{largest_rate, swing};
 use super::unsolvable::Unsolvable;
 
 /// The operator of one mode divided by `s`: `q'' - b q` for order 2 (`c` is 0), `q'''' - b q'' + c q` for order 4,
@@ -38,17 +38,19 @@ impl Equation {
     /// ```
     pub fn new(order: Order, s: f64, t: f64, w: f64, k: f64) -> Result<Self, Unsolvable> {
         let [b, c] = Self::coefficients(order, s, t, w, k)?;
-        Self::of_coefficients(order, s, b, c)
+        Self::of_coefficients(order, s, b, c, largest_rate(order, b, c))
     }
 
-    /// The same operator on an interval of this length, as an equation on [0, 1]: the rates grow shorter with it.
-    pub(super) fn on(order: Order, s: f64, b: f64, c: f64, length: f64) -> Result<Self, Unsolvable> {
+    /// The operator with these coefficients and this largest rate on an interval of this length, as an equation on [0, 1]: the rates grow shorter with it.
+    pub(super) fn on(order: Order, s: f64, [b, c]: [f64; 2], rate: f64, length: f64) -> Result<Self, Unsolvable> {
         let square = length * length;
-        Self::of_coefficients(order, s, b * square, c * (square * square))
+        Self::of_coefficients(order, s, b * square, c * (square * square), rate * length)
     }
 
-    fn of_coefficients(order: Order, s: f64, b: f64, c: f64) -> Result<Self, Unsolvable> {
-        let (basis, halves) = Basis::of(order, b, c)?;
+    fn of_coefficients(order: Order, s: f64, b: f64, c: f64, rate: f64) -> Result<Self, Unsolvable> {
+        let basis = Basis::of(order, b, c, rate);
+        let halves = basis.halves();
+        basis.check(&halves)?;
         Ok(Equation { order, s, b, c, basis, halves })
     }
 
@@ -84,11 +86,7 @@ impl Equation {
 
     /// The rate of the fastest solution that swings without falling off, in radians from `u = 0` to 1; 0 where none does.
     pub(crate) fn swing(&self) -> f64 {
-        let least = match self.order {
-            Order::Second => self.b,
-            Order::Fourth => squared_roots(self.b, self.c).map_or(0.0, |(one, other)| one.min(other)),
-        };
-        (-least).max(0.0).sqrt()
+        swing(self.order, self.b, self.c)
     }
 }
 

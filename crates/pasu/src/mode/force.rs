@@ -44,7 +44,7 @@ fn split(force: &[f64], rate: f64) -> (&[f64], Vec<f64>) {
     (&force[..cut], high)
 }
 
-fn added(mut sum: Vec<f64>, other: &[f64]) -> Vec<f64> {
+pub(super) fn added(mut sum: Vec<f64>, other: &[f64]) -> Vec<f64> {
     if sum.len() < other.len() {
         sum.resize(other.len(), 0.0);
     }

@@ -14,6 +14,7 @@
 //! rate overflows. The force is met by a particular polynomial ([`force`]).
 
 mod basis;
+mod bays;
 mod beam;
 mod equation;
 mod expansion;
@@ -24,13 +25,15 @@ mod rate;
 mod ring;
 mod roots;
 mod series;
+mod slow;
 mod solution;
 mod solve;
 mod stiffness;
 mod supremum;
 mod unsolvable;
 
-pub(crate) use beam::{Beam, Broken, CLOSEST, Deflection, Held};
+pub(crate) use bays::{Bays, CLOSEST};
+pub(crate) use beam::{Beam, Broken, Deflection, Held};
 pub use equation::Equation;
 pub(crate) use expansion::{Expansion, ROUNDING, TERMS};
 pub use order::Order;

@@ -15,6 +15,15 @@ pub(super) fn largest_rate(order: Order, b: f64, c: f64) -> f64 {
     }
 }
 
+/// The rate of the fastest solution that swings without falling off; 0 where none does.
+pub(super) fn swing(order: Order, b: f64, c: f64) -> f64 {
+    let least = match order {
+        Order::Second => b,
+        Order::Fourth => squared_roots(b, c).map_or(0.0, |(one, other)| one.min(other)),
+    };
+    (-least).max(0.0).sqrt()
+}
+
 /// The real roots of `z^2 - b z + c`, the larger in size first, or `None` when they are complex.
 ///
 /// Neither the discriminant nor the smaller root is got by subtraction of near-equal numbers other than `b` and `2 sqrt(c)`.

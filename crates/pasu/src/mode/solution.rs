@@ -42,7 +42,7 @@ impl ModeData<'_> {
 
 impl ModeSolution {
     /// The solution that is 0.
-    pub(super) fn zero() -> Self {
+    pub(super) const fn zero() -> Self {
         ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0 }
     }
 
@@ -62,7 +62,6 @@ impl ModeSolution {
                 [a, b, c, d]
             }
         };
-        let (factors, particular) = equation.basis.absorbed(factors, particular);
         if factors.iter().chain(&particular).all(|f| f.is_finite()) {
             Ok(ModeSolution {
                 factors,

@@ -2,7 +2,6 @@
 
 use super::basis::Basis;
 use super::equation::Equation;
-use super::pair::Pair;
 
 /// The second derivative of an even and of an odd solution at `u = 1`, for a unit of slope there and for a unit of value.
 ///
@@ -42,14 +41,20 @@ impl Stiffness {
                     value: [-c * odd.determinant / even.determinant, -even.determinant / odd.determinant],
                 }
             }
-            // Rates are small, and the functions are near 1, x, x^2 / 2, x^3 / 6: nothing cancels but what is next to nothing.
-            Basis::Series(_) | Basis::Single(_) => {
-                let [one, two, three, four] = equation.basis.jets::<3>(1.0);
-                let [even, odd] = [[one, two], [three, four]].map(|[f, g]| {
-                    let Pair { determinant, .. } = Pair::by_subtraction([f[0], f[1]], [g[0], g[1]]);
-                    [(f[0] * g[2] - g[0] * f[2]) / determinant, (g[1] * f[2] - f[1] * g[2]) / determinant]
-                });
-                Stiffness { slope: [even[0], odd[0]], value: [even[1], odd[1]] }
+            // The functions are near 1, x^2 / 2, x, x^3 / 6: nothing cancels but what is next to nothing. Of the second derivatives those of the first and the third are `-c` times the second and the fourth,
+            // that of the second is the first and `b` times the second, and that of the fourth the slope of the second.
+            Basis::Slow(_) | Basis::Single(_) => {
+                let (even_bent, odd_bent) = (even.first[0] + equation.b * even.second[0], even.second[1]);
+                Stiffness {
+                    slope: [
+                        (even.first[0] * even_bent + c * even.second[0] * even.second[0]) / even.determinant,
+                        (odd.first[0] * odd_bent + c * odd.second[0] * odd.second[0]) / odd.determinant,
+                    ],
+                    value: [
+                        (-c * even.second[1] * even.second[0] - even.first[1] * even_bent) / even.determinant,
+                        (-c * odd.second[1] * odd.second[0] - odd.first[1] * odd_bent) / odd.determinant,
+                    ],
+                }
             }
         }
     }

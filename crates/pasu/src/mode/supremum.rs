@@ -1,6 +1,7 @@
 //! How large a mode's solution can be between two points.
 
 use super::basis::{Basis, product};
+use super::force::added;
 use super::rate::Rate;
 use super::{Equation, ModeSolution};
 use crate::numeric::horner;
@@ -17,12 +18,20 @@ impl Equation {
         from: f64,
         to: f64,
     ) -> [[f64; N]; M] {
-        let needs_basis = solutions.iter().any(|solution| solution.factors() != [0.0; 4]);
-        let basis = if needs_basis { self.basis.suprema::<N>(from, to) } else { [[0.0; N]; 4] };
         let reach = (from - 0.5).abs().max((to - 0.5).abs());
+        let slow = match &self.basis {
+            Basis::Slow(slow) => Some(slow),
+            _ => None,
+        };
+        let needs_basis = slow.is_none() && solutions.iter().any(|solution| solution.factors() != [0.0; 4]);
+        let basis = if needs_basis { self.basis.suprema::<N>(from, to) } else { [[0.0; N]; 4] };
         solutions.map(|solution| {
-            let mut suprema = polynomial::<N>(solution.particular(), reach);
-            for (factor, function) in solution.factors().iter().zip(&basis).filter(|(factor, _)| **factor != 0.0) {
+            let (factors, particular) = (solution.factors(), solution.particular());
+            if let Some(slow) = slow {
+                return polynomial(&added(slow.terms(factors), particular), reach);
+            }
+            let mut suprema = polynomial::<N>(particular, reach);
+            for (factor, function) in factors.iter().zip(&basis).filter(|(factor, _)| **factor != 0.0) {
                 for (sum, value) in suprema.iter_mut().zip(function) {
                     *sum += factor.abs() * value;
                 }
@@ -33,17 +42,14 @@ impl Equation {
 }
 
 impl Basis {
-    /// As `jets`, bounds of the sizes on an interval. Power series have become polynomials of the solution by now.
+    /// As `jets`, bounds of the sizes on an interval. Where all rates are small a solution is bounded as the power series that it is, and these are not asked for.
     fn suprema<const N: usize>(&self, from: f64, to: f64) -> [[f64; N]; 4] {
         match self {
             Basis::Single(rate) => {
                 let (even, odd) = rate.suprema(from, to);
                 [even, [0.0; N], odd, [0.0; N]]
             }
-            Basis::Series(functions) => {
-                let reach = (from - 0.5).abs().max((to - 0.5).abs());
-                functions.each_ref().map(|function| polynomial(function, reach))
-            }
+            Basis::Slow(_) => [[0.0; N]; 4],
             Basis::Products { sigma, delta } => {
                 let ((c, s), (c_delta, s_delta)) = (sigma.suprema(from, to), delta.suprema(from, to));
                 [product(&c, &c_delta), product(&s, &s_delta), product(&s, &c_delta), product(&c, &s_delta)]

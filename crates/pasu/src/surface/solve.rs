@@ -10,7 +10,7 @@ use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
-use crate::mode::{Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
+use crate::mode::{Bays, Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
 use crate::patch::SurfaceJet;
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
@@ -86,6 +86,7 @@ impl Surface {
     pub fn solve(shape: &BoundaryValue, path: &str) -> Result<Surface> {
         #[cfg(test)]
         SOLVED.set(SOLVED.get() + 1);
+        let bays = Arc::new(Bays::between(&shape.rings));
         // What was factored for one component: y nearly always, and z often, have the same equations.
         let mut known: Vec<Known> = Vec::with_capacity(shape.x.modes.len());
         let mut component = |axis: Axis, component: &Component| {
@@ -96,7 +97,7 @@ impl Surface {
                 let equation = (order, [s, t, w, mode.n].map(f64::to_bits), free);
                 let beam = match known.iter().find(|known| known.equation == equation) {
                     Some(known) => Ok(Arc::clone(&known.beam)),
-                    None => Beam::new(order, [s, t, w], k, &shape.rings, free).map(|beam| {
+                    None => Beam::new(order, [s, t, w], k, &bays, free).map(|beam| {
                         let beam = Arc::new(beam);
                         known.push(Known { equation, beam: Arc::clone(&beam) });
                         beam

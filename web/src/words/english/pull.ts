@@ -41,7 +41,7 @@ export const pull = phrases("pull", {
   } satisfies Readonly<Record<Lock, string>>,
   keepHelp: "What is ticked stays as it is while you pull.",
   keepCapacity:
-    "When you let go, the pot becomes lower or higher until it holds what it held; with the rim or the height kept as well, its other rings become narrower or wider.",
+    "While you pull, the pot becomes lower or higher so that it holds what it held, and exactly that when you let go; with the rim or the height kept as well, its other rings become narrower or wider.",
   spilt: "Nothing else that is free can make up for this: the pot holds something else now. Undo takes the pull back.",
   keys: "Arrow keys move the ring, plus and minus set the width of the pull, Delete removes the ring.",
   at: (name: string, radius: string, height: string) => `${name}: radius ${radius}, height ${height}`,
