@@ -6,3 +6,4 @@ pub mod blend_differences;
 pub mod designs;
 pub mod finite_difference;
 pub mod rounds;
+pub mod storage;

@@ -14,6 +14,9 @@ use serde_json::{Value, json};
 const ROUNDS: [usize; 2] = [15, 3];
 
 fn main() -> Result<()> {
+    if std::env::args().any(|argument| argument == "storage") {
+        return storage();
+    }
     let quick = std::env::args().any(|argument| argument == "--quick");
     let rounds = ROUNDS[usize::from(quick)];
     for modes in [1, 4, 8] {
@@ -28,6 +31,13 @@ fn main() -> Result<()> {
     blends(rounds)?;
     baseline("order 4", &designs::vase(8)?, rounds)?;
     baseline("order 2", &designs::vase_of_second_order(8)?, rounds)
+}
+
+/// What networks take as patches of the equation, as NURBS patches and as polygons.
+#[expect(clippy::print_stdout, reason = "standard output is where xtask reads the table")]
+fn storage() -> Result<()> {
+    println!("{}", bench::storage::table(&bench::storage::comparisons()?));
+    Ok(())
 }
 
 /// Sampling against the closed form at every vertex.
