@@ -2,6 +2,8 @@
 //!
 //! Never shipped. `cargo xtask bench` runs it.
 
+pub mod blend_differences;
 pub mod designs;
 pub mod finite_difference;
 pub mod rounds;
+pub mod storage;

@@ -3,6 +3,7 @@
 
 use std::hint::black_box;
 
+use bench::blend_differences::DISCS;
 use bench::designs;
 use bench::finite_difference::{Fourier, Problem};
 use bench::rounds::{Contender, take_turns};
@@ -13,6 +14,9 @@ use serde_json::{Value, json};
 const ROUNDS: [usize; 2] = [15, 3];
 
 fn main() -> Result<()> {
+    if std::env::args().any(|argument| argument == "storage") {
+        return storage();
+    }
     let quick = std::env::args().any(|argument| argument == "--quick");
     let rounds = ROUNDS[usize::from(quick)];
     for modes in [1, 4, 8] {
@@ -24,8 +28,16 @@ fn main() -> Result<()> {
     rings(rounds)?;
     pulling(rounds)?;
     networks(rounds)?;
+    blends(rounds)?;
     baseline("order 4", &designs::vase(8)?, rounds)?;
     baseline("order 2", &designs::vase_of_second_order(8)?, rounds)
+}
+
+/// What networks take as patches of the equation, as NURBS patches and as polygons.
+#[expect(clippy::print_stdout, reason = "standard output is where xtask reads the table")]
+fn storage() -> Result<()> {
+    println!("{}", bench::storage::table(&bench::storage::comparisons()?));
+    Ok(())
 }
 
 /// Sampling against the closed form at every vertex.
@@ -193,6 +205,53 @@ fn networks(rounds: usize) -> Result<()> {
     rows[2]["note"] = json!(designs::NETWORK_NOTE);
     rows[3]["against"] = rows[0]["name"].clone();
     print("A network of 10,000 patches, within a thousandth of its size", "ms", rows);
+    Ok(())
+}
+
+/// The second example of ZY04 by each method, solved and evaluated all through, against a plain loft; with what the equation leaves, and how far it is from finite differences.
+fn blends(rounds: usize) -> Result<()> {
+    const SIDE: usize = 17;
+    const STEPS: usize = 24;
+    let step = |index: usize| index as f64 / (SIDE - 1) as f64;
+    let at: Vec<f64> = (0..SIDE)
+        .flat_map(|k| (0..SIDE).flat_map(move |i| (0..SIDE).flat_map(move |j| [step(i), step(j), step(k)])))
+        .collect();
+    let ways = [
+        ("exact", "exact", [4, 4, 3]),
+        ("modal, 4 x 4", "modal", [4, 4, 1]),
+        ("modal, 32 x 32", "modal", [32, 32, 1]),
+        ("collocation, 4 x 4 x 3", "collocation", [4, 4, 3]),
+        ("collocation, 32 x 32 x 8", "collocation", [32, 32, 8]),
+    ];
+    let designs =
+        ways.iter().map(|(_, method, terms)| DISCS.design(method, *terms)).collect::<Result<Vec<Design>>>()?;
+    let found = DISCS.by_differences(STEPS);
+    let told = |apart: f64| format!("{apart:.1e} from finite differences on {STEPS} intervals");
+    let mut notes = vec![("a plain loft, positions alone", told(DISCS.loft_apart(&found)))];
+    for ((name, ..), design) in ways.iter().zip(&designs) {
+        let inside = pasu::inside(design, 0)?;
+        let left = format!("residual {:.1e} at most, {:.1e} RMS", inside.residual, inside.residual_rms);
+        notes.push((*name, format!("{left}, {}", told(DISCS.apart(design, &found)?))));
+    }
+    let loft = || at.chunks_exact(3).map(|at| DISCS.loft([at[0], at[1], at[2]])[0]).sum::<f64>();
+    let mut contenders = vec![Contender::new("a plain loft, positions alone", loft)];
+    for ((name, ..), design) in ways.iter().zip(&designs) {
+        contenders.push(Contender::new(name, || pasu::evaluate(design, 0, &at)));
+    }
+    contenders.push(Contender::new("finite differences, conjugate gradients", || DISCS.by_differences(STEPS)));
+    take_turns(&mut contenders, rounds);
+    let rows = contenders.iter().map(|contender| {
+        let mut row = row(contender, 1e3);
+        if let Some((_, note)) = notes.iter().find(|(name, _)| *name == contender.name) {
+            row["note"] = json!(note);
+        }
+        row
+    });
+    print(
+        &format!("A blend of two discs, solved and evaluated at {SIDE} x {SIDE} x {SIDE} points"),
+        "ms",
+        rows.collect(),
+    );
     Ok(())
 }
 

@@ -4,19 +4,26 @@ use core::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::section::Product;
-use crate::design::{Form, Section};
+use super::section::{products, series};
+use crate::design::{Form, Harmonic, Section, plain};
 use crate::error::{Code, Error, Result};
+use crate::surface::{Turns, of_turns};
 
-/// Points on an outline for each wave of its highest harmonic, and how many there are at least and at most.
-const PER_WAVE: f64 = 12.0;
-const POINTS: (f64, f64) = (96.0, 4096.0);
+/// The most waves of an outline that is drawn. Up to here every wave is looked at.
+pub(super) const DRAWN_WAVES: f64 = 1024.0;
+
+/// Points on an outline for each wave of its highest harmonic, and how many there are at least.
+const PER_WAVE: usize = 12;
+const LEAST_POINTS: usize = 96;
 
 /// Where the first point lies between two of equal spacing: symmetrical outlines would else run through themselves at points, where nothing crosses.
 const OFFSET: f64 = 0.382;
 
 /// An area counts as none when it is this small beside the square of the extent.
 const NO_AREA: f64 = 1e-12;
+
+/// Sections beyond this are too large: areas would leave the range of numbers.
+const LARGEST: f64 = 1e150;
 
 /// The outline of a section as a closed polygon.
 #[derive(Debug)]
@@ -25,21 +32,17 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    /// Points of the border of a section, by what adds up to it.
-    pub(super) fn of(form: &Form, products: &[Product]) -> Polygon {
-        let waves = match form {
-            Form::Outline { x, y } => x.iter().chain(y).map(|wave| wave.n).fold(1.0, f64::max),
-            _ => 1.0,
-        };
-        let n = (PER_WAVE * waves).clamp(POINTS.0, POINTS.1) as usize;
-        let at = |u: f64, v: f64| -> DVec2 {
-            products.iter().map(|p| p.by * (p.u.jet::<1>(u)[0] * p.v.jet::<1>(v)[0])).sum()
-        };
+    /// Points of the border of a section: [`PER_WAVE`] for each wave, for at most [`DRAWN_WAVES`].
+    pub(super) fn of(form: &Form) -> Polygon {
         let points = match form {
-            Form::Disc(_) | Form::Outline { .. } => (0..n).map(|i| at(1.0, (i as f64 + OFFSET) / n as f64)).collect(),
+            Form::Disc(_) | Form::Outline { .. } => round([0, 1].map(|axis| series(form, axis))),
             // Once round the square.
             _ => {
-                let side = n / 4;
+                let products = products(form);
+                let at = |u: f64, v: f64| -> DVec2 {
+                    products.iter().map(|p| p.by * (p.u.jet::<1>(u)[0] * p.v.jet::<1>(v)[0])).sum()
+                };
+                let side = LEAST_POINTS / 4;
                 let along = |i: usize| 0.5 - 0.5 * libm::cos(PI * i as f64 / side as f64);
                 let border = |side: usize, t: f64| match side {
                     0 => at(t, 0.0),
@@ -121,6 +124,26 @@ impl Polygon {
     }
 }
 
+/// Points round two Fourier series, from [`OFFSET`] on. Angles are taken from one table, so that hundreds of waves at thousands of points take no time.
+fn round(axes: [Vec<Harmonic>; 2]) -> Vec<DVec2> {
+    let waves = axes.iter().flatten().map(|wave| wave.n).fold(1.0, f64::max).min(DRAWN_WAVES) as usize;
+    // One more than a multiple of the waves: what goes round several times would else lie on itself, point on point, and cross itself nowhere.
+    let n = waves * PER_WAVE.max(LEAST_POINTS.div_ceil(waves)) + 1;
+    let mut turns = Turns::default();
+    turns.divide(n);
+    let mut points = vec![DVec2::ZERO; n];
+    for (axis, series) in axes.iter().enumerate() {
+        for Harmonic { n: waves, cos, sin } in series {
+            let (c, s) = of_turns(libm::fmod(waves * OFFSET, n as f64) / n as f64);
+            let (along, across) = (cos * c + sin * s, sin * c - cos * s);
+            for (point, (c, s)) in points.iter_mut().zip(turns.walk(*waves)) {
+                point[axis] += along * c + across * s;
+            }
+        }
+    }
+    points
+}
+
 /// Whether the intervals along y of two segments meet.
 fn do_meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     a.y.max(b.y) >= c.y.min(d.y) && c.y.max(d.y) >= a.y.min(b.y)
@@ -138,11 +161,17 @@ fn coord(p: DVec2) -> robust::Coord<f64> {
     robust::Coord { x: p.x, y: p.y }
 }
 
-/// Refuses sections that bound no area, that run through themselves, two that lie in each other, and two between which there is no height.
+/// Refuses sections that are too large, that bound no area, that run through themselves, two that lie in each other, and two between which there is no height.
 ///
 /// # Errors
-/// `pinched-surface` and `crosses-itself`, with the section and the place.
+/// `overflow`, `pinched-surface` and `crosses-itself`, with the section and the place.
 pub(super) fn refuse_broken(both: [&Section; 2], polygons: &[Polygon; 2], path: &str) -> Result<()> {
+    for (polygon, name) in polygons.iter().zip(["start", "end"]) {
+        if !polygon.points.iter().all(|point| point.x.abs() <= LARGEST && point.y.abs() <= LARGEST) {
+            let message = format!("this section is too large to compute: expected one of at most {}", plain(LARGEST));
+            return Err(Error::new(Code::Overflow, format!("{path}.{name}"), message));
+        }
+    }
     for ((section, polygon), name) in both.into_iter().zip(polygons).zip(["start", "end"]) {
         let place = |at: DVec2| at.extend(section.z).to_array();
         let extent = polygon.extent();

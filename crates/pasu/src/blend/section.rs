@@ -53,6 +53,18 @@ fn harmonic(axis: DVec2, &Harmonic { n, cos, sin }: &Harmonic) -> Vec<Product> {
     waves.map(|(by, v)| Product { by: axis * by, u: Function::X, v }).collect()
 }
 
+/// The Fourier series of one coordinate of a closed section.
+pub(super) fn series(form: &Form, axis: usize) -> Vec<Harmonic> {
+    match form {
+        Form::Outline { x, y } => [x, y][axis].clone(),
+        Form::Disc([x, y]) => match axis {
+            0 => vec![Harmonic { n: 1.0, cos: 0.0, sin: *x }],
+            _ => vec![Harmonic { n: 1.0, cos: *y, sin: 0.0 }],
+        },
+        _ => Vec::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use core::f64::consts::TAU;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::function::Function;
+use super::function::{Function, multiples};
 use crate::patch::{Breaks, Cell, Patch, Row, Side, Suprema, SurfaceJet};
 
 /// `X(u, v) = sum by f(u) g(v)`: what a volume is where one of its parameters is held.
@@ -13,13 +13,24 @@ pub(super) struct Sheet {
     sides: [Side; 4],
     /// Whether all of it lies in one plane.
     is_level: bool,
+    /// Where many functions of `v` are waves that go round whole times: how often the fastest does.
+    most_turns: Option<usize>,
 }
+
+/// From so many waves on, and if they are not fewer than every so manieth there could be, their cosines are found one from the other.
+const MANY_WAVES: usize = 16;
+const ONE_OF: usize = 4;
 
 impl Sheet {
     /// The sum of these. Polynomials of one axis that are multiplied by the same are added up first: what cancels between the sections would else count twice in every bound.
     pub(super) fn new(sum: impl IntoIterator<Item = (DVec3, [Function; 2])>) -> Sheet {
-        let mut sheet =
-            Sheet { terms: Vec::new(), functions: Default::default(), sides: [Side::Free; 4], is_level: false };
+        let mut sheet = Sheet {
+            terms: Vec::new(),
+            functions: Default::default(),
+            sides: [Side::Free; 4],
+            is_level: false,
+            most_turns: None,
+        };
         let terms: Vec<(DVec3, [Function; 2])> = sum.into_iter().collect();
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             let of_axis = terms.iter().map(|(by, functions)| (by.dot(axis), functions.clone()));
@@ -31,6 +42,9 @@ impl Sheet {
                 }
             }
         }
+        let turns = sheet.functions[1].iter().filter_map(Function::whole_turns);
+        let (n_waves, most) = turns.fold((0, 0), |(n, most), turns| (n + 1, most.max(turns)));
+        sheet.most_turns = (n_waves >= MANY_WAVES && most <= ONE_OF * n_waves).then_some(most);
         sheet
     }
 
@@ -128,8 +142,9 @@ impl Row for SheetRow<'_> {
 
     fn jet(&self, v: f64) -> SurfaceJet {
         let mut jet = SurfaceJet::default();
+        let turns = self.sheet.most_turns.map_or_else(Vec::new, |most| multiples(v, most));
         for ([value, u, uu], function) in self.by.iter().zip(&self.sheet.functions[1]) {
-            let [g, g_v, g_vv] = function.jet::<3>(v);
+            let [g, g_v, g_vv] = function.jet_by::<3>(v, &turns);
             jet.position += *value * g;
             jet.du += *u * g;
             jet.dv += *value * g_v;

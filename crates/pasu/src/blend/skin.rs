@@ -6,9 +6,10 @@
 use glam::DVec3;
 
 use super::function::Function;
+use super::section::series;
 use super::sheet::Sheet;
 use super::volume::Volume;
-use crate::design::{Blend, BoundaryValue, Component, Datum, Form, Free, Harmonic, Method, Mode, Order, Section, Span};
+use crate::design::{Blend, BoundaryValue, Component, Datum, Free, Harmonic, Method, Mode, Order, Span};
 use crate::error::Result;
 use crate::patch::{Breaks, Cell, Columns, Patch, Row, Side, Spread, Suprema, SurfaceJet};
 use crate::surface::Surface;
@@ -81,7 +82,7 @@ pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
     let across = |axis: usize| {
         let mut modes: Vec<Mode> = Vec::new();
         for (index, section) in both.into_iter().enumerate() {
-            for Harmonic { n, cos, sin } in series(section, axis) {
+            for Harmonic { n, cos, sin } in series(&section.form, axis) {
                 let place = match modes.binary_search_by(|mode| mode.n.total_cmp(&n)) {
                     Ok(place) => place,
                     Err(place) => {
@@ -107,24 +108,6 @@ pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
     let z = component(vec![Mode { n: 0.0, cos: level, sin: Datum::default() }]);
     let problem = BoundaryValue { span: Span::Length(1.0), rings: Vec::new(), x: across(0), y: across(1), z };
     Surface::solve(&problem, path).map_err(|error| error.at(path))
-}
-
-/// The Fourier series of one coordinate of a closed section.
-fn series(section: &Section, axis: usize) -> Vec<Harmonic> {
-    match &section.form {
-        Form::Outline { x, y } => {
-            if axis == 0 {
-                x.clone()
-            } else {
-                y.clone()
-            }
-        }
-        Form::Disc([x, y]) => match axis {
-            0 => vec![Harmonic { n: 1.0, cos: 0.0, sin: *x }],
-            _ => vec![Harmonic { n: 1.0, cos: *y, sin: 0.0 }],
-        },
-        _ => Vec::new(),
-    }
 }
 
 impl Skin {

@@ -1,11 +1,10 @@
 //! A blend with its skin.
 
-use super::outline::{Polygon, refuse_broken};
-use super::section::products;
+use super::outline::{DRAWN_WAVES, Polygon, refuse_broken};
 use super::skin::{Skin, flank};
 use super::volume::Volume;
-use crate::design::{Blend, Form};
-use crate::error::Result;
+use crate::design::{Blend, Form, plain};
+use crate::error::{Code, Error, Result};
 use crate::patch::Patch;
 use crate::surface::Surface;
 
@@ -14,6 +13,8 @@ use crate::surface::Surface;
 pub(crate) struct Blended {
     volume: Volume,
     border: Border,
+    /// Of more waves than are drawn: where they are given, and how many.
+    too_fine: Option<(String, f64)>,
 }
 
 #[derive(Debug)]
@@ -32,7 +33,7 @@ impl Blended {
     /// As [`Volume::solve`]; `crosses-itself` and `pinched-surface` for sections that bound no area, run through themselves or lie in each other.
     pub(crate) fn solve(blend: &Blend, is_hollow: bool, path: &str) -> Result<Blended> {
         let both = [&blend.start, &blend.end];
-        let polygons = both.map(|section| Polygon::of(&section.form, &products(&section.form)));
+        let polygons = both.map(|section| Polygon::of(&section.form));
         refuse_broken(both, &polygons, path)?;
         let volume = Volume::solve(blend, path)?;
         let is_round = both.iter().all(|section| section.form.is_closed());
@@ -42,12 +43,31 @@ impl Blended {
             true => Border::Solid(Skin::round(&volume, flank(blend, path)?).turned()),
             false => Border::Solid(Skin::of_six(&volume, is_half_round).turned()),
         };
-        Ok(Blended { volume, border })
+        let too_fine = blend
+            .harmonics()
+            .map(|(place, harmonic)| (format!("{place}.n"), harmonic.n))
+            .find(|(_, n)| *n > DRAWN_WAVES);
+        Ok(Blended { volume, border, too_fine })
     }
 
     /// Its inside.
     pub(crate) fn volume(&self) -> &Volume {
         &self.volume
+    }
+
+    /// Refuses to draw what has more waves than can be looked at one by one. `path` is that of the shape.
+    ///
+    /// # Errors
+    /// `too-large`.
+    pub(crate) fn drawable(&self, path: &str) -> Result<()> {
+        let Some((place, n)) = &self.too_fine else { return Ok(()) };
+        let message = format!(
+            "expected an outline of at most {} waves to be drawn, found {}; points of it can be had",
+            plain(DRAWN_WAVES),
+            plain(*n)
+        );
+        let error = Error::new(Code::TooLarge, format!("{path}.{place}"), message);
+        Err(error.with("greatest", DRAWN_WAVES).with("found", *n))
     }
 
     /// One of the patches; the first in place of one that there is not.

@@ -32,7 +32,7 @@ pub(crate) fn a_crossing(
     search(positions, triangles, group, limits).0.first().copied()
 }
 
-/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first; of a mesh in which tens of thousands cross, the lowest of those that are found first. Triangles are grouped as for [`a_crossing`].
+/// The numbers of the triangles of each pair that crosses, at most so many pairs, the lowest first; of a mesh in which tens of thousands cross, and some hundreds where one is asked for, the lowest of those that are found first. Triangles are grouped as for [`a_crossing`].
 ///
 /// And the triangle at which the search was given up, if it was: in a mesh whose triangles lie so close together that each is beside many others it would take all day.
 pub(crate) fn crossings_soon(
@@ -42,7 +42,8 @@ pub(crate) fn crossings_soon(
     most: usize,
 ) -> (Vec<[u32; 2]>, Option<u32>) {
     let most_pairs = FEW_PAIRS.saturating_add(MOST_NEIGHBOURS.saturating_mul(triangles.len()));
-    search(positions, triangles, group, Limits { most, enough: MOST_FOUND, most_pairs })
+    let enough = if most == 1 { FEW_FOUND } else { MOST_FOUND };
+    search(positions, triangles, group, Limits { most, enough, most_pairs })
 }
 
 /// How many crossings are told, with how many found the search ends, and how many pairs are looked at.
@@ -57,6 +58,9 @@ const LOOK: usize = 8;
 
 /// Nobody wants to know more of them.
 const MOST_FOUND: usize = 1 << 16;
+
+/// Whoever wants to know of one has it from so many: where two sides of a body lie in one another each pair is decided in many digits, and tens of thousands take ten seconds.
+const FEW_FOUND: usize = 1 << 8;
 
 /// Every so many triangles one is asked beforehand how many there are beside it: a prime, so that columns of a grid are met alike.
 const SAMPLED: usize = 61;

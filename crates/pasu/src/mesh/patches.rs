@@ -31,6 +31,7 @@ impl<'a> PatchGrids<'a> {
     /// # Errors
     /// `tolerance-too-fine`, `too-large`.
     pub(super) fn choose(placed: &'a Placed, options: &MeshOptions, is_bounded: bool) -> Result<PatchGrids<'a>> {
+        placed.solved().drawable(&placed.path("shape"))?;
         let patches = placed.solved().patches();
         // The columns of a rotation times a scale are orthogonal, so lengths are those of stretched axes.
         let m = placed.matrix();

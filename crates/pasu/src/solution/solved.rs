@@ -184,6 +184,21 @@ impl Solved {
         }
     }
 
+    /// Refuses to draw what is finer than can be drawn patch by patch. `path` is that of the shape.
+    ///
+    /// # Errors
+    /// `too-large`.
+    pub(crate) fn drawable(&self, path: &str) -> Result<()> {
+        match self {
+            #[cfg(feature = "patchwork")]
+            Solved::Blend(blend) => blend.drawable(path),
+            _ => {
+                let _ = path;
+                Ok(())
+            }
+        }
+    }
+
     /// The closed form of its inside, if that is known.
     #[cfg(feature = "patchwork")]
     pub(crate) fn volume(&self) -> Option<&Volume> {

@@ -66,6 +66,46 @@ fn sections_that_run_through_themselves_are_refused_with_the_place() {
 }
 
 #[test]
+fn small_loops_on_as_many_waves_as_are_drawn_are_refused() {
+    for n in [341.0, 342.0, 512.0, 700.0, 1000.0, 1024.0] {
+        let outline = |by: f64| waves(&[(1.0, 1.0), (n, by / n)], 0.0, [0.0, 2.0]);
+        let found = |by: f64| evaluate(&design(&outline(by), &disc(2.0, 2.0), &json!({})), 0, &[0.3, 0.4, 0.5]);
+        // From 1 on it turns back on every wave.
+        assert_eq!(found(1.1).unwrap_err().code(), Code::CrossesItself, "{n}");
+        found(0.9).unwrap_or_else(|error| panic!("{n}: {error}"));
+    }
+}
+
+#[test]
+fn sections_beyond_numbers_are_refused_for_their_size() {
+    for form in ["disc", "rectangle", "disc-in-square"] {
+        for (start, end, name) in [(1e300, 1.0, "start"), (1.0, 1e300, "end")] {
+            let of = |radius: f64, z: f64| section(form, [radius, radius], z, [0.0, 2.0]);
+            for error in refusals(&design(&of(start, 0.0), &of(end, 2.0), &json!({}))) {
+                let error = error.unwrap_or_else(|| panic!("a {form} of 1e300 was taken"));
+                assert_eq!(
+                    (error.code(), error.path()),
+                    (Code::Overflow, &*format!("parts[0].shape.{name}")),
+                    "{error}"
+                );
+            }
+        }
+    }
+    let far = json!({ "form": "outline", "x": [{ "n": 0, "cos": 1e300 }, { "n": 1, "sin": 1 }], "y": [{ "n": 1, "cos": 1 }], "z": 0, "taper": 0, "dz": 2 });
+    let error = evaluate(&design(&far, &disc(2.0, 2.0), &json!({})), 0, &[0.3, 0.4, 0.5]).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::Overflow, "parts[0].shape.start"), "{error}");
+}
+
+#[test]
+fn sides_that_lie_in_one_another_are_refused_with_the_place() {
+    let design = design(&disc(0.0, 2.0), &section("rectangle", [1.0, 1.0], 2.0, [0.0, 2.0]), &json!({}));
+    let error = solid(&design, &MAKING).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::CrossesItself, "parts[0].shape"), "{error}");
+    let [x, y, z] = error.place().unwrap();
+    assert!(x.abs() <= 1.01 && y.abs() <= 1.01 && (-0.01..2.01).contains(&z), "{error}");
+}
+
+#[test]
 fn sections_that_lie_in_each_other_or_have_no_height_are_refused() {
     let cross = |radius: [f64; 2], dz: f64| section("rectangle", radius, 0.0, [0.0, dz]);
     for (start, end) in [
@@ -124,11 +164,23 @@ fn waves_and_weights_without_an_end_are_refused_at_once() {
         // Away from the middle and back, so that it runs through itself nowhere.
         let mut outline = waves(&[(1.0, 1.0), (n - 1.0, 1e-3), (n + 1.0, 1e-3)], 0.0, [0.0, 2.0]);
         outline["x"][1]["sin"] = json!(-1e-3);
-        too_fine(&design(&outline, &disc(2.0, 2.0), &json!({})), "parts[0].shape.start.x[1].n");
+        let fine = design(&outline, &disc(2.0, 2.0), &json!({}));
+        too_fine(&fine, "parts[0].shape.start.x[1].n");
+        assert_eq!(mesh(&fine, &MeshOptions::default()).unwrap_err().path(), "parts[0].shape.start.x[1].n");
     }
+    // So small that few lines would do, but hundreds of waves, each looked at in every cell.
+    let mut many: Vec<(f64, f64)> = (0..511).map(|k| (1e6 + 1e6 * f64::from(k), 1e-13)).collect();
+    many.insert(0, (1.0, 1.0));
+    let fine = design(&waves(&many, 0.0, [0.0, 2.0]), &disc(2.0, 2.0), &json!({}));
+    too_fine(&fine, "parts[0].shape.start.x[1].n");
     let oval = section("disc", [2.0, 1.0], 3.0, [0.0, 2.0]);
     too_fine(&design(&disc(0.0, 2.0), &oval, &json!({ "weights": [1, 1e300, 1] })), "parts[0].shape.weights");
-    // More waves than are made are drawn.
+    // More waves than are made are drawn, up to 1024.
+    for (n, is_drawn) in [(1024.0, true), (1025.0, false)] {
+        let outline = waves(&[(1.0, 1.0), (n, 1e-6)], 0.0, [0.0, 2.0]);
+        let fine = design(&outline, &disc(2.0, 2.0), &json!({}));
+        assert_eq!(mesh(&fine, &MeshOptions { tolerance: Some(0.01), ..MeshOptions::default() }).is_ok(), is_drawn);
+    }
     let outline = waves(&[(1.0, 1.0), (200.0, 1e-4)], 0.0, [0.0, 2.0]);
     let fine = design(&outline, &disc(2.0, 2.0), &json!({}));
     mesh(&fine, &MeshOptions { tolerance: Some(0.01), ..MeshOptions::default() }).unwrap();

@@ -17,10 +17,12 @@ use crate::{node, site};
 
 const HELP: &str = "\
 cargo xtask bench [options] [native] [node] [chromium]
+cargo xtask bench storage
 
 Measures solving and sampling against what else there is: natively, in Node, in Chromium and on the page.
 The contenders of a group take turns, and every ratio is that of two contenders in the same turns.
 
+  storage                  prints how much networks of patches take to store, beside NURBS patches and polygons; docs/frames.md
   native, node, chromium   only these; all of them otherwise
   --quick                  a few turns, to see that it runs
   --check                  fails when a target is missed by more than 15 %
@@ -38,6 +40,10 @@ struct Wishes {
 }
 
 pub(crate) fn main(arguments: &[String]) -> Result<()> {
+    if arguments == ["storage"] {
+        print!("{}", runner::storage(&Workspace::find()?)?);
+        return Ok(());
+    }
     let Some(wishes) = read(arguments)? else {
         println!("{HELP}");
         return Ok(());

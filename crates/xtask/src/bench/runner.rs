@@ -59,6 +59,13 @@ impl Runner {
     }
 }
 
+/// The table of what networks take to store.
+pub(crate) fn storage(workspace: &Workspace) -> Result<String> {
+    let mut bench = Command::new(cargo());
+    bench.args(["run", "--quiet", "--release", "--package", "bench", "--", "storage"]);
+    command::read(bench.current_dir(workspace.root()))
+}
+
 fn native(workspace: &Workspace, quick: bool) -> Result<String> {
     let mut bench = Command::new(cargo());
     bench.args(["run", "--quiet", "--release", "--package", "bench", "--features", "sparse", "--"]);

@@ -1,3 +1,4 @@
+import { readFile, writeFile } from "node:fs/promises";
 import { expect, test } from "vitest";
 import { realMaker } from "../../../testing/real-maker";
 import { edgesOf, faultOf, isFree } from "../network/network";
@@ -24,3 +25,11 @@ test.each(
   },
   120_000,
 );
+
+test("what the benchmark of storage compares are these", async () => {
+  const file = new URL("../../../../tests/bench/networks.json", import.meta.url);
+  const lines = NETWORKED.map(({ id, shape }) => JSON.stringify({ id, shape }));
+  const text = `[\n${lines.join(",\n")}\n]\n`;
+  if (process.env.PASU_BLESS) await writeFile(file, text);
+  expect(await readFile(file, "utf8")).toBe(text);
+});

@@ -79,7 +79,7 @@ impl Blend {
     }
 
     /// Every harmonic with where it stands.
-    fn harmonics(&self) -> impl Iterator<Item = (String, &Harmonic)> {
+    pub(crate) fn harmonics(&self) -> impl Iterator<Item = (String, &Harmonic)> {
         self.sections().into_iter().flat_map(|(name, section)| {
             section.form.series().into_iter().zip(["x", "y"]).flat_map(move |(series, axis)| {
                 let places = series.iter().enumerate();
