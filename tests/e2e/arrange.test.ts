@@ -40,17 +40,17 @@ async function scene(design: { readonly parts: readonly object[] }, options: Vis
   await pot.dropFile("scene.json", JSON.stringify(design));
   await pot.fingerprintOtherThan(first);
   await pot.page
-    .locator("pasu-parts li")
+    .locator("pasu-parts [role=option]")
     .nth(design.parts.length - 1)
     .waitFor();
   return pot;
 }
 
-const rows = (pot: Visit) => pot.page.locator("pasu-parts li");
+const rows = (pot: Visit) => pot.page.locator("pasu-parts [role=option]");
 const row = (pot: Visit, name: string) => rows(pot).filter({ hasText: name });
 const selected = async (pot: Visit) =>
-  (await pot.page.locator("pasu-parts li[aria-selected=true] > span:first-child").allInnerTexts()).map((text) =>
-    text.trim(),
+  (await pot.page.locator("pasu-parts [role=option][aria-selected=true] > span:first-child").allInnerTexts()).map(
+    (text) => text.trim(),
   );
 const shifts = async (pot: Visit) =>
   (await standing(pot)).map(({ shift }) => shift.map((each) => Math.round(1e3 * each) / 1e3 + 0));

@@ -27,10 +27,13 @@ const PATIENCE_MS = 1000;
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = [
   "pull",
+  "pick",
   "free",
   "fit",
   "levels",
   "compare",
+  "apart",
+  "together",
   "open",
   "write",
   "quick",
@@ -39,6 +42,7 @@ const ORDER: readonly Kind[] = [
   "paint",
   "lining",
   "measure",
+  "constraints",
   "check",
 ];
 

@@ -7,7 +7,7 @@
 import { batch, effect, type Signal, signal } from "@preact/signals-core";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
-import type { Design, MapName, Measures, Report } from "../document/types";
+import type { Constraints, Design, MapName, Measures, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
@@ -19,7 +19,7 @@ import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";
 
 /** What is shown in the panels; the export dialogue asks for itself. */
-type Shown = "solid" | "measure" | "check" | "paint" | "lining" | "water";
+type Shown = "solid" | "measure" | "check" | "constraints" | "paint" | "lining" | "water";
 
 /** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
 const COARSE = 1 / 150;
@@ -40,6 +40,7 @@ export class Made {
     solid: signal<Piece<Solid>>(NOTHING),
     measure: signal<Piece<Measures>>(NOTHING),
     check: signal<Piece<Report>>(NOTHING),
+    constraints: signal<Piece<Constraints>>(NOTHING),
     paint: signal<Piece<Painted>>(NOTHING),
     lining: signal<Piece<Lined>>(NOTHING),
     water: signal<Piece<Filled>>(NOTHING),
@@ -77,6 +78,11 @@ export class Made {
 
   get report(): Piece<Report> {
     return this.#pieces.check.value;
+  }
+
+  /** Whether the parts fit together; of a design of one part nothing. */
+  get constraints(): Piece<Constraints> {
+    return this.#pieces.constraints.value;
   }
 
   get painted(): Piece<Painted> {
@@ -156,6 +162,7 @@ export class Made {
       const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
       const checked = walled && (session.tab === "measures" || helped);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
+      this.#want("constraints", design.parts.length > 1 ? { kind: "constraints", design } : null, "");
       const { map } = session;
       const { rows, columns } = this.#surface.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
