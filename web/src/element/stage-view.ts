@@ -165,7 +165,7 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
-      ${this.hand()}${this.inside()}${this.witness()}${this.beneath()}
+      ${this.hand()}${this.inside()}${this.witness()}${this.beneath()}${this.contrast()}
       ${
         designer.comparison.shown
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
@@ -226,6 +226,14 @@ export class PasuStage extends DesignerElement {
     if (!designer.witness.shown || !stage || this.holder.mode !== "live") return nothing;
     import("./witness/witness-layer").catch(() => designer.notices.say(page.unfetched));
     return html`<pasu-witness .designer=${designer} .stage=${stage}></pasu-witness>`;
+  }
+
+  /** Another scene that the design is held against, by code that is fetched with the first. */
+  private contrast() {
+    const { designer, stage } = this;
+    if (!designer.contrast.there || !stage || this.holder.mode !== "live") return nothing;
+    import("./contrast/contrast-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-contrast .designer=${designer} .stage=${stage}></pasu-contrast>`;
   }
 
   /** Of several parts, those that lie under a point. */

@@ -15,6 +15,7 @@ import { Store } from "../state/store";
 import { describe } from "../words/description";
 import { page } from "../words/english/page";
 import { Comparison } from "./comparison";
+import { Contrast } from "./contrast";
 import { Keeper, type Surroundings } from "./keeper";
 import type { Made } from "./made";
 import { Notices } from "./notices";
@@ -34,6 +35,7 @@ export class Designer {
   readonly witness: Witness;
   readonly origin: Origin;
   readonly comparison: Comparison;
+  readonly contrast = new Contrast();
   readonly keeper: Keeper;
   readonly opening: Opening;
   readonly #made = signal<Made | null>(null);
