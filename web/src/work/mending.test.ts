@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { workbench } from "../../testing/workbench";
+import { SCENES } from "../document/gallery/scenes";
 import type { Breach, Constraints, Design, Part, Triple } from "../document/types";
 import { lockParts } from "../state/several-actions";
 import type { Designer } from "./designer";
@@ -77,6 +78,22 @@ test("two objects that run into each other are put apart in one step, and then f
   expect((await rest()).breaches).toEqual([]);
   store.undo();
   expect(store.design).toEqual(CUP);
+});
+
+test("a lid of which it cannot be told whether it touches is lifted, though the surfaces of both are apart", async () => {
+  const parts = SCENES.find(({ id }) => id === "own-lidded-jar")?.parts ?? [];
+  const { designer, during, rest, store } = await bench({ pasu: 1, parts });
+  const breach = first(await rest());
+  expect(breach.code).toBe("undecided-interference");
+  const before = store.design.parts[1]?.place?.shift ?? [];
+  const ways = waysApart(designer.state, boxesOf(designer), breach);
+  expect(ways.every(({ far, others, moving }) => far > 0 && others.includes(1 - (moving[0] ?? 0)))).toBe(true);
+  expect(await during(moveApart(designer, breach))).toMatchObject({ state: "moved", ids: [store.ids[1]] });
+  const [x, y, z] = store.design.parts[1]?.place?.shift ?? [];
+  expect([x, y]).toEqual(before.slice(0, 2));
+  expect(z).toBeGreaterThan(before[2] ?? 0);
+  expect(z).toBeLessThan((before[2] ?? 0) + 0.35);
+  expect((await rest()).isKept).toBe(true);
 });
 
 test("what is locked stays, and where all of it is nothing moves", async () => {

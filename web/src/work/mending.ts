@@ -3,7 +3,7 @@
 import type { Box } from "../document/box";
 import { boxAround, longestOf, middleOf } from "../document/boxes";
 import { type Axis, moved, scaledBy, unit } from "../document/moving";
-import type { Breach, Triple } from "../document/types";
+import type { Breach, Part, Triple } from "../document/types";
 import type { Move, Way } from "../maker/clearing";
 import type { PartId } from "../state/part-ids";
 import { placeParts, standingOf } from "../state/place-actions";
@@ -14,7 +14,7 @@ import { boxesOf } from "./held";
 
 /** The maker does one thing of these at a time. */
 const LANE = "mending";
-/** Boxes are as exact as meshes: so much further, as a share of what goes, two parts are apart for certain. */
+/** Boxes are as exact as meshes: so much further, as a share of what goes, two parts are apart for certain. It is the least way too. */
 const GAP = 2e-3;
 
 /** What became of it. */
@@ -52,16 +52,17 @@ export function waysApart(state: State, boxes: ReadonlyMap<PartId, Box>, { part,
   ].flatMap(([moving = [], from = []]) => {
     const locked = moving.some((place) => state.session.locked.includes(state.ids[place] as PartId));
     const [own, there] = [boxOfAll(state, boxes, moving), boxOfAll(state, boxes, from)];
-    return locked || !own || !there ? [] : [{ moving, own, there }];
+    return locked || !own || !there ? [] : [{ moving, from, own, there }];
   });
   return found
     .toSorted((a, b) => volumeOf(a.own) - volumeOf(b.own))
-    .flatMap(({ moving, own, there }) =>
+    .flatMap(({ moving, from, own, there }) =>
       directions(own, there).map(({ towards, far }): Way => {
         const swept = boxAround([own, shifted(own, scaledBy(far, towards))]) ?? own;
         const others = state.design.parts.flatMap((_, place) => {
-          const box = boxes.get(state.ids[place] as PartId);
-          return !moving.includes(place) && box && meets(box, swept) ? [place] : [];
+          const box = boxOfAll(state, boxes, [place]);
+          const isNear = from.includes(place) || (box && meets(box, swept));
+          return !moving.includes(place) && isNear ? [place] : [];
         });
         return { moving, towards, far, others };
       }),
@@ -73,7 +74,7 @@ function directions(own: Box, there: Box): readonly { readonly towards: Triple; 
   const gap = GAP * longestOf(own);
   const along = (axis: Axis, sign: 1 | -1) => ({
     towards: scaledBy(sign, unit(axis)),
-    far: gap + (sign === 1 ? there.max[axis] - own.min[axis] : own.max[axis] - there.min[axis]),
+    far: gap + Math.max(0, sign === 1 ? there.max[axis] - own.min[axis] : own.max[axis] - there.min[axis]),
   });
   return [along(2, 1), along(0, 1), along(0, -1), along(1, 1), along(1, -1)].toSorted((a, b) => a.far - b.far);
 }
@@ -101,8 +102,24 @@ function placesWith({ design }: State, place: number): readonly number[] {
   return design.parts.flatMap((each, at) => (part && objectOf(each) === objectOf(part) ? [at] : []));
 }
 
-function boxOfAll({ ids }: State, boxes: ReadonlyMap<PartId, Box>, places: readonly number[]): Box | null {
-  return boxAround(places.flatMap((place) => boxes.get(ids[place] as PartId) ?? []));
+/** What parts fill, walls included: those may be laid round the surface that a mesh is of. */
+function boxOfAll({ design, ids }: State, boxes: ReadonlyMap<PartId, Box>, places: readonly number[]): Box | null {
+  return boxAround(
+    places.flatMap((place) => {
+      const box = boxes.get(ids[place] as PartId);
+      return box ? [wider(box, thicknessOf(design.parts[place]))] : [];
+    }),
+  );
+}
+
+/** How far a wall reaches from its surface at most. */
+export function thicknessOf(part: Part | undefined): number {
+  return (part?.wall?.thickness ?? 0) * Math.max(1, ...(part?.place?.scale ?? []).map(Math.abs));
+}
+
+function wider({ min, max }: Box, by: number): Box {
+  const [low, high] = [shifted({ min, max: min }, [-by, -by, -by]).min, shifted({ min: max, max }, [by, by, by]).max];
+  return { min: low, max: high };
 }
 
 function shifted({ min, max }: Box, by: Triple): Box {
