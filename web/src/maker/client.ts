@@ -34,6 +34,7 @@ const ORDER: readonly Kind[] = [
   "compare",
   "apart",
   "together",
+  "push",
   "open",
   "write",
   "quick",

@@ -28,6 +28,7 @@ import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
 import type { ApartAsk, Move as Clearance, TogetherAsk } from "./clearing";
+import type { PushAsk, Pushed } from "./pushing";
 import type { WovenAsk, WovenShape } from "./woven";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
@@ -180,6 +181,7 @@ export type Ask =
   | WovenAsk
   | ApartAsk
   | TogetherAsk
+  | PushAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -248,6 +250,8 @@ export interface Answers {
   /** Null where no such way is known. */
   readonly apart: Clearance | null;
   readonly together: Clearance | null;
+  /** Null where nothing is met. */
+  readonly push: Pushed | null;
   readonly compare: Difference;
   readonly fit: RingedShape;
   /** Null where the triangles are no pot. */

@@ -28,6 +28,7 @@ import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } fr
 import { methodsOf } from "./methods";
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
+import { push } from "./pushing";
 import { solidOf } from "./solid";
 import { wovenOf } from "./woven";
 
@@ -62,6 +63,8 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return apart(ask);
     case "together":
       return together(ask);
+    case "push":
+      return push(ask);
     case "write":
       return { bytes: write(ask.design as Sent, ask.format, { ...ask.making, progress }) };
     case "open":
