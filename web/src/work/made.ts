@@ -32,6 +32,8 @@ type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Made {
   readonly maker: MakerClient;
+  /** Another, which judges whether parts fit together: of hundreds that may take long, and nothing else is to wait for it. */
+  readonly judge: MakerClient;
   /** What keeps the wall on the screen while the shape is dragged. */
   readonly inStep: InStep;
   readonly #store: Store;
@@ -48,11 +50,12 @@ export class Made {
   /** What is asked for, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
 
-  /** `later` is the clock by which a surface waits for its wall. */
-  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later) {
+  /** `later` is the clock by which a surface waits for its wall. One maker may be both. */
+  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later, judge = maker) {
     this.#store = store;
     this.#surface = surface;
     this.maker = maker;
+    this.judge = judge;
     this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
   }
 
@@ -187,7 +190,9 @@ export class Made {
 
   /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
   #rest(): void {
-    this.maker.cancel(...this.#asked.keys());
+    const names = [...this.#asked.keys()];
+    for (const maker of new Set([this.maker, this.judge]))
+      maker.cancel(...names.filter((name) => this.#makerOf(name) === maker));
     this.#asked.clear();
   }
 
@@ -230,7 +235,7 @@ export class Made {
     if (!ask) {
       if (asked) {
         this.#asked.delete(name);
-        this.maker.cancel(name);
+        this.#makerOf(name).cancel(name);
       }
       if (this.#pieces[name].value !== NOTHING) this.#put(name, NOTHING);
       return;
@@ -239,19 +244,25 @@ export class Made {
     if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
     const mine = { of: design, key };
     this.#asked.set(name, mine);
-    void this.maker.ask<Kind>(ask).then((outcome) => {
-      const asked = this.#asked.get(name);
-      if (asked === mine) this.#asked.delete(name);
-      if (outcome.state === "superseded") return;
-      const done = outcome.state === "done";
-      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
-      this.#put(name, {
-        value: done ? (outcome.value as Answers[K]) : null,
-        of: design,
-        problem: done ? null : outcome.refusal,
-        key,
+    void this.#makerOf(name)
+      .ask<Kind>(ask)
+      .then((outcome) => {
+        const asked = this.#asked.get(name);
+        if (asked === mine) this.#asked.delete(name);
+        if (outcome.state === "superseded") return;
+        const done = outcome.state === "done";
+        if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
+        this.#put(name, {
+          value: done ? (outcome.value as Answers[K]) : null,
+          of: design,
+          problem: done ? null : outcome.refusal,
+          key,
+        });
       });
-    });
+  }
+
+  #makerOf(name: Shown): MakerClient {
+    return name === "constraints" ? this.judge : this.maker;
   }
 
   #has(name: Shown, design: Design, key: string): boolean {

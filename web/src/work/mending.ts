@@ -27,7 +27,7 @@ export async function moveApart(designer: Designer, breach: Breach): Promise<Men
   const ways = waysApart(designer.state, boxesOf(designer), breach);
   if (ways.length === 0) return { state: "locked" };
   const { design } = designer.state;
-  return follow(designer, async (maker) => maker.ask({ kind: "apart", design, ways }, LANE));
+  return follow(designer, async (judge) => judge.ask({ kind: "apart", design, ways }, LANE));
 }
 
 /** Brings a part to another one of its object, from the place of it that the breach names. */
@@ -39,7 +39,7 @@ export async function moveTogether(designer: Designer, { part, other, at }: Brea
   if (!own || !there) return { state: "nowhere" };
   const from = at ?? middleOf(own);
   const ask = { kind: "together", design, part, other, from, to: middleOf(there), size: longestOf(own) } as const;
-  return follow(designer, async (maker) => maker.ask(ask, LANE));
+  return follow(designer, async (judge) => judge.ask(ask, LANE));
 }
 
 /** The directions in which the boxes of two objects come apart soonest, those of the smaller one first. */
@@ -82,11 +82,11 @@ function directions(own: Box, there: Box): readonly { readonly towards: Triple; 
 /** What is found is done only where the document is still the one that was asked about. */
 async function follow(
   designer: Designer,
-  ask: (maker: NonNullable<Designer["made"]>["maker"]) => Promise<{ state: string; value?: Move | null }>,
+  ask: (judge: NonNullable<Designer["made"]>["judge"]) => Promise<{ state: string; value?: Move | null }>,
 ): Promise<Mended> {
   const { design } = designer.state;
   const made = await designer.openMade();
-  const found = made ? await ask(made.maker) : null;
+  const found = made ? await ask(made.judge) : null;
   if (!found || found.state === "superseded" || designer.state.design !== design) return { state: "superseded" };
   const move = found.state === "done" ? found.value : null;
   if (!move) return { state: "nowhere" };
