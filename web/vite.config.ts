@@ -11,7 +11,7 @@ import { preload } from "./build/preload.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const DRAWING =
-  /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|made[\\/]|pull[\\/]|place[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
+  /[\\/]src[\\/]render[\\/](?!stage\.ts|thumbnail\.ts|(?:made|pull|place|inside|under|contrast)[\\/])|[\\/]node_modules[\\/](twgl\.js|gl-matrix)[\\/]/;
 /** What is said before anything is opened: the rest of the words comes with what says it. */
 const WORDS =
   /[\\/]src[\\/](language|number|words[\\/](english[\\/](controls|description|page|parameters|quantities|refusals)|description|languages|parameters|parts|quantities|refusals|typed))\.ts/;

@@ -40,17 +40,17 @@ async function scene(design: { readonly parts: readonly object[] }, options: Vis
   await pot.dropFile("scene.json", JSON.stringify(design));
   await pot.fingerprintOtherThan(first);
   await pot.page
-    .locator("pasu-parts li")
+    .locator("pasu-parts [role=option]")
     .nth(design.parts.length - 1)
     .waitFor();
   return pot;
 }
 
-const rows = (pot: Visit) => pot.page.locator("pasu-parts li");
+const rows = (pot: Visit) => pot.page.locator("pasu-parts [role=option]");
 const row = (pot: Visit, name: string) => rows(pot).filter({ hasText: name });
 const selected = async (pot: Visit) =>
-  (await pot.page.locator("pasu-parts li[aria-selected=true] > span:first-child").allInnerTexts()).map((text) =>
-    text.trim(),
+  (await pot.page.locator("pasu-parts [role=option][aria-selected=true] > span:first-child").allInnerTexts()).map(
+    (text) => text.trim(),
   );
 const shifts = async (pot: Visit) =>
   (await standing(pot)).map(({ shift }) => shift.map((each) => Math.round(1e3 * each) / 1e3 + 0));
@@ -211,4 +211,42 @@ test("what is glued to what is read and changed in a matrix", async () => {
   await expect.poll(() => objects(pot)).toEqual([]);
   await pot.button("Separate").click();
   await expect.poll(async () => new Set(await objects(pot)).size).toBe(3);
+});
+
+test("a handle is set into the wall of a mug: its ends come into the clay, and it is glued", async () => {
+  const wall = { thickness: 0.4, base: 0.5 };
+  const ring = (r: number, z: number) => ({ r: { mean: r }, z: { mean: z } });
+  const mug = { kind: "rings", rings: [ring(3, 0), ring(3, 6)].map((each, u) => ({ u, ...each })) };
+  const parts = [
+    { name: "Mug", shape: mug, wall },
+    { name: "Bar", object: 1, shape: { kind: "octant", exponents: [20, 20, 20] }, place: { shift: [6, -0.5, 2] } },
+    { name: "Lump", object: 2, shape: { kind: "octant", exponents: [20, 20, 20] }, place: { shift: [-8, 30, 2] } },
+  ];
+  const pot = await scene({ ...SCENE, parts });
+  const before = await standing(pot);
+  await row(pot, "Bar").click();
+  await row(pot, "Mug").click({ modifiers: ["Control"] });
+  await open(pot);
+  const push = arrange(pot).locator("[data-push=sideways]");
+  await push.focus();
+  await pot.page.keyboard.press("Enter");
+  await expect.poll(async () => (await shifts(pot))[1]?.[0]).toBeLessThan(3);
+  expect((await shifts(pot))[1]?.[0]).toBeGreaterThan(2.6);
+  expect((await shifts(pot))[1]?.slice(1)).toEqual([-0.5, 2]);
+  expect(await objects(pot)).toEqual(["Object 1", "Object 1", "Object 2"]);
+  await pot.page.locator("pasu-constraints").getByText("No two objects run into each other, and").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  // One step. Again it finds the same place.
+  const set = await standing(pot);
+  await push.click();
+  await expect.poll(() => push.isEnabled()).toBe(true);
+  expect(await standing(pot)).toEqual(set);
+  await pot.undo();
+  await expect.poll(() => standing(pot)).toEqual(before);
+  // Upwards nothing is met.
+  await row(pot, "Lump").click();
+  await row(pot, "Mug").click({ modifiers: ["Control"] });
+  await arrange(pot).locator("[data-push=upright]").click();
+  await arrange(pot).getByText("Nothing is met that way.").waitFor();
+  expect(await standing(pot)).toEqual(before);
 });

@@ -35,7 +35,7 @@ async function three(options: VisitOptions = {}): Promise<{ readonly pot: Visit;
 }
 
 const list = (pot: Visit) => pot.page.getByRole("listbox", { name: "Parts" });
-const options = (pot: Visit) => pot.page.locator("pasu-parts li");
+const options = (pot: Visit) => pot.page.locator("pasu-parts [role=option]");
 const names = async (pot: Visit) =>
   (await options(pot).locator("> span:first-child").allInnerTexts()).map((text) => text.trim());
 const selected = (pot: Visit) => pot.page.locator("pasu-parts [aria-selected=true] > span:first-child").innerText();

@@ -25,14 +25,15 @@ async function three(options: VisitOptions = {}): Promise<Visit> {
   const first = await pot.fingerprint();
   await pot.dropFile("three.json", JSON.stringify(SCENE));
   await pot.fingerprintOtherThan(first);
-  await pot.page.locator("pasu-parts li").nth(2).waitFor();
+  await pot.page.locator("pasu-parts [role=option]").nth(2).waitFor();
   return pot;
 }
 
 const shifts = async (pot: Visit) => (await standing(pot)).map(({ shift }) => [...shift]);
 const undone = async (pot: Visit) =>
   expect.poll(() => shifts(pot)).toEqual(SCENE.parts.map(({ place }) => [...place.shift]));
-const choose = (pot: Visit, name: string) => pot.page.locator("pasu-parts li").filter({ hasText: name }).click();
+const choose = (pot: Visit, name: string) =>
+  pot.page.locator("pasu-parts [role=option]").filter({ hasText: name }).click();
 const handling = (pot: Visit, name: string) =>
   pot.page.locator("pasu-place-bar").getByRole("radio", { name, exact: true }).check({ force: true });
 

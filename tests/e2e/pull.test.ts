@@ -217,7 +217,7 @@ test("of several parts the one under the hand is pulled, wherever it stands", as
       };
       return designer.store.design.parts.map(({ shape }) => shape.rings.map(({ r }) => r.mean));
     });
-  await pot.page.locator("pasu-parts li").nth(1).click();
+  await pot.page.locator("pasu-parts [role=option]").nth(1).click();
   const belly = await spotOf(ring(pot, 1));
   const middle = await spotOf(ring(pot, 3));
   // Away from where its axis is seen.

@@ -5,7 +5,12 @@ import { type IconName, icon } from "../ui/icons";
 import { page } from "../words/english/page";
 import type { Sentence, Severity } from "../words/report";
 
-const SIGNS: Readonly<Record<Severity, IconName>> = { error: "close", warning: "warn", note: "more", good: "check" };
+export const SIGNS: Readonly<Record<Severity, IconName>> = {
+  error: "close",
+  warning: "warn",
+  note: "more",
+  good: "check",
+};
 
 export function sentences(all: readonly Sentence[]) {
   return html`<ul class="sentences">
@@ -18,7 +23,7 @@ export function sentences(all: readonly Sentence[]) {
 }
 
 /** What is said before it. */
-function spoken(severity: Severity): string {
+export function spoken(severity: Severity): string {
   return severity === "error" || severity === "warning" ? page.severities[severity] : "";
 }
 

@@ -17,5 +17,5 @@ export function fetchMadeWhenWanted(designer: Designer): () => void {
 /** Whether anything is looked at that the maker makes. */
 function wantsMaking({ parts }: Design, { tab, fill, map, overlays }: Session): boolean {
   const looked = tab === "wall" || tab === "measures" || overlays.cut;
-  return looked || fill !== null || map !== null || parts.some(({ wall }) => wall);
+  return looked || fill !== null || map !== null || parts.length > 1 || parts.some(({ wall }) => wall);
 }

@@ -103,6 +103,11 @@ export type Quantity = Frozen<pasu.Quantity>;
 export type Difference = Frozen<pasu.Difference>;
 export type Measures = Frozen<pasu.Measures>;
 export type PartMeasures = Frozen<pasu.PartMeasures>;
+/** Whether a scene keeps its constraints; `docs/scenes.md` says what they are. */
+export type Constraints = Frozen<pasu.Constraints>;
+/** Where a ray meets a part. */
+export type Hit = Frozen<pasu.Hit>;
+export type Breach = Frozen<pasu.Breach>;
 /** Why there is something not. */
 export type Cause = Frozen<pasu.Cause>;
 export type Curvature = PartMeasures["curvature"]["mean"];

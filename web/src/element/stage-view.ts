@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
-import { customElement, query } from "lit/decorators.js";
+import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
 import type { Stage } from "../render/stage";
 import { togglePlacing, togglePulling } from "../state/actions";
@@ -22,6 +22,7 @@ import { StageHolder } from "./stage-holder";
 import { stageKey } from "./stage-keys";
 import type { StageMade } from "./stage-made";
 import { stageModel } from "./stage-model";
+import type { Spot, UnderEvent } from "./under/ask";
 
 /** Undo across a change of size by more than this fits the view again. */
 const OTHER_SIZE = 1.6;
@@ -49,6 +50,8 @@ export class PasuStage extends DesignerElement {
     },
     closing: () => this.forget(),
   });
+  /** The point under which parts are listed. */
+  @state() private under: Spot | null = null;
   private drawn: Shown | null = null;
   private hiding: readonly PartId[] = [];
   private within: PartId | null = null;
@@ -69,6 +72,7 @@ export class PasuStage extends DesignerElement {
     super.connectedCallback();
     // A new surface goes to the stage before the page writes about it.
     this.leave = [effect(() => this.display()), effect(() => void this.hint())];
+    this.addEventListener("under-asked", this.underAsked as EventListener);
     if (this.hasUpdated) void this.holder.open();
   }
 
@@ -117,6 +121,7 @@ export class PasuStage extends DesignerElement {
         if (designer.store.ids.length < 2) return;
         designer.apply(adds ? alsoSelect(designer.state, Number(part)) : selectParts(Number(part)));
       },
+      onUnder: (x: number, y: number) => this.lookUnder({ x, y }),
       onDrawn: () => {
         if (this.drawn) trace("drawn", this.drawn.change);
       },
@@ -160,7 +165,7 @@ export class PasuStage extends DesignerElement {
       ></div>
       ${this.stands ? html`<canvas class="still" role="img" aria-label=${designer.description}></canvas>` : nothing}
       ${this.note()}
-      ${this.hand()}${this.inside()}
+      ${this.hand()}${this.inside()}${this.witness()}${this.beneath()}${this.contrast()}
       ${
         designer.comparison.shown
           ? html`<pasu-captions .designer=${designer} .order=${designer.comparison.shown.order}></pasu-captions>`
@@ -214,6 +219,43 @@ export class PasuStage extends DesignerElement {
     import("./blend/inside-layer").catch(() => designer.notices.say(page.unfetched));
     return html`<pasu-inside-layer .designer=${designer} .stage=${stage} .within=${part}></pasu-inside-layer>`;
   }
+
+  /** Where a report on the scene has its witness, by code that is fetched with the first. */
+  private witness() {
+    const { designer, stage } = this;
+    if (!designer.witness.shown || !stage || this.holder.mode !== "live") return nothing;
+    import("./witness/witness-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-witness .designer=${designer} .stage=${stage}></pasu-witness>`;
+  }
+
+  /** Another scene that the design is held against, by code that is fetched with the first. */
+  private contrast() {
+    const { designer, stage } = this;
+    if (!designer.contrast.there || !stage || this.holder.mode !== "live") return nothing;
+    import("./contrast/contrast-layer").catch(() => designer.notices.say(page.unfetched));
+    return html`<pasu-contrast .designer=${designer} .stage=${stage}></pasu-contrast>`;
+  }
+
+  /** Of several parts, those that lie under a point. */
+  private lookUnder(at: Spot): void {
+    if (this.designer.store.ids.length > 1) this.under = at;
+  }
+
+  private beneath() {
+    const { designer, stage, under } = this;
+    if (!under || !stage || this.holder.mode !== "live") return nothing;
+    import("./under/under-list").catch(() => designer.notices.say(page.unfetched));
+    const close = () => {
+      this.under = null;
+      this.host.focus({ preventScroll: true });
+    };
+    return html`<pasu-under .designer=${designer} .stage=${stage} .at=${under} @under-closed=${close}></pasu-under>`;
+  }
+
+  private readonly underAsked = ({ at }: UnderEvent): void => {
+    const { left, top } = this.host.getBoundingClientRect();
+    this.lookUnder({ x: at.x - left, y: at.y - top });
+  };
 
   private note() {
     switch (this.holder.mode) {
@@ -369,6 +411,11 @@ export class PasuStage extends DesignerElement {
   private readonly key = (event: KeyboardEvent): void => {
     const { designer, stage } = this;
     if (!stage || stageKey(event, stage)) return;
+    if (asksUnder(event)) {
+      event.preventDefault();
+      this.lookUnder({ x: this.host.clientWidth / 2, y: this.host.clientHeight / 2 });
+      return;
+    }
     const tool = TOOLS[event.key.toLowerCase()];
     if (!tool || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -477,6 +524,12 @@ export class PasuStage extends DesignerElement {
       }
     `,
   ];
+}
+
+/** U, or the key of menus. */
+function asksUnder({ key, shiftKey, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  if (ctrlKey || metaKey || altKey) return false;
+  return key.toLowerCase() === "u" || key === "ContextMenu" || (key === "F10" && shiftKey);
 }
 
 declare global {

@@ -27,10 +27,14 @@ const PATIENCE_MS = 1000;
 /** What a person looks at comes first. */
 const ORDER: readonly Kind[] = [
   "pull",
+  "pick",
   "free",
   "fit",
   "levels",
   "compare",
+  "apart",
+  "together",
+  "push",
   "open",
   "write",
   "quick",
@@ -39,6 +43,7 @@ const ORDER: readonly Kind[] = [
   "paint",
   "lining",
   "measure",
+  "constraints",
   "check",
 ];
 

@@ -8,9 +8,11 @@ import type { Extents } from "../document/extents";
 import type { Lock } from "../document/locks";
 import type { Levels } from "../document/scanned/levels";
 import type {
+  Constraints,
   Design,
   Difference,
   Format,
+  Hit,
   Making,
   MapName,
   Measures,
@@ -20,12 +22,15 @@ import type {
   Report,
   Rings,
   Shape,
+  Triple,
   Wall,
 } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { Bounds } from "../solver/bounds";
 import type * as worker from "../worker/port";
 import type { CellsAsk, MadeCells } from "./cells";
+import type { ApartAsk, Move as Clearance, TogetherAsk } from "./clearing";
+import type { PushAsk, Pushed } from "./pushing";
 import type { WovenAsk, WovenShape } from "./woven";
 
 /** The faces of a pot that its own surface does not show, ready to be drawn. The arrays may be longer than what `groups` use. */
@@ -178,6 +183,9 @@ export type Ask =
   | InsideAsk
   | MethodsAsk
   | WovenAsk
+  | ApartAsk
+  | TogetherAsk
+  | PushAsk
   | {
       readonly kind: "solid";
       readonly design: Design;
@@ -208,6 +216,14 @@ export type Ask =
   | { readonly kind: "write"; readonly design: Design; readonly format: Format; readonly making: Making }
   | { readonly kind: "open"; readonly bytes: Uint8Array }
   | { readonly kind: "free"; readonly design: Design; readonly part: number; readonly tolerance: number }
+  /** Whether no two objects run into each other, what is glued touches, and no part is inside another. */
+  | { readonly kind: "constraints"; readonly design: Design }
+  /** Where a ray meets the parts, the nearest first. */
+  | {
+      readonly kind: "pick";
+      readonly design: Design;
+      readonly ray: { readonly origin: Triple; readonly direction: Triple };
+    }
   /** What became of the parts of one scene in another. */
   | { readonly kind: "compare"; readonly before: Design; readonly after: Design }
   | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number }
@@ -233,6 +249,13 @@ export interface Answers {
   /** The link in the file and how it was made, or null when it is not one of Pasu's. */
   readonly open: Provenance | null;
   readonly free: RingedShape;
+  readonly constraints: Constraints;
+  readonly pick: readonly Hit[];
+  /** Null where no such way is known. */
+  readonly apart: Clearance | null;
+  readonly together: Clearance | null;
+  /** Null where nothing is met. */
+  readonly push: Pushed | null;
   readonly compare: Difference;
   readonly fit: RingedShape;
   /** Null where the triangles are no pot. */

@@ -4,11 +4,13 @@ import type { Ringed } from "pasu";
 import {
   check,
   compare,
+  constraints,
   fit as fitted,
   free,
   measure,
   mesh,
   paint,
+  pick,
   provenance,
   sketch,
   solid,
@@ -18,6 +20,7 @@ import {
 import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { cellsOf } from "./cells";
+import { apart, together } from "./clearing";
 import { holding } from "./holding";
 import { insideOf } from "./inside";
 import { liningValues } from "./lining";
@@ -25,6 +28,7 @@ import type { Answers, Ask, Kind, Lined, Quick, Request, RingedShape, Solid } fr
 import { methodsOf } from "./methods";
 import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
+import { push } from "./pushing";
 import { solidOf } from "./solid";
 import { wovenOf } from "./woven";
 
@@ -49,6 +53,18 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
       return lined(ask);
     case "water":
       return { ...water(ask.design as Sent, ask.level), level: ask.level };
+    case "constraints":
+      return constraints(ask.design as Sent, { progress });
+    case "pick": {
+      const { origin, direction } = ask.ray;
+      return pick(ask.design as Sent, { origin: [...origin], direction: [...direction] });
+    }
+    case "apart":
+      return apart(ask);
+    case "together":
+      return together(ask);
+    case "push":
+      return push(ask);
     case "write":
       return { bytes: write(ask.design as Sent, ask.format, { ...ask.making, progress }) };
     case "open":

@@ -5,6 +5,8 @@ export interface GestureTarget {
   zoom(factor: number): void;
   /** The first button, a pen or one finger came down and went up again at about the same place of the window; `adds` with the shift or the control key. */
   tap(x: number, y: number, adds: boolean): void;
+  /** The same with the alt key, by the second button, or by a finger that stays where it is: what lies there is asked for. */
+  under(x: number, y: number): void;
   /** A gesture has begun or ended: pictures may be coarser in between. */
   gesture(active: boolean): void;
 }
@@ -21,6 +23,8 @@ const WHEEL_RATE = 0.0015;
 const PINCH_WHEEL_RATE = 0.01;
 /** A hand that moves no farther than this did not mean to. */
 const STILL = 6;
+/** A finger that stays so many milliseconds asks. */
+const LONG = 550;
 const PIXELS_PER_LINE = 16;
 const PIXELS_PER_PAGE = 400;
 
@@ -35,8 +39,9 @@ export class Gesture {
   private active = false;
   /** How many pointers make a gesture. */
   private needed = 1;
-  /** Where a touch came down that may turn out to be a tap. */
-  private tapped: { readonly x: number; readonly y: number; readonly adds: boolean } | null = null;
+  /** Where a touch came down that may turn out to be a tap, or to ask what lies there. */
+  private tapped: { readonly x: number; readonly y: number; readonly adds: boolean; readonly asks: boolean } | null =
+    null;
   private readonly listeners = new AbortController();
 
   constructor(
@@ -61,6 +66,7 @@ export class Gesture {
   dispose(): void {
     this.listeners.abort();
     this.pointers.clear();
+    this.tapped = null;
   }
 
   private readonly down = (event: PointerEvent): void => {
@@ -72,7 +78,10 @@ export class Gesture {
       this.moves = event.button !== 0 || event.shiftKey || event.ctrlKey || event.metaKey;
       this.needed = this.page && event.pointerType !== "mouse" ? 2 : 1;
       const adds = event.shiftKey || event.ctrlKey || event.metaKey;
-      this.tapped = event.button === 0 ? { x: event.clientX, y: event.clientY, adds } : null;
+      const asks = event.button === 2 || event.altKey;
+      const tapped = event.button === 0 || asks ? { x: event.clientX, y: event.clientY, adds, asks } : null;
+      this.tapped = tapped;
+      if (tapped && event.pointerType !== "mouse" && !this.page) setTimeout(() => this.stay(tapped), LONG);
     } else this.tapped = null;
     this.pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     this.tell();
@@ -118,8 +127,17 @@ export class Gesture {
     if (this.pointers.size > 0) return;
     const { tapped } = this;
     this.tapped = null;
-    if (tapped && event.type === "pointerup") this.target.tap(event.clientX, event.clientY, tapped.adds);
+    if (!tapped || event.type !== "pointerup") return;
+    if (tapped.asks) this.target.under(event.clientX, event.clientY);
+    else this.target.tap(event.clientX, event.clientY, tapped.adds);
   };
+
+  /** A finger is still where it came down, and neither moved nor was joined by another. */
+  private stay(tapped: NonNullable<Gesture["tapped"]>): void {
+    if (this.tapped !== tapped) return;
+    this.tapped = null;
+    this.target.under(tapped.x, tapped.y);
+  }
 
   /** Says when a gesture begins and ends. */
   private tell(): void {

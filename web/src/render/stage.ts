@@ -33,6 +33,8 @@ export interface StageOptions {
   onContextRestored?(): void;
   /** A part was clicked on, without turning anything; with the shift or the control key `adds` is true. */
   onTap?(part: PartId, adds: boolean): void;
+  /** What lies under a point of the stage is asked for, in CSS pixels from its upper left. */
+  onUnder?(x: number, y: number): void;
   /** The camera came to rest somewhere else. */
   onCamera?(camera: CameraPose): void;
   /** A frame was drawn, as far as this thread is concerned. */
@@ -186,6 +188,10 @@ export class Stage {
       pan: (dx, dy) => this.pan(dx, dy),
       zoom: (factor) => this.zoom(factor),
       tap: (x, y, adds) => this.tap(x, y, adds),
+      under: (x, y) => {
+        const { left, top } = this.root.getBoundingClientRect();
+        options.onUnder?.(x - left, y - top);
+      },
       gesture: (active) => {
         this.gesturing = active;
         this.loop.invalidate();

@@ -15,6 +15,7 @@ import { Store } from "../state/store";
 import { describe } from "../words/description";
 import { page } from "../words/english/page";
 import { Comparison } from "./comparison";
+import { Contrast } from "./contrast";
 import { Keeper, type Surroundings } from "./keeper";
 import type { Made } from "./made";
 import { Notices } from "./notices";
@@ -23,6 +24,7 @@ import { Origin } from "./origin";
 import { Pointed } from "./pointed";
 import type { Pull } from "./pull";
 import { Surface } from "./surface";
+import { Witness } from "./witness";
 
 export class Designer {
   readonly store: Store;
@@ -30,8 +32,10 @@ export class Designer {
   readonly notices = new Notices();
   readonly pointed = new Pointed();
   readonly surface: Surface;
+  readonly witness: Witness;
   readonly origin: Origin;
   readonly comparison: Comparison;
+  readonly contrast = new Contrast();
   readonly keeper: Keeper;
   readonly opening: Opening;
   readonly #made = signal<Made | null>(null);
@@ -47,6 +51,7 @@ export class Designer {
     this.solver = solver;
     this.store = new Store(designOf(FIRST, page.firstPot), readSettings(around.shelf));
     this.surface = new Surface(this.store, solver);
+    this.witness = new Witness(this.store);
     this.origin = new Origin(this.store, this.surface);
     this.comparison = new Comparison(this.store, this.surface, solver);
     this.keeper = new Keeper(this.store, this.surface, this.origin, solver, this.notices, around);

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { JAR, POT, tall, WALL } from "../../testing/jar";
+import { realMaker } from "../../testing/real-maker";
 import { type Workbench, workbench } from "../../testing/workbench";
 import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
@@ -211,4 +212,21 @@ test("it can be left and followed again", async () => {
   await making.finish();
   expect(made.solid).toMatchObject({ of: store.design, key: "fine" });
   expect(made.measures.of).toEqual(store.design);
+});
+
+test("whether parts fit together is judged by another maker, which nothing else waits for", async () => {
+  const { store, surface, maker, making } = await workbench({ ...POT, parts: [...POT.parts, ...JAR.parts] });
+  const { maker: judge, worker: judging } = realMaker();
+  const made = new Made(store, surface, maker, never, judge);
+  const leave = made.connect();
+  store.apply(selectTab("measures"));
+  expect(judging.sent.map(({ ask }) => ask.kind)).toEqual(["constraints"]);
+  // It is not done yet, and all else goes on.
+  await making.finish();
+  expect(making.sent.map(({ ask }) => ask.kind)).not.toContain("constraints");
+  expect(made.measures.value).not.toBeNull();
+  expect(made.constraints.value).toBeNull();
+  await judging.finish();
+  expect(made.constraints).toMatchObject({ of: store.design, value: { isKept: false } });
+  leave();
 });

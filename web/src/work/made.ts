@@ -7,7 +7,7 @@
 import { batch, effect, type Signal, signal } from "@preact/signals-core";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
-import type { Design, MapName, Measures, Report } from "../document/types";
+import type { Constraints, Design, MapName, Measures, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
@@ -19,7 +19,7 @@ import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";
 
 /** What is shown in the panels; the export dialogue asks for itself. */
-type Shown = "solid" | "measure" | "check" | "paint" | "lining" | "water";
+type Shown = "solid" | "measure" | "check" | "constraints" | "paint" | "lining" | "water";
 
 /** How far a picture may be from the faces, as a share of the size of the pot: one that is there soon, and one to look at. */
 const COARSE = 1 / 150;
@@ -32,6 +32,8 @@ type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Made {
   readonly maker: MakerClient;
+  /** Another, which judges whether parts fit together: of hundreds that may take long, and nothing else is to wait for it. */
+  readonly judge: MakerClient;
   /** What keeps the wall on the screen while the shape is dragged. */
   readonly inStep: InStep;
   readonly #store: Store;
@@ -40,6 +42,7 @@ export class Made {
     solid: signal<Piece<Solid>>(NOTHING),
     measure: signal<Piece<Measures>>(NOTHING),
     check: signal<Piece<Report>>(NOTHING),
+    constraints: signal<Piece<Constraints>>(NOTHING),
     paint: signal<Piece<Painted>>(NOTHING),
     lining: signal<Piece<Lined>>(NOTHING),
     water: signal<Piece<Filled>>(NOTHING),
@@ -47,11 +50,12 @@ export class Made {
   /** What is asked for, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
 
-  /** `later` is the clock by which a surface waits for its wall. */
-  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later) {
+  /** `later` is the clock by which a surface waits for its wall. One maker may be both. */
+  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later, judge = maker) {
     this.#store = store;
     this.#surface = surface;
     this.maker = maker;
+    this.judge = judge;
     this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
   }
 
@@ -77,6 +81,11 @@ export class Made {
 
   get report(): Piece<Report> {
     return this.#pieces.check.value;
+  }
+
+  /** Whether the parts fit together; of a design of one part nothing. */
+  get constraints(): Piece<Constraints> {
+    return this.#pieces.constraints.value;
   }
 
   get painted(): Piece<Painted> {
@@ -156,6 +165,7 @@ export class Made {
       const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
       const checked = walled && (session.tab === "measures" || helped);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
+      this.#want("constraints", design.parts.length > 1 ? { kind: "constraints", design } : null, "");
       const { map } = session;
       const { rows, columns } = this.#surface.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
@@ -180,7 +190,9 @@ export class Made {
 
   /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
   #rest(): void {
-    this.maker.cancel(...this.#asked.keys());
+    const names = [...this.#asked.keys()];
+    for (const maker of new Set([this.maker, this.judge]))
+      maker.cancel(...names.filter((name) => this.#makerOf(name) === maker));
     this.#asked.clear();
   }
 
@@ -223,7 +235,7 @@ export class Made {
     if (!ask) {
       if (asked) {
         this.#asked.delete(name);
-        this.maker.cancel(name);
+        this.#makerOf(name).cancel(name);
       }
       if (this.#pieces[name].value !== NOTHING) this.#put(name, NOTHING);
       return;
@@ -232,19 +244,25 @@ export class Made {
     if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
     const mine = { of: design, key };
     this.#asked.set(name, mine);
-    void this.maker.ask<Kind>(ask).then((outcome) => {
-      const asked = this.#asked.get(name);
-      if (asked === mine) this.#asked.delete(name);
-      if (outcome.state === "superseded") return;
-      const done = outcome.state === "done";
-      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
-      this.#put(name, {
-        value: done ? (outcome.value as Answers[K]) : null,
-        of: design,
-        problem: done ? null : outcome.refusal,
-        key,
+    void this.#makerOf(name)
+      .ask<Kind>(ask)
+      .then((outcome) => {
+        const asked = this.#asked.get(name);
+        if (asked === mine) this.#asked.delete(name);
+        if (outcome.state === "superseded") return;
+        const done = outcome.state === "done";
+        if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
+        this.#put(name, {
+          value: done ? (outcome.value as Answers[K]) : null,
+          of: design,
+          problem: done ? null : outcome.refusal,
+          key,
+        });
       });
-    });
+  }
+
+  #makerOf(name: Shown): MakerClient {
+    return name === "constraints" ? this.judge : this.maker;
   }
 
   #has(name: Shown, design: Design, key: string): boolean {

@@ -7,5 +7,5 @@ import { Made } from "./made";
 import type { Surface } from "./surface";
 
 export function openMade(store: Store, surface: Surface): Made {
-  return new Made(store, surface, new MakerClient(startMaker));
+  return new Made(store, surface, new MakerClient(startMaker), undefined, new MakerClient(startMaker));
 }

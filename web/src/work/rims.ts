@@ -17,6 +17,11 @@ const UPRIGHT: readonly Shape["kind"][] = [
   "rings",
 ];
 
+/** Whether the first and the last row of points of a mesh are the two ends of the part. */
+export function hasEnds(kind: Shape["kind"]): boolean {
+  return UPRIGHT.includes(kind);
+}
+
 /** Of what has no ends the sides of the box that it fills; null for what fills nothing. */
 export function rimsOf(
   { mesh, matrix, box }: Pick<SolvedPart, "mesh" | "matrix" | "box">,
@@ -24,7 +29,7 @@ export function rimsOf(
 ): Rims | null {
   if (!box) return null;
   const whole: Rim = { middle: [middleOf(box)[0], middleOf(box)[1]], high: box.max[2], width: box.max[0] - box.min[0] };
-  if (!UPRIGHT.includes(kind)) return { upper: whole, lower: whole };
+  if (!hasEnds(kind)) return { upper: whole, lower: whole };
   const columns = columnsOf(mesh.uvs);
   const { positions } = mesh;
   const ends = [positions.subarray(0, 3 * columns), positions.subarray(positions.length - 3 * columns)].flatMap(
@@ -48,7 +53,7 @@ function meanOf(ring: Float64Array): Triple {
 }
 
 /** Points of a row have one `u`. */
-function columnsOf(uvs: Float32Array): number {
+export function columnsOf(uvs: Float32Array): number {
   let columns = 1;
   while (2 * columns < uvs.length && uvs[2 * columns] === uvs[0]) columns += 1;
   return columns;

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
+import { type Group, groupsOf } from "../../document/fates";
 import { unitOf } from "../../document/look";
 import type { Design, Difference, Refusal } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
@@ -23,12 +24,6 @@ import { canvasOf, Pictures, pictureOf, tileStyles } from "./pictures";
 type Result =
   | { readonly state: "done"; readonly here: Design; readonly there: Design; readonly difference: Difference }
   | { readonly state: "refused"; readonly refusal: Refusal };
-
-/** Parts of one fate: their places here and in the other design. */
-interface Fate {
-  readonly which: "moved" | "changed" | "reglued" | "added" | "gone" | "kept";
-  readonly parts: readonly { readonly before?: number; readonly after?: number }[];
-}
 
 @customElement("pasu-compare")
 export class PasuCompare extends DesignerElement {
@@ -129,11 +124,20 @@ export class PasuCompare extends DesignerElement {
       <p class="with">${comparing.with(isolated(there.title ?? page.untitled))}</p>
       <p class="verdict" data-same=${difference.isSame}>${difference.isSame ? comparing.same : comparing.different}</p>
       ${ours === theirs ? nothing : html`<p>${comparing.units(ours, theirs)}</p>`}
-      ${difference.isSame ? nothing : html`<dl>${fates(difference).map((fate) => this.fate(fate, here, there))}</dl>`}
+      ${
+        difference.isSame || ours !== theirs
+          ? nothing
+          : html`<div class="tools start">
+              <button class="button outlined" type="button" @click=${() => this.onStage(there)}>
+                ${icon("seen")} ${comparing.onStage}
+              </button>
+            </div>`
+      }
+      ${difference.isSame ? nothing : html`<dl>${groupsOf(difference).map((group) => this.fate(group, here, there))}</dl>`}
     `;
   }
 
-  private fate({ which, parts }: Fate, here: Design, there: Design) {
+  private fate({ which, parts }: Group, here: Design, there: Design) {
     if (parts.length === 0) return nothing;
     return html`<div data-fate=${which}>
       <dt>${comparing[which]} <span class="count">${comparing.count(parts.length)}</span></dt>
@@ -150,6 +154,11 @@ export class PasuCompare extends DesignerElement {
         })}
       </dd>
     </div>`;
+  }
+
+  private onStage(there: Design): void {
+    this.designer.contrast.show(there);
+    this.close();
   }
 
   private select(place: number): void {
@@ -229,6 +238,9 @@ export class PasuCompare extends DesignerElement {
         justify-content: flex-end;
         gap: 8px;
       }
+      .start {
+        justify-content: flex-start;
+      }
       #result {
         display: grid;
         gap: 6px;
@@ -289,18 +301,6 @@ export class PasuCompare extends DesignerElement {
         font: 600 1.08rem var(--font-brand);
       }
     `,
-  ];
-}
-
-/** What a person looks for first comes first. */
-function fates({ kept, moved, changed, gone, added, reglued }: Difference): readonly Fate[] {
-  return [
-    { which: "changed", parts: changed },
-    { which: "moved", parts: moved },
-    { which: "reglued", parts: reglued },
-    { which: "added", parts: added.map((after) => ({ after })) },
-    { which: "gone", parts: gone.map((before) => ({ before })) },
-    { which: "kept", parts: kept },
   ];
 }
 

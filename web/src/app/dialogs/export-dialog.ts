@@ -25,6 +25,7 @@ import "../../ui/dialog";
 import { DesignerElement } from "../../element/designer-element";
 import { grouped, isolated } from "../../language";
 import { base, buttons, fields } from "../../ui/styles";
+import { withoutPairs, withScene } from "../../words/constraints";
 import { exporting as words } from "../../words/english/export";
 import { page } from "../../words/english/page";
 import { quantities } from "../../words/english/quantities";
@@ -243,7 +244,7 @@ export class PasuExport extends DesignerElement {
       </dl>
       <div role="status">
         ${
-          report
+          report && this.isSceneKnown
             ? sentences(this.verdict(report, making, measures))
             : html`<div class="wait">${page.checking}${track(page.checking, this.looked)}</div>`
         }
@@ -266,9 +267,19 @@ export class PasuExport extends DesignerElement {
     const { state: now, surface } = this.designer;
     const [outline, unit] = [surface.shown?.solved.facts?.outline ?? [], unitOf(now.design)];
     // A closed solid has no wall: how thick it is printed is the slicer's.
-    return this.chosen.product === "pot"
-      ? madeOf(report, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
-      : checked(report, measures, outline, unit);
+    const scene = now.design.parts.length > 1 ? this.designer.made?.constraints.value : null;
+    const found = scene ? withoutPairs(report, scene) : report;
+    const own =
+      this.chosen.product === "pot"
+        ? madeOf(found, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
+        : checked(found, measures, outline, unit);
+    return scene ? withScene(own, scene, now.design) : own;
+  }
+
+  /** Whether it is known of several parts how they fit together, or that it cannot be: before that none is called good. */
+  private get isSceneKnown(): boolean {
+    const { made, store } = this.designer;
+    return store.design.parts.length === 1 || made?.isOfNow(made.constraints) === true;
   }
 
   private verdict(report: Report, making: Making, measures: Measures): readonly Sentence[] {
@@ -281,7 +292,7 @@ export class PasuExport extends DesignerElement {
   /** How much there is to mind, where the verdict itself may be out of sight; it is read to nobody twice. */
   private brief(making: Making | null) {
     const { report, measures } = this;
-    if (!report || !measures || !making) return nothing;
+    if (!report || !measures || !making || !this.isSceneKnown) return nothing;
     const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
     if (count === 0) return nothing;
     return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text: words.warnings(count) }])}</div>`;

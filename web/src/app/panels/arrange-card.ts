@@ -28,6 +28,7 @@ import { base, buttons, disclosure } from "../../ui/styles";
 import { arranging as words } from "../../words/english/arranging";
 import { parts as partWords } from "../../words/english/parts";
 import { boxesOf, middlesOf } from "../../work/held";
+import { type Course, pushOnto } from "../../work/pushing";
 import { rimsOf } from "../../work/rims";
 
 const SIDES: readonly Side[] = ["low", "middle", "high"];
@@ -46,6 +47,9 @@ export class PasuArrange extends DesignerElement {
   @state() private angle = ALL_ROUND;
   @state() private turning = true;
   @state() private problem = "";
+  /** Whether something is being pushed, and what is to be said of the last time. */
+  @state() private pushing = false;
+  @state() private pushed = "";
 
   override render() {
     return html`<details ?open=${this.isOpen} @toggle=${this.toggled}>
@@ -87,6 +91,8 @@ export class PasuArrange extends DesignerElement {
           ${this.press(words.onRim, () => standOn(designer.state, this.boxes, this.rims, false), words.onRimNote)}
           ${this.press(words.onRimFitted, () => standOn(designer.state, this.boxes, this.rims, true), words.onRimNote)}
         </div>
+        <div class="row">${this.push("sideways")}${this.push("upright")}</div>
+        <p class="problem" role="status">${this.pushed}</p>
       </div>
       ${this.group(
         words.distribute,
@@ -100,6 +106,28 @@ export class PasuArrange extends DesignerElement {
         ),
       )}
     `;
+  }
+
+  private push(course: Course) {
+    const none = looseIds(this.designer.state).length < 1;
+    return html`<button
+      class="button outlined"
+      type="button"
+      title=${words.onWallNote}
+      data-push=${course}
+      ?disabled=${none || this.pushing}
+      @click=${() => void this.pushOnto(course)}
+    >
+      ${course === "sideways" ? words.onWall : words.onWallUpright}
+    </button>`;
+  }
+
+  private async pushOnto(course: Course): Promise<void> {
+    this.pushing = true;
+    this.pushed = "";
+    const became = await pushOnto(this.designer, course);
+    this.pushing = false;
+    this.pushed = became === "partly" || became === "nowhere" ? words.pushed[became] : "";
   }
 
   private copies() {

@@ -29,6 +29,7 @@ import { parts } from "../../words/english/parts";
 import { partName } from "../../words/parts";
 import { hiddenNote } from "../hidden-note";
 import "./arrange-card";
+import "./constraints-card";
 import "./glue-matrix";
 
 /** How far beside a pot its copy stands, as a share of its width. */
@@ -121,6 +122,7 @@ export class PasuParts extends DesignerElement {
         ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
       </div>
       <p class="problem" id="taken" role="status"></p>
+      <pasu-constraints .designer=${this.designer}></pasu-constraints>
       ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
       ${this.arrange()}
       ${ids.length > 1 ? html`<pasu-glue-matrix .designer=${this.designer}></pasu-glue-matrix>` : nothing}

@@ -18,6 +18,7 @@ import { motionWords, readingOf } from "../../words/handling";
 import { type Held, heldBy, type Manner, mannerOf } from "../../work/held";
 import { DesignerElement } from "../designer-element";
 import { type Modifier, type Point, PullGesture } from "../pull/pull-gesture";
+import { UnderEvent } from "../under/ask";
 import "./place-bar";
 import { gripKey, keyMotion } from "./grip-keys";
 import { type Grip, type Hold, type Motion, motionOf, onRing, placesAfter, type Steps } from "./motion";
@@ -97,7 +98,7 @@ export class PasuPlaceHandles extends DesignerElement {
     return html`
       <div
         class="surface"
-        @pointerdown=${this.gesture.down}
+        @pointerdown=${this.down}
         @pointermove=${this.gesture.move}
         @pointerup=${this.gesture.up}
         @pointercancel=${this.gesture.up}
@@ -207,6 +208,11 @@ export class PasuPlaceHandles extends DesignerElement {
     this.surface.classList.add("held");
     return true;
   }
+
+  private readonly down = (event: PointerEvent): void => {
+    if (event.altKey && event.button === 0) this.dispatchEvent(new UnderEvent({ x: event.clientX, y: event.clientY }));
+    else this.gesture.down(event);
+  };
 
   private takeHandle(event: PointerEvent, grip: Grip): boolean {
     event.preventDefault();

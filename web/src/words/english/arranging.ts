@@ -17,6 +17,15 @@ export const arranging = phrases("arranging", {
   onRim: "Stand on it",
   onRimFitted: "Stand on it, as wide as its rim",
   onRimNote: "Over the middle of the rim of the one selected last, and as high as that reaches.",
+  onWall: "Set into its wall, sideways",
+  onWallUpright: "Set into it, up or down",
+  onWallNote:
+    "Until all of what faces it lies in the clay of the one selected last, and glued to it. It does not come through the wall.",
+  /** What became of that. */
+  pushed: {
+    partly: "What faces the wall is too uneven for it: some of it stays outside, so that nothing comes through.",
+    nowhere: "Nothing is met that way.",
+  },
   distribute: "Same gaps",
   distributeNote: "The outermost stay. It takes three parts.",
   mirror: "Mirror",

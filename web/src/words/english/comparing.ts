@@ -24,6 +24,10 @@ export const comparing = phrases("comparing", {
   /** What a part is called in the other design. */
   there: (name: string) => `there ${name}`,
   select: (name: string) => `Select ${name}`,
+  /** The same on the stage. */
+  onStage: "Show on the stage",
+  close: "Compare no longer",
+  hatched: "Hatched: as the other has it.",
   count: (count: number) => formatNumber(count),
   refused: (why: string) => `That cannot be compared: ${why}`,
 });

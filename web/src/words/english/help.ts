@@ -18,6 +18,7 @@ const pot: Keys = [
   ["F", "Fit to view"],
   ["P", "Pull at it, or turn it again"],
   ["M", "Move, turn and scale its parts, or turn it again"],
+  ["U, Alt click, right click, a finger that stays", "List the parts that lie there, one behind the other"],
   ["1 to 5", "Three-quarter, front, side, top, below"],
 ];
 const ring: Keys = [

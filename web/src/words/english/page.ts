@@ -70,7 +70,8 @@ export const page = phrases("page", {
   severities: { error: "Fault: ", warning: "Mind: " },
 
   stage: "3D view",
-  stageKeys: "Arrow keys turn the pot, plus and minus zoom, F fits it to the view.",
+  stageKeys:
+    "Arrow keys turn the pot, plus and minus zoom, F fits it to the view. U lists the parts in the middle, hidden ones among them.",
   lost: "The graphics card was taken away for a moment. The picture comes back by itself.",
   lostForGood:
     "The graphics card was taken away and has not come back, so the pot stands still. Everything else works: change it, save it, share it.",

@@ -1,0 +1,61 @@
+import { expect, test } from "vitest";
+import { countsOf, mendsOf, toldOf } from "./breaches";
+import type { Breach, Design } from "./types";
+
+const breach = (code: string, part: number, other: number, severity: Breach["severity"] = "error"): Breach => ({
+  code,
+  severity,
+  part,
+  other,
+  message: "",
+  args: {},
+  at: null,
+  distance: null,
+  isProved: true,
+});
+
+const design = (...objects: readonly number[]): Design => ({
+  pasu: 1,
+  parts: objects.map((object) => ({ object, shape: { kind: "octant", exponents: [2, 2, 2] } })),
+});
+
+test("the worst is told first, and what is wholly inside another is not told twice", () => {
+  const breaches = [
+    breach("contact", 3, 2, "note"),
+    breach("undecided-interference", 3, 1, "warning"),
+    breach("interference", 1, 0),
+    breach("within", 0, 1),
+    breach("interference", 2, 0),
+  ];
+  expect(toldOf({ breaches }).map(({ code, part, other }) => [code, part, other])).toEqual([
+    ["within", 0, 1],
+    ["interference", 2, 0],
+    ["undecided-interference", 3, 1],
+    ["contact", 3, 2],
+  ]);
+  expect(countsOf({ breaches, leftOut: 2, isKept: false, slack: 1e-6 })).toEqual({ broken: 5, undecided: 1 });
+});
+
+test("what would mend it goes by what it is, and by what is glued", () => {
+  const mends = (each: Breach, of: Design) => mendsOf(each, { breaches: [each] }, of);
+  expect(mends(breach("interference", 1, 0), design(0, 1))).toEqual(["apart", "glue"]);
+  expect(mends(breach("within", 1, 0), design(0, 1))).toEqual(["remove", "apart"]);
+  // Glued, it would only come loose.
+  expect(mends(breach("within", 1, 0), design(0, 0))).toEqual(["remove"]);
+  expect(mends(breach("same-place", 1, 0), design(0, 0))).toEqual(["remove"]);
+  expect(mends(breach("undecided-interference", 1, 0, "warning"), design(0, 1))).toEqual(["apart"]);
+  for (const code of ["contact", "undecided-within", "undecided-connection", "of a later version"])
+    expect(mends(breach(code, 1, 0), design(0, 1))).toEqual([]);
+});
+
+test("a loose part is moved or separated alone only where no other part hangs on it", () => {
+  const loose = breach("not-connected", 1, 0);
+  expect(mendsOf(loose, { breaches: [loose] }, design(0, 0))).toEqual(["together", "separate"]);
+  // Of three parts one breach means that two of them touch: which, is not told.
+  expect(mendsOf(loose, { breaches: [loose] }, design(0, 0, 0))).toEqual([]);
+  const both = { breaches: [loose, breach("not-connected", 2, 0)] };
+  expect(mendsOf(loose, both, design(0, 0, 0))).toEqual(["together", "separate"]);
+  // Those of another object do not count.
+  const elsewhere = { breaches: [loose, breach("not-connected", 4, 3)] };
+  expect(mendsOf(loose, elsewhere, design(0, 0, 0, 1, 1))).toEqual([]);
+});
