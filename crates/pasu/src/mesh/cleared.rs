@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::patches::sewn;
+use super::sewn::sewn;
 use crate::patch::Lines;
 use crate::solution::Placed;
 use crate::watch;

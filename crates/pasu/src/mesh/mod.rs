@@ -14,6 +14,7 @@ mod profile;
 mod promise;
 mod sample;
 mod seams;
+mod sewn;
 mod tolerance;
 
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
