@@ -3,30 +3,53 @@
 //! `pairs.json` lists them, `pairs.bin` holds their meshes: coordinates in single precision and numbers of corners, little-endian. Lengths are those of the designs.
 
 use std::fs;
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::thread;
 
 use anyhow::{Context, Result};
-use pasu::{Design, Making, Solution};
+use pasu::{Design, Making, SolidMesh, Solution};
 use serde_json::{Value, json};
 
-const PAIRS: u64 = 1000;
+/// As many are drawn until so many can be made.
+const PAIRS: usize = 1000;
 
 /// The triangles are as near to the bodies as this, whose sizes are between 1 and 8.
 const TOLERANCE: f64 = 0.004;
 
+/// A pair that can be made.
+struct Pair {
+    number: u64,
+    /// The code of the first breach, or `apart`.
+    verdict: &'static str,
+    depth: f64,
+    meshes: Vec<SolidMesh>,
+}
+
 /// Writes all pairs.
 pub(crate) fn write(folder: &Path) -> Result<()> {
-    let mut bytes = Vec::new();
-    let mut all = Vec::new();
-    for number in 1..=PAIRS {
-        let design = pair(number)?;
-        let solution = Solution::of(&design);
-        let told = solution.constraints(None).with_context(|| format!("pair {number}"))?;
-        let making = Making { tolerance: Some(TOLERANCE), ..Making::default() };
-        // What cannot be made has no triangles to be cut: walls of random pots, now and then.
-        let Ok(meshes) = solution.solid(&making) else { continue };
-        let verdict = told.breaches.first().map_or("apart", |breach| breach.code);
-        let depth = told.breaches.iter().filter_map(|breach| breach.distance).fold(0.0, f64::max);
+    let (next, n_made) = (AtomicU64::new(1), AtomicUsize::new(0));
+    let worker = || {
+        let mut made = Vec::new();
+        while n_made.load(Ordering::Relaxed) < PAIRS {
+            if let Some(pair) = judged(next.fetch_add(1, Ordering::Relaxed))? {
+                n_made.fetch_add(1, Ordering::Relaxed);
+                made.push(pair);
+            }
+        }
+        Ok(made)
+    };
+    let made = thread::scope(|scope| {
+        let cores = thread::available_parallelism().map_or(1, usize::from);
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(worker)).collect();
+        let answers = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        answers.collect::<Result<Vec<Vec<Pair>>>>()
+    })?;
+    let mut made: Vec<Pair> = made.into_iter().flatten().collect();
+    made.sort_by_key(|pair| pair.number);
+    let (mut bytes, mut all) = (Vec::new(), Vec::new());
+    for Pair { number, verdict, depth, meshes } in made.into_iter().take(PAIRS) {
         let meshes: Vec<Value> = meshes
             .iter()
             .map(|mesh| {
@@ -40,6 +63,18 @@ pub(crate) fn write(folder: &Path) -> Result<()> {
     fs::write(folder.join("pairs.bin"), bytes)?;
     fs::write(folder.join("pairs.json"), serde_json::to_string(&all)?)?;
     Ok(())
+}
+
+/// What is said of a pair. What cannot be made has no triangles to be cut: now and then a wall, or a tip like a needle.
+fn judged(number: u64) -> Result<Option<Pair>> {
+    let design = pair(number)?;
+    let solution = Solution::of(&design);
+    let told = solution.constraints(None).with_context(|| format!("pair {number}"))?;
+    let making = Making { tolerance: Some(TOLERANCE), ..Making::default() };
+    let Ok(meshes) = solution.solid(&making) else { return Ok(None) };
+    let verdict = told.breaches.first().map_or("apart", |breach| breach.code);
+    let depth = told.breaches.iter().filter_map(|breach| breach.distance).fold(0.0, f64::max);
+    Ok(Some(Pair { number, verdict, depth, meshes }))
 }
 
 /// Appends words of four bytes; where they begin, and how many they are.
@@ -68,8 +103,8 @@ fn pair(number: u64) -> Result<Design> {
 fn body(dice: &mut Dice) -> Value {
     match dice.whole(4) {
         0 | 1 => {
-            // From hollow ones over balls to nearly boxes.
-            let exponents = [(); 3].map(|()| dice.between(-0.3, 2.5).exp());
+            // From pyramids over balls to nearly boxes.
+            let exponents = [(); 3].map(|()| dice.between(0.0, 2.5).exp());
             json!({ "shape": { "kind": "octant", "exponents": exponents } })
         }
         2 => {
@@ -82,7 +117,7 @@ fn body(dice: &mut Dice) -> Value {
         _ => {
             let (rim, foot) = (dice.between(0.8, 1.6), dice.between(0.7, 1.2));
             json!({
-                "shape": { "kind": "second-order", "r": [rim, 0, foot, 0], "t": [dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)], "n": [1, 2], "height": dice.between(1.5, 3.5) },
+                "shape": { "kind": "second-order", "r": [rim, 0, foot, 0], "t": [dice.between(-0.3, 0.3), dice.between(-0.3, 0.3)], "n": [1, 2], "height": dice.between(1.5, 3.5) },
                 "wall": { "thickness": 0.15, "base": 0.2 },
             })
         }
