@@ -95,10 +95,11 @@ def main() -> None:
         refused += bool(list(judge(turned)))
     print(", ".join(f"{count} {verdict}" for verdict, count in told.most_common()))
     total = sum(told.values())
+    undecided = sum(count for code, count in told.items() if code.startswith("undecided"))
     enough = {
         "at least 900 pairs": total >= 900,
         "every verdict on many": min(told["apart"], sum(told[code] for code in COMMON)) >= 200,
-        "few undecided": sum(count for code, count in told.items() if code.startswith("undecided")) <= UNDECIDED * total,
+        "few undecided": undecided <= UNDECIDED * total,
         # What hardly reaches into another may be taken for apart by triangles.
         "the opposite is refused of four in five": refused >= 0.8 * total,
     }
