@@ -8,7 +8,7 @@ use crate::watch;
 
 type Point = [f32; 3];
 
-/// No more triangles than this are asked for one by one: of twice as many or half as many the search takes longer.
+/// No more triangles than this are asked for one by one: of half as many the search takes longer.
 const TOGETHER: usize = 8;
 
 /// So many boxes are held against each other between two looks at whether that is still wanted.

@@ -5,7 +5,7 @@
 use glam::DVec3;
 
 use super::sewn::sewn;
-use crate::patch::Lines;
+use crate::patch::{Lines, SAME_LINE};
 use crate::solution::Placed;
 use crate::watch;
 
@@ -15,11 +15,19 @@ const SAFE: f64 = 8.0;
 /// No more lines are taken away than this.
 const MOST: usize = 64;
 
+/// Of a mesh of more vertices none is: all of it is looked at again for each line, and nobody waits for that.
+const MOST_VERTICES: usize = 1 << 16;
+
 /// The lines that are left, and the distance by which rounding moves a point at most; `None` where none is in the way, and where some are that have to stay.
 ///
 /// One after the other goes the line between the most triangles that are too narrow.
 pub(super) fn cleared(placed: &Placed, lines: &[Lines]) -> Option<(Vec<Lines>, f64)> {
     let patches = placed.solved().patches();
+    if lines.iter().map(Lines::n_vertices).sum::<usize>() > MOST_VERTICES {
+        return None;
+    }
+    // What is smooth between two of these is not across one, where no bound of a cell would hold.
+    let knots = Lines::pieces_of(&patches, 1);
     let mut lines = lines.to_vec();
     for round in 0..=MOST {
         if watch::is_stopped() {
@@ -41,26 +49,36 @@ pub(super) fn cleared(placed: &Placed, lines: &[Lines]) -> Option<(Vec<Lines>, f
             between[*patch][0][cell / columns] += 1;
             between[*patch][1][cell % columns] += 1;
         }
-        let counted = between.iter().enumerate().flat_map(|(patch, directions)| {
-            let of = move |(direction, counts): (usize, &Vec<usize>)| {
-                // With two lines there is none to be taken away.
-                let most =
-                    if counts.len() > 2 { counts.iter().copied().enumerate().max_by_key(|(_, n)| *n) } else { None };
-                most.map(|(interval, n)| (n, patch, direction, interval))
-            };
-            directions.iter().enumerate().filter_map(of).collect::<Vec<_>>()
-        });
-        match counted.max_by_key(|(n, ..)| *n) {
-            Some((n, patch, direction, interval)) if n > 0 && round < MOST => {
-                let of = if direction == 0 { &lines[patch].u } else { &lines[patch].v };
-                // That of its two lines which is nearer to the one beyond; the ends stay.
-                let gap = |from: usize| of.get(from + 1).map_or(f64::INFINITY, |next| next - of[from]);
-                let before = if interval > 0 { gap(interval - 1) } else { f64::INFINITY };
-                let line = if before < gap(interval + 1) || interval + 2 == of.len() { interval } else { interval + 1 };
-                let place = of[line];
+        // Of the two lines on both sides of an interval that which is nearer to the one beyond; the ends and the knots stay.
+        let removable = |patch: usize, direction: usize, interval: usize| {
+            let of = |lines: &Lines| if direction == 0 { lines.u.clone() } else { lines.v.clone() };
+            let (own, knots) = (of(&lines[patch]), of(&knots[patch]));
+            let stays = |place: f64| knots.iter().any(|knot| (knot - place).abs() <= SAME_LINE);
+            let gap = |from: usize, to: usize| own.get(to).map_or(f64::INFINITY, |next| next - own[from]);
+            let before = (interval > 0).then(|| (gap(interval - 1, interval), own[interval]));
+            let after = own.get(interval + 1).map(|place| (gap(interval + 1, interval + 2), *place));
+            let both = [after, before].into_iter().flatten().filter(|(_, place)| !stays(*place));
+            both.min_by(|one, other| one.0.total_cmp(&other.0)).map(|(_, place)| place)
+        };
+        let mut most: Option<(usize, usize, usize, f64)> = None;
+        let mut is_clear = true;
+        for (patch, directions) in between.iter().enumerate() {
+            for (direction, counts) in directions.iter().enumerate() {
+                for (interval, n) in counts.iter().copied().enumerate().filter(|(_, n)| *n > 0) {
+                    is_clear = false;
+                    if most.is_none_or(|(most, ..)| n > most)
+                        && let Some(place) = removable(patch, direction, interval)
+                    {
+                        most = Some((n, patch, direction, place));
+                    }
+                }
+            }
+        }
+        match most {
+            Some((_, patch, direction, place)) if round < MOST => {
                 Lines::without(&patches, &mut lines, patch, direction, place);
             }
-            Some((0, ..)) | None if round > 0 => return Some((lines, 2.0 * rounding)),
+            None if is_clear && round > 0 => return Some((lines, 2.0 * rounding)),
             _ => return None,
         }
     }
