@@ -4,6 +4,8 @@
 
 use core::ops::{ControlFlow, Range};
 
+use glam::Vec3A;
+
 use crate::watch;
 
 type Point = [f32; 3];
@@ -18,16 +20,17 @@ const CHUNK: u64 = 1 << 12;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounded {
     pub(super) number: u32,
-    low: Point,
-    high: Point,
+    /// Of a group no two cross each other.
+    group: Option<u32>,
+    low: Vec3A,
+    high: Vec3A,
 }
 
 impl Bounded {
     /// The box round the corners of a triangle.
-    pub(super) fn of(number: u32, [a, b, c]: [Point; 3]) -> Bounded {
-        let low = core::array::from_fn(|i| a[i].min(b[i]).min(c[i]));
-        let high = core::array::from_fn(|i| a[i].max(b[i]).max(c[i]));
-        Bounded { number, low, high }
+    pub(super) fn of(number: u32, group: Option<u32>, corners: [Point; 3]) -> Bounded {
+        let [a, b, c] = corners.map(Vec3A::from_array);
+        Bounded { number, group, low: a.min(b).min(c), high: a.max(b).max(c) }
     }
 }
 
@@ -38,13 +41,15 @@ pub(super) struct Boxes {
 }
 
 struct Node {
-    low: Point,
-    high: Point,
+    low: Vec3A,
+    high: Vec3A,
     /// The first node that is not in it.
     next: u32,
     /// Of a node that has none in it: its triangles.
     first: u32,
     n: u32,
+    /// The group that all its triangles are of.
+    group: Option<u32>,
 }
 
 impl Node {
@@ -56,13 +61,22 @@ impl Node {
 }
 
 impl Boxes {
+    /// Of each group there is a branch of its own, so that what is known not to cross is passed over at once, and the two sides of a wall are not in one box.
     pub(super) fn new(mut triangles: Vec<Bounded>) -> Boxes {
         let mut nodes = Vec::with_capacity(triangles.len());
-        build(&mut nodes, &mut triangles, 0);
+        triangles.sort_by_key(|triangle| triangle.group);
+        let mut groups = Vec::new();
+        let mut first = 0;
+        for group in triangles.chunk_by(|one, other| one.group == other.group) {
+            let (low, high) = around(group);
+            groups.push(Group { triangles: first..first + group.len(), low, high });
+            first += group.len();
+        }
+        build_groups(&mut nodes, &mut groups, &mut triangles);
         Boxes { nodes, triangles }
     }
 
-    /// Calls with the numbers of every two triangles whose boxes touch, the lower first, once each, until it says that this is enough. Boxes are held against boxes, so that what is
+    /// Calls with the numbers of every two triangles that are not of one group and whose boxes touch, the lower first, once each, until it says that this is enough. Boxes are held against boxes, so that what is
     /// far from each other is told apart by the thousand.
     pub(super) fn pairs(&self, mut visit: impl FnMut(u32, u32) -> ControlFlow<()>) {
         let mut open: Vec<(u32, u32)> = if self.triangles.is_empty() { Vec::new() } else { vec![(0, 0)] };
@@ -77,6 +91,9 @@ impl Boxes {
                 }
             }
             let (a, b) = (&self.nodes[one as usize], &self.nodes[other as usize]);
+            if a.group.is_some() && a.group == b.group {
+                continue;
+            }
             if one == other {
                 match a.triangles() {
                     Some(range) => {
@@ -97,7 +114,7 @@ impl Boxes {
             match (a.triangles(), b.triangles()) {
                 (Some(these), Some(those)) => {
                     for p in &self.triangles[these] {
-                        if touch((&p.low, &p.high), (&b.low, &b.high))
+                        if touch((p.low, p.high), (b.low, b.high))
                             && self.beside(p, those.clone(), &mut visit).is_break()
                         {
                             return;
@@ -123,7 +140,7 @@ impl Boxes {
     /// Two nodes are looked into if their boxes touch.
     fn put(&self, open: &mut Vec<(u32, u32)>, one: u32, other: u32) {
         let (a, b) = (&self.nodes[one as usize], &self.nodes[other as usize]);
-        if touch((&a.low, &a.high), (&b.low, &b.high)) {
+        if touch((a.low, a.high), (b.low, b.high)) {
             open.push((one, other));
         }
     }
@@ -136,7 +153,7 @@ impl Boxes {
         visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         for other in &self.triangles[others] {
-            if touch((&other.low, &other.high), (&one.low, &one.high)) {
+            if touch((other.low, other.high), (one.low, one.high)) {
                 visit(one.number.min(other.number), one.number.max(other.number))?;
             }
         }
@@ -151,18 +168,19 @@ impl Boxes {
         self.nodes[node as usize].next - node
     }
 
-    /// How many triangles of those that count there are whose boxes touch that of this one, itself among them.
-    pub(super) fn n_beside(&self, one: &Bounded, counts: impl Fn(u32) -> bool) -> usize {
+    /// How many triangles there are that are not of its group and whose boxes touch that of this one, itself among them if it is of none.
+    pub(super) fn n_beside(&self, one: &Bounded) -> usize {
         let (mut index, mut n_seen, mut n_found) = (0, 0, 0);
         while let Some(node) = self.nodes.get(index) {
             n_seen += 1;
-            if !touch((&node.low, &node.high), (&one.low, &one.high)) {
+            let is_apart = one.group.is_some() && one.group == node.group;
+            if is_apart || !touch((node.low, node.high), (one.low, one.high)) {
                 index = node.next as usize;
                 continue;
             }
             let within = node.triangles().unwrap_or_default();
-            let touches = |other: &&Bounded| touch((&other.low, &other.high), (&one.low, &one.high));
-            n_found += self.triangles[within].iter().filter(touches).filter(|other| counts(other.number)).count();
+            let touches = |other: &&Bounded| touch((other.low, other.high), (one.low, one.high));
+            n_found += self.triangles[within].iter().filter(touches).count();
             index += 1;
         }
         watch::work(n_seen);
@@ -170,37 +188,50 @@ impl Boxes {
     }
 }
 
-type Extent<'a> = (&'a Point, &'a Point);
-
-fn touch((low, high): Extent, (other_low, other_high): Extent) -> bool {
+fn touch((low, high): (Vec3A, Vec3A), (other_low, other_high): (Vec3A, Vec3A)) -> bool {
     // Without branches: whether two boxes touch is hard to foresee.
-    let mut is_touching = true;
-    for i in 0..3 {
-        is_touching &= (low[i] <= other_high[i]) & (other_low[i] <= high[i]);
-    }
-    is_touching
+    (low.cmple(other_high) & other_low.cmple(high)).all()
 }
 
-/// Appends the node of these triangles, of which there are `before` before them, and all that is in it.
+/// The triangles of one group, or of none.
+struct Group {
+    triangles: Range<usize>,
+    low: Vec3A,
+    high: Vec3A,
+}
+
+/// Appends the node of these groups, and all that is in it.
+fn build_groups(nodes: &mut Vec<Node>, groups: &mut [Group], triangles: &mut [Bounded]) {
+    let [.., _, _] = groups else {
+        for Group { triangles: range, .. } in groups {
+            build(nodes, &mut triangles[range.clone()], range.start);
+        }
+        return;
+    };
+    let (low, high) = groups.iter().fold(NOTHING, |(low, high), group| (low.min(group.low), high.max(group.high)));
+    let this = nodes.len();
+    nodes.push(Node { low, high, next: 0, first: 0, n: 0, group: None });
+    let half = groups.len() / 2;
+    let axis = longest(high - low);
+    let middle = |of: &Group| 0.5 * of.low[axis] + 0.5 * of.high[axis];
+    groups.select_nth_unstable_by(half, |one, other| middle(one).total_cmp(&middle(other)));
+    let (lower, upper) = groups.split_at_mut(half);
+    build_groups(nodes, lower, triangles);
+    build_groups(nodes, upper, triangles);
+    nodes[this].next = nodes.len() as u32;
+}
+
+/// Appends the node of these triangles of one group, of which there are `before` before them, and all that is in it.
 fn build(nodes: &mut Vec<Node>, triangles: &mut [Bounded], before: usize) {
     watch::work(triangles.len() as u64);
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for triangle in triangles.iter() {
-        for i in 0..3 {
-            low[i] = low[i].min(triangle.low[i]);
-            high[i] = high[i].max(triangle.high[i]);
-        }
-    }
+    let (low, high) = around(triangles);
     let this = nodes.len();
     let is_last = triangles.len() <= TOGETHER;
     let n = if is_last { triangles.len() as u32 } else { 0 };
-    nodes.push(Node { low, high, next: 0, first: before as u32, n });
+    let group = triangles.first().and_then(|first| first.group);
+    nodes.push(Node { low, high, next: 0, first: before as u32, n, group });
     if !is_last {
-        let width = |i: usize| high[i] - low[i];
-        let mut axis = if width(1) > width(0) { 1 } else { 0 };
-        if width(2) > width(axis) {
-            axis = 2;
-        }
+        let axis = longest(high - low);
         let half = triangles.len() / 2;
         let middle = |of: &Bounded| 0.5 * of.low[axis] + 0.5 * of.high[axis];
         triangles.select_nth_unstable_by(half, |one, other| middle(one).total_cmp(&middle(other)));
@@ -209,6 +240,18 @@ fn build(nodes: &mut Vec<Node>, triangles: &mut [Bounded], before: usize) {
         build(nodes, upper, before + half);
     }
     nodes[this].next = nodes.len() as u32;
+}
+
+const NOTHING: (Vec3A, Vec3A) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+
+fn around(triangles: &[Bounded]) -> (Vec3A, Vec3A) {
+    triangles.iter().fold(NOTHING, |(low, high), triangle| (low.min(triangle.low), high.max(triangle.high)))
+}
+
+/// The number of the axis along which something is longest.
+fn longest(width: Vec3A) -> usize {
+    let axis = if width.y > width.x { 1 } else { 0 };
+    if width.z > width[axis] { 2 } else { axis }
 }
 
 #[cfg(test)]
@@ -225,10 +268,13 @@ mod tests {
             state ^= state << 17;
             (state >> 40) as f32 / (1u64 << 24) as f32
         };
-        for n in [0, 1, 4, 5, 9, 300] {
+        for (n, n_groups) in [0, 1, 4, 5, 9, 300].into_iter().flat_map(|n| [(n, 0), (n, 3)]) {
             let mut triangle = |number: u32| {
                 let at = [(); 3].map(|()| random());
-                Bounded::of(number, [(); 3].map(|()| at.map(|x| x + 0.2 * random())))
+                // Some are of a group, some of none, and what is of one lies together.
+                let group = (at[0] * (n_groups + 1) as f32) as u32;
+                let group = (group < n_groups).then_some(group);
+                Bounded::of(number, group, [(); 3].map(|()| at.map(|x| x + 0.2 * random())))
             };
             let triangles: Vec<Bounded> = (0..n).map(&mut triangle).collect();
             let boxes = Boxes::new(triangles.clone());
@@ -240,15 +286,11 @@ mod tests {
             found.sort_unstable();
             let mut expected = Vec::new();
             for one in &triangles {
-                let beside = |other: &&Bounded| touch((&other.low, &other.high), (&one.low, &one.high));
+                let is_other = |other: &Bounded| one.group.is_none() || one.group != other.group;
+                let beside = |other: &&Bounded| is_other(other) && touch((other.low, other.high), (one.low, one.high));
                 let later = triangles.iter().filter(beside).filter(|other| other.number > one.number);
                 expected.extend(later.map(|other| (one.number, other.number)));
-                assert_eq!(
-                    boxes.n_beside(one, |_| true),
-                    triangles.iter().filter(beside).count(),
-                    "{n}: {}",
-                    one.number
-                );
+                assert_eq!(boxes.n_beside(one), triangles.iter().filter(beside).count(), "{n}: {}", one.number);
             }
             assert_eq!(found, expected, "{n}");
             assert!(n < 300 || found.len() > 100 && found.len() < 30_000, "{}", found.len());

@@ -53,9 +53,6 @@ struct Limits {
     most_pairs: usize,
 }
 
-/// To look at two triangles takes as long as to pass over so many that are known not to cross.
-const LOOK: usize = 8;
-
 /// Nobody wants to know more of them.
 const MOST_FOUND: usize = 1 << 16;
 
@@ -75,12 +72,11 @@ fn search(
     Limits { most, enough, most_pairs }: Limits,
 ) -> (Vec<[u32; 2]>, Option<u32>) {
     let corners = |[a, b, c]: &[u32; 3]| [positions[*a as usize], positions[*b as usize], positions[*c as usize]];
-    let bounded = triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, corners(triangle)));
+    let bounded =
+        triangles.iter().zip(0..).map(|(triangle, number)| Bounded::of(number, group(number), corners(triangle)));
     let bounded: Vec<Bounded> = bounded.collect();
     let planes: Vec<Plane> = triangles.iter().map(|triangle| Plane::of(&corners(triangle))).collect();
-    let groups: Vec<Option<u32>> = (0..triangles.len() as u32).map(group).collect();
     let boxes = Boxes::new(bounded.clone());
-    let may_cross = |p: u32, q: u32| groups[p as usize].is_none() || groups[p as usize] != groups[q as usize];
     let does_cross = |p: u32, q: u32| {
         let [one, other] = [p, q].map(|number| &triangles[number as usize]);
         let face = |number: u32, triangle| Face { at: corners(triangle), plane: &planes[number as usize] };
@@ -89,16 +85,15 @@ fn search(
     let mut found = Vec::new();
     let mut given_up = None;
     if most_pairs < usize::MAX && triangles.len() >= FEW_TRIANGLES {
-        given_up = crowded(&bounded, &boxes, may_cross, most_pairs);
+        given_up = crowded(&bounded, &boxes, most_pairs);
     }
     let most_pairs = if given_up.is_some() { most_pairs / SAMPLED } else { most_pairs };
-    let mut left = most_pairs.saturating_mul(LOOK);
+    let mut left = most_pairs;
     boxes.pairs(|p, q| {
-        let is_looked_at = may_cross(p, q);
-        if is_looked_at && does_cross(p, q) {
+        if does_cross(p, q) {
             found.push([p, q]);
         }
-        let rest = left.checked_sub(if is_looked_at { LOOK } else { 1 });
+        let rest = left.checked_sub(1);
         left = rest.unwrap_or(0);
         if rest.is_none() || found.len() >= enough {
             given_up = given_up.or(rest.is_none().then_some(p));
@@ -112,10 +107,10 @@ fn search(
 }
 
 /// The triangle beside which there are most of every [`SAMPLED`]th, if there are more pairs than so many of a mesh: these few tell that in a small part of the time that it takes to look at all.
-fn crowded(bounded: &[Bounded], boxes: &Boxes, may_cross: impl Fn(u32, u32) -> bool, most_pairs: usize) -> Option<u32> {
+fn crowded(bounded: &[Bounded], boxes: &Boxes, most_pairs: usize) -> Option<u32> {
     let (mut n_beside, mut most) = (0, (0, 0));
     for one in bounded.iter().step_by(SAMPLED).take_while(|_| !watch::is_stopped()) {
-        let beside = boxes.n_beside(one, |other| may_cross(one.number, other));
+        let beside = boxes.n_beside(one);
         n_beside += beside;
         most = most.max((beside, one.number));
     }

@@ -212,8 +212,7 @@ impl Face for Piece {
         let Form::Sheet { sheet, is_back } = &self.form else {
             return Box::new(AcrossWalk { piece: self, known: BTreeMap::new() });
         };
-        let mut walk = sheet.walk();
-        Box::new(move |a: f64, v: f64| on_sheet(sheet, *is_back, a, v, |s, v| walk.jet(s, v)))
+        Box::new(PieceWalk { sheet, walk: sheet.walk(), is_back: *is_back })
     }
 
     fn outward(&self) -> f64 {
@@ -282,6 +281,25 @@ fn on_sheet(sheet: &Sheet, is_back: bool, a: f64, v: f64, jet: impl FnOnce(f64, 
         turned += share * end_dv;
     }
     FaceJet { position: jet.position, da: jet.ds * along, dv: jet.dv + jet.ds * turned }
+}
+
+/// A face that is a sheet, in its own coordinates.
+struct PieceWalk<'a> {
+    sheet: &'a Sheet,
+    walk: SheetWalk<'a>,
+    is_back: bool,
+}
+
+impl Sealed for PieceWalk<'_> {}
+
+impl FaceWalk for PieceWalk<'_> {
+    fn jet(&mut self, a: f64, v: f64) -> FaceJet {
+        on_sheet(self.sheet, self.is_back, a, v, |s, v| self.walk.jet(s, v))
+    }
+
+    fn jet_at(&mut self, a: f64, columns: &Columns, column: usize) -> FaceJet {
+        on_sheet(self.sheet, self.is_back, a, columns.v(column), |s, _| self.walk.jet_at(s, columns, column))
+    }
 }
 
 /// A sheet in the coordinates of the whole.

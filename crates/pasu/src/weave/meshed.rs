@@ -205,7 +205,8 @@ pub(crate) fn refuse_crossing(skin: &Arc<Skin>, tolerance: Option<f64>, scale: f
     for asked in steps {
         let grid = grid(skin, asked, asked)?;
         let woven = weave_surface(skin, &grid, scale)?;
-        let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, 1);
+        let (crossings, given_up) =
+            check::crossings_soon(&woven.positions, &woven.triangles, |triangle| woven.group(triangle), 1);
         found = Some(match (crossings.first(), given_up) {
             (Some(pair), _) => surface_crosses(skin, woven.middle(pair[0]) / scale),
             (None, Some(triangle)) => surface_is_crowded(skin, woven.middle(triangle) / scale),
@@ -255,8 +256,7 @@ pub(crate) fn compact(woven: &mut Woven) {
 pub(crate) fn verdict(pot: &Pot, woven: &Woven, scale: f64) -> Result<Topology> {
     let at = |vertex: u32| woven.position(vertex) / scale;
     let kind_of = |triangle: u32| woven.face(triangle).map_or(FaceKind::Outer, |face| woven.faces[face].kind);
-    // The triangles of a level face are seen side by side along the axis.
-    let group = |triangle: u32| woven.face(triangle).filter(|face| woven.faces[*face].is_level).map(|face| face as u32);
+    let group = |triangle: u32| woven.group(triangle);
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| woven.positions[vertex as usize]);
     if let Some(number) = woven.triangles.iter().position(|triangle| check::is_degenerate(corners(triangle))) {
         let kind = kind_of(number as u32);

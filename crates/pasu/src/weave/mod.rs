@@ -1,5 +1,6 @@
 //! Bodies of clay and their triangles: which wall a pot is made with, and closed meshes that pass every check.
 
+mod blocks;
 mod closed_patches;
 mod disc;
 mod fit;

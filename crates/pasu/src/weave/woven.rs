@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::blocks::{NONE, Rings};
 use super::disc;
 use crate::error::{Code, Error, Result};
 use crate::face::{Face, FaceKind};
@@ -52,6 +53,8 @@ impl Grid {
 pub(crate) struct Woven {
     pub(crate) positions: Vec<[f32; 3]>,
     pub(crate) triangles: Vec<[u32; 3]>,
+    /// For each triangle the number of the block that it is in, of which no two cross, or [`NONE`].
+    pub(crate) blocks: Vec<u32>,
     /// In the order of the triangles.
     pub(crate) faces: Vec<WovenFace>,
     /// The largest distance between triangles and faces, without the rounding of positions.
@@ -76,6 +79,13 @@ impl Woven {
     /// The middle of a triangle.
     pub(crate) fn middle(&self, triangle: u32) -> DVec3 {
         self.triangles[triangle as usize].iter().map(|vertex| self.position(*vertex)).sum::<DVec3>() / 3.0
+    }
+
+    /// The number of a group of triangles that do not cross each other, if the triangle is in one: a level face, of which all are seen side by side along the axis, or a [block](super::blocks).
+    pub(crate) fn group(&self, triangle: u32) -> Option<u32> {
+        let level = self.face(triangle).filter(|face| self.faces.get(*face).is_some_and(|face| face.is_level));
+        let block = || self.blocks.get(triangle as usize).copied().filter(|block| *block != NONE);
+        level.map(|face| face as u32).or_else(|| block().map(|block| self.faces.len() as u32 + block))
     }
 
     /// The number of the face that a triangle belongs to.
@@ -210,9 +220,10 @@ impl Weaver<'_> {
         };
         rings.push(end);
         let is_forwards = piece.outward() > 0.0;
-        for pair in rings.windows(2) {
+        let blocks = self.blocks(&rings);
+        for (pair, blocks) in rings.windows(2).zip(blocks.chunks(self.grid.columns)) {
             watch::work(10 * self.grid.columns as u64);
-            self.strip(&pair[0], &pair[1], is_forwards);
+            self.strip([&pair[0], &pair[1]], is_forwards, blocks);
         }
         if piece.is_level() && !self.is_unfolded(before, &rings) {
             self.level_face(before, &rings, piece)?;
@@ -309,9 +320,17 @@ impl Weaver<'_> {
         rings
     }
 
-    /// Triangles between two rings, cut along the shorter diagonals.
-    fn strip(&mut self, from: &Ring, to: &Ring, is_forwards: bool) {
-        for j in 0..self.grid.columns {
+    /// The blocks of the cells between rings, numbered from those of the faces before.
+    fn blocks(&self, rings: &[Ring]) -> Vec<u32> {
+        let known = self.woven.blocks.iter().filter(|block| **block != NONE).max();
+        let at = |ring: usize, column: usize| self.at(rings[ring].vertex(column));
+        let rings = Rings { at, n_rings: rings.len(), n_columns: self.grid.columns };
+        rings.blocks(known.map_or(0, |block| block + 1))
+    }
+
+    /// Triangles between two rings, cut along the shorter diagonals; of each cell the block is given.
+    fn strip(&mut self, [from, to]: [&Ring; 2], is_forwards: bool, blocks: &[u32]) {
+        for (j, block) in blocks.iter().enumerate() {
             let (a, d, b, c) = (from.vertex(j), from.vertex(j + 1), to.vertex(j), to.vertex(j + 1));
             let halves = if self.distance(a, c) <= self.distance(b, d) {
                 [[a, b, c], [a, c, d]]
@@ -321,6 +340,7 @@ impl Weaver<'_> {
             for [a, b, c] in halves {
                 if a != b && b != c && c != a {
                     self.woven.triangles.push(if is_forwards { [a, b, c] } else { [a, c, b] });
+                    self.woven.blocks.push(*block);
                 }
             }
         }
@@ -383,6 +403,8 @@ impl Weaver<'_> {
         }
         self.woven.triangles.truncate(first);
         self.woven.triangles.extend(triangles);
+        self.woven.blocks.truncate(first);
+        self.woven.blocks.resize(self.woven.triangles.len(), NONE);
         Ok(())
     }
 

@@ -206,19 +206,24 @@ fn measured(faces: &[Scaled], columns: Vec<f64>, nets: Vec<Net>) -> Result<Fitte
     for (face, net) in faces.iter().zip(&nets) {
         let mut walk = face.face.walk();
         let samples = SAMPLES[usize::from((net.rows.len() - 1) * (columns.len() - 1) > MANY)];
+        let part = |p: usize| (p as f64 + 0.5) / samples as f64;
+        let cells = 0..columns.len() - 1;
+        let sampled = cells.flat_map(|j| (0..samples).map(move |q| (j, q)));
+        let sampled = face.face.columns(sampled.map(|(j, q)| between(&columns, j, part(q))).collect());
         for i in 0..net.rows.len() - 1 {
             watch::go_on()?;
             let half_a = (net.rows[i + 1] - net.rows[i]) / (2 * samples) as f64;
             for p in 0..samples {
-                let a = between(&net.rows, i, (p as f64 + 0.5) / samples as f64);
+                let a = between(&net.rows, i, part(p));
                 let (row, row_slopes) = net.row(i, a);
                 for j in 0..columns.len() - 1 {
                     let half_v = (columns[j + 1] - columns[j]) / (2 * samples) as f64;
                     for q in 0..samples {
-                        let v = between(&columns, j, (q as f64 + 0.5) / samples as f64);
+                        let column = j * samples + q;
+                        let v = sampled.v(column);
                         let (found, found_dv) = point(&row, &columns, j, v);
                         let (found_da, _) = point(&row_slopes, &columns, j, v);
-                        let jet = walk.jet(a, v);
+                        let jet = walk.jet_at(a, &sampled, column);
                         let off = (found - face.millimetres * jet.position).length();
                         let along_a = (found_da - face.millimetres * jet.da).length() * half_a;
                         let along_v = (found_dv - face.millimetres * jet.dv).length() * half_v;
