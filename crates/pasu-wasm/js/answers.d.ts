@@ -142,7 +142,7 @@ export interface PartMeasures extends BodyMeasures {
   readonly part: number;
   /** Its name. */
   readonly name: string | null;
-  /** Whether it has a wall, and can have it. */
+  /** Whether it has a wall, and can have it. What runs through itself is no pot; of a body for which its surface asks more than 50,000 triangles that is left to `check`(crate::check()). */
   readonly isPot: boolean;
   /** Why it is no pot, in words; null where it is one. */
   readonly reason: string | null;

@@ -107,5 +107,5 @@ pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64
         refuse_crossing(&skin, None, scale)?;
     }
     refuse_crossing(&skin, making.tolerance, scale)?;
-    solution.settled(part, making.product)?.made(making.tolerance, scale).map(Finished::from)
+    solution.made(part, making.product, making.tolerance, scale).map(Finished::from)
 }

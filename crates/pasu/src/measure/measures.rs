@@ -105,7 +105,7 @@ answers! {
         /// What it shares with the whole.
         #[serde(flatten)]
         pub body: Body,
-        /// Whether it has a wall, and can have it.
+        /// Whether it has a wall, and can have it. What runs through itself is no pot; of a body for which its surface asks more than 50,000 triangles that is left to [`check`](crate::check()).
         pub is_pot: bool,
         /// Why it is no pot, in words; `None` where it is one.
         pub reason: Option<String>,

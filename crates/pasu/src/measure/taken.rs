@@ -20,6 +20,7 @@ pub(super) const ACCURACY: f64 = 1e-9;
 pub(super) struct Taken {
     /// Its surface; of a shape without foot and rim its patches.
     pub(super) surface: Naked,
+    /// The body with its wall, if there can be one.
     pub(super) pot: Result<Pot>,
 }
 
@@ -48,7 +49,7 @@ impl Taken {
                 Naked::Patches { patches, folded, is_closed, known }
             }
         };
-        Ok(Taken { surface, pot: solution.pot(index, product) })
+        Ok(Taken { surface, pot: solution.sound_pot(index, product) })
     }
 
     /// Every part of a design.

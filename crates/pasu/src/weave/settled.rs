@@ -1,9 +1,9 @@
 //! Which body a part is: the one that is measured, checked, meshed, drawn and written.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::fit::{can_give_way, fitted, may_be_at_fault};
-use super::meshed::{Made, grid};
+use super::meshed::{Made, grid, refuse_crossing};
 use crate::design::{Address, Design, Wall};
 use crate::error::{Code, Error, Result};
 use crate::solid::{Pot, Product, Skin};
@@ -13,12 +13,28 @@ use crate::watch;
 /// Pots whose meshes have more triangles are not judged beforehand: it would take longer than all else that is asked of them.
 const MOST_JUDGED: usize = 1_000_000;
 
+/// Pots whose meshes have more triangles are measured without being meshed: measuring them takes long by itself.
+const MOST_SEEN: usize = 50_000;
+
 /// A body of clay, settled whatever is asked of it: a ring or a drain for which there is no room has given way to one for which there is.
 pub(crate) enum Settled {
     /// Its faces.
     Faces(Pot),
     /// The mesh by which it was judged besides, and how many millimetres a model unit has there.
     Meshed(Box<Made>, f64),
+}
+
+/// What is kept of a body.
+struct Body {
+    pot: Result<Pot>,
+    /// Whether it passes every check on its usual mesh.
+    verdict: OnceLock<Result<()>>,
+}
+
+impl Body {
+    fn new(pot: Result<Pot>) -> Body {
+        Body { pot, verdict: OnceLock::new() }
+    }
 }
 
 impl Settled {
@@ -82,19 +98,67 @@ impl Solution {
         self.settled(part, product).map(Settled::into_pot)
     }
 
+    /// As [`Solution::pot`], unless the body runs through itself on the mesh by which it is [checked](crate::check()), if its surface does not ask for more than 50,000 triangles.
+    ///
+    /// # Errors
+    /// As [`solid`](crate::solid()).
+    pub(crate) fn sound_pot(&self, part: usize, product: Product) -> Result<Pot> {
+        let pot = self.pot(part, product)?;
+        let scale = self.design().unit().millimetres();
+        if !grid(pot.skin(), None, None).is_ok_and(|grid| grid.n_triangles() <= MOST_SEEN) {
+            return Ok(pot);
+        }
+        let known = self.body(part, product)?.get::<Body>().and_then(|body| body.verdict.get());
+        let verdict = match known {
+            Some(verdict) => verdict.clone(),
+            None => {
+                let seen = refuse_crossing(pot.shared_skin(), None, scale)
+                    .and_then(|()| Made::of(pot.clone(), None, scale).map(drop));
+                self.judged(part, product, &seen)?;
+                seen
+            }
+        };
+        match verdict {
+            Err(error) if is_of_the_body(&error) => Err(error),
+            _ => Ok(pot),
+        }
+    }
+
+    /// The mesh of a body; `scale` is from model units to millimetres.
+    ///
+    /// # Errors
+    /// As [`solid`](crate::solid()).
+    pub(crate) fn made(&self, part: usize, product: Product, tolerance: Option<f64>, scale: f64) -> Result<Made> {
+        let made = self.settled(part, product)?.made(tolerance, scale);
+        if tolerance.is_none() && scale == self.design().unit().millimetres() {
+            self.judged(part, product, &made)?;
+        }
+        made
+    }
+
+    /// Keeps whether there is a body on its usual mesh.
+    fn judged<T>(&self, part: usize, product: Product, seen: &Result<T>) -> Result<()> {
+        // What was found while a call was being ended is not known to be so.
+        watch::go_on()?;
+        if let Some(body) = self.body(part, product)?.get::<Body>() {
+            body.verdict.get_or_init(|| seen.as_ref().map(drop).map_err(Error::clone));
+        }
+        Ok(())
+    }
+
     /// The body of a part, sought once. Its ring and drain are judged once, on a mesh of the usual tolerance and without size or shrinkage, so that they are the same whatever is asked for.
     ///
     /// # Errors
     /// As [`Pot::new`].
     pub(crate) fn settled(&self, part: usize, product: Product) -> Result<Settled> {
         let kept = self.body(part, product)?;
-        if let Some(pot) = kept.get::<Result<Pot>>() {
-            return pot.clone().map(Settled::Faces);
+        if let Some(body) = kept.get::<Body>() {
+            return body.pot.clone().map(Settled::Faces);
         }
         let settled = self.sought(part, product);
         // What was found while a call was being ended is not known to be so.
         watch::go_on()?;
-        kept.keep(settled.as_ref().map(|settled| settled.pot().clone()).map_err(Error::clone));
+        kept.keep(Body::new(settled.as_ref().map(|settled| settled.pot().clone()).map_err(Error::clone)));
         settled
     }
 
@@ -158,6 +222,11 @@ impl Solution {
     }
 }
 
+/// Whether a refusal is of a body that there cannot be, and not of a mesh that would be too large, or of a call that was ended.
+fn is_of_the_body(error: &Error) -> bool {
+    matches!(error.code(), Code::CrossesItself | Code::NoRoom | Code::PinchedSurface)
+}
+
 /// The body with the wall that is asked for, or with the nearest ring and drain that fit where those do not. Where none fit it is as asked for, to be refused with the reason when it is meshed.
 fn settle(skin: &Arc<Skin>, asked: Wall, scale: f64) -> Result<Settled> {
     let pot = Pot::of(skin, Some(asked));
@@ -192,8 +261,8 @@ mod tests {
 
     /// The wall of the body that is kept.
     fn found(solution: &Solution, product: Product) -> Option<Wall> {
-        let pot = solution.body(0, product).unwrap().get::<Result<Pot>>()?;
-        pot.as_ref().unwrap().wall()
+        let body = solution.body(0, product).unwrap().get::<Body>()?;
+        body.pot.as_ref().unwrap().wall()
     }
 
     #[test]
@@ -201,8 +270,8 @@ mod tests {
         let design = Design::parse(&CONE.replace(r#""base": 0.3"#, r#""base": 30"#)).unwrap();
         let solution = Solution::of(&design);
         let error = solution.pot(0, Product::Pot).unwrap_err();
-        let kept = solution.body(0, Product::Pot).unwrap().get::<Result<Pot>>().unwrap();
-        assert_eq!(kept.as_ref().unwrap_err(), &error);
+        let kept = solution.body(0, Product::Pot).unwrap().get::<Body>().unwrap();
+        assert_eq!(kept.pot.as_ref().unwrap_err(), &error);
         assert_eq!(solution.pot(0, Product::Pot).unwrap_err(), error);
         solution.pot(0, Product::Solid).unwrap();
     }
@@ -240,7 +309,7 @@ mod tests {
         // What nobody would find, to be told from what is found.
         let known = Wall { foot: Some([0.7, 0.1]), ..design.parts()[0].wall.unwrap() };
         let skin = Arc::new(Skin::new(solution.workable(0).unwrap()).unwrap());
-        solution.body(0, Product::Pot).unwrap().keep(Pot::of(&skin, Some(known)));
+        solution.body(0, Product::Pot).unwrap().keep(Body::new(Pot::of(&skin, Some(known))));
         assert_eq!(solution.pot(0, Product::Pot).unwrap().wall(), Some(known));
         let report = solution.check(&Making::default()).unwrap();
         assert_eq!(report.findings[0].remedy.as_ref().map(|remedy| remedy.wall), Some(known));

@@ -5,8 +5,8 @@
 //! What its time buys: every design that was once told wrongly, at the tolerances of files.
 
 use pasu::{
-    Craft, Design, Finding, Format, Making, MeasureOptions, Measures, Product, Quantity, Report, Severity, Side, Wall,
-    check, measure, solid, write,
+    Craft, Design, Finding, Format, Making, MeasureOptions, Measures, Product, Quantity, Report, Severity, Side,
+    Solution, Wall, check, measure, solid, write,
 };
 
 fn cases() -> Vec<serde_json::Value> {
@@ -134,6 +134,22 @@ fn case_11_is_judged_alike_at_every_tolerance() {
         let report = checked(&case(11), tolerance);
         assert!(finding(&report, "crosses-itself").is_some_and(|found| found.at.is_some()), "{tolerance:?}");
     }
+}
+
+/// And of a pot that cannot be nothing is measured but its surface.
+#[test]
+fn case_11_is_no_pot() {
+    let found = measured(&case(11)).parts.swap_remove(0);
+    assert!(!found.is_pot && found.body.clay.is_none() && found.body.capacity.is_none());
+    for cause in [&found.cause, &found.capacity_cause] {
+        assert_eq!(cause.as_ref().map(|cause| cause.code), Some("crosses-itself"), "{cause:?}");
+    }
+    assert!(found.body.area.value > 0.0);
+    // Whatever was asked before.
+    let solution = Solution::of(&case(11));
+    solution.check(&Making::default()).expect("a report");
+    let again = solution.measure(&MeasureOptions::default()).expect("measures").parts.swap_remove(0);
+    assert_eq!(again, found);
 }
 
 #[test]
