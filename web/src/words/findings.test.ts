@@ -24,6 +24,9 @@ const ARGS = {
   drain: 1,
   room: 0.8,
   thickness: 0.01,
+  found: 4,
+  least: 10,
+  waves: 5,
 };
 
 /** By code, the words by which several things with one code are told apart. */
@@ -59,6 +62,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "crossing",
     "close",
   ],
+  "out-of-range": ["few-terms"],
   "too-large": ["triangles", "weights"],
 };
 
@@ -69,6 +73,7 @@ const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [
   ["ceiling", { what: "within-ring", widthMm: 50, heightMm: 2.5 }],
   ["ceiling", { what: "underside", heightMm: 12 }],
   ...["touches", "within", "round"].map((what) => ["overlap", { what, other: 0 }] as const),
+  ["few-terms", { found: 4, least: 10, waves: 5, distance: 3.2 }],
   ["same-place", { what: "same-body", other: 0 }],
   ["tolerance-too-fine", { what: "unkept", bound: 0.02, asked: 0.01 }],
 ];

@@ -19,6 +19,11 @@ function dryOf(code: string): string | null {
   return making.dry[code as keyof typeof making.dry] ?? null;
 }
 
+function fewTerms(refusal: Refusal): string | null {
+  const [found, waves, least] = ["found", "waves", "least"].map((name) => numberOf(refusal, name));
+  return found && waves && least ? making.fewTerms(found, waves, least) : null;
+}
+
 /** By code; null where what a refusal names is not enough, or it is not of making. */
 const STATEMENTS: Readonly<Record<string, Statement>> = {
   "too-large": (refusal) => {
@@ -69,6 +74,8 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
   folded: () => making.folded,
+  "few-terms": fewTerms,
+  "out-of-range": (refusal) => (textOf(refusal, "what") === "few-terms" ? fewTerms(refusal) : null),
   "no-opening": () => making.noOpening,
   "unsupported-shape": (refusal) => {
     const said: Readonly<Record<string, string>> = {

@@ -68,11 +68,16 @@ impl Taken {
         }
     }
 
+    /// Whether the faces of the surface itself go round clay.
+    pub(super) fn is_its_own_body(&self) -> bool {
+        matches!((&self.pot, &self.surface), (Err(_), Naked::Patches { is_closed: true, .. }))
+    }
+
     /// The faces that go round clay: those of the pot, or closed patches.
     pub(super) fn body(&self) -> Option<Vec<&dyn Face>> {
         match (&self.pot, &self.surface) {
             (Ok(pot), _) => Some(pot.faces().iter().map(|piece| piece as &dyn Face).collect()),
-            (Err(_), Naked::Patches { is_closed: true, .. }) => Some(self.naked_faces()),
+            _ if self.is_its_own_body() => Some(self.naked_faces()),
             (Err(_), _) => None,
         }
     }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 #[cfg(feature = "patchwork")]
-use crate::blend::{Blended, Volume};
+use crate::blend::{Blended, Unseen, Volume};
 use crate::design::{Part, Shape};
 use crate::error::Result;
 #[cfg(feature = "patchwork")]
@@ -205,6 +205,15 @@ impl Solved {
         match self {
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => Some(blend.volume()),
+            _ => None,
+        }
+    }
+
+    /// Of a blend, a wave that the sines of its inside are too few for.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn unseen(&self) -> Option<Unseen> {
+        match self {
+            Solved::Blend(blend) => blend.unseen(),
             _ => None,
         }
     }

@@ -40,6 +40,8 @@ export const making = phrases("making", {
   collapsed: "Cells of two discs in squares have no volume at two edges. Discs and outlines have none of these.",
   folded:
     "The inside of the solid is folded over itself, though its skin is not: cells for analysis are of no use there.",
+  fewTerms: (terms: string, waves: string, least: string) =>
+    `A section has waves up to number ${waves}, which are not seen by terms along v up to number ${terms}: the inside is carried far off, though the skin is as it should be. It takes ${least} terms, or the method Exact.`,
   pinched: {
     noArea: (end: string) => `The ${end} encloses no area. A pot needs an outline with an inside there.`,
     waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",
