@@ -32,8 +32,8 @@ const ARGS = {
 /** By code, the words by which several things with one code are told apart. */
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
-  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out"],
-  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners"],
+  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out", "no-foot"],
+  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal"],
   "crosses-itself": [
     "surface",
     "surface-close",
@@ -44,6 +44,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "edge",
     "region",
     "not-joined",
+    "touching",
   ],
   "no-room": [
     "no-disc",
@@ -61,6 +62,9 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "ends-in-ring",
     "crossing",
     "close",
+    "sharp-crease",
+    "turned-over",
+    "uneven",
   ],
   "out-of-range": ["few-terms"],
   "too-large": ["triangles", "weights"],

@@ -56,6 +56,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       corners: () => making.pinched.corners,
       section: () => making.pinched.section,
       "no-height": () => making.pinched.noHeight,
+      "no-normal": () => making.thickness.noNormal,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -70,6 +71,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       edge: () => making.crosses.edge,
       region: () => making.crosses.region,
       "not-joined": () => making.crosses.notJoined,
+      touching: () => making.thickness.touching,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -85,6 +87,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       hollow: making.hollow,
       collapsed: making.collapsed,
       "left-out": making.leftOut,
+      "no-foot": making.thickness.noFoot,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },
@@ -119,6 +122,10 @@ function noRoomFor(refusal: Refusal, unit: Unit | null): string | null {
         ? ofFace(refusal, "face", said.crossingItself)
         : ofFace(refusal, "face", (face) => ofFace(refusal, "other", (other) => said.crossing(face, other)) ?? face),
     close: () => ofFace(refusal, "face", said.close),
+    "turned-over": () => length("thickness", making.thickness.turnedOver),
+    "sharp-crease": () => length("thickness", making.thickness.sharp),
+    uneven: () =>
+      length("found", (found) => length("thickness", (asked) => making.thickness.uneven(found, asked)) ?? found),
   };
   const what = textOf(refusal, "what") ?? "";
   return sentences[what]?.() ?? dryOf(what);

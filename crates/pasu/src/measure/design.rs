@@ -258,7 +258,9 @@ fn part_measures(
     let sum = |areas: Vec<Quantity>| areas.into_iter().reduce(|sum, area| sum + area).unwrap_or_default();
     // Closed patches are their own body: its area is theirs.
     let bare = taken.is_its_own_body().then(|| enclosed(&naked, &accuracy));
+    let open = taken.open_faces();
     let surface = match &bare {
+        _ if !open.is_empty() => sum(open.iter().map(|face| area(*face, &accuracy)).collect()),
         Some((areas, _)) => sum(areas.clone()),
         None => sum(naked.iter().map(|face| area(*face, &accuracy)).collect()),
     };
@@ -302,6 +304,8 @@ fn part_measures(
     }
     watch::go_on()?;
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
+    // Patches with a thickness have the wall that was asked for, though they are no pot.
+    let refusal = taken.pot.as_ref().err().filter(|_| open.is_empty());
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
     let lining = outside.overhang(|kind| kind == FaceKind::Lining);
     Ok((
@@ -309,10 +313,10 @@ fn part_measures(
             part: index,
             name: part.name.clone(),
             body,
-            is_pot: taken.pot.is_ok(),
-            reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
+            is_pot: refusal.is_none(),
+            reason: refusal.map(|why| why.message().to_owned()),
             capacity_reason: dry.as_ref().map(|dry| dry.message.clone()),
-            cause: taken.pot.as_ref().err().map(Cause::from),
+            cause: refusal.map(Cause::from),
             capacity_cause: dry.map(|dry| dry.cause),
             thickness,
             overhang: outside.overhang(is_wall).and_then(overhang),

@@ -61,7 +61,8 @@ impl<const N: usize> RowTable<N> {
             row.reserve_exact(terms.len());
         }
         let ([x, y, z], [row_x, row_y, row_z]) = (terms, &mut self.components);
-        let pairs = x.iter().zip(y).take_while(|(x, y)| Arc::ptr_eq(&x.beam, &y.beam));
+        // What draws the first pot has to be small, and asks for few rows.
+        let pairs = x.iter().zip(y).take_while(|(x, y)| cfg!(feature = "patchwork") && Arc::ptr_eq(&x.beam, &y.beam));
         for (x, y) in pairs {
             let [x_cos, x_sin, y_cos, y_sin] = two(&x.beam, [&x.cos, &x.sin, &y.cos, &y.sin]);
             row_x.push(row_term(x, x_cos, x_sin));

@@ -127,7 +127,8 @@ impl Surface {
             });
         }
         let whole = distinct.iter().filter(|n| 0.0 <= **n && **n <= MOST_MULTIPLES as f64 && **n == n.trunc());
-        let most_turns = most_of_many(whole.map(|n| *n as usize));
+        // What draws the first pot measures nothing, and has to be small.
+        let most_turns = if cfg!(feature = "patchwork") { most_of_many(whole.map(|n| *n as usize)) } else { None };
         Ok(Surface {
             components,
             span: shape.span,
@@ -215,9 +216,15 @@ impl Surface {
 
     /// `(cos, sin)` of each of [`Surface::distinct`] after so many turns.
     pub(super) fn circles(&self, turns: f64) -> Vec<(f64, f64)> {
-        let all = self.most_turns.map_or_else(Vec::new, |most| multiples(turns, most));
-        let known = |n: f64| (n == n.trunc()).then(|| all.get(n as usize)).flatten().filter(|_| n >= 0.0);
-        self.distinct.iter().map(|n| known(*n).copied().unwrap_or_else(|| circle::of_turns(n * turns))).collect()
+        let alone = |n: &f64| circle::of_turns(n * turns);
+        match self.most_turns {
+            Some(most) if cfg!(feature = "patchwork") => {
+                let all = multiples(turns, most);
+                let known = |n: f64| if n >= 0.0 && n == n.trunc() { all.get(n as usize).copied() } else { None };
+                self.distinct.iter().map(|n| known(*n).unwrap_or_else(|| alone(n))).collect()
+            }
+            _ => self.distinct.iter().map(alone).collect(),
+        }
     }
 
     /// The coefficients at `u`; those at an end are made once, others again where they were not asked for lately.
