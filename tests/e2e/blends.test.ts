@@ -114,6 +114,27 @@ test("a round and a square section that fold through each other are told at once
   await told.waitFor();
 });
 
+test("sines that do not see the petals are told at once, and see them by a button", async () => {
+  const { pot, plain } = await opened();
+  await pot.type("Turn, lower", "30");
+  const turned = await pot.fingerprintOtherThan(plain);
+  await pot.type("How many, lower", "6");
+  await pot.type("Petals, lower", "15");
+  await pot.fingerprintOtherThan(turned);
+  await pot.page.getByText("How it is solved").click();
+  const told = pot.page.getByText(/along v cannot see them/);
+  await pot.page.getByRole("radio", { name: "Modal" }).check();
+  await told.waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button(/^Take \d+ terms along v$/).click();
+  await told.waitFor({ state: "detached" });
+  await pot.undo();
+  await told.waitFor();
+  await pot.button("Solve it exactly").click();
+  await told.waitFor({ state: "detached" });
+  expect(await pot.page.getByRole("radio", { name: "Exact" }).isChecked()).toBe(true);
+});
+
 test("everything is from the catalogue", async () => {
   const pot = await here.enter({ link: PSEUDO });
   const first = await pot.fingerprint();

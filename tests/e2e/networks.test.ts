@@ -42,6 +42,41 @@ async function opened(options: Parameters<typeof here.enter>[0] = {}) {
   return { pot, plain };
 }
 
+test("an open network gets a thickness, is a body that is exported, and says where it cannot have one", async () => {
+  const { pot, plain } = await opened();
+  await pot.tab("Wall");
+  await pot.button("Give it a thickness").click();
+  const told = pot.page.getByText("It has a thickness everywhere");
+  await told.waitFor();
+  // A base, a ring and a rim are of pots.
+  const panel = pot.page.locator("pasu-wall");
+  expect(await panel.getByRole("spinbutton").evaluateAll((all) => all.map((each) => each.ariaLabel))).toHaveLength(1);
+  expect(await panel.getByRole("checkbox").count()).toBe(0);
+  expect(await findings(pot)).toEqual([]);
+  await pot.tab("Measures");
+  await pot.page.getByText("The mesh is closed").waitFor();
+  await pot.tab("Wall");
+  // A leaf that is bent is turned over by a wall thicker than it is wide.
+  await pot.type("Thickness", "40");
+  await pot.page.locator("pasu-wall .problem").first().waitFor();
+  await pot.undo();
+  await told.waitFor();
+  await pot.undo();
+  await pot.button("Give it a thickness").waitFor();
+  await pot.shows(plain);
+});
+
+test("the thickness of a network is told from the catalogue", async () => {
+  const pot = await here.enter({ link: PSEUDO });
+  const first = await pot.fingerprint();
+  await pot.dropFile("leaf.json", LEAF);
+  await pot.fingerprintOtherThan(first);
+  await pot.page.locator("#tab-wall").click();
+  await pot.page.locator("pasu-wall button.primary").click();
+  await pot.page.locator("pasu-wall .holds:not(:has(.wait))").waitFor();
+  expect(await unmarked(pot)).toEqual([]);
+});
+
 const item = (pot: Visit, name: string) => pot.page.locator(`pasu-network-handles [data-item="${name}"]`);
 
 async function middle(pot: Visit, name: string): Promise<readonly [number, number]> {

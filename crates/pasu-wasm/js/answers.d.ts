@@ -240,7 +240,7 @@ export interface Report {
 
 /** One thing that a check found. */
 export interface Finding {
-  /** A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `ceiling`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
+  /** A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `ceiling`, `overlap`, `same-place`, `folded` and `few-terms` of the inside of a blend, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part. */
   readonly code: string;
   /** How much it matters. */
   readonly severity: "error" | "warning" | "note";

@@ -23,6 +23,15 @@ const ROW: u64 = 64;
 /// The work after which a stretch whose length nobody knows is taken to be half done: about a tenth of a second.
 const HALF: f64 = 1e7;
 
+/// Up to so many terms a place and a row count for that, as many as those of nearly all pots have;
+const FEW: usize = 64;
+
+/// a place of more for one unit for so many of them,
+const TERMS: u64 = 4;
+
+/// and a row for so many for each.
+const ROW_TERM: u64 = 16;
+
 thread_local! {
     static STATE: Cell<State> = const { Cell::new(State::Alone) };
     /// What is left of [`BETWEEN`].
@@ -210,16 +219,16 @@ fn count(done: u64) {
     }
 }
 
-/// Says that one place of a surface was computed.
+/// Says that one place of a surface was computed, which is the sum of so many terms.
 #[inline]
-pub(crate) fn place() {
-    work(PLACE);
+pub(crate) fn place(n_terms: usize) {
+    work(if n_terms <= FEW { PLACE } else { n_terms as u64 / TERMS });
 }
 
-/// Says that what a row of a surface has in common was computed.
+/// Says that what a row of a surface has in common was computed, of so many terms.
 #[inline]
-pub(crate) fn row() {
-    work(ROW);
+pub(crate) fn row(n_terms: usize) {
+    work(if n_terms <= FEW { ROW } else { ROW_TERM * n_terms as u64 });
 }
 
 /// Does part number `index` of `n` of what is at hand, which take about as long.

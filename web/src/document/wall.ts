@@ -3,7 +3,7 @@
 import { WALL } from "./families.gen";
 import type { Path } from "./path";
 import { numberAt, setPath } from "./path";
-import type { Part, Wall } from "./types";
+import type { Part, Shape, Wall } from "./types";
 
 /** What the numbers of a wall are told apart by. */
 export type WallKey = (typeof WALL)[number]["key"];
@@ -19,8 +19,10 @@ export interface WallField {
 const FIELDS: readonly WallField[] = WALL;
 
 /** The numbers of a wall that mean something as it is. */
-export function wallFields(wall: Wall): readonly WallField[] {
+export function wallFields(wall: Wall, kind: Shape["kind"]): readonly WallField[] {
   const means = (field: WallField) => {
+    // What is given all the same can be taken away.
+    if (isThickness(kind)) return field.key === "thickness" || wallNumber(wall, field) !== 0;
     if (field.path[0] === "foot") return wall.foot !== undefined;
     return field.key !== "drain" || wall.base > 0;
   };
@@ -41,10 +43,15 @@ const FIRST_THICKNESS = 1 / 25;
 /** And a foot ring to that wall. */
 const RING_IN_WALLS = 1.5;
 
-/** What a pot of this size begins with. */
-export function firstWall(size: number): Wall {
+/** What a pot of this size begins with; a network has a thickness alone. */
+export function firstWall(size: number, kind: Shape["kind"]): Wall {
   const thickness = neat(size * FIRST_THICKNESS);
-  return { thickness, base: thickness };
+  return { thickness, base: isThickness(kind) ? 0 : thickness };
+}
+
+/** Whether a wall on this is a thickness and a side and no more: patches have no foot and no rim. */
+export function isThickness(kind: Shape["kind"]): boolean {
+  return kind === "vertex-frame";
 }
 
 /** The foot ring that a wall begins with. */

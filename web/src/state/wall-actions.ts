@@ -10,7 +10,8 @@ const NOTHING: Change = { undo: "none" };
 
 /** Makes the part a pot of this size, or a surface again. */
 export function setPot(state: State, pot: boolean, size: number): Change {
-  return rewall(state, () => (pot ? firstWall(size) : undefined), { undo: "step" });
+  const kind = state.design.parts[state.part]?.shape.kind;
+  return rewall(state, () => (pot && kind ? firstWall(size, kind) : undefined), { undo: "step" });
 }
 
 /** Puts another wall in the place of that of a part. */

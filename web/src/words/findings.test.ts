@@ -24,13 +24,16 @@ const ARGS = {
   drain: 1,
   room: 0.8,
   thickness: 0.01,
+  found: 4,
+  least: 10,
+  waves: 5,
 };
 
 /** By code, the words by which several things with one code are told apart. */
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
-  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out"],
-  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners"],
+  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out", "no-foot"],
+  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal"],
   "crosses-itself": [
     "surface",
     "surface-close",
@@ -41,6 +44,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "edge",
     "region",
     "not-joined",
+    "touching",
   ],
   "no-room": [
     "no-disc",
@@ -58,7 +62,11 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "ends-in-ring",
     "crossing",
     "close",
+    "sharp-crease",
+    "turned-over",
+    "uneven",
   ],
+  "out-of-range": ["few-terms"],
   "too-large": ["triangles", "weights"],
 };
 
@@ -69,6 +77,7 @@ const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [
   ["ceiling", { what: "within-ring", widthMm: 50, heightMm: 2.5 }],
   ["ceiling", { what: "underside", heightMm: 12 }],
   ...["touches", "within", "round"].map((what) => ["overlap", { what, other: 0 }] as const),
+  ["few-terms", { found: 4, least: 10, waves: 5, distance: 3.2 }],
   ["same-place", { what: "same-body", other: 0 }],
   ["tolerance-too-fine", { what: "unkept", bound: 0.02, asked: 0.01 }],
 ];

@@ -19,6 +19,11 @@ function dryOf(code: string): string | null {
   return making.dry[code as keyof typeof making.dry] ?? null;
 }
 
+function fewTerms(refusal: Refusal): string | null {
+  const [found, waves, least] = ["found", "waves", "least"].map((name) => numberOf(refusal, name));
+  return found && waves && least ? making.fewTerms(found, waves, least) : null;
+}
+
 /** By code; null where what a refusal names is not enough, or it is not of making. */
 const STATEMENTS: Readonly<Record<string, Statement>> = {
   "too-large": (refusal) => {
@@ -51,6 +56,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       corners: () => making.pinched.corners,
       section: () => making.pinched.section,
       "no-height": () => making.pinched.noHeight,
+      "no-normal": () => making.thickness.noNormal,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
@@ -65,10 +71,13 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       edge: () => making.crosses.edge,
       region: () => making.crosses.region,
       "not-joined": () => making.crosses.notJoined,
+      touching: () => making.thickness.touching,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },
   folded: () => making.folded,
+  "few-terms": fewTerms,
+  "out-of-range": (refusal) => (textOf(refusal, "what") === "few-terms" ? fewTerms(refusal) : null),
   "no-opening": () => making.noOpening,
   "unsupported-shape": (refusal) => {
     const said: Readonly<Record<string, string>> = {
@@ -78,6 +87,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       hollow: making.hollow,
       collapsed: making.collapsed,
       "left-out": making.leftOut,
+      "no-foot": making.thickness.noFoot,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },
@@ -112,6 +122,10 @@ function noRoomFor(refusal: Refusal, unit: Unit | null): string | null {
         ? ofFace(refusal, "face", said.crossingItself)
         : ofFace(refusal, "face", (face) => ofFace(refusal, "other", (other) => said.crossing(face, other)) ?? face),
     close: () => ofFace(refusal, "face", said.close),
+    "turned-over": () => length("thickness", making.thickness.turnedOver),
+    "sharp-crease": () => length("thickness", making.thickness.sharp),
+    uneven: () =>
+      length("found", (found) => length("thickness", (asked) => making.thickness.uneven(found, asked)) ?? found),
   };
   const what = textOf(refusal, "what") ?? "";
   return sentences[what]?.() ?? dryOf(what);

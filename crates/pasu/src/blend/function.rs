@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::mode::{Equation, ModeSolution};
 use crate::numeric::{horner, taylor};
-use crate::surface::of_turns;
+use crate::surface::{MOST_MULTIPLES, of_turns};
 
 /// A function of one parameter in [0, 1] that knows its derivatives.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,19 +145,6 @@ impl Function {
     }
 }
 
-/// The most of [`multiples`].
-const MOST_MULTIPLES: usize = 1 << 12;
-
-/// `(cos, sin)` of `0, 1, .., most` times `turns` turns, each as the product of those of two halves: as good as the rounding of `turns` lets them be, and a tenth of the time of as many cosines.
-pub(super) fn multiples(turns: f64, most: usize) -> Vec<(f64, f64)> {
-    let mut all = vec![(1.0, 0.0), of_turns(turns)];
-    for n in 2..=most {
-        let ((a, b), (c, d)) = (all[n / 2], all[n - n / 2]);
-        all.push((a * c - b * d, a * d + b * c));
-    }
-    all
-}
-
 /// Derivatives of a wave of angular frequency `k`, whose first four without it are these.
 fn wave<const N: usize>(k: f64, turned: [f64; 4]) -> [f64; N] {
     let mut power = 1.0;
@@ -193,6 +180,7 @@ fn largest(coefficients: &[f64; 4], [from, to]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
     use crate::mode::{ModeData, Order};
+    use crate::surface::multiples;
 
     fn all() -> Vec<Function> {
         let equation = Arc::new(Equation::new(Order::Fourth, 1.0, 0.0, 1.0, 7.0).unwrap());

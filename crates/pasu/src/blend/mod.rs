@@ -13,8 +13,10 @@ mod sheet;
 mod sines;
 mod skin;
 mod solved;
+mod unseen;
 mod volume;
 
 pub use inside::{Inside, InsideMap};
 pub(crate) use solved::Blended;
+pub(crate) use unseen::Unseen;
 pub(crate) use volume::Volume;

@@ -67,7 +67,7 @@ impl Polygon {
         0.5 * self.edges().map(|[from, to]| from.perp_dot(to)).sum::<f64>()
     }
 
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         let (low, high) = self.bounds();
         (high - low).max_element()
     }

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::function::{Function, multiples};
+use super::function::Function;
 use crate::patch::{Breaks, Cell, Patch, Row, Side, Suprema, SurfaceJet};
+use crate::surface::{most_of_many, multiples};
 
 /// `X(u, v) = sum by f(u) g(v)`: what a volume is where one of its parameters is held.
 #[derive(Debug, Clone)]
@@ -16,10 +17,6 @@ pub(super) struct Sheet {
     /// Where many functions of `v` are waves that go round whole times: how often the fastest does.
     most_turns: Option<usize>,
 }
-
-/// From so many waves on, and if they are not fewer than every so manieth there could be, their cosines are found one from the other.
-const MANY_WAVES: usize = 16;
-const ONE_OF: usize = 4;
 
 impl Sheet {
     /// The sum of these. Polynomials of one axis that are multiplied by the same are added up first: what cancels between the sections would else count twice in every bound.
@@ -42,9 +39,7 @@ impl Sheet {
                 }
             }
         }
-        let turns = sheet.functions[1].iter().filter_map(Function::whole_turns);
-        let (n_waves, most) = turns.fold((0, 0), |(n, most), turns| (n + 1, most.max(turns)));
-        sheet.most_turns = (n_waves >= MANY_WAVES && most <= ONE_OF * n_waves).then_some(most);
+        sheet.most_turns = most_of_many(sheet.functions[1].iter().filter_map(Function::whole_turns));
         sheet
     }
 
@@ -206,6 +201,10 @@ impl Patch for Sheet {
     fn is_alike_round(&self) -> bool {
         let is_wave = |function: &Function| matches!(function, Function::Cosine(_) | Function::Sine(_));
         self.functions[1].iter().all(|function| is_wave(function) || function.is_constant())
+    }
+
+    fn n_terms(&self) -> usize {
+        self.functions[1].len()
     }
 
     fn breaks(&self) -> [Breaks; 2] {

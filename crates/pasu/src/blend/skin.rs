@@ -54,6 +54,10 @@ impl Patch for Flank {
         self.0.is_alike_round()
     }
 
+    fn n_terms(&self) -> usize {
+        self.0.n_terms()
+    }
+
     fn breaks(&self) -> [Breaks; 2] {
         self.0.breaks()
     }

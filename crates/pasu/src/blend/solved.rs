@@ -2,6 +2,7 @@
 
 use super::outline::{DRAWN_WAVES, Polygon, refuse_broken};
 use super::skin::{Skin, flank};
+use super::unseen::Unseen;
 use super::volume::Volume;
 use crate::design::{Blend, Form, plain};
 use crate::error::{Code, Error, Result};
@@ -15,6 +16,10 @@ pub(crate) struct Blended {
     border: Border,
     /// Of more waves than are drawn: where they are given, and how many.
     too_fine: Option<(String, f64)>,
+    /// The sections as a document gives them.
+    blend: Blend,
+    /// How wide the wider of the two is.
+    size: f64,
 }
 
 #[derive(Debug)]
@@ -47,12 +52,18 @@ impl Blended {
             .harmonics()
             .map(|(place, harmonic)| (format!("{place}.n"), harmonic.n))
             .find(|(_, n)| *n > DRAWN_WAVES);
-        Ok(Blended { volume, border, too_fine })
+        let size = polygons.iter().map(Polygon::extent).fold(0.0, f64::max);
+        Ok(Blended { volume, border, too_fine, blend: blend.clone(), size })
     }
 
     /// Its inside.
     pub(crate) fn volume(&self) -> &Volume {
         &self.volume
+    }
+
+    /// A wave that its sines are too few for, and that carries the inside far off.
+    pub(crate) fn unseen(&self) -> Option<Unseen> {
+        Unseen::of(&self.blend, &self.volume, self.size)
     }
 
     /// Refuses to draw what has more waves than can be looked at one by one. `path` is that of the shape.

@@ -218,6 +218,12 @@ impl Layer<'_> {
         for Term { by, of: [f, g, h], .. } in &self.volume.terms {
             sum += *by * (along.functions[*f][i] * across.functions[*g][j] * self.functions[*h][k]);
         }
+        let sum = self.with_sines(sum, along, across, [i, j, k]);
+        sum.extend(if i + j == 0 { self.z[k] } else { 0.0 })
+    }
+
+    /// The same sum with what the sines add to it.
+    pub(super) fn with_sines(&self, mut sum: DVec2, along: &Place, across: &Place, [i, j, k]: [usize; 3]) -> DVec2 {
         let n = across.sines[j].len();
         if n > 0 {
             for (row, sine) in self.ripple.chunks_exact(n).zip(&along.sines[i]) {
@@ -225,7 +231,7 @@ impl Layer<'_> {
                 sum += line * *sine;
             }
         }
-        sum.extend(if i + j == 0 { self.z[k] } else { 0.0 })
+        sum
     }
 
     /// The determinant of the first derivatives: how much room a bit of the cube takes, negative where it is turned inside out.

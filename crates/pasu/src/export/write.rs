@@ -1,5 +1,7 @@
 //! From a design to the bytes of a file.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::coats::{Coated, coated, uncoated};
@@ -81,7 +83,8 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
     for (index, &part) in wanted.iter().enumerate() {
         // A shape without foot and rim has no wall; STEP takes its patches as they are, also where they do not close.
         let solved = solution.part(part)?.solved();
-        if format != Format::Step || solved.wall().is_some() || solved.is_closed() {
+        let is_body = solved.wall().is_some() || solved.is_closed() || solution.has_shell(part, making.product)?;
+        if format != Format::Step || is_body {
             let one = || make(solution, part, making, millimetres);
             made.push(watch::between(0.0, MAKING, || watch::share(index, wanted.len(), one))?);
         }
@@ -115,8 +118,9 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         Format::Step => {
             let asked = making.tolerance.unwrap_or(f64::INFINITY) * millimetres;
             let mut parts = Vec::with_capacity(solution.n_parts());
-            for &part in &wanted {
-                let placed = solution.part(part)?;
+            let bodied: Vec<Arc<Placed>> =
+                wanted.iter().map(|part| solution.patched(*part, making.product)).collect::<Result<_>>()?;
+            for (&part, placed) in wanted.iter().zip(&bodied) {
                 let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
                     Some((Finished { pot: Some(pot), .. }, body)) => {
                         let faces = pot.faces().iter().map(|face| face as &dyn Face);

@@ -9,6 +9,7 @@ use super::sealed::Sealed;
 use super::seams::Seams;
 use crate::patch::{Patch, Row, Side};
 use crate::solution::Placed;
+use crate::watch;
 
 /// The placed patch number `patch` of a part: `a` is its `u`, and `v / (2 pi)` its `v`.
 #[derive(Debug, Clone)]
@@ -33,6 +34,7 @@ impl PatchFace {
 /// Rows of a patch, of which the last is kept.
 struct Walk<'a> {
     face: &'a PatchFace,
+    n_terms: usize,
     row: Option<(f64, Box<dyn Row + 'a>)>,
 }
 
@@ -42,8 +44,12 @@ impl FaceWalk for Walk<'_> {
     fn jet(&mut self, a: f64, v: f64) -> FaceJet {
         let row = match self.row.take().filter(|row| row.0 == a) {
             Some((_, row)) => row,
-            None => self.face.patch().row(a),
+            None => {
+                watch::row(self.n_terms);
+                self.face.patch().row(a)
+            }
         };
+        watch::place(self.n_terms);
         let jet = self.face.placed.place(&row.jet(v / TAU)).stretched(1.0, row.length() / TAU);
         self.row = Some((a, row));
         FaceJet { position: jet.position, da: jet.du, dv: jet.dv }
@@ -62,7 +68,7 @@ impl Face for PatchFace {
     }
 
     fn walk(&self) -> Box<dyn FaceWalk + '_> {
-        Box::new(Walk { face: self, row: None })
+        Box::new(Walk { face: self, n_terms: self.patch().n_terms(), row: None })
     }
 
     fn outward(&self) -> f64 {

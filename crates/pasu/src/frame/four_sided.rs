@@ -69,6 +69,11 @@ impl FourSided {
         FourSided { bumps: self.bumps.clone(), ..FourSided::new(points, cubic, self.sides) }
     }
 
+    /// The same with what its sides meet.
+    pub(super) fn between(&self, sides: [Side; 4]) -> FourSided {
+        FourSided { sides, ..self.clone() }
+    }
+
     /// The points of its frame.
     pub(super) fn points(&self) -> [DVec3; 8] {
         self.points

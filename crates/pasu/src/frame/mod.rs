@@ -5,7 +5,10 @@ mod four_sided;
 mod network;
 mod orientation;
 mod region;
+mod ruled;
+mod shell;
 mod solve;
 mod strips;
 
+pub(crate) use shell::{NoShell, Shell, Thick};
 pub(crate) use solve::Frame;

@@ -36,6 +36,11 @@ impl Lay {
         let is_two_sided = found.iter().all(|(top, _)| !sets.is_contradicted(*top));
         Lay { found, is_two_sided }
     }
+
+    /// Whether a patch lies against the one that stands for all that hang together with it.
+    pub(super) fn is_against(&self, patch: usize) -> bool {
+        self.found.get(patch).is_some_and(|(_, is_against)| *is_against)
+    }
 }
 
 /// The outside of a network.

@@ -161,6 +161,16 @@ impl Frame {
         self.patches.len()
     }
 
+    /// All of them.
+    pub(super) fn shared_patches(&self) -> &[Arc<FourSided>] {
+        &self.patches
+    }
+
+    /// Whether it has two sides: a Moebius strip has one.
+    pub(super) fn is_two_sided(&self) -> bool {
+        self.joints.lay.is_two_sided
+    }
+
     /// Whether it goes round a body: no side of a patch is free, and the network has an inside and an outside.
     pub(crate) fn is_closed(&self) -> bool {
         let mut sides = self.joints.sides.iter().flatten();

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::plan::Plan;
 use super::quality::{of_hexahedron, of_tetrahedron};
-use crate::design::{Design, Form, Shape};
+use crate::design::{Design, Form, Shape, plain};
 use crate::error::{Code, Error, Result};
 use crate::solution::Solution;
 use crate::watch;
@@ -167,7 +167,7 @@ fn trilinear_volume(corners: [DVec3; 8]) -> f64 {
 /// The corners lie on the solid itself, to rounding; between them cells have straight edges.
 ///
 /// # Errors
-/// `no-such-point` for a part that does not exist; `unsupported-shape` for a part that is no blend without a wall; `out-of-range` for counts of 0, `too-large` for more than 2,000,000 points; what solving refuses.
+/// `no-such-point` for a part that does not exist; `unsupported-shape` for a part that is no blend without a wall; `out-of-range` for counts of 0, `too-large` for more than 2,000,000 points, and for more waves than are made; `out-of-range` for fewer terms along `v` than two for each wave of a section; what solving refuses.
 pub fn cells(design: &Design, part: usize, options: &CellsOptions) -> Result<Cells> {
     Solution::of(design).cells(part, options)
 }
@@ -198,7 +198,18 @@ impl Solution {
             return Err(Error::new(Code::UnsupportedShape, path, message).with("what", "collapsed"));
         }
         let plan = planned(options, forms.iter().all(|form| form.is_closed()))?;
-        let placed = self.part(part)?;
+        let placed = self.workable(part)?;
+        if let Some(unseen) = placed.solved().unseen() {
+            let message = format!(
+                "expected at least {} terms along v, found {}: fewer do not see a wave that goes round {} times, and carry the inside far off",
+                plain(unseen.least()),
+                unseen.terms,
+                plain(unseen.n)
+            );
+            let error = Error::new(Code::OutOfRange, format!("{path}.terms[1]"), message).with("what", "few-terms");
+            let error = error.with("least", unseen.least()).with("found", f64::from(unseen.terms));
+            return Err(error.with("waves", unseen.n));
+        }
         let Some(volume) = placed.solved().volume() else {
             return Err(Error::new(Code::Bug, path, "a blend without an inside"));
         };

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::making::Making;
 use crate::check::Topology;
 use crate::design::Design;
@@ -76,6 +78,8 @@ pub(crate) struct Finished {
     pub(crate) unkept: Option<f64>,
     /// The faces of a pot; `None` of patches that go round a body as they are.
     pub(crate) pot: Option<Pot>,
+    /// Of patches with a thickness the least of it, by samples, and where it is.
+    pub(crate) thinnest: Option<(f64, DVec3)>,
 }
 
 impl Finished {
@@ -87,7 +91,7 @@ impl Finished {
 
 impl From<Made> for Finished {
     fn from(Made { mesh, pot, topology, unkept }: Made) -> Self {
-        Finished { mesh, topology, unkept, pot: Some(pot) }
+        Finished { mesh, topology, unkept, pot: Some(pot), thinnest: None }
     }
 }
 
@@ -96,10 +100,16 @@ impl From<Made> for Finished {
 /// # Errors
 /// As [`solid`].
 pub(crate) fn make(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Finished> {
+    if solution.has_shell(part, making.product)? {
+        let shell = solution.patched(part, making.product)?;
+        let (topology, mesh) = closed_patches(&shell, making.tolerance, scale)?;
+        let thinnest = shell.solved().thinnest().map(|(thick, at)| (thick, shell.point(at)));
+        return Ok(Finished { mesh, topology, unkept: None, pot: None, thinnest });
+    }
     let placed = if making.product == Product::Pot { solution.walled(part)? } else { solution.workable(part)? };
     if placed.solved().wall().is_none() {
         let (topology, mesh) = closed_patches(placed, making.tolerance, scale)?;
-        return Ok(Finished { mesh, topology, unkept: None, pot: None });
+        return Ok(Finished { mesh, topology, unkept: None, pot: None, thinnest: None });
     }
     let skin = Arc::new(Skin::new(placed)?);
     let usual = grid(&skin, None, None)?.bound;

@@ -37,13 +37,14 @@ pub(super) fn findings(made: &Finished, craft: Option<Craft>, millimetres: f64) 
 }
 
 fn too_thin(made: &Finished, craft: Craft, is_asked: bool, millimetres: f64) -> Option<Finding> {
-    let pot = made.pot.as_ref().filter(|pot| pot.has_wall())?;
-    let thinnest = pot.thickness().0 * millimetres;
+    let of_pot = made.pot.as_ref().filter(|pot| pot.has_wall());
+    let of_pot = of_pot.map(|pot| (pot.thickness().0, pot.thinned().map(|(_, at)| at)));
+    let (thinnest, at) = of_pot.or(made.thinnest.map(|(thick, at)| (thick, Some(at))))?;
+    let thinnest = thinnest * millimetres;
     let [least, safe] = craft.thinnest();
     if !(thinnest < safe) {
         return None;
     }
-    let at = pot.thinned().map(|(_, at)| at);
     let somewhere = at.map_or(String::new(), |at| format!(" at {}", place(at)));
     let why = match (craft, thinnest < least) {
         (Craft::Print, true) => {

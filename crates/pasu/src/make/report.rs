@@ -42,7 +42,7 @@ impl Severity {
 answers! {
     /// One thing that a check found.
     pub struct Finding as "Finding" {
-        /// A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `ceiling`, `overlap`, `same-place`, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
+        /// A stable kebab-case word: `fitted-foot` and `fitted-drain` where a ring or a drain is not the one that was asked for, `thinned`, `too-thin`, `thin-base`, `overhang`, `ceiling`, `overlap`, `same-place`, `folded` and `few-terms` of the inside of a blend, `tolerance-too-fine` where the mesh does not keep the tolerance that was asked for, or the code of the error that refuses the part.
         pub code: &'static str,
         /// How much it matters.
         pub severity: Severity,

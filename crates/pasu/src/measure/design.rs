@@ -66,6 +66,28 @@ const TOGETHER: f64 = 0.9;
 /// The most work on measuring one part, in the units of [`watch::work`]: two seconds or somewhat more.
 const MOST_WORK: u64 = 260_000_000;
 
+/// What measuring the wall of a surface of many terms takes for each wave and each term, in the same units, as it was found on outlines of 32 to 128 waves, give or take a factor of two. The base cuts it at another place of every column, and each of these takes rows of its own.
+const CUT: f64 = 64_000.0;
+
+/// Surfaces of no more terms than this are measured in time whatever their wall.
+const FEW_TERMS: usize = 64;
+
+/// Refuses beforehand what would be refused after all of [`MOST_WORK`].
+fn refuse_hopeless(solution: &Solution, product: Product) -> Result<()> {
+    for (index, part) in solution.design().parts().iter().enumerate() {
+        let placed = solution.workable(index)?;
+        let Some(surface) = placed.solved().fourier().filter(|_| part.wall.is_some() && product == Product::Pot) else {
+            continue;
+        };
+        let waves = surface.distinct().iter().fold(0.0f64, |most, n| most.max(n.abs()));
+        let n_terms = surface.n_terms();
+        if n_terms > FEW_TERMS && CUT * waves * n_terms as f64 > 2.0 * MOST_WORK as f64 {
+            return Err(too_long(solution.design(), index));
+        }
+    }
+    Ok(())
+}
+
 /// The refusal of a part on which more of it would have to be done.
 fn too_long(design: &Design, index: usize) -> Error {
     let field = if design.parts()[index].wall.is_some() { "wall" } else { "shape" };
@@ -116,6 +138,7 @@ impl Solution {
 
 fn measures(solution: &Solution, options: &MeasureOptions) -> Result<Measures> {
     check(options)?;
+    refuse_hopeless(solution, options.product)?;
     let design = solution.design();
     let taken = watch::between(0.0, TAKING, || Taken::all(solution, options.product))?;
     let outsides: Vec<Outside> = taken.iter().map(Taken::outside).collect();
@@ -232,7 +255,15 @@ fn part_measures(
     let accuracy = taken.accuracy();
     let [bottom, top] = outside.heights();
     let naked = taken.naked_faces();
-    let surface = naked.iter().map(|face| area(*face, &accuracy)).reduce(|sum, area| sum + area).unwrap_or_default();
+    let sum = |areas: Vec<Quantity>| areas.into_iter().reduce(|sum, area| sum + area).unwrap_or_default();
+    // Closed patches are their own body: its area is theirs.
+    let bare = taken.is_its_own_body().then(|| enclosed(&naked, &accuracy));
+    let open = taken.open_faces();
+    let surface = match &bare {
+        _ if !open.is_empty() => sum(open.iter().map(|face| area(*face, &accuracy)).collect()),
+        Some((areas, _)) => sum(areas.clone()),
+        None => sum(naked.iter().map(|face| area(*face, &accuracy)).collect()),
+    };
     let (height, width) = (outside.height(), width(outside));
     let mut body = Body { height, bottom, top, width, area: surface, ..Body::default() };
     // Before all that would take long on a surface without an end.
@@ -243,12 +274,11 @@ fn part_measures(
     let mut share = Share { clay: None, water: None };
     let mut thickness = None;
     if let Some(faces) = taken.body() {
-        let (areas, sum) = enclosed(&faces, &accuracy);
-        let clay = taken.known().unwrap_or(sum);
+        let (areas, all) = bare.unwrap_or_else(|| enclosed(&faces, &accuracy));
+        let clay = taken.known().unwrap_or(all);
         let density = options.density.unwrap_or(part.look.clay.density()) * cubic_centimetre;
         let mass = clay.scaled(density);
-        let area = areas.into_iter().fold(Quantity::default(), |sum, area| sum + area);
-        body.clay = Some(ClayMeasures { area, volume: clay.volume, mass: mass.volume });
+        body.clay = Some(ClayMeasures { area: sum(areas), volume: clay.volume, mass: mass.volume });
         share.clay = Some(mass);
         if let (Some(wall), Product::Pot, Ok(pot)) = (&part.wall, options.product, &taken.pot) {
             let (least, greatest) = pot.thickness();
@@ -274,6 +304,8 @@ fn part_measures(
     }
     watch::go_on()?;
     stand(&mut body, &share, || Standing::new(&[outside], columns(taken.waves())), &accuracy);
+    // Patches with a thickness have the wall that was asked for, though they are no pot.
+    let refusal = taken.pot.as_ref().err().filter(|_| open.is_empty());
     let is_wall = |kind: FaceKind| matches!(kind, FaceKind::Outer | FaceKind::Rim);
     let lining = outside.overhang(|kind| kind == FaceKind::Lining);
     Ok((
@@ -281,10 +313,10 @@ fn part_measures(
             part: index,
             name: part.name.clone(),
             body,
-            is_pot: taken.pot.is_ok(),
-            reason: taken.pot.as_ref().err().map(|why| why.message().to_owned()),
+            is_pot: refusal.is_none(),
+            reason: refusal.map(|why| why.message().to_owned()),
             capacity_reason: dry.as_ref().map(|dry| dry.message.clone()),
-            cause: taken.pot.as_ref().err().map(Cause::from),
+            cause: refusal.map(Cause::from),
             capacity_cause: dry.map(|dry| dry.cause),
             thickness,
             overhang: outside.overhang(is_wall).and_then(overhang),

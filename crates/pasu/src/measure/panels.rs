@@ -474,6 +474,10 @@ pub(crate) fn over_seamed<const N: usize>(
             let mut walk = face.straight_walk();
             let mut along = |v: f64| {
                 let mut sum = Integral::default();
+                // To find where a column begins takes long, and goes nowhere once all stops.
+                if watch::is_stopped() {
+                    return sum;
+                }
                 for stretch in
                     [(begins(face, v), first), (last, ends(face, v))].into_iter().filter(|(from, to)| from != to)
                 {

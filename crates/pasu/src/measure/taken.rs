@@ -1,5 +1,7 @@
 //! What the measures of one part are taken on.
 
+use std::sync::Arc;
+
 use super::accuracy::Accuracy;
 use super::bare::Bare;
 use super::capacity::Vessel;
@@ -20,6 +22,8 @@ pub(super) const ACCURACY: f64 = 1e-9;
 pub(super) struct Taken {
     /// Its surface; of a shape without foot and rim its patches.
     pub(super) surface: Naked,
+    /// The patches of an open network whose body has a thickness.
+    open: Vec<PatchFace>,
     /// The body with its wall, if there can be one.
     pub(super) pot: Result<Pot>,
 }
@@ -37,19 +41,29 @@ impl Taken {
     /// What [`Surface::solve`](crate::Surface::solve) refuses.
     pub(super) fn new(solution: &Solution, index: usize, product: Product) -> Result<Taken> {
         let placed = solution.workable(index)?;
+        // What cannot have the thickness that is asked for is measured as the surface that it is, and says why.
+        let (body, open, refused) = match solution.has_shell(index, product)? {
+            false => (Arc::clone(placed), Vec::new(), None),
+            true => match solution.patched(index, product) {
+                Ok(shell) => (shell, PatchFace::all(placed), None),
+                Err(why) => (Arc::clone(placed), Vec::new(), Some(why)),
+            },
+        };
         let surface = match Bare::new(placed) {
             Some(bare) => Naked::Upright { inside: bare.inside(), bare },
             None => {
-                // What is to have a wall is no solid.
-                let is_hollow = product == Product::Pot && solution.existing(index)?.1.wall.is_some();
-                let is_closed = placed.solved().is_closed() && !is_hollow;
-                let patches = PatchFace::all(placed);
+                // What is to have a wall is no solid, unless that is a thickness of its patches.
+                let is_hollow =
+                    product == Product::Pot && solution.existing(index)?.1.wall.is_some() && open.is_empty();
+                let is_closed = body.solved().is_closed() && !is_hollow;
+                let patches = PatchFace::all(&body);
                 let folded = patches.iter().filter(|patch| !patch.is_closed()).cloned().map(Folded).collect();
-                let known = Moments::known(placed).filter(|_| is_closed);
+                let known = Moments::known(&body).filter(|_| is_closed);
                 Naked::Patches { patches, folded, is_closed, known }
             }
         };
-        Ok(Taken { surface, pot: solution.sound_pot(index, product) })
+        let pot = refused.map_or_else(|| solution.sound_pot(index, product), Err);
+        Ok(Taken { surface, open, pot })
     }
 
     /// Every part of a design.
@@ -69,11 +83,21 @@ impl Taken {
         }
     }
 
+    /// The faces of an open network whose body is another: of all patches on both sides of its clay.
+    pub(super) fn open_faces(&self) -> Vec<&dyn Face> {
+        self.open.iter().map(|patch| patch as &dyn Face).collect()
+    }
+
+    /// Whether the faces of the surface itself go round clay.
+    pub(super) fn is_its_own_body(&self) -> bool {
+        matches!((&self.pot, &self.surface), (Err(_), Naked::Patches { is_closed: true, .. }))
+    }
+
     /// The faces that go round clay: those of the pot, or closed patches.
     pub(super) fn body(&self) -> Option<Vec<&dyn Face>> {
         match (&self.pot, &self.surface) {
             (Ok(pot), _) => Some(pot.faces().iter().map(|piece| piece as &dyn Face).collect()),
-            (Err(_), Naked::Patches { is_closed: true, .. }) => Some(self.naked_faces()),
+            _ if self.is_its_own_body() => Some(self.naked_faces()),
             (Err(_), _) => None,
         }
     }
@@ -137,7 +161,7 @@ impl Taken {
         match (&self.pot, &self.surface) {
             _ if product == Product::Solid => Err(Dry::new("solid", "a solid has no inside")),
             (Ok(pot), _) => Vessel::of_pot(pot, self.waves()),
-            (Err(why), _) if has_wall => Err(why.into()),
+            (Err(why), _) if has_wall && self.open.is_empty() => Err(why.into()),
             (Err(_), Naked::Upright { inside, bare }) => Vessel::of_bare(inside, bare),
             (Err(_), Naked::Patches { .. }) => {
                 Err(Dry::new("no-foot", "the shape has no foot and no rim, so it holds nothing"))

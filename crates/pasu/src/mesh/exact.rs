@@ -84,8 +84,8 @@ impl<'a> ExactRows<'a> {
 
     fn take(&mut self, row: usize) {
         let u = self.grid.tessellation.row(row);
-        let table = self.table.get_or_insert_with(|| ColumnTable::new(self.grid.surface, self.n_columns));
-        self.coefficients.take(self.grid.surface.components(), &table.distinct, u);
+        self.table.get_or_insert_with(|| ColumnTable::new(self.grid.surface, self.n_columns));
+        self.coefficients.take(self.grid.surface.components(), u);
         self.row.fill(&self.coefficients);
         self.u = u;
         self.second = None;
@@ -97,7 +97,7 @@ impl<'a> ExactRows<'a> {
         if missing != 0 {
             let surface = self.grid.surface;
             let table = self.table.get_or_insert_with(|| ColumnTable::new(surface, self.n_columns));
-            let second = self.second.get_or_insert_with(|| RowTable::at(surface.components(), &table.distinct, self.u));
+            let second = self.second.get_or_insert_with(|| RowTable::at(surface.components(), self.u));
             for lane in (0..BLOCK).filter(|lane| missing >> lane & 1 == 1) {
                 let jet = second.jet(|n| table.circle(n, block, lane));
                 // The seam's two columns share the limit, as they share their position.

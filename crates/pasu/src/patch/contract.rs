@@ -49,6 +49,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
         self.deviation_by(cell, &self.suprema(cell, stretch))
     }
 
+    /// Of how many terms a place of it is the sum: many take longer than a place of a pot does.
+    fn n_terms(&self) -> usize {
+        1
+    }
+
     /// What resolves it along `u` and along `v`.
     fn breaks(&self) -> [Breaks; 2];
 

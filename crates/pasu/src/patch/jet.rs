@@ -20,14 +20,12 @@ pub struct SurfaceJet {
 }
 
 impl SurfaceJet {
-    /// Adds `A(u) cos(k v) + B(u) sin(k v)` to one component, from `A`, `A'`, `A''` and those of `B`.
-    pub(crate) fn add(&mut self, axis: usize, k: f64, a: &[f64; 3], b: &[f64; 3], (c, s): (f64, f64)) {
-        self.position[axis] += a[0] * c + b[0] * s;
-        self.du[axis] += a[1] * c + b[1] * s;
-        self.duu[axis] += a[2] * c + b[2] * s;
-        self.dv[axis] += k * (b[0] * c - a[0] * s);
-        self.duv[axis] += k * (b[1] * c - a[1] * s);
-        self.dvv[axis] -= k * k * (a[0] * c + b[0] * s);
+    /// Takes one component.
+    pub(crate) fn set(&mut self, axis: usize, of: AxisJet) {
+        let AxisJet { position, du, dv, duu, duv, dvv } = of;
+        self.position[axis] = position;
+        (self.du[axis], self.dv[axis]) = (du, dv);
+        (self.duu[axis], self.duv[axis], self.dvv[axis]) = (duu, duv, dvv);
     }
 
     /// The same point in parameters that run `along` and `round` times as fast: each derivative is multiplied once for each time it is taken.
@@ -40,5 +38,29 @@ impl SurfaceJet {
             duv: self.duv * (along * round),
             dvv: self.dvv * (round * round),
         }
+    }
+}
+
+/// One component of it, which is summed by itself: six numbers stay where they are added up.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct AxisJet {
+    position: f64,
+    du: f64,
+    dv: f64,
+    duu: f64,
+    duv: f64,
+    dvv: f64,
+}
+
+impl AxisJet {
+    /// Adds `A(u) cos(k v) + B(u) sin(k v)`, from `A`, `A'`, `A''` and those of `B`.
+    #[inline]
+    pub(crate) fn add(&mut self, k: f64, a: &[f64; 3], b: &[f64; 3], (c, s): (f64, f64)) {
+        self.position += a[0] * c + b[0] * s;
+        self.du += a[1] * c + b[1] * s;
+        self.duu += a[2] * c + b[2] * s;
+        self.dv += k * (b[0] * c - a[0] * s);
+        self.duv += k * (b[1] * c - a[1] * s);
+        self.dvv -= k * k * (a[0] * c + b[0] * s);
     }
 }

@@ -19,6 +19,7 @@ pub(crate) use cell::{Cell, Suprema};
 pub(crate) use columns::{Columns, Spread};
 pub(crate) use contract::Patch;
 pub(crate) use corners::{ENDS, first_corners};
+pub(crate) use jet::AxisJet;
 pub use jet::SurfaceJet;
 pub(crate) use lines::{Lines, deviation_of, lines_within};
 pub(crate) use normal_limit::normal_limit;

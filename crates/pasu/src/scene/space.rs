@@ -53,15 +53,23 @@ impl Space {
     fn new(solution: &Solution, part: usize) -> Result<Space> {
         let placed = Arc::clone(solution.part(part)?);
         let (_, of) = solution.existing(part)?;
+        let shell = match solution.has_shell(part, Product::Pot) {
+            Ok(true) => solution.patched(part, Product::Pot).ok(),
+            _ => None,
+        };
         let pot = match of.wall {
             // What cannot be made is there all the same: as the surface that is seen of it.
+            Some(_) if shell.is_some() => None,
             Some(_) => solution.pot(part, Product::Pot).ok().map(Arc::new),
             None => None,
         };
         watch::go_on()?;
         let (borders, is_solid) = match &pot {
             Some(pot) => (Border::faces(pot), true),
-            None => (Border::patches(&placed), placed.solved().is_closed()),
+            None => {
+                let patches = shell.as_ref().unwrap_or(&placed);
+                (Border::patches(patches), patches.solved().is_closed())
+            }
         };
         let mut space = Space {
             part,

@@ -7,6 +7,8 @@ use glam::{DMat3, DVec3};
 use super::solved::Solved;
 use crate::design::{Part, Placement};
 use crate::error::Result;
+#[cfg(feature = "patchwork")]
+use crate::frame::Shell;
 use crate::patch::SurfaceJet;
 
 /// A solved shape, scaled, turned and moved: `p -> matrix p + shift`.
@@ -39,6 +41,14 @@ impl Placed {
     pub(super) fn of(solved: Arc<Solved>, place: &Placement, index: usize) -> Placed {
         let matrix = DMat3::from_cols_array_2d(&place.matrix()).transpose();
         let shift = DVec3::from_array(place.shift);
+        Placed { solved, matrix, shift, index, is_forwards: OnceLock::new() }
+    }
+
+    /// The shell of a network where the network stands.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn with(&self, shell: Shell) -> Placed {
+        let solved = Arc::new(Solved::Shell(Box::new(shell)));
+        let Placed { matrix, shift, index, .. } = *self;
         Placed { solved, matrix, shift, index, is_forwards: OnceLock::new() }
     }
 

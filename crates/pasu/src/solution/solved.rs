@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 #[cfg(feature = "patchwork")]
-use crate::blend::{Blended, Volume};
+use crate::blend::{Blended, Unseen, Volume};
 use crate::design::{Part, Shape};
 use crate::error::Result;
 #[cfg(feature = "patchwork")]
-use crate::frame::Frame;
+use crate::frame::{Frame, Shell};
 #[cfg(feature = "patchwork")]
 use crate::octant::Supersphere;
 use crate::patch::Patch;
@@ -23,6 +23,9 @@ pub(crate) enum Solved {
     /// A network of vertex-frames.
     #[cfg(feature = "patchwork")]
     Frame(Frame),
+    /// An open one with a thickness.
+    #[cfg(feature = "patchwork")]
+    Shell(Box<Shell>),
     /// A solid between two sections, or what goes round one.
     #[cfg(feature = "patchwork")]
     Blend(Box<Blended>),
@@ -82,6 +85,8 @@ impl Solved {
             #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.patch(index),
             #[cfg(feature = "patchwork")]
+            Solved::Shell(shell) => shell.patch(index),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.patch(index),
             #[cfg(feature = "patchwork")]
             Solved::Octant(octant) => octant.patch(index),
@@ -97,6 +102,8 @@ impl Solved {
             #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.n_patches(),
             #[cfg(feature = "patchwork")]
+            Solved::Shell(shell) => shell.n_patches(),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.n_patches(),
             #[cfg(feature = "patchwork")]
             Solved::Octant(octant) => octant.n_patches(),
@@ -111,6 +118,8 @@ impl Solved {
             Solved::TwoSided(_) => false,
             #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.is_closed(),
+            #[cfg(feature = "patchwork")]
+            Solved::Shell(_) => true,
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().is_none(),
             #[cfg(feature = "patchwork")]
@@ -129,6 +138,8 @@ impl Solved {
             #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => frame.is_outward().to_vec(),
             #[cfg(feature = "patchwork")]
+            Solved::Shell(shell) => shell.is_outward().to_vec(),
+            #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.is_outward(),
             #[cfg(feature = "patchwork")]
             Solved::Octant(octant) => octant.is_outward(),
@@ -142,6 +153,8 @@ impl Solved {
         match self {
             #[cfg(feature = "patchwork")]
             Solved::Frame(frame) => Some(frame.crease()),
+            #[cfg(feature = "patchwork")]
+            Solved::Shell(shell) => Some(shell.crease()),
             _ => None,
         }
     }
@@ -152,6 +165,24 @@ impl Solved {
             Solved::TwoSided(surface) => Some(&**surface),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().map(|surface| surface as &dyn Patch),
+            _ => None,
+        }
+    }
+
+    /// The thickness of a shell where it is thinnest, by samples, and where that is before placement.
+    pub(crate) fn thinnest(&self) -> Option<(f64, DVec3)> {
+        match self {
+            #[cfg(feature = "patchwork")]
+            Solved::Shell(shell) => Some(shell.thinnest()),
+            _ => None,
+        }
+    }
+
+    /// The network that it is.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn frame(&self) -> Option<&Frame> {
+        match self {
+            Solved::Frame(frame) => Some(frame),
             _ => None,
         }
     }
@@ -205,6 +236,15 @@ impl Solved {
         match self {
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => Some(blend.volume()),
+            _ => None,
+        }
+    }
+
+    /// Of a blend, a wave that the sines of its inside are too few for.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn unseen(&self) -> Option<Unseen> {
+        match self {
+            Solved::Blend(blend) => blend.unseen(),
             _ => None,
         }
     }

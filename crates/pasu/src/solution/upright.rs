@@ -50,6 +50,7 @@ impl Stretch {
 /// Jets of one place after the other: shares with the place before what depends on `s` alone, or on `v` alone.
 pub(crate) struct Walk<'a> {
     upright: &'a Upright,
+    n_terms: usize,
     stretch: Stretch,
     row: Option<(f64, Box<dyn Row + 'a>)>,
     columns: Seen,
@@ -199,7 +200,8 @@ impl Upright {
 
     /// The same on what lies between two corners, and on its continuation beyond them.
     pub(crate) fn walk_on(&self, stretch: Stretch) -> Walk<'_> {
-        Walk { upright: self, stretch, row: None, columns: Seen::default() }
+        let n_terms = self.patch().map_or(0, Patch::n_terms);
+        Walk { upright: self, n_terms, stretch, row: None, columns: Seen::default() }
     }
 
     /// Even columns of this surface.
@@ -220,12 +222,12 @@ impl Upright {
 
 impl<'a> Walk<'a> {
     fn jet(&mut self, s: f64, of: impl FnOnce(&dyn Row) -> SurfaceJet) -> SurfaceJet {
-        watch::place();
+        watch::place(self.n_terms);
         let (_, row) = match self.row.take().filter(|row| row.0 == s) {
             Some(row) => row,
             None => match self.upright.patch() {
                 Some(patch) => {
-                    watch::row();
+                    watch::row(self.n_terms);
                     let u = self.upright.along(s);
                     (s, self.stretch.between.map_or_else(|| patch.row(u), |between| patch.row_along(u, between)))
                 }

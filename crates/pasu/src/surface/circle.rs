@@ -21,6 +21,30 @@ pub(crate) fn of_turns(turns: f64) -> (f64, f64) {
     }
 }
 
+/// The most of [`multiples`].
+pub(crate) const MOST_MULTIPLES: usize = 1 << 12;
+
+/// `(cos, sin)` of `0, 1, .., most` times `turns` turns, each as the product of those of two halves: as good as the rounding of `turns` lets them be, and a tenth of the time of as many cosines.
+pub(crate) fn multiples(turns: f64, most: usize) -> Vec<(f64, f64)> {
+    let mut all = Vec::with_capacity(most + 1);
+    all.extend([(1.0, 0.0), of_turns(turns)]);
+    for n in 2..=most {
+        let ((a, b), (c, d)) = (all[n / 2], all[n - n / 2]);
+        all.push((a * c - b * d, a * d + b * c));
+    }
+    all
+}
+
+/// Waves are found one from the other by [`multiples`] from so many on, and if they are not fewer than every so manieth there could be.
+const MANY_WAVES: usize = 16;
+const ONE_OF: usize = 4;
+
+/// How often the fastest of these whole waves goes round, where they are so many that [`multiples`] pays.
+pub(crate) fn most_of_many(turns: impl Iterator<Item = usize>) -> Option<usize> {
+    let (n_waves, most) = turns.fold((0, 0), |(n, most), turns| (n + 1, most.max(turns)));
+    (n_waves >= MANY_WAVES && most <= ONE_OF * n_waves).then_some(most)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

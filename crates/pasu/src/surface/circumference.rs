@@ -124,7 +124,7 @@ impl Circumference {
 
     /// The suprema at `u` of a surface whose axes are stretched by these factors.
     pub(crate) fn suprema(&mut self, surface: &Surface, u: f64, stretch: [f64; 3]) -> RowSuprema {
-        let row = RowTable::<3>::at(surface.components(), &self.distinct, u);
+        let row = RowTable::<3>::at(surface.components(), u);
         let straightening = straightening(&row, &self.distinct, stretch);
         let mut size = [0.0; 3];
         for (axis, (waves, terms)) in self.waves.iter_mut().zip(&row.components).enumerate() {

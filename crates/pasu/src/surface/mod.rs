@@ -15,7 +15,7 @@ mod table;
 mod term;
 mod turns;
 
-pub(crate) use circle::of_turns;
+pub(crate) use circle::{MOST_MULTIPLES, most_of_many, multiples, of_turns};
 pub(crate) use circumference::{Circumference, RowSuprema};
 pub(crate) use curves::Curves;
 pub(crate) use orientation::{is_outward, points_outward};

@@ -25,8 +25,8 @@ impl Row for SurfaceRow<'_> {
     }
 
     fn jet(&self, v: f64) -> SurfaceJet {
-        let distinct = self.surface.distinct();
-        self.table.jet(|n| of_turns(distinct.get(n).copied().unwrap_or(0.0) * v))
+        let circles = self.surface.circles(v);
+        self.table.jet(|n| circles.get(n).copied().unwrap_or((1.0, 0.0)))
     }
 
     fn jet_at(&self, columns: &Columns, column: usize) -> SurfaceJet {
@@ -49,16 +49,14 @@ impl Patch for Surface {
     }
 
     fn columns(&self, spread: Spread) -> Columns {
-        let circle = |n: f64, j: usize| match spread {
-            Spread::Even(parts) => of_turns(libm::fmod(n * j as f64, parts as f64) / parts as f64),
-            Spread::At(places) => of_turns(n * places.get(j).copied().unwrap_or(0.0)),
+        let even = |n: f64, j: usize, parts: usize| of_turns(libm::fmod(n * j as f64, parts as f64) / parts as f64);
+        let circles = match spread {
+            Spread::Even(parts) => {
+                (0..parts).flat_map(|j| self.distinct().iter().map(move |n| even(*n, j, parts))).collect()
+            }
+            Spread::At(places) => places.iter().flat_map(|turns| self.circles(*turns)).collect(),
         };
-        let n_columns = match spread {
-            Spread::Even(parts) => parts,
-            Spread::At(places) => places.len(),
-        };
-        let circles = (0..n_columns).flat_map(|j| self.distinct().iter().map(move |n| circle(*n, j)));
-        Columns::with_circles(spread, circles.collect())
+        Columns::with_circles(spread, circles)
     }
 
     /// Amplitudes of all modes added up, whatever `v`: a bound that decays with the modes from the boundary that they come from. Where there are no rings it is tightened by Taylor's formula about the middle of the cell, because
@@ -91,6 +89,10 @@ impl Patch for Surface {
 
     fn is_alike_round(&self) -> bool {
         true
+    }
+
+    fn n_terms(&self) -> usize {
+        Surface::n_terms(self)
     }
 
     fn breaks(&self) -> [Breaks; 2] {

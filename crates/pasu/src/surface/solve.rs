@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::circle;
+use super::circle::{self, MOST_MULTIPLES, most_of_many, multiples};
 use super::ends::Ends;
 use super::recent::{KeptRow, Recent};
 use super::row_table::RowTable;
@@ -11,7 +11,7 @@ use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
 use crate::mode::{Bays, Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
-use crate::patch::SurfaceJet;
+use crate::patch::{AxisJet, SurfaceJet};
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
 ///
@@ -23,6 +23,8 @@ pub struct Surface {
     rings: Vec<Ring>,
     /// The different `n`, in the order of their first use.
     distinct: Vec<f64>,
+    /// Where these are so many that their cosines are found one from the other: the largest.
+    most_turns: Option<usize>,
     ends: Ends,
     recent: Recent,
 }
@@ -106,7 +108,7 @@ impl Surface {
                 let solved = beam.and_then(|beam| {
                     let cos = beam.solve(&Held::from(&mode.cos))?;
                     let sin = beam.solve(&Held::from(&mode.sin))?;
-                    Ok(Term { n: mode.n, k, beam, cos, sin })
+                    Ok(Term { n: mode.n, k, column: 0, beam, cos, sin })
                 });
                 let term = solved.map_err(|why| unsolvable(why, shape, axis, index, path))?;
                 if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
@@ -115,18 +117,24 @@ impl Surface {
             }
             Ok(terms)
         };
-        let components = [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
+        let mut components =
+            [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
         let mut distinct = Vec::with_capacity(4);
-        for term in components.iter().flatten() {
-            if !distinct.contains(&term.n) {
+        for term in components.iter_mut().flatten() {
+            term.column = distinct.iter().position(|n| *n == term.n).unwrap_or_else(|| {
                 distinct.push(term.n);
-            }
+                distinct.len() - 1
+            });
         }
+        let whole = distinct.iter().filter(|n| 0.0 <= **n && **n <= MOST_MULTIPLES as f64 && **n == n.trunc());
+        // What draws the first pot measures nothing, and has to be small.
+        let most_turns = if cfg!(feature = "patchwork") { most_of_many(whole.map(|n| *n as usize)) } else { None };
         Ok(Surface {
             components,
             span: shape.span,
             rings: shape.rings.clone(),
             distinct,
+            most_turns,
             ends: Ends::default(),
             recent: Recent::default(),
         })
@@ -201,11 +209,28 @@ impl Surface {
         &self.distinct
     }
 
+    /// The number of modes of all components.
+    pub(crate) fn n_terms(&self) -> usize {
+        self.components.iter().map(Vec::len).sum()
+    }
+
+    /// `(cos, sin)` of each of [`Surface::distinct`] after so many turns.
+    pub(super) fn circles(&self, turns: f64) -> Vec<(f64, f64)> {
+        let alone = |n: &f64| circle::of_turns(n * turns);
+        match self.most_turns {
+            Some(most) if cfg!(feature = "patchwork") => {
+                let all = multiples(turns, most);
+                let known = |n: f64| if n >= 0.0 && n == n.trunc() { all.get(n as usize).copied() } else { None };
+                self.distinct.iter().map(|n| known(*n).unwrap_or_else(|| alone(n))).collect()
+            }
+            _ => self.distinct.iter().map(alone).collect(),
+        }
+    }
+
     /// The coefficients at `u`; those at an end are made once, others again where they were not asked for lately.
     pub(super) fn row_table(&self, u: f64) -> KeptRow<'_> {
-        let make = || RowTable::at(&self.components, &self.distinct, u);
-        let n_terms = || self.components.iter().map(Vec::len).sum();
-        self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.at(u, n_terms(), make)), KeptRow::End)
+        let make = || RowTable::at(&self.components, u);
+        self.ends.at(u, make).map_or_else(|| KeptRow::Recent(self.recent.at(u, self.n_terms(), make)), KeptRow::End)
     }
 
     /// The coefficients at `u` by the closed form between two rings or ends, which goes on beyond them.
@@ -214,7 +239,7 @@ impl Surface {
         if is_within && u <= 1.0 {
             return self.row_table(u);
         }
-        KeptRow::Recent(Arc::new(RowTable::along(&self.components, &self.distinct, u, [low, high])))
+        KeptRow::Recent(Arc::new(RowTable::along(&self.components, u, [low, high])))
     }
 
     /// The modes of each component.
@@ -233,10 +258,12 @@ impl Surface {
     pub fn at(&self, u: f64, v: f64) -> SurfaceJet {
         let mut jet = SurfaceJet::default();
         for (axis, terms) in self.components.iter().enumerate() {
+            let mut sums = AxisJet::default();
             for term in terms {
                 let [a, b] = term.beam.jets::<3, 2>([&term.cos, &term.sin], u);
-                jet.add(axis, term.k, &a, &b, self.angle(term.n, v));
+                sums.add(term.k, &a, &b, self.angle(term.n, v));
             }
+            jet.set(axis, sums);
         }
         jet
     }
@@ -302,4 +329,51 @@ fn unsolvable(broken: Broken, shape: &BoundaryValue, axis: Axis, index: usize, p
         ),
     };
     named.into_iter().fold(error.with("component", name), |error, (name, number)| error.with(name, number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::{Free, Mode};
+
+    /// A surface with these waves, half of them of `x` alone.
+    fn with(waves: &[f64]) -> Surface {
+        let datum = |start: f64| Datum { start, end: 0.5 * start, ..Datum::default() };
+        let mode = |n: &f64| Mode { n: *n, cos: datum(1.0 / (1.0 + n.abs())), sin: datum(0.3) };
+        let component = |waves: &[f64]| Component {
+            order: Order::Fourth,
+            s: 1.0,
+            t: 0.0,
+            w: 1.0,
+            free: Free::default(),
+            modes: waves.iter().map(mode).collect(),
+        };
+        let (x, y, z) = (component(waves), component(&waves[waves.len() / 2..]), component(&[0.0]));
+        let problem = BoundaryValue { span: Span::Length(1.0), rings: Vec::new(), x, y, z };
+        Surface::solve(&problem, "shape").unwrap()
+    }
+
+    #[test]
+    fn many_waves_found_one_from_the_other_are_those_by_themselves() {
+        use crate::patch::Patch;
+
+        let many: Vec<f64> = (1..=120).map(f64::from).collect();
+        let mixed: Vec<f64> = [0.5, -3.0].into_iter().chain((0..40).map(f64::from)).chain([4000.0]).collect();
+        for (waves, are_many) in [(&many, true), (&mixed, false), (&mixed[..42].to_vec(), true)] {
+            let surface = with(waves);
+            assert_eq!(surface.most_turns.is_some(), are_many, "{waves:?}");
+            for (u, v) in [(0.0, 0.0), (0.3, 0.77), (1.0, 0.25), (0.5, 1.0), (0.9, 0.123)] {
+                let (row, alone) = (Patch::row(&surface, u).jet(v), surface.at(u, v));
+                let scale = waves.iter().fold(1.0f64, |most, n| most.max(n.abs()));
+                let pairs = [
+                    (row.position, alone.position, 1.0),
+                    (row.du, alone.du, scale),
+                    (row.dvv, alone.dvv, 40.0 * scale * scale),
+                ];
+                for (found, expected, size) in pairs {
+                    assert!((found - expected).length() <= 1e-12 * size * scale, "{u} {v}: {found} {expected}");
+                }
+            }
+        }
+    }
 }

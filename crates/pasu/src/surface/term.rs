@@ -9,6 +9,8 @@ use crate::mode::{Beam, Deflection};
 pub(crate) struct Term {
     pub(crate) n: f64,
     pub(super) k: f64,
+    /// Index of `n` among the different ones of the surface.
+    pub(super) column: usize,
     /// Shared by all components and modes with the same equation.
     pub(crate) beam: Arc<Beam>,
     pub(super) cos: Deflection,

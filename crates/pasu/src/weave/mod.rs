@@ -6,6 +6,7 @@ mod disc;
 mod fit;
 mod meshed;
 mod settled;
+mod shelled;
 mod solid_mesh;
 mod woven;
 

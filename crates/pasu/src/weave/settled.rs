@@ -182,7 +182,7 @@ impl Solution {
                 ),
                 _ => (
                     "no-ends",
-                    "a network of patches cannot carry a wall: expected none; what closes is a solid as it is",
+                    "a network of patches has no foot and no rim, so that it is no pot: what closes is a solid as it is, without a wall, and what is open has a wall along its normals",
                 ),
             };
             return Err(Error::new(Code::UnsupportedShape, placed.path("wall"), message).with("what", what));

@@ -1,8 +1,8 @@
 //! Blends that were meant to break, take for ever or lie: each kind of bad input a dozen times.
 
 use pasu::{
-    Code, Design, Error, InsideMap, Making, MeasureOptions, MeshOptions, Product, check, evaluate, inside,
-    inside_values, measure, mesh, solid,
+    CellsOptions, Code, Design, Error, InsideMap, Making, MeasureOptions, Measures, MeshOptions, Product, cells, check,
+    evaluate, inside, inside_values, measure, mesh, solid,
 };
 use serde_json::{Value, json};
 
@@ -185,6 +185,102 @@ fn waves_and_weights_without_an_end_are_refused_at_once() {
     let fine = design(&outline, &disc(2.0, 2.0), &json!({}));
     mesh(&fine, &MeshOptions { tolerance: Some(0.01), ..MeshOptions::default() }).unwrap();
     assert_eq!(measure(&fine, &MeasureOptions::default()).unwrap_err().path(), "parts[0].shape.start.x[1].n");
+}
+
+/// A section with every wave up to `most`, none of which is deep.
+fn all_waves(most: usize, z: f64) -> Value {
+    let by = |n: usize| if n == 1 { 1.0 } else { 0.01 / (n * n) as f64 };
+    let series = |names: [&str; 2], share: f64| -> Vec<Value> {
+        let wave = |n: usize| json!({ "n": n, names[0]: by(n), names[1]: if n == 1 { 0.0 } else { share * by(n) } });
+        (1..=most).map(wave).collect()
+    };
+    json!({ "form": "outline", "x": series(["sin", "cos"], 0.3), "y": series(["cos", "sin"], -0.2), "z": z, "taper": 0, "dz": 2 })
+}
+
+#[test]
+fn outlines_of_as_many_waves_as_are_made_are_measured_or_refused_beforehand() {
+    let solid = design(&all_waves(128, 0.0), &all_waves(128, 3.0), &json!({}));
+    let Measures { whole, .. } = measure(&solid, &MeasureOptions::default()).unwrap();
+    let clay = whole.clay.unwrap();
+    // What goes round the clay is the surface itself, and is integrated once.
+    assert_eq!(whole.area, clay.area);
+    // By the triangles of a file.
+    let mesh = &pasu::solid(&solid, &Making { tolerance: Some(0.002), ..MAKING }).unwrap()[0];
+    let corner = |index: u32| {
+        glam::DVec3::from_array(core::array::from_fn(|i| f64::from(mesh.positions[3 * index as usize + i])))
+    };
+    let triangles = mesh.indices.chunks_exact(3).map(|at| [corner(at[0]), corner(at[1]), corner(at[2])]);
+    let sum = triangles.map(|[a, b, c]| [(b - a).cross(c - a).length() / 2.0, a.dot(b.cross(c)) / 6.0]);
+    let [area, volume] = sum.fold([0.0; 2], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
+    let scale = solid.unit().millimetres();
+    let off = [area / scale.powi(2) / clay.area.value, volume / scale.powi(3) / clay.volume.value];
+    assert!(off.iter().all(|part| (part - 1.0).abs() < 0.01), "{off:?}");
+
+    let mut vessel: Value = serde_json::from_str(&solid.to_json()).unwrap();
+    vessel["parts"][0]["wall"] = json!({ "thickness": 0.05, "base": 0.05 });
+    let vessel = Design::parse(&vessel.to_string()).unwrap();
+    // Of all the work that it would take none is begun.
+    let told = std::rc::Rc::new(core::cell::Cell::new(0));
+    let count = std::rc::Rc::clone(&told);
+    let progress = move |_| {
+        count.set(count.get() + 1);
+        core::ops::ControlFlow::Continue(())
+    };
+    let error = pasu::watched(progress, || measure(&vessel, &MeasureOptions::default())).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::TooLarge, "parts[0].wall"), "{error}");
+    assert!(told.get() <= 2, "{} times told how far it is", told.get());
+    assert!(check(&vessel, &Making::default()).unwrap().is_ok());
+}
+
+#[test]
+fn sines_that_do_not_see_a_wave_are_told_with_the_place() {
+    let outline = waves(&[(1.0, 1.0), (8.0, 0.02)], 0.0, [0.0, 2.0]);
+    let of = |method: &str, m: u32| design(&outline, &disc(3.0, 2.0), &json!({ "method": method, "terms": [4, m, 3] }));
+    let farthest = |design: &Design| {
+        let at: Vec<f64> =
+            (0..16 * 64).flat_map(|i| [f64::from(i % 16) / 16.0, f64::from(i / 16) / 64.0, 0.5]).collect();
+        let points = evaluate(design, 0, &at).unwrap();
+        points.chunks_exact(3).map(|p| p[0].hypot(p[1])).fold(0.0, f64::max)
+    };
+    let options = CellsOptions { counts: [4, 32, 4], ..CellsOptions::default() };
+    for method in ["modal", "collocation"] {
+        for (m, is_told) in [(15, true), (16, false)] {
+            let design = of(method, m);
+            let report = check(&design, &MAKING).unwrap();
+            let told = report.findings.iter().find(|finding| finding.code == "few-terms");
+            assert_eq!(told.is_some(), is_told, "{method} {m}");
+            let refused = cells(&design, 0, &options).err();
+            assert_eq!(refused.is_some(), is_told, "{method} {m}: {refused:?}");
+            if let (Some(told), Some(refused)) = (told, refused) {
+                assert_eq!(told.path.as_deref(), Some("parts[0].shape.terms"));
+                assert!(told.at.is_some() && report.is_ok());
+                assert_eq!((refused.code(), refused.path()), (Code::OutOfRange, "parts[0].shape.terms[1]"));
+            }
+        }
+    }
+    // Where v resists little the sines hardly move anything, seen or not.
+    let little = json!({ "method": "modal", "weights": [1, 1e-4, 1] });
+    cells(&design(&outline, &disc(3.0, 2.0), &little), 0, &options).unwrap();
+    // Why: with a few terms the inside is nowhere near the skin.
+    let wild = design(
+        &waves(&[(1.0, 1.0), (128.0, 1e-4)], 0.0, [0.0, 2.0]),
+        &disc(3.0, 2.0),
+        &json!({ "method": "modal", "terms": [32, 32, 3] }),
+    );
+    assert!(farthest(&wild) > 100.0, "{}", farthest(&wild));
+    let told = check(&wild, &MAKING).unwrap();
+    let at = told.findings.iter().find(|finding| finding.code == "few-terms").unwrap().at.unwrap();
+    assert!(at[0].hypot(at[1]) > 10.0, "{at:?}");
+    // More waves than are made are refused for that.
+    let fine = design(
+        &waves(&[(1.0, 1.0), (512.0, 1e-5)], 0.0, [0.0, 2.0]),
+        &disc(3.0, 2.0),
+        &json!({ "method": "modal", "terms": [32, 32, 3] }),
+    );
+    let error = cells(&fine, 0, &options).unwrap_err();
+    assert_eq!((error.code(), error.path()), (Code::TooLarge, "parts[0].shape.start.x[1].n"), "{error}");
+    // Where every harmonic is solved by itself there is nothing to see.
+    cells(&design(&outline, &disc(3.0, 2.0), &json!({ "weights": [1, 0.001, 1] })), 0, &options).unwrap();
 }
 
 #[test]

@@ -34,6 +34,7 @@ mod refusals;
 mod rings;
 mod scenes;
 mod sharp_walls;
+mod shells;
 mod single_precision;
 mod sketch;
 mod solid;

@@ -7,7 +7,9 @@ import {
   methodsFor,
   termsOf,
   termsUsed,
+  unseenOf,
   weightsOf,
+  withEnoughTerms,
   withMethod,
   withTerm,
   withWeight,
@@ -59,12 +61,36 @@ export class PasuBlendSolving extends DesignerElement {
                 .map((value, index) => this.term(value, index))}
             </div>`
       }
+      ${this.unseen(blend)}
       ${
         this.comparing
           ? html`<pasu-blend-methods .designer=${this.designer}></pasu-blend-methods>`
           : html`<button class="button outlined compare" type="button" @click=${() => void this.compare()}>${words.compareMethods}</button>`
       }
     </details>`;
+  }
+
+  /** Said as soon as it is so, with what would help. */
+  private unseen(blend: Blend) {
+    const unseen = unseenOf(blend);
+    const enough = withEnoughTerms(blend);
+    return html`<div class="unseen" role="status" ?hidden=${unseen === null}>
+      ${
+        unseen === null
+          ? nothing
+          : html`<p>${words.unseen(unseen.waves, unseen.terms)}</p>
+              ${
+                enough === null
+                  ? nothing
+                  : html`<button class="button outlined" type="button" @click=${() => this.change((each) => withEnoughTerms(each) ?? each)}>${words.enoughTerms(2 * unseen.waves)}</button>`
+              }
+              ${
+                methodsFor(blend).includes("exact")
+                  ? html`<button class="button outlined" type="button" @click=${() => this.change((each) => withMethod(each, "exact"))}>${words.solveExactly}</button>`
+                  : nothing
+              }`
+      }
+    </div>`;
   }
 
   private async compare(): Promise<void> {
@@ -148,6 +174,23 @@ export class PasuBlendSolving extends DesignerElement {
       }
       .compare {
         margin-top: 14px;
+      }
+      .unseen {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 8px;
+        margin-top: 12px;
+        padding: 10px 12px;
+        border: 1px solid var(--warn);
+        border-radius: 12px;
+      }
+      .unseen[hidden] {
+        display: none;
+      }
+      .unseen p {
+        flex: 1 0 100%;
+        font-size: 0.92rem;
+        text-wrap: pretty;
       }
       .about {
         color: var(--soft);

@@ -5,8 +5,8 @@ import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { pathText } from "../../document/path";
 import { DEFAULTS } from "../../document/tables.gen";
-import type { Wall } from "../../document/types";
-import { type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
+import type { Shape, Wall } from "../../document/types";
+import { isThickness, type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
 import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
 import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
@@ -29,18 +29,23 @@ export class PasuWall extends DesignerElement {
   private size = 1;
 
   override willUpdate(): void {
-    const facts = this.designer.surface.shown?.solved.facts;
+    const { facts, bounds } = this.designer.surface.shown?.solved ?? {};
     if (facts) this.size = Math.max(facts.height, facts.width, facts.depth);
+    // Patches have no foot and no rim, of which facts are told.
+    else if (bounds) this.size = Math.max(...bounds.max.map((most, axis) => most - (bounds.min[axis] ?? most)));
   }
 
   override render() {
     const { designer } = this;
     const { design, part, session } = designer.state;
     const wall = design.parts[part]?.wall;
+    const shape = design.parts[part]?.shape;
+    if (!shape) return nothing;
+    const isPatched = isThickness(shape.kind);
     if (!wall) {
-      return html`<p class="lead">${words.isSurface}</p>
+      return html`<p class="lead">${isPatched ? words.isNetwork : words.isSurface}</p>
         <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
-          ${words.makePot}
+          ${isPatched ? words.thicken : words.makePot}
         </button>`;
     }
     return html`
@@ -57,8 +62,19 @@ export class PasuWall extends DesignerElement {
           ${words.remove}
         </button>
       </div>
-      ${this.verdict()} ${this.numbers(wall)}
-      <label class="check">
+      ${this.verdict(isPatched)} ${this.numbers(wall, shape.kind)}
+      ${isPatched && !wall.foot && !wall.rim ? nothing : this.ends(wall)}
+      ${choices(words.laid, told(isPatched ? words.sidesOfNetwork : words.sides), wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
+      <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
+        ${icon("make")}<span>${words.export}</span>
+      </button>
+    `;
+  }
+
+  /** What a wall is like below and above. */
+  private ends(wall: Wall) {
+    const { designer } = this;
+    return html`<label class="check">
         <input
           type="checkbox"
           .checked=${wall.foot !== undefined}
@@ -68,15 +84,11 @@ export class PasuWall extends DesignerElement {
         <span>${words.footRing}</span>
       </label>
       ${choices(words.rim, told(words.rims), wall.rim ?? DEFAULTS.rim, (rim) => designer.apply(setRim(designer.state, rim)))}
-      ${choices(words.laid, told(words.sides), wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
-      <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
-        ${icon("make")}<span>${words.export}</span>
-      </button>
     `;
   }
 
   /** Why it is no pot, in the solver's words; or how much it holds, and what of it was fitted. */
-  private verdict() {
+  private verdict(isPatched: boolean) {
     const { designer } = this;
     const { made } = designer;
     // Nothing is said of the wall before this one.
@@ -84,6 +96,9 @@ export class PasuWall extends DesignerElement {
     if (problem)
       return html`<p class="problem" role="status">${icon("warn")}<span>${refusalWords(problem, designer.state.design)}</span></p>
         ${remedies(designer)}`;
+    // Patches hold nothing: what there is to say is that they are a body.
+    if (isPatched && made?.isOfNow(made.solid) && made.solid.value)
+      return html`<p class="holds" role="status">${words.thickened}</p>`;
     const measures = made?.measures;
     const unmeasured = measures && made.isOfNow(measures) && measures.problem;
     const held = unmeasured ? refusalWords(unmeasured, designer.state.design) : made?.holds;
@@ -103,9 +118,9 @@ export class PasuWall extends DesignerElement {
       ${remedies(designer)}`;
   }
 
-  private numbers(wall: Wall) {
+  private numbers(wall: Wall, kind: Shape["kind"]) {
     const { designer } = this;
-    return wallFields(wall).map((field) => {
+    return wallFields(wall, kind).map((field) => {
       // The ranges go by the pot that was opened: no number moves the range of another.
       const { max, step } = wallRange(field, designer.origin.size ?? this.size);
       const { name, help } = words.fields[field.key];

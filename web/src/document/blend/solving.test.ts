@@ -1,6 +1,17 @@
 import { expect, test } from "vitest";
 import type { Blend } from "../types";
-import { methodOf, methodsFor, settled, termsOf, weightsOf, withMethod, withTerm, withWeight } from "./solving";
+import {
+  methodOf,
+  methodsFor,
+  settled,
+  termsOf,
+  unseenOf,
+  weightsOf,
+  withEnoughTerms,
+  withMethod,
+  withTerm,
+  withWeight,
+} from "./solving";
 
 const level = { z: 0, taper: 0, dz: 1 };
 const ROUND: Blend = {
@@ -47,4 +58,28 @@ test("a method goes with the sections that it does not solve, and where it would
   const modal: Blend = { ...ROUND, method: "modal" };
   expect(settled(modal)).toBe(modal);
   expect(settled(ROUND)).toBe(ROUND);
+});
+
+test("waves that the terms along v do not see are told, with as many as see them", () => {
+  const petals = (n: number): Blend => ({
+    ...ROUND,
+    start: {
+      form: "outline",
+      x: [
+        { n: 1, sin: 1 },
+        { n, sin: 0.1 },
+      ],
+      y: [{ n: 1, cos: 1 }],
+      ...level,
+    },
+  });
+  expect(unseenOf(petals(5))).toBe(null);
+  const modal = withMethod(petals(5), "modal");
+  expect(unseenOf(modal)).toEqual({ waves: 5, terms: 4 });
+  const enough = withEnoughTerms(modal);
+  expect(enough && termsOf(enough)).toEqual([4, 10, 3]);
+  expect(enough && unseenOf(enough)).toBe(null);
+  expect(withEnoughTerms(withMethod(petals(129), "modal"))).toBe(null);
+  expect(withEnoughTerms(withTerm(withMethod(petals(128), "modal"), 0, 17))).toBe(null);
+  expect(unseenOf(withMethod(ROUND, "collocation"))).toBe(null);
 });

@@ -1,6 +1,7 @@
 /** How the equation of a blend is solved: by which method, with how many terms, with which weights. What holds where nothing is given is left out of the document. */
 
-import type { Blend, Triple } from "../types";
+import { LIMITS } from "../tables.gen";
+import type { Blend, Section, Triple } from "../types";
 import { isClosed } from "./section";
 import { METHODS, TERMS } from "./tables.gen";
 
@@ -65,4 +66,32 @@ export function withTerm(blend: Blend, index: number, value: number): Blend {
 /** Of the terms along `u`, `v` and `w` those that a method uses. */
 export function termsUsed(method: Method): number {
   return { exact: 0, modal: 2, collocation: 3 }[method];
+}
+
+/** A wave that goes round more often than the sines of a method can tell. */
+export interface Unseen {
+  readonly waves: number;
+  readonly terms: number;
+}
+
+/** The fastest wave of both sections, where the method takes sines and fewer along `v` than two for each of its turns: the inside may be carried far off then. Where it is, the solver says so when the solid is made. */
+export function unseenOf(blend: Blend): Unseen | null {
+  const [, terms] = termsOf(blend);
+  const waves = Math.max(0, ...[blend.start, blend.end].map(fastestOf));
+  return termsUsed(methodOf(blend)) > 0 && 2 * waves > terms ? { waves, terms } : null;
+}
+
+function fastestOf(section: Section): number {
+  if (section.form !== "outline") return 0;
+  return [...section.x, ...section.y].reduce((most, { n }) => Math.max(most, n), 0);
+}
+
+/** The blend with as many terms as see every wave of its sections; null where there cannot be so many. */
+export function withEnoughTerms(blend: Blend): Blend | null {
+  const unseen = unseenOf(blend);
+  if (!unseen) return null;
+  const [across] = termsOf(blend);
+  const least = 2 * unseen.waves;
+  const fits = least <= (TERMS.most[1] ?? 0) && across * least <= LIMITS.modes;
+  return fits ? withTerm(blend, 1, least) : null;
 }

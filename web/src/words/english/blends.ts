@@ -79,6 +79,10 @@ export const blends = phrases("blends", {
   along: ["along u", "along v", "along w"] as const,
   weights: "Weights",
   weightsHelp: "How much each direction resists bending. A small second weight lets corners and petals reach far.",
+  unseen: (waves: number, terms: number) =>
+    `A section has ${waves} waves, and ${plural(terms, { one: "1 term", other: `${terms} terms` })} along v cannot see them: the inside may be carried far off. The skin is as it should be.`,
+  enoughTerms: (least: number) => `Take ${least} terms along v`,
+  solveExactly: "Solve it exactly",
   insideOnly: "Sines vanish on the skin: weights and terms change what is inside alone.",
   weight: ["Weight across", "Weight round", "Weight from end to end"] as const,
 

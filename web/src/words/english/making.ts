@@ -30,7 +30,20 @@ export const making = phrases("making", {
     oneSided: "The surface has one side only, so that it has no inside.",
   },
   /** Of what has no foot and no rim. */
-  noEnds: "A network of patches has no foot and no rim, so this cannot be done with it, and it carries no wall.",
+  noEnds:
+    "A network of patches has no foot and no rim, so this cannot be done with it. What closes is a solid without a wall; what has free edges gets a thickness.",
+  /** Of the thickness of patches. */
+  thickness: {
+    noFoot: "Patches have no foot and no rim: their wall has no base, no ring and no drain, and its edges are flat.",
+    noNormal: "The surface has no normal there along which a wall could go.",
+    sharp: (thickness: string) =>
+      `Patches meet at so sharp an angle that a wall of ${thickness} has no room there. It takes a blunter one.`,
+    turnedOver: (thickness: string) =>
+      `The surface bends more sharply there than a wall of ${thickness} is thick. A thinner one may do.`,
+    uneven: (found: string, thickness: string) =>
+      `The wall would be ${found} thick there, where ${thickness} was asked for. It takes a thinner one, or more and smaller patches.`,
+    touching: "Free edges touch in a single point. They need an edge in common, or nothing.",
+  },
   /** Of a solid between sections that do not close round. */
   openSections:
     "A wall goes round between two closed sections: a disc or an outline at both ends. Without a wall this is a solid.",
@@ -40,6 +53,8 @@ export const making = phrases("making", {
   collapsed: "Cells of two discs in squares have no volume at two edges. Discs and outlines have none of these.",
   folded:
     "The inside of the solid is folded over itself, though its skin is not: cells for analysis are of no use there.",
+  fewTerms: (terms: string, waves: string, least: string) =>
+    `A section has waves up to number ${waves}, which are not seen by terms along v up to number ${terms}: the inside is carried far off, though the skin is as it should be. It takes ${least} terms, or the method Exact.`,
   pinched: {
     noArea: (end: string) => `The ${end} encloses no area. A pot needs an outline with an inside there.`,
     waist: "The surface is pinched to a point. A pot has to be wide everywhere between foot and rim.",

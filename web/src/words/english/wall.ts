@@ -29,6 +29,10 @@ export const wall = phrases("wall", {
   isSurface:
     "This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or thrown.",
   makePot: "Make it a pot",
+  isNetwork:
+    "These are patches. Where they go round a body they are a solid as they are. Where they have free edges a thickness along their normals makes them one, which can be printed.",
+  thicken: "Give it a thickness",
+  thickened: "It has a thickness everywhere, and is a body that can be made.",
   remove: "Remove the wall",
   footRing: "Foot ring",
   rim: "Rim",
@@ -40,6 +44,10 @@ export const wall = phrases("wall", {
   sides: {
     inside: { label: "Inwards", note: "What you shaped is the outside." },
     outside: { label: "Outwards", note: "What you shaped is the lining." },
+  },
+  sidesOfNetwork: {
+    inside: { label: "Inwards", note: "Towards what it goes round." },
+    outside: { label: "Outwards", note: "Away from what it goes round." },
   },
   export: "Export it for making",
 });
