@@ -16,6 +16,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
     /// Value, first and second derivatives, to rounding.
     fn jet(&self, u: f64, v: f64) -> SurfaceJet;
 
+    /// The value alone, to the bit that of the jet.
+    fn position(&self, u: f64, v: f64) -> DVec3 {
+        self.jet(u, v).position
+    }
+
     /// The curve of one `u`, which shares what depends on `u` alone.
     fn row(&self, u: f64) -> Box<dyn Row + '_> {
         Box::new(Pointwise { patch: self, u })
@@ -47,6 +52,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
     /// The same, with the axes stretched.
     fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
         self.deviation_by(cell, &self.suprema(cell, stretch))
+    }
+
+    /// Suprema and deviation of a cell at once.
+    fn enclosed(&self, cell: Cell, stretch: [f64; 3]) -> (Suprema, f64) {
+        (self.suprema(cell, stretch), self.deviation(cell, stretch))
     }
 
     /// What resolves it along `u` and along `v`.
