@@ -273,9 +273,9 @@ fn five_hundred_parts_in_one_place_come_to_an_end() {
     assert!(report.is_kept && report.breaches.is_empty() && report.left_out == 0, "{:?}", report.breaches.first());
 }
 
-/// Eighths of balls on a lattice, each of which runs into some about it and touches others at tips and sides: all are told, in less work than a scene gets.
+/// Eighths of balls on a lattice, each of which runs into some about it and touches others at tips and sides: every report that is listed is decided, and rightly.
 #[test]
-fn five_hundred_that_run_into_each_other_are_all_told() {
+fn what_is_listed_of_five_hundred_that_run_into_each_other_is_decided() {
     let at = |i: u32| [0.5 * f64::from(i % 8), 0.5 * f64::from(i / 8 % 8), 0.5 * f64::from(i / 64)];
     let ball = |i: u32| octant([2.0; 3], i, &json!({ "shift": at(i) }));
     let report = constraints(&scene(&(0..500).map(ball).collect::<Vec<_>>()), None).unwrap();
