@@ -72,6 +72,11 @@ impl Share {
 /// The place next to an end.
 const NEXT: f64 = 1e-300;
 
+/// The logarithms of `s` and `t = 1 - s`, of the smaller one to all its digits.
+fn shares(s: f64, t: f64) -> [f64; 2] {
+    if s < t { [libm::log(s), libm::log1p(-s)] } else { [libm::log1p(-t), libm::log(t)] }
+}
+
 /// `log(exp a + exp b)`.
 fn log_sum(a: f64, b: f64) -> f64 {
     let (least, greatest) = if a < b { (a, b) } else { (b, a) };
@@ -127,10 +132,21 @@ impl Climb {
         }
     }
 
+    /// The value alone, to the bit that of the jet.
+    pub(super) fn value(&self, s: f64) -> f64 {
+        let (s, t) = if self.is_falling { (1.0 - s, s) } else { (s, 1.0 - s) };
+        let [ls, lt] = shares(s, t);
+        self.value_at(ls, lt)
+    }
+
+    /// The value where `s` and `t` have these logarithms. At `s = 1` to the bit: there what is left is nothing.
+    fn value_at(&self, s: f64, t: f64) -> f64 {
+        libm::exp(-self.g * libm::log1p(libm::exp(self.l * t - self.k * s)))
+    }
+
     fn rising(&self, s: f64, t: f64) -> [f64; 3] {
         let at = self.logarithms(s, t);
-        // At s = 1 to the bit: there what is left is nothing.
-        let value = libm::exp(-self.g * libm::log1p(libm::exp(self.l * at.t - self.k * at.s)));
+        let value = self.value_at(at.s, at.t);
         let w = self.k * t + self.l * s;
         let first = w * self.slope().of(at);
         let (up, down) = self.bends(s <= 0.5);
@@ -142,8 +158,7 @@ impl Climb {
     }
 
     fn logarithms(&self, s: f64, t: f64) -> Logarithms {
-        // Of the smaller one to all its digits.
-        let [s, t] = if s < t { [libm::log(s), libm::log1p(-s)] } else { [libm::log1p(-t), libm::log(t)] };
+        let [s, t] = shares(s, t);
         Logarithms { s, t, d: log_sum(self.k * s, self.l * t) }
     }
 
@@ -221,7 +236,7 @@ impl Climb {
             sum
         };
         let (up, down) = (sum(up, !is_near_0), sum(down, is_near_0));
-        [self.rising(later, left)[0], w[1] * first, (up[1] - down[0]).max(down[1] - up[0])]
+        [self.value_at(high.s, high.t), w[1] * first, (up[1] - down[0]).max(down[1] - up[0])]
     }
 }
 
@@ -266,7 +281,8 @@ mod tests {
         for climb in climbs() {
             for i in 1..200 {
                 let (s, h) = (f64::from(i) / 200.0, 1e-6);
-                let [_, first, second] = climb.jet(s);
+                let [value, first, second] = climb.jet(s);
+                assert_eq!(climb.value(s).to_bits(), value.to_bits(), "{climb:?} {s}");
                 let [after, before] = [s + h, s - h].map(|s| climb.jet(s));
                 let scale = climb.suprema([s - h, s + h]);
                 let slope = (after[0] - before[0]) / (2.0 * h);

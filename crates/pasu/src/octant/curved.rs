@@ -43,6 +43,17 @@ impl Curved {
         [self.down.waves(), self.round.waves()]
     }
 
+    /// Every coordinate rises or falls all along `u` and all along `v`. So of a cell and of its triangles each has the same range, and for a point of one there is one of the other that agrees in it: they are no further apart than
+    /// the two other coordinates range. Where an octant has a tip like a needle that is far less than what its second derivatives say.
+    fn ranging(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
+        let [x, y, z] = self.along.map(|climb| cell.u.map(|u| climb.value(u)));
+        let [across, falling] = self.across.map(|climb| cell.v.map(|v| climb.value(v)));
+        let ranges = [x[1] * across[1] - x[0] * across[0], y[1] * falling[0] - y[0] * falling[1], z[0] - z[1]];
+        let squares: [f64; 3] = core::array::from_fn(|i| (ranges[i] * stretch[i]) * (ranges[i] * stretch[i]));
+        let [p, q, r] = squares;
+        libm::sqrt((p + q).min(q + r).min(r + p))
+    }
+
     fn jet_of(&self, along: &[[f64; 3]; 3], v: f64) -> SurfaceJet {
         let [x, y] = self.across.map(|climb| climb.jet(v));
         let product = |i: usize, j: usize| {
@@ -94,16 +105,19 @@ impl Patch for Curved {
         Suprema { size: length(0, 0), uu: length(2, 0), uv: length(1, 1), vv: length(0, 2) }
     }
 
-    /// Every coordinate rises or falls all along `u` and all along `v`. So of a cell and of its triangles each has the same range, and for a point of one there is one of the other that agrees in it: they are no further apart than
-    /// the two other coordinates range. Where an octant has a tip like a needle that is far less than what its second derivatives say.
+    fn position(&self, u: f64, v: f64) -> DVec3 {
+        let [along, other, z] = self.along.map(|climb| climb.value(u));
+        let [x, y] = self.across.map(|climb| climb.value(v));
+        DVec3::new(along * x, other * y, z)
+    }
+
     fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
-        let bent = self.suprema(cell, stretch).deviation(cell.lengths());
-        let [x, y, z] = self.along.map(|climb| cell.u.map(|u| climb.jet(u)[0]));
-        let [across, falling] = self.across.map(|climb| cell.v.map(|v| climb.jet(v)[0]));
-        let ranges = [x[1] * across[1] - x[0] * across[0], y[1] * falling[0] - y[0] * falling[1], z[0] - z[1]];
-        let squares: [f64; 3] = core::array::from_fn(|i| (ranges[i] * stretch[i]) * (ranges[i] * stretch[i]));
-        let [p, q, r] = squares;
-        bent.min(libm::sqrt((p + q).min(q + r).min(r + p)))
+        self.enclosed(cell, stretch).1
+    }
+
+    fn enclosed(&self, cell: Cell, stretch: [f64; 3]) -> (Suprema, f64) {
+        let suprema = self.suprema(cell, stretch);
+        (suprema, suprema.deviation(cell.lengths()).min(self.ranging(cell, stretch)))
     }
 
     fn breaks(&self) -> [Breaks; 2] {

@@ -45,16 +45,25 @@ impl Patch for Flat {
         Suprema { size: t * length(0), uu: 0.0, uv: length(1), vv: t * length(2) }
     }
 
+    fn position(&self, t: f64, s: f64) -> DVec3 {
+        t * self.vector(self.curve.map(|climb| climb.value(s)))
+    }
+
+    fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
+        self.enclosed(cell, stretch).1
+    }
+
     /// A cell is a quadrilateral between two rays, but for what lies between its arcs and their chords: the two triangles are all of it, wherever on it a point of theirs is that of the patch.
     ///
     /// One coordinate of an arc rises and the other falls. Where one is the same on arc and chord the other differs by no more than it ranges, which near a tip like a needle is far less than what second derivatives say.
-    fn deviation(&self, cell: Cell, stretch: [f64; 3]) -> f64 {
-        let bent = Suprema { uv: 0.0, ..self.suprema(cell, stretch) }.deviation(cell.lengths());
+    fn enclosed(&self, cell: Cell, stretch: [f64; 3]) -> (Suprema, f64) {
+        let suprema = self.suprema(cell, stretch);
+        let bent = Suprema { uv: 0.0, ..suprema }.deviation(cell.lengths());
         let range = |i: usize| {
-            let [from, to] = cell.v.map(|s| self.curve[i].jet(s)[0]);
+            let [from, to] = cell.v.map(|s| self.curve[i].value(s));
             cell.u[1] * (to - from).abs() * stretch[self.axes[i]]
         };
-        bent.min(range(0)).min(range(1))
+        (suprema, bent.min(range(0)).min(range(1)))
     }
 
     fn breaks(&self) -> [Breaks; 2] {

@@ -20,6 +20,71 @@ pub(super) fn excess(exponents: [f64; 3], at: DVec3) -> f64 {
     powers.sum::<f64>() - 1.0
 }
 
+/// What the excess is wrong by at most where it is near 0: powers are, by a unit of the last place or two.
+const ROUNDING: f64 = 1e-14;
+
+/// Whether an octant holds all of a box along its axes: with a point it holds all whose coordinates are less.
+pub(super) fn holds_box(exponents: [f64; 3], low: DVec3, high: DVec3) -> bool {
+    low.min_element() >= 0.0 && excess(exponents, high) <= -ROUNDING
+}
+
+/// Whether no point of a box along its axes is in an octant.
+pub(super) fn misses_box(exponents: [f64; 3], low: DVec3, high: DVec3) -> bool {
+    high.min_element() < 0.0 || excess(exponents, low) > ROUNDING
+}
+
+/// The exponent of a convex octant that holds all of one with a lesser exponent: a coordinate is 1 at most, and its power falls as the exponent rises. Of 1 itself what is furthest in a direction may be a whole side.
+const CONVEX: f64 = 1.02;
+
+/// Halvings of the number by which the furthest place in a direction is found. A bound holds after any.
+const TURNS: usize = 22;
+
+/// How far an octant reaches in a direction at most, with a place of the least convex octant about it that is all but as far.
+///
+/// Where `d x` is to be largest with `sum x^a <= 1`, it is `m + sum (d x - m x^a)` at most, whatever `m > 0` is, with each `x` from 0 to 1 where its own term is largest; and no more than that where `sum x^a` is 1 (Lagrange's dual).
+pub(super) fn reach(exponents: [f64; 3], direction: DVec3) -> (f64, DVec3) {
+    let d = direction.max(DVec3::ZERO).to_array();
+    let most = d.iter().sum::<f64>();
+    if !(most > 0.0) {
+        return (0.0, DVec3::ZERO);
+    }
+    let a = exponents.map(|exponent| exponent.max(CONVEX));
+    let furthest =
+        |m: f64| -> [f64; 3] { core::array::from_fn(|i| libm::pow(d[i] / (m * a[i]), 1.0 / (a[i] - 1.0)).min(1.0)) };
+    let powers = |x: &[f64; 3]| -> [f64; 3] { core::array::from_fn(|i| libm::pow(x[i], a[i])) };
+    // The largest power is a third or more, and its coordinate below 1: of exponents up to 50 that is within 150 times.
+    let high = libm::log(most);
+    let (mut low, mut high) = (high - 6.0, high);
+    let mut best = (most, DVec3::from_array(d.map(|d| if d > 0.0 { 1.0 } else { 0.0 })));
+    for _ in 0..TURNS {
+        let middle: f64 = 0.5 * (low + high);
+        let m = libm::exp(middle);
+        let x = furthest(m);
+        let powers = powers(&x);
+        let sum: f64 = powers.iter().sum();
+        let bound = m + (0..3).map(|i| d[i] * x[i] - m * powers[i]).sum::<f64>();
+        if bound <= best.0 {
+            best = (bound, DVec3::from_array(x));
+        }
+        if sum > 1.0 { low = middle } else { high = middle }
+    }
+    (best.0 * (1.0 + ROUNDING), best.1)
+}
+
+/// A place of an octant near to a point: the coordinates that are negative made 0, and all of them less by the share that is beyond the curved side.
+pub(super) fn place_near(exponents: [f64; 3], at: DVec3) -> DVec3 {
+    let at = at.max(DVec3::ZERO);
+    if excess(exponents, at) <= 0.0 {
+        return at;
+    }
+    let (mut inside, mut outside) = (0.0f64, 1.0f64);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inside + outside);
+        if excess(exponents, at * middle) > 0.0 { outside = middle } else { inside = middle }
+    }
+    at * inside
+}
+
 /// A line `origin + t direction` in the frame of an octant.
 struct Line {
     exponents: [f64; 3],
@@ -220,6 +285,50 @@ mod tests {
     fn concave_sides_are_gone_through_as_often_as_they_are() {
         let places = through([0.5; 3], DVec3::new(-0.1, 0.85, 0.01), DVec3::new(1.0, -1.0, 0.0));
         assert_eq!(places.len(), 4, "{places:?}");
+    }
+
+    #[test]
+    fn boxes_are_held_and_missed_as_their_points_are() {
+        let mut seed = 5;
+        let mut n = [0; 3];
+        for exponents in SOME {
+            for _ in 0..2000 {
+                let mut point = || DVec3::new(dice(&mut seed), dice(&mut seed), dice(&mut seed));
+                let (low, sides) = (point() * 1.3 - 0.1, point() * 0.2);
+                let within: Vec<bool> = (0..30).map(|_| holds(exponents, low + sides * point())).collect();
+                let is_held = holds_box(exponents, low, low + sides);
+                let is_missed = misses_box(exponents, low, low + sides);
+                assert!(!is_held || within.iter().all(|inside| *inside), "{exponents:?} {low} {sides}");
+                assert!(!is_missed || within.iter().all(|inside| !inside), "{exponents:?} {low} {sides}");
+                n[usize::from(is_held) + 2 * usize::from(is_missed)] += 1;
+            }
+        }
+        assert!(n.iter().all(|n| *n > 100), "{n:?}");
+    }
+
+    /// Nothing that an octant holds is further, and of a convex one something is all but as far.
+    #[test]
+    fn an_octant_reaches_no_further_than_is_said_and_hardly_less() {
+        let mut seed = 9;
+        for exponents in SOME {
+            for _ in 0..40 {
+                let mut point = || DVec3::new(dice(&mut seed), dice(&mut seed), dice(&mut seed));
+                let direction = point() * 2.0 - 1.0;
+                let (most, _) = reach(exponents, direction);
+                let mut furthest = 0.0f64;
+                for _ in 0..4000 {
+                    // On the curved side, where shares of the powers sum to 1.
+                    let shares = point().map(|x| x * x * x);
+                    let shares = shares / shares.element_sum();
+                    let at = DVec3::from_array(core::array::from_fn(|i| shares[i].powf(1.0 / exponents[i])));
+                    // With a place all are inside whose coordinates are less.
+                    furthest = furthest.max(direction.max(DVec3::ZERO).dot(at));
+                }
+                assert!(furthest <= most, "{exponents:?} {direction} {furthest} {most}");
+                let is_convex = exponents.iter().all(|exponent| *exponent >= 1.0);
+                assert!(!is_convex || most <= furthest + 0.06, "{exponents:?} {direction} {furthest} {most}");
+            }
+        }
     }
 
     #[test]

@@ -78,6 +78,31 @@ impl Supersphere {
         inside::core(self.exponents)
     }
 
+    /// Whether all of a box along its axes is in it.
+    pub(crate) fn holds_box(&self, low: DVec3, high: DVec3) -> bool {
+        inside::holds_box(self.exponents, low, high)
+    }
+
+    /// Whether no point of a box along its axes is in it.
+    pub(crate) fn misses_box(&self, low: DVec3, high: DVec3) -> bool {
+        inside::misses_box(self.exponents, low, high)
+    }
+
+    /// How far it reaches in a direction at most, with a place about it that is all but as far.
+    pub(crate) fn reach(&self, direction: DVec3) -> (f64, DVec3) {
+        inside::reach(self.exponents, direction)
+    }
+
+    /// A place of it that is near to a point.
+    pub(crate) fn place_near(&self, at: DVec3) -> DVec3 {
+        inside::place_near(self.exponents, at)
+    }
+
+    /// The place of the curved side where `x^a`, `y^b` and `z^c` are these shares of 1.
+    pub(crate) fn shared(&self, shares: [f64; 3]) -> DVec3 {
+        DVec3::from_array(core::array::from_fn(|i| libm::pow(shares[i], 1.0 / self.exponents[i])))
+    }
+
     /// `x^a + y^b + z^c - 1` where no coordinate is negative: at most 0 in the octant, and 0 on its curved side.
     fn excess(&self, at: DVec3) -> f64 {
         inside::excess(self.exponents, at)

@@ -16,6 +16,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
     /// Value, first and second derivatives, to rounding.
     fn jet(&self, u: f64, v: f64) -> SurfaceJet;
 
+    /// The value alone, to the bit that of the jet.
+    fn position(&self, u: f64, v: f64) -> DVec3 {
+        self.jet(u, v).position
+    }
+
     /// The curve of one `u`, which shares what depends on `u` alone.
     fn row(&self, u: f64) -> Box<dyn Row + '_> {
         Box::new(Pointwise { patch: self, u })
@@ -52,6 +57,11 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
     /// Of how many terms a place of it is the sum: many take longer than a place of a pot does.
     fn n_terms(&self) -> usize {
         1
+    }
+
+    /// Suprema and deviation of a cell at once.
+    fn enclosed(&self, cell: Cell, stretch: [f64; 3]) -> (Suprema, f64) {
+        (self.suprema(cell, stretch), self.deviation(cell, stretch))
     }
 
     /// What resolves it along `u` and along `v`.

@@ -64,6 +64,14 @@ impl Border {
         }
     }
 
+    /// The position alone, to the bit that of the jet.
+    pub(super) fn position(&self, u: f64, v: f64) -> DVec3 {
+        match self {
+            Border::Patch { placed, patch, .. } => placed.point(placed.solved().patch(*patch).position(u, v)),
+            Border::Face { .. } => self.jet(u, v).position,
+        }
+    }
+
     /// Whether its bounds are proved.
     pub(super) fn is_proved(&self) -> bool {
         matches!(self, Border::Patch { .. })
@@ -129,9 +137,9 @@ impl Border {
             Border::Patch { placed, patch, stretch } => {
                 let patch = placed.solved().patch(*patch);
                 let [p, q] = cell.lengths();
-                let suprema = patch.suprema(cell, *stretch);
+                let (suprema, deviation) = patch.enclosed(cell, *stretch);
                 let bends = [p * p * suprema.uu, p * q * suprema.uv, q * q * suprema.vv];
-                (patch.deviation(cell, *stretch), bends)
+                (deviation, bends)
             }
             Border::Face { .. } => {
                 let bends = self.measured(cell, corners).map(|bend| MARGIN * bend);

@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::breach::{Breach, Constraints};
-use super::meeting::{Budget, Meeting};
-use super::space::{Scenery, Space};
+use super::judged::{Judged, Known};
+use super::meeting::{Budget, Meeting, Task};
+use super::scenery::Scenery;
+use super::space::Space;
 use crate::design::{Design, Part, plain};
 use crate::error::{Args, Code, Error, Result};
 use crate::make::Severity;
@@ -14,7 +16,7 @@ use crate::numeric::signed_sets::SignedSets;
 use crate::solution::Solution;
 use crate::watch;
 
-/// Without a slack of its own, a scene has this part of its size.
+/// Without a slack of its own, a scene has this part of its size, or down to half of that: a power of two, so that what a part does to the size of the scene by being moved does not change what is asked of all others.
 const SLACK: f64 = 1e-6;
 
 /// All the work that a scene is worth, in pairs of tiles: about half a second.
@@ -25,7 +27,7 @@ const MOST_TOLD: usize = 1000;
 
 /// Whether a scene keeps the three constraints of ASB88 (J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, 1988): (1) no two discrete objects share points, (2) the parts of one object hang together, (3) no part is wholly inside another.
 ///
-/// `slack` is a length in the unit of the design, a millionth of the size of the scene where there is none. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
+/// `slack` is a length in the unit of the design; where there is none, the power of two below a millionth of the size of the scene. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
 /// both is further from each other than it, and are *in contact* where they come as near and a plane lies between them that neither passes by more than the slack. Contact connects, and is no interference. What is none of these within the limit
 /// of work is said to be undecided.
 ///
@@ -59,14 +61,15 @@ impl Solution {
         let scenery = self.scenery()?;
         let slack = match slack {
             Some(slack) => checked(slack)?,
-            None => SLACK * scenery.size(),
+            None => power_of_two_below(SLACK * scenery.size()),
         };
         let parts = self.design().parts();
         let mut judge = Judge {
             parts,
             scenery: &scenery,
             slack,
-            budget: Budget(MOST_WORK),
+            budget: Budget::new(MOST_WORK),
+            known: Known::new(slack),
             told: Vec::new(),
             n_left_out: 0,
             joined: SignedSets::new(parts.len()),
@@ -75,9 +78,15 @@ impl Solution {
         judge.pairs();
         judge.objects();
         watch::go_on()?;
+        scenery.keep(core::mem::take(&mut judge.known));
         let is_kept = judge.n_left_out == 0 && judge.told.iter().all(|breach| breach.severity == Severity::Note);
         Ok(Constraints { is_kept, slack, breaches: judge.told, left_out: judge.n_left_out })
     }
+}
+
+/// Of a positive number with all its digits: what is left without them.
+fn power_of_two_below(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & !((1 << (f64::MANTISSA_DIGITS - 1)) - 1))
 }
 
 fn checked(slack: f64) -> Result<f64> {
@@ -99,11 +108,21 @@ impl Scenery {
     }
 }
 
+/// Two parts that may meet.
+struct Pair {
+    both: [usize; 2],
+    is_one_object: bool,
+    /// Whether they are one body twice.
+    is_same: bool,
+}
+
 struct Judge<'a> {
     parts: &'a [Part],
     scenery: &'a Scenery,
     slack: f64,
     budget: Budget,
+    /// What was found of pairs.
+    known: Known,
     told: Vec<Breach>,
     n_left_out: usize,
     /// Parts of one object that touch.
@@ -124,9 +143,27 @@ impl Judge<'_> {
             .map_or_else(|| format!("part {}", part + 1), |name| format!("\u{201c}{name}\u{201d}"))
     }
 
-    /// Every two parts whose boxes come as near as the slack.
+    /// Every two parts whose boxes come as near as the slack: first all of them, and then those again of which little work did not tell.
     fn pairs(&mut self) {
+        let pairs = self.near();
+        let mut judged: Vec<Option<Judged>> = Vec::with_capacity(pairs.len());
+        for pair in &pairs {
+            let task = (!pair.is_same).then(|| Task::first(self.slack, pair.is_one_object));
+            judged.push(task.map(|task| self.judged(pair.both, task)));
+        }
+        for (pair, judged) in pairs.iter().zip(&mut judged) {
+            if judged.is_some_and(|judged| judged.is_cut) {
+                *judged = Some(self.judged(pair.both, Task::first(self.slack, pair.is_one_object).thorough()));
+            }
+        }
+        for (pair, judged) in pairs.iter().zip(judged) {
+            self.pair(pair, judged);
+        }
+    }
+
+    fn near(&self) -> Vec<Pair> {
         let scenery = self.scenery;
+        let mut pairs = Vec::new();
         for part in 0..self.parts.len() {
             let near = self.space(part).bounds.wider(self.slack);
             let mut others = Vec::new();
@@ -134,25 +171,49 @@ impl Judge<'_> {
             others.retain(|other| *other < part);
             others.sort_unstable();
             for other in others {
-                self.pair(other, part);
+                let (first, second) = (&self.parts[other], &self.parts[part]);
+                let is_one_object = first.object == second.object;
+                if is_one_object || self.space(other).is_solid || self.space(part).is_solid {
+                    let is_same =
+                        first.shape == second.shape && first.place == second.place && first.wall == second.wall;
+                    pairs.push(Pair { both: [other, part], is_one_object, is_same });
+                }
             }
         }
+        pairs
     }
 
-    fn pair(&mut self, one: usize, other: usize) {
-        let (first, second) = (&self.parts[one], &self.parts[other]);
-        let is_one_object = first.object == second.object;
-        if !is_one_object && !self.space(one).is_solid && !self.space(other).is_solid {
-            return;
-        }
-        let is_same = first.shape == second.shape && first.place == second.place && first.wall == second.wall;
-        let meeting = if is_same {
-            None
-        } else {
-            let (scenery, slack) = (self.scenery, self.slack);
-            Some(scenery.parts[one].meeting(&scenery.parts[other], slack, is_one_object, &mut self.budget))
+    /// How two parts meet: as it is known, or else found. What is known counts for as much work, so that nothing is told otherwise for being known.
+    fn judged(&mut self, both: [usize; 2], task: Task) -> Judged {
+        let judged = match self.scenery.known(both, task) {
+            Some(known) if known.work <= self.budget.left => {
+                self.budget.left -= known.work;
+                *known
+            }
+            _ => {
+                let left = self.budget.left;
+                let [one, other] = both.map(|part| &self.scenery.parts[part]);
+                let (meeting, is_cut) = one.meeting(other, task, &mut self.budget);
+                let is_touch = matches!(meeting, Meeting::Undecided { touch: Some(_) });
+                // How deep does not matter of parts of one object; whether one is within the other does.
+                let is_own = match task.is_touch_enough && is_touch {
+                    true => [[one, other], [other, one]].map(|[part, outer]| {
+                        !outer.is_solid || part.own_place(outer, task.slack, &mut self.budget).is_some()
+                    }),
+                    false => [true; 2],
+                };
+                Judged { meeting, is_own, is_cut, work: left - self.budget.left }
+            }
         };
-        let Some(meeting) = meeting else {
+        if !self.budget.is_out {
+            self.known.insert(both, task, judged);
+        }
+        judged
+    }
+
+    fn pair(&mut self, pair: &Pair, judged: Option<Judged>) {
+        let Pair { both: [one, other], is_one_object, .. } = *pair;
+        let Some(Judged { meeting, is_own, .. }) = judged else {
             self.joined.join(one, other, false);
             let at = self.space(one).tiles().all.first().map(|tile| tile.corners[0]);
             self.tell("same-place", Severity::Error, [other, one], at, None);
@@ -169,11 +230,7 @@ impl Judge<'_> {
             }
             Meeting::Through { at, depth, is_own } => {
                 self.meet([other, one], is_one_object, at, depth);
-                for ([part, outer], is_own) in [[one, other], [other, one]].into_iter().zip(is_own) {
-                    if !is_own {
-                        self.tell("undecided-within", Severity::Warning, [part, outer], None, None);
-                    }
-                }
+                self.own_places([one, other], is_own);
             }
             Meeting::Inside { is_first, at, depth } => {
                 let [inner, outer] = if is_first { [one, other] } else { [other, one] };
@@ -181,10 +238,9 @@ impl Judge<'_> {
                 self.tell("within", Severity::Error, [inner, outer], Some(at), Some(depth));
             }
             Meeting::Undecided { touch } if is_one_object => match touch {
-                // How deep does not matter; whether one is within the other does.
                 Some(_) => {
                     self.joined.join(one, other, false);
-                    self.own_places([one, other]);
+                    self.own_places([one, other], is_own);
                 }
                 None => self.doubtful.push([one, other]),
             },
@@ -203,12 +259,11 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether each of two parts that meet has a place of its own.
-    fn own_places(&mut self, both: [usize; 2]) {
-        for [part, other] in [both, [both[1], both[0]]] {
-            let (space, outer) = (&self.scenery.parts[part], &self.scenery.parts[other]);
-            if outer.is_solid && space.own_place(outer, self.slack, &mut self.budget).is_none() {
-                self.tell("undecided-within", Severity::Warning, [part, other], None, None);
+    /// Of two parts that meet, each of which no place of its own was found.
+    fn own_places(&mut self, [one, other]: [usize; 2], is_own: [bool; 2]) {
+        for ([part, outer], is_own) in [[one, other], [other, one]].into_iter().zip(is_own) {
+            if !is_own {
+                self.tell("undecided-within", Severity::Warning, [part, outer], None, None);
             }
         }
     }
@@ -255,7 +310,8 @@ impl Judge<'_> {
         let Some((_, part, other)) = nearest else { return };
         let scenery = self.scenery;
         let (one, another) = (&scenery.parts[part], &scenery.parts[other]);
-        let least = match one.meeting(another, self.slack, true, &mut self.budget) {
+        let task = Task { is_distance_sought: true, ..Task::first(self.slack, true).thorough() };
+        let least = match one.meeting(another, task, &mut self.budget).0 {
             Meeting::Apart { least } => Some(least),
             _ => None,
         };

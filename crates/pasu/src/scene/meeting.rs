@@ -13,7 +13,10 @@ use super::space::{Space, TILE};
 use super::tile::Tile;
 use crate::watch;
 
-/// The most pairs of tiles that are held against each other for two parts.
+/// The most pairs of tiles that are held against each other for two parts at first: most need fewer, and no few pairs of parts are to take what all have,
+const FIRST_PAIRS: u64 = 150;
+
+/// and of those that are not told by then.
 const MOST_PAIRS: u64 = 5000;
 
 /// The most places that are asked for how deep they are.
@@ -25,6 +28,12 @@ const ASKED: u64 = 8;
 /// and for each tile that is looked at to answer it: a place is brought nearer on it, step by step.
 const LOOKED_AT: u64 = 8;
 
+/// What all is that formulas are asked of two octants, but for how far they are apart.
+const BY_FORMULA: u64 = 1;
+
+/// and for whether a plane across a side of one is between them.
+const CONTACT: u64 = 12;
+
 /// The most places that are asked for one outside of the other part.
 const MOST_OUTSIDE: usize = 64;
 
@@ -35,14 +44,52 @@ const MOST_REACHING: usize = 4000;
 const BETWEEN: u8 = 8;
 
 /// What is left to be done for a scene, in pairs of tiles.
-pub(super) struct Budget(pub(super) u64);
+pub(super) struct Budget {
+    pub(super) left: u64,
+    /// Whether something was asked for that was not there.
+    pub(super) is_out: bool,
+}
 
 impl Budget {
+    pub(super) fn new(units: u64) -> Budget {
+        Budget { left: units, is_out: false }
+    }
+
     fn take(&mut self, units: u64) -> bool {
         watch::work(TILE * units);
-        let is_there = self.0 >= units && !watch::is_stopped();
-        self.0 = self.0.saturating_sub(units);
+        let is_there = self.left >= units && !watch::is_stopped();
+        self.left = self.left.saturating_sub(units);
+        self.is_out |= !is_there;
         is_there
+    }
+}
+
+#[cfg(test)]
+std::thread_local! {
+    /// How often two parts were held against each other on this thread.
+    pub(super) static MET: core::cell::Cell<usize> = const { core::cell::Cell::new(0) };
+}
+
+/// How much is done for two parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Task {
+    pub(super) slack: f64,
+    /// Of parts that are to be connected it is enough to know where they touch.
+    pub(super) is_touch_enough: bool,
+    /// Of parts that are apart, whether it matters how far.
+    pub(super) is_distance_sought: bool,
+    pub(super) most_pairs: u64,
+}
+
+impl Task {
+    /// What is done first.
+    pub(super) fn first(slack: f64, is_touch_enough: bool) -> Task {
+        Task { slack, is_touch_enough, is_distance_sought: false, most_pairs: FIRST_PAIRS }
+    }
+
+    /// The same as thoroughly as it is done for any two parts.
+    pub(super) fn thorough(self) -> Task {
+        Task { most_pairs: MOST_PAIRS, ..self }
     }
 }
 
@@ -101,6 +148,9 @@ struct Pair<'a> {
     slack: f64,
     /// Whether one place where they touch is all that is sought: then the smallest of those that are as near are looked at first, and else the largest, so that all of where they touch is seen before any of it closely.
     is_touch_enough: bool,
+    n_left: u64,
+    /// Whether there was more to be held against each other than was allowed.
+    is_cut: bool,
     n_asked: usize,
     /// Where they come as near as the slack.
     touch: Option<DVec3>,
@@ -108,36 +158,78 @@ struct Pair<'a> {
 }
 
 impl Space {
-    /// How this part meets another. Of parts that are to be connected it is enough to know where they touch.
-    pub(super) fn meeting(&self, other: &Space, slack: f64, is_touch_enough: bool, budget: &mut Budget) -> Meeting {
+    /// How this part meets another, and whether more work might say more.
+    pub(super) fn meeting(&self, other: &Space, task: Task, budget: &mut Budget) -> (Meeting, bool) {
+        #[cfg(test)]
+        MET.set(MET.get() + 1);
+        let Task { slack, is_touch_enough, is_distance_sought, most_pairs } = task;
         let apart = self.bounds.distance(&other.bounds);
         if apart > slack {
-            return Meeting::Apart { least: apart };
+            return (Meeting::Apart { least: apart }, false);
         }
-        if !budget.take(2 * ASKED) {
-            return Meeting::Undecided { touch: None };
+        let are_octants = self.octant().is_some() && other.octant().is_some();
+        if !budget.take(if are_octants { BY_FORMULA } else { 2 * ASKED }) {
+            return (Meeting::Undecided { touch: None }, true);
         }
-        let mut pair = Pair { parts: [self, other], slack, is_touch_enough, n_asked: 0, touch: None, n_touches: 0 };
-        let cores = [(self, other), (other, self)].into_iter().find_map(|(one, outer)| {
+        let mut pair = Pair {
+            parts: [self, other],
+            slack,
+            is_touch_enough,
+            n_left: most_pairs,
+            is_cut: false,
+            n_asked: 0,
+            touch: None,
+            n_touches: 0,
+        };
+        let both = [(self, other), (other, self)];
+        let cores = both.into_iter().find_map(|(one, outer)| {
             let at = one.core()?;
             Some((at, outer.depth_beyond(at, slack, budget)?))
         });
-        match cores {
-            Some(known) => match pair.through(known, budget) {
-                all @ Meeting::Through { is_own: [true, true], .. } => all,
-                // It may be all of one.
-                some => pair.borders(Some(some), budget),
-            },
-            None => pair.borders(None, budget),
+        let known = cores.or_else(|| {
+            both.into_iter().find_map(|(one, outer)| {
+                one.places_by_formula().find_map(|at| Some((at, outer.depth_by_formula(at, slack)?)))
+            })
+        });
+        let known = known.map(|known| pair.through(known, budget));
+        if let Some(all @ Meeting::Through { is_own: [true, true], .. }) = known {
+            return (all, false);
         }
+        if known.is_none() {
+            let (apart, n_steps) = self.apart_by_formula(other, slack, is_distance_sought);
+            budget.take(n_steps);
+            if let Some(least) = apart {
+                return (Meeting::Apart { least }, false);
+            }
+            if are_octants
+                && budget.take(CONTACT)
+                && let Some(at) = self.contact_by_formula(other, slack)
+            {
+                return (Meeting::Contact { at }, false);
+            }
+        }
+        // It may be all of one.
+        let meeting = pair.borders(known, budget);
+        (meeting, pair.is_cut)
     }
 
     /// How deep a point is beneath the surface at least, if it is in the part and deeper than this.
     fn depth_beyond(&self, at: DVec3, slack: f64, budget: &mut Budget) -> Option<f64> {
-        if !self.is_solid || !self.bounds.holds(at) || self.holds(at) != Some(true) {
+        if !self.is_solid || !self.bounds.holds(at) {
+            return None;
+        }
+        if let Some(depth) = self.depth_by_formula(at, slack) {
+            return Some(depth);
+        }
+        if self.holds(at) != Some(true) {
             return None;
         }
         Some(self.away(at, slack, budget)).filter(|depth| *depth > slack)
+    }
+
+    /// What it counts for to ask whether a place is in it.
+    fn asked_for(&self) -> u64 {
+        if self.octant().is_some() { 1 } else { ASKED }
     }
 
     /// How far the surface is from a point at least, as far as it has to be known whether that is more than the slack.
@@ -149,9 +241,13 @@ impl Space {
 
     /// A place of the surface that is further from another part than the slack; `None` where none was found.
     pub(super) fn own_place(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<DVec3> {
+        let wide = other.bounds.wider(slack);
+        let is_clear = |at: &DVec3| !wide.holds(*at) || other.is_clear_by_formula(*at, slack);
+        if let Some(at) = self.places_by_formula().find(is_clear) {
+            return Some(at);
+        }
         let tiles = &self.tiles().all;
         let corners = || tiles.iter().flat_map(|tile| tile.corners);
-        let wide = other.bounds.wider(slack);
         if let Some(at) = corners().find(|corner| !wide.holds(*corner)) {
             return Some(at);
         }
@@ -160,7 +256,9 @@ impl Space {
         }
         let step = (4 * tiles.len()).div_ceil(MOST_OUTSIDE).max(1);
         corners().step_by(step).find(|corner| {
-            budget.take(ASKED) && other.holds(*corner) == Some(false) && other.away(*corner, slack, budget) > slack
+            budget.take(other.asked_for())
+                && other.holds(*corner) == Some(false)
+                && (other.is_clear_by_formula(*corner, slack) || other.away(*corner, slack, budget) > slack)
         })
     }
 
@@ -220,7 +318,6 @@ impl Pair<'_> {
     /// Holds the borders against each other; `known` is what is known beforehand, but for whether one part is wholly within the other.
     fn borders(&mut self, known: Option<Meeting>, budget: &mut Budget) -> Meeting {
         let undecided = |pair: &Self| known.unwrap_or(Meeting::Undecided { touch: pair.touch });
-        let mut n_left = MOST_PAIRS;
         let mut open = BinaryHeap::new();
         if let [Some(one), Some(other)] = self.parts.map(|part| part.tiles().boxes.root()) {
             open.push(self.open([Item::Node(one), Item::Node(other)], 0.0));
@@ -233,10 +330,11 @@ impl Pair<'_> {
                 least = pair.least;
                 break;
             }
-            if n_left == 0 || !budget.take(1) {
+            if self.n_left == 0 || !budget.take(1) {
+                self.is_cut = true;
                 return undecided(self);
             }
-            n_left -= 1;
+            self.n_left -= 1;
             if let [Item::Tile(one), Item::Tile(other)] = &pair.of {
                 let tiles = [**one, **other];
                 if self.is_touch(&tiles) {
@@ -347,7 +445,7 @@ impl Pair<'_> {
                 if self.n_asked >= MOST_ASKED || !is_beneath || !outer.bounds.holds(at) {
                     continue;
                 }
-                if !budget.take(ASKED) {
+                if !budget.take(outer.asked_for()) {
                     return None;
                 }
                 self.n_asked += 1;
@@ -381,7 +479,10 @@ impl Pair<'_> {
                 return None;
             }
             let enough = 0.125 * self.slack;
-            let reach = one.reach(direction, enough, budget) + other.reach(-direction, enough, budget);
+            let mut reach = |space: &Space, direction| {
+                space.reach_by_formula(direction).unwrap_or_else(|| space.reach(direction, enough, budget))
+            };
+            let reach = reach(one, direction) + reach(other, -direction);
             (reach <= self.slack).then_some(Meeting::Contact { at: self.touch? })
         })
     }

@@ -5,6 +5,7 @@ use std::collections::BinaryHeap;
 
 use glam::{DMat2, DVec2, DVec3};
 
+use super::border::Jet;
 use super::boxes::Within;
 use super::space::{Space, TILE};
 use super::tile::Tile;
@@ -72,7 +73,6 @@ impl Space {
 
     /// The same; a place that is known to be further than `enough` at least, or no further at most, is near enough.
     pub(super) fn nearest_within(&self, point: DVec3, enough: f64) -> Nearest {
-        let tiles = self.tiles();
         let mut best = Nearest {
             border: 0,
             u: 0.0,
@@ -82,6 +82,22 @@ impl Space {
             least: 0.0,
             n_looked_at: 0,
         };
+        // Of a point in an octant the nearest places of the flat sides are known, and often that the curved one is no nearer.
+        let flat = if enough > 0.0 { None } else { self.nearest_flat(point) };
+        if let Some(flat) = flat {
+            best = Nearest {
+                border: flat.border,
+                u: f64::NAN,
+                v: f64::NAN,
+                position: flat.position,
+                distance: flat.distance,
+                ..best
+            };
+            if flat.is_nearest {
+                return Nearest { least: flat.distance, ..best };
+            }
+        }
+        let tiles = self.tiles();
         let mut open = BinaryHeap::new();
         open.extend(tiles.boxes.root().map(|root| Open { least: 0.0, what: What::Node(root) }));
         let mut n_left = MOST;
@@ -92,16 +108,24 @@ impl Space {
                 return best;
             }
             let mut look = |tile: Tile| {
+                if flat.is_some() && tile.border > 0 {
+                    return;
+                }
                 best.n_looked_at += 1;
                 let least = tile.distance_to(point).max(least);
                 if least < best.distance {
                     let [u, v] = tile.middle();
-                    let (at, position) = self.nearer(&tile, DVec2::new(u, v), point);
+                    let (at, jet) = self.nearer(&tile, DVec2::new(u, v), point);
+                    let position = jet.position;
                     let distance = (position - point).length();
                     if distance < best.distance {
                         best = Nearest { border: tile.border, u: at.x, v: at.y, position, distance, ..best };
                     }
-                    open.push(Open { least, what: What::Tile(Box::new(tile)) });
+                    // Where the distance has one lowest place, all of the tile is as near as what is found at most.
+                    let least = least.max(self.least_if_convex(&tile, at, &jet, point));
+                    if least < best.distance {
+                        open.push(Open { least, what: What::Tile(Box::new(tile)) });
+                    }
                 }
             };
             match what {
@@ -127,7 +151,7 @@ impl Space {
     }
 
     /// A place of a tile that is nearer than its middle: by steps to the foot of the perpendicular on the tangent plane, each as long as it brings it nearer.
-    fn nearer(&self, tile: &Tile, from: DVec2, point: DVec3) -> (DVec2, DVec3) {
+    fn nearer(&self, tile: &Tile, from: DVec2, point: DVec3) -> (DVec2, Jet) {
         let border = &self.borders[tile.border];
         let ([u0, u1], [v0, v1]) = (tile.cell.u, tile.cell.v);
         let (low, high) = (DVec2::new(u0, v0), DVec2::new(u1, v1));
@@ -168,6 +192,34 @@ impl Space {
                 break;
             }
         }
-        (at, jet.position)
+        (at, jet)
+    }
+
+    /// How far a point is at least from a tile on which the square of the distance is convex in the parameters; 0 where that is not known.
+    ///
+    /// Its second derivatives are those of the tangents, `X_u^2` and so on, and `(X - p) X_uu`. Where the least stretch of the tangents outdoes what `|X - p|` times the bends may be, it is nowhere below its tangent plane at any place.
+    fn least_if_convex(&self, tile: &Tile, at: DVec2, jet: &Jet, point: DVec3) -> f64 {
+        let middle = tile.middle_jet(&self.borders);
+        let [p, q] = tile.cell.lengths();
+        let [along, round] = [middle.du * p, middle.dv * q];
+        // The smaller eigenvalue of the matrix of their products, from its trace and determinant.
+        let half = 0.5 * (along.length_squared() + round.length_squared());
+        let area = along.cross(round).length_squared();
+        let larger = half + libm::sqrt((half * half - area).max(0.0));
+        let stretch = if larger > 0.0 { libm::sqrt(area / larger) } else { 0.0 };
+        let [u, v] = tile.turns();
+        let stretch = stretch - libm::sqrt(u * u + v * v);
+        let farthest =
+            tile.corners.into_iter().map(|corner| (corner - point).length()).fold(0.0, f64::max) + tile.deviation;
+        let [uu, uv, vv] = tile.bends;
+        if !(stretch > 0.0 && stretch * stretch > farthest * (uu.max(vv) + uv)) {
+            return 0.0;
+        }
+        let away = jet.position - point;
+        let ([u0, u1], [v0, v1]) = (tile.cell.u, tile.cell.v);
+        let falls = |slope: f64, to_low: f64, to_high: f64| (slope * to_low).min(slope * to_high);
+        let least = away.length_squared()
+            + 2.0 * (falls(away.dot(jet.du), u0 - at.x, u1 - at.x) + falls(away.dot(jet.dv), v0 - at.y, v1 - at.y));
+        libm::sqrt(least.max(0.0)) * (1.0 - 1e-12)
     }
 }

@@ -112,8 +112,13 @@ impl Space {
         &self.placed
     }
 
-    fn placed_point(&self, at: DVec3) -> DVec3 {
+    pub(super) fn placed_point(&self, at: DVec3) -> DVec3 {
         self.placed.matrix() * at + self.placed.shift()
+    }
+
+    /// What brings a point into the frame of an octant, but for its shift.
+    pub(super) fn inverse(&self) -> Option<DMat3> {
+        self.inverse
     }
 
     /// A point in the frame of an octant.
@@ -214,26 +219,4 @@ impl Solution {
         kept.keep(space.clone());
         space
     }
-
-    /// All parts in space.
-    ///
-    /// # Errors
-    /// As [`Solution::in_space`].
-    pub(super) fn scenery(&self) -> Result<Arc<Scenery>> {
-        if let Some(scenery) = self.scene().get::<Arc<Scenery>>() {
-            return Ok(Arc::clone(scenery));
-        }
-        let parts = (0..self.n_parts()).map(|part| self.in_space(part)).collect::<Result<Vec<_>>>()?;
-        let bounds: Vec<Bounds> = parts.iter().map(|part| part.bounds).collect();
-        let scenery = Arc::new(Scenery { boxes: Boxes::new(&bounds), parts });
-        self.scene().keep(Arc::clone(&scenery));
-        Ok(scenery)
-    }
-}
-
-/// All parts of a design with the tree of their boxes.
-#[derive(Debug)]
-pub(super) struct Scenery {
-    pub(super) parts: Vec<Arc<Space>>,
-    pub(super) boxes: Boxes,
 }

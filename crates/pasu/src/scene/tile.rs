@@ -31,7 +31,11 @@ impl Tile {
     /// A cell of a piece of the border.
     pub(super) fn of(borders: &[Border], border: usize, cell: Cell) -> Tile {
         let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
-        let corners = [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| borders[border].jet(u, v).position);
+        let corners = [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| borders[border].position(u, v));
+        Tile::with(borders, border, cell, corners)
+    }
+
+    fn with(borders: &[Border], border: usize, cell: Cell, corners: [DVec3; 4]) -> Tile {
         let size = corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
         let (deviation, bends) = borders[border].enclosed(cell, corners);
         let deviation = deviation + ROUNDING * size;
@@ -90,11 +94,22 @@ impl Tile {
             let middle = 0.5 * from + 0.5 * to;
             (from < middle && middle < to).then_some([[from, middle], [middle, to]])
         };
-        let Cell { u, v } = self.cell;
-        let of_u = || halves(u).map(|halves| halves.map(|u| Cell { u, v }));
-        let of_v = || halves(v).map(|halves| halves.map(|v| Cell { u, v }));
-        let cells = if is_along { of_u().or_else(of_v) } else { of_v().or_else(of_u) }?;
-        Some(cells.map(|cell| Tile::of(borders, self.border, cell)))
+        let ([u0, u1], [v0, v1]) = (self.cell.u, self.cell.v);
+        let [a, b, c, d] = self.corners;
+        let border = &borders[self.border];
+        let tile = |u, v, corners| Tile::with(borders, self.border, Cell { u, v }, corners);
+        // The two corners that are new are those of both halves.
+        let of_u = || {
+            let [before, after] = halves([u0, u1])?;
+            let [p, q] = [v0, v1].map(|v| border.position(before[1], v));
+            Some([tile(before, [v0, v1], [a, p, c, q]), tile(after, [v0, v1], [p, b, q, d])])
+        };
+        let of_v = || {
+            let [before, after] = halves([v0, v1])?;
+            let [p, q] = [u0, u1].map(|u| border.position(u, before[1]));
+            Some([tile([u0, u1], before, [a, b, p, q]), tile([u0, u1], after, [p, q, c, d])])
+        };
+        if is_along { of_u().or_else(of_v) } else { of_v().or_else(of_u) }
     }
 
     /// How far a point is from it at least.

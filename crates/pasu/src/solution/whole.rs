@@ -32,6 +32,8 @@ pub struct Solution {
     /// What each part is in space, and all of them together, which the scene knows.
     spaces: Vec<Kept>,
     scene: Kept,
+    /// The same of a design before.
+    scene_before: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -48,6 +50,7 @@ impl Solution {
             bodies: parts.iter().map(|_| Default::default()).collect(),
             spaces: parts.iter().map(|_| Kept::default()).collect(),
             scene: Kept::default(),
+            scene_before: Kept::default(),
         }
     }
 
@@ -65,6 +68,7 @@ impl Solution {
     #[must_use]
     pub fn after(&self, design: &Design) -> Solution {
         let mut solution = Solution::of(design);
+        solution.scene_before = if self.scene.is_empty() { &self.scene_before } else { &self.scene }.clone();
         for (index, part) in design.parts().iter().enumerate() {
             // At its own place first.
             let order = core::iter::once(index).chain(0..self.parts.len());
@@ -132,6 +136,11 @@ impl Solution {
     /// Where what all parts are together is kept.
     pub(crate) fn scene(&self) -> &Kept {
         &self.scene
+    }
+
+    /// Where what the parts of a design before were together was kept, if anything was.
+    pub(crate) fn scene_before(&self) -> &Kept {
+        &self.scene_before
     }
 
     fn no_such_part(&self, index: usize) -> Error {

@@ -273,6 +273,56 @@ fn five_hundred_parts_in_one_place_come_to_an_end() {
     assert!(report.is_kept && report.breaches.is_empty() && report.left_out == 0, "{:?}", report.breaches.first());
 }
 
+/// Eighths of balls on a lattice, each of which runs into some about it and touches others at tips and sides: every report that is listed is decided, and rightly.
+#[test]
+fn what_is_listed_of_five_hundred_that_run_into_each_other_is_decided() {
+    let at = |i: u32| [0.5 * f64::from(i % 8), 0.5 * f64::from(i / 8 % 8), 0.5 * f64::from(i / 64)];
+    let ball = |i: u32| octant([2.0; 3], i, &json!({ "shift": at(i) }));
+    let report = constraints(&scene(&(0..500).map(ball).collect::<Vec<_>>()), None).unwrap();
+    let (mut n, mut n_pairs) = ([0; 2], 0);
+    for breach in &report.breaches {
+        let way = DVec3::from_array(at(breach.part as u32)) - DVec3::from_array(at(breach.other as u32));
+        // One holds a place of the other where what is common to their boxes begins within the ball of the one that is less there.
+        let expected = if way.abs().max_element() <= 0.5 { "interference" } else { "contact" };
+        assert_eq!(breach.code, expected, "{breach:?} {way}");
+        n[usize::from(expected == "contact")] += 1;
+    }
+    for i in 0..500 {
+        for j in 0..i {
+            let way = (DVec3::from_array(at(i)) - DVec3::from_array(at(j))).abs();
+            n_pairs += usize::from(way.max_element() <= 0.5);
+        }
+    }
+    assert!(n[0] > 300 && n[1] > 300, "{n:?}");
+    assert!(report.breaches.len() + report.left_out > n_pairs, "{} {n_pairs}", report.left_out);
+}
+
+/// High exponents make blocks with edges that are all but sharp: what stands on a flat side of one, whatever way round, touches it.
+#[test]
+fn blocks_of_high_exponents_touch_where_they_stand_on_each_other() {
+    let mut dice = Dice(41);
+    for _ in 0..40 {
+        let exponents = [(); 2].map(|()| [(); 3].map(|()| between(&mut dice, 8.0, 50.0).round()));
+        let scale = [(); 2].map(|()| [(); 3].map(|()| between(&mut dice, 0.5, 2.0)));
+        let mut shift = point(&mut dice, 0.3);
+        // On the upper side of the first, whose highest place is on its axis: that of the second is beside it.
+        shift = [-shift[0].abs(), -shift[1].abs(), scale[0][2]];
+        let of = |part: usize, shift: [f64; 3]| {
+            octant(exponents[part], part as u32, &json!({ "scale": scale[part], "shift": shift }))
+        };
+        let found = told(&scene(&[of(0, [0.0; 3]), of(1, shift)]));
+        assert_eq!(
+            found.iter().map(|breach| breach.code).collect::<Vec<_>>(),
+            ["contact"],
+            "{exponents:?} {scale:?} {shift:?} {found:?}"
+        );
+        assert!((found[0].at.unwrap()[2] - shift[2]).abs() < 1e-5, "{found:?}");
+        let with = |by: f64| codes(&scene(&[of(0, [0.0; 3]), of(1, [shift[0], shift[1], shift[2] + by])]));
+        assert_eq!(with(1e-2), Vec::<&str>::new(), "{exponents:?} {scale:?} {shift:?}");
+        assert_eq!(with(-1e-2), ["interference"], "{exponents:?} {scale:?} {shift:?}");
+    }
+}
+
 #[test]
 fn a_slack_is_a_length() {
     let blocks = scene(&[block(0, [0.5; 3], [0.0; 3]), block(1, [0.5; 3], [1.2, 0.0, 0.0])]);
