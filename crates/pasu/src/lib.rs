@@ -89,7 +89,7 @@ pub use export::{
 };
 pub use face::{Face, FaceJet, FaceKind, FaceWalk};
 pub use fingerprint::fingerprint;
-pub use fit::{Apart, Profile, Ringed, Scan, Scanned, fit, fit_scan, free};
+pub use fit::{Apart, FittedLevels, Levels, Profile, Ringed, Scan, Scanned, fit, fit_levels, fit_scan, free, levels};
 /// The crate of the vectors in points and derivatives, in the version that they are of.
 pub use glam;
 #[cfg(feature = "patchwork")]

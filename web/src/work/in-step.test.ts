@@ -143,6 +143,83 @@ test("a surface does not wait for long, nor at all while the maker is busy with 
   expect(height()).toBeCloseTo(22);
 });
 
+test("a wall that is late is shown when it comes, if the hand still holds what it is of", async () => {
+  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
+  drag(21);
+  await solved();
+  for (const run of [...clocks]) run();
+  await settled();
+  expect(pieces).toEqual([]);
+  await making.answer();
+  expect(pieces).toMatchObject([{ of: store.design, problem: null, key: "quick" }]);
+  expect(pieces[0]?.value?.solid.bounds?.centre[2]).toBeCloseTo(10.5, 0);
+  // Nothing is left to ask for.
+  for (const run of [...clocks]) run();
+  expect(asked()).toHaveLength(1);
+});
+
+test("the wall is asked for again once a hand that moved on holds still, and not before", async () => {
+  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
+  const tick = () => {
+    for (const run of clocks.splice(0)) run();
+  };
+  drag(21);
+  await solved();
+  tick();
+  await settled();
+  // The maker still has the wall of 21.
+  drag(22);
+  await solved();
+  await making.answer();
+  expect(pieces).toEqual([]);
+  expect(asked()).toHaveLength(1);
+  tick();
+  expect(asked()).toHaveLength(2);
+  expect(asked().at(-1)?.design).toEqual(store.design);
+  await making.answer();
+  expect(pieces).toMatchObject([{ of: store.design, problem: null, key: "quick" }]);
+});
+
+test("a hand that let go or moved on is shown no wall of what it held", async () => {
+  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
+  const tick = () => {
+    for (const run of clocks.splice(0)) run();
+  };
+  drag(21);
+  await solved();
+  tick();
+  await settled();
+  drag(22);
+  await solved();
+  store.endGesture();
+  await solved();
+  await making.answer();
+  tick();
+  await settled();
+  expect(pieces).toEqual([]);
+  expect(asked()).toHaveLength(1);
+});
+
+test("a wall that is left out for its time comes all the same while the hand holds still", async () => {
+  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT, { took: 130 });
+  for (let i = 1, before = -1; asked().length > before; i += 1) {
+    before = asked().length;
+    drag(20 + i / 10);
+    await solved();
+    if (asked().length > before) await making.answer();
+  }
+  const before = asked().length;
+  expect(pieces.at(-1)?.of).not.toBe(store.design);
+  for (const run of clocks.splice(0)) run();
+  expect(asked()).toHaveLength(before + 1);
+  await making.answer();
+  expect(pieces.at(-1)).toMatchObject({ of: store.design, problem: null });
+  // A hand that moves on goes without it, as before.
+  drag(23);
+  await solved();
+  expect(asked()).toHaveLength(before + 1);
+});
+
 test("walls are made as coarsely as it takes, and left out for the rest of a drag when even that takes too long", async () => {
   const { asked, drag, height, making, solved, store } = await bench(POT, { took: 130 });
   for (let i = 1; i <= 20; i += 1) {

@@ -1,6 +1,7 @@
 /**
  * Keeps a wall in step with its surface while a shape is dragged: both are made of the same design at once, by two workers, and shown in one
- * frame. One pair is under way at a time, and the latest change waits for it. Where a wall takes too long, the surface goes ahead alone.
+ * frame. One pair is under way at a time, and the latest change waits for it. Where a wall takes too long, the surface goes ahead alone,
+ * and its wall follows once the hand holds still.
  */
 
 import type { Design } from "../document/types";
@@ -30,6 +31,9 @@ const FIRST_PATIENCE_MS = 400;
 /** A wall on the coarsest grid that takes longer than this is left out until the hand lets go. */
 const TOO_LONG_MS = 120;
 
+/** The hand holds still when nothing has changed for so many milliseconds since the surface went ahead: its wall is asked for again, however long it takes. */
+const STILL_MS = 150;
+
 /** So many of these in a row: the first wall after a start is slower than those that follow. */
 const TRIES = 2;
 
@@ -54,6 +58,8 @@ export class InStep implements Companion {
   /** The maker still works on a wall that nobody waits for. */
   #late = false;
   #tries = 0;
+  /** Takes back the clock by which the hand is found to hold still; null when none runs. */
+  #moved: (() => void) | null = null;
   #spares: Spare[] = [];
 
   constructor(
@@ -81,7 +87,13 @@ export class InStep implements Companion {
   join(design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> | null {
     const pair = {};
     this.#pair = null;
+    this.#moved?.();
+    this.#moved = null;
     if (!this.#dragged(design)) return null;
+    if (this.#late || this.#tries >= TRIES) {
+      void this.#alone(design, solving);
+      return null;
+    }
     this.#pair = pair;
     return this.#together(pair, design, solving);
   }
@@ -103,7 +115,7 @@ export class InStep implements Companion {
       }
     }
     const walled = design.parts.some(({ wall }) => wall !== undefined);
-    if (!walled || !shown || this.#late || this.#tries >= TRIES) return false;
+    if (!walled || !shown) return false;
     return began !== null || !sameSurface(shown.design.parts, design.parts);
   }
 
@@ -122,6 +134,7 @@ export class InStep implements Companion {
     if (solved.state !== "done") return solved;
     if (current) {
       if (piece) this.#put(whole(piece, solved.value));
+      else this.#awaitStill(design);
       return solved;
     }
     // Something newer is on its way already.
@@ -130,15 +143,54 @@ export class InStep implements Companion {
     return { state: "superseded" };
   }
 
+  /** A surface that goes ahead without waiting for its wall. */
+  async #alone(design: Design, solving: Promise<Outcome<Solved>>): Promise<void> {
+    const solved = await solving;
+    if (solved.state === "done" && !this.#pair) this.#awaitStill(design);
+  }
+
+  /** Sees to it that a surface that went ahead gets its wall, unless the hand moves on, which asks by itself. */
+  #awaitStill(design: Design): void {
+    this.#moved?.();
+    this.#moved = this.#later(() => {
+      this.#moved = null;
+      this.#again(design);
+    }, STILL_MS);
+  }
+
+  /** Asks for the wall of what the hand holds still. One that is under way is waited for. */
+  #again(design: Design): void {
+    if (this.#late || this.#pair || this.#moved || !this.#holds(design)) return;
+    this.#follow(this.#ask(design).asking, design);
+  }
+
+  /** Whether the hand still holds this, and its surface is on the stage. */
+  #holds(design: Design): boolean {
+    const { design: now, inGesture } = this.#store;
+    return inGesture && now === design && this.#surface.shown?.design === design;
+  }
+
+  /** What nobody waits for is shown if the hand still holds what it is of; if it moved on and holds still by now, that is asked for. */
+  #follow(asking: Promise<Outcome<Quick>>, design: Design): void {
+    this.#late = true;
+    void asking.then((outcome) => {
+      this.#late = false;
+      if (outcome.state === "superseded") return;
+      const { shown } = this.#surface;
+      if (shown && !this.#pair && this.#holds(design)) {
+        this.#moved?.();
+        this.#moved = null;
+        this.#put(whole(pieceOf(outcome, design), shown.solved));
+        return;
+      }
+      if (outcome.state === "done") this.recycle(outcome.value.solid);
+      this.#again(this.#store.design);
+    });
+  }
+
   /** The wall; null when it takes too long. */
   async #wall(design: Design, patience: number): Promise<Piece<Quick> | null> {
-    const { facts } = this.#surface.shown?.solved ?? {};
-    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
-    const { step } = this.#pace;
-    const tolerance = size * (TOLERANCES[step] ?? TOLERANCES[0]);
-    const fill = this.#store.session.fill;
-    const spare = this.#spares.pop() ?? null;
-    const asking = this.#maker.ask({ kind: "quick", design, tolerance, fill, spare });
+    const { asking, step } = this.#ask(design);
     let wait = () => {};
     const over = new Promise<null>((resolve) => {
       wait = this.#later(() => resolve(null), patience);
@@ -146,29 +198,35 @@ export class InStep implements Companion {
     const outcome = await Promise.race([asking, over]);
     wait();
     if (outcome === null) {
-      this.#late = true;
       this.#took(patience, step);
-      void asking.then((late) => {
-        this.#late = false;
-        if (late.state === "done") this.recycle(late.value.solid);
-      });
+      this.#follow(asking, design);
       return null;
     }
     if (outcome.state === "superseded") return null;
-    const done = outcome.state === "done";
-    if (done) this.#took(outcome.value.took, step);
-    return {
-      value: done ? outcome.value : null,
-      of: design,
-      problem: done ? null : outcome.refusal,
-      key: QUICK,
-    };
+    if (outcome.state === "done") this.#took(outcome.value.took, step);
+    return pieceOf(outcome, design);
+  }
+
+  #ask(design: Design): { readonly asking: Promise<Outcome<Quick>>; readonly step: number } {
+    const { facts } = this.#surface.shown?.solved ?? {};
+    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
+    const { step } = this.#pace;
+    const tolerance = size * (TOLERANCES[step] ?? TOLERANCES[0]);
+    const fill = this.#store.session.fill;
+    const spare = this.#spares.pop() ?? null;
+    return { asking: this.#maker.ask({ kind: "quick", design, tolerance, fill, spare }), step };
   }
 
   #took(milliseconds: number, step: number): void {
     this.#tries = milliseconds > TOO_LONG_MS && step === TOLERANCES.length - 1 ? this.#tries + 1 : 0;
     this.#pace.learn(milliseconds, true);
   }
+}
+
+/** What came of asking for the wall of a design. */
+function pieceOf(outcome: Exclude<Outcome<Quick>, { readonly state: "superseded" }>, design: Design): Piece<Quick> {
+  const done = outcome.state === "done";
+  return { value: done ? outcome.value : null, of: design, problem: done ? null : outcome.refusal, key: QUICK };
 }
 
 /** With the bounds of all of the pot: the wall comes without the surface. */

@@ -14,4 +14,4 @@ mod series;
 pub use contract::Ringed;
 pub use free::free;
 pub use profile::{Profile, fit};
-pub use scan::{Apart, Scan, Scanned, fit_scan};
+pub use scan::{Apart, FittedLevels, Levels, Scan, Scanned, fit_levels, fit_scan, levels};

@@ -2,7 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use pasu::{Arg, Code, Design, MeshOptions, Profile, Rings, Scan, Shape, Surface, evaluate, fit, fit_scan, free, mesh};
+use pasu::{
+    Arg, Code, Design, Levels, MeshOptions, Profile, Rings, Scan, Shape, Surface, evaluate, fit, fit_levels, fit_scan,
+    free, levels, mesh,
+};
 
 fn pot(design: &Design) -> &Rings {
     match &design.parts()[0].shape {
@@ -394,4 +397,94 @@ fn what_is_no_scan_is_refused() {
     // The largest numbers there are.
     let far = Scan::new([f32::MAX, -f32::MAX, 0.0].repeat(300));
     assert!(fit_scan(&far, 1.0).is_err());
+}
+
+/// A round pot with a belly, level by level.
+fn bellied() -> Levels {
+    let heights: Vec<f64> = (0..80).map(|i| 0.25 * f64::from(i)).collect();
+    let radii = heights.iter().map(|at| vec![6.0 + 2.0 * (at / 6.0).sin(); Levels::DIRECTIONS]).collect();
+    Levels::new(heights, radii)
+}
+
+#[test]
+fn levels_say_where_a_scan_stands_and_fit_as_it_does() {
+    let pot = Design::parse("#1/fourth-order?r0=2&r1=2&rm=3&h1=6").unwrap();
+    let scan = scan_of(&pot);
+    let found = levels(&scan).unwrap();
+    let points = scan.positions.as_chunks::<3>().0;
+    let (low, high) = points.iter().fold((f32::MAX, f32::MIN), |(low, high), at| (low.min(at[2]), high.max(at[2])));
+    assert_eq!((found.bottom, found.height), (f64::from(low), f64::from(high) - f64::from(low)));
+    assert_eq!(found.heights.len(), found.radii.len());
+    assert!(found.radii.iter().all(|section| section.len() == Levels::DIRECTIONS));
+    // The outermost point of each level is one of the scan's, which are that near.
+    for (height, section) in found.heights.iter().zip(&found.radii) {
+        let near = points.iter().filter(|at| (f64::from(at[2]) - f64::from(low) - height).abs() < 0.05);
+        let widest = near.map(|at| f64::from(at[0].hypot(at[1]))).fold(0.0, f64::max);
+        assert!((section[0] - widest).abs() < 0.06, "{height}: {} {widest}", section[0]);
+    }
+    let (whole, by_levels) = (fit_scan(&scan, 0.02).unwrap(), fit_levels(&found, 0.02).unwrap());
+    assert_eq!(whole, by_levels.scanned);
+}
+
+#[test]
+fn distances_from_rings_have_a_sign_and_a_place() {
+    let mut levels = bellied();
+    let before = fit_levels(&levels, 0.02).unwrap();
+    assert!(before.away.iter().all(|away| away.abs() <= 0.02), "{:?}", before.scanned);
+    // A dent and a bump, too narrow for the sixteen waves that rings have here.
+    let columns = before.away.len() / levels.heights.len();
+    let step = Levels::DIRECTIONS / columns;
+    let (dent, bump) = ((30, 10), (50, 40));
+    levels.radii[dent.0][dent.1 * step] -= 1.0;
+    levels.radii[bump.0][bump.1 * step] += 1.0;
+    let found = fit_levels(&levels, 0.02).unwrap();
+    let at = |(level, column): (usize, usize)| found.away[level * columns + column];
+    assert!((-1.0..-0.8).contains(&at(dent)) && (0.8..1.0).contains(&at(bump)), "{} {}", at(dent), at(bump));
+    // What is told of the whole is of these.
+    let most = found.away.iter().fold(0.0f32, |most, away| most.max(away.abs()));
+    let squares: f64 = found.away.iter().map(|away| f64::from(*away).powi(2)).sum();
+    assert!((f64::from(most) - found.scanned.distance).abs() < 1e-6);
+    assert!(((squares / found.away.len() as f64).sqrt() - found.scanned.rms).abs() < 1e-6);
+}
+
+#[test]
+fn a_handle_is_among_the_distances() {
+    let mut levels = bellied();
+    for section in &mut levels.radii[30..50] {
+        section[88..93].fill(14.0);
+    }
+    let found = fit_levels(&levels, 0.05).unwrap();
+    let without = found.scanned.without_handle.as_ref().unwrap();
+    assert!(without.distance <= 0.05 && found.scanned.distance > 4.0, "{:?}", found.scanned);
+    let (least, most) = found.away.iter().fold((0.0f32, 0.0f32), |(low, high), at| (low.min(*at), high.max(*at)));
+    assert!((f64::from(most) - found.scanned.distance).abs() < 1e-5 && least > -0.06, "{least} {most}");
+}
+
+#[test]
+fn rings_are_where_the_axis_of_levels_is() {
+    let mut levels = bellied();
+    (levels.axis, levels.bottom) = ([3.0, -4.0], 7.0);
+    assert_eq!(fit_levels(&levels, 0.05).unwrap().scanned.design.parts()[0].place.shift, [3.0, -4.0, 7.0]);
+}
+
+#[test]
+fn what_are_no_levels_is_refused() {
+    let refused = |change: fn(&mut Levels), code: Code, path: &str| {
+        let mut levels = bellied();
+        change(&mut levels);
+        let error = fit_levels(&levels, 0.05).unwrap_err();
+        assert_eq!((error.code(), error.path()), (code, path), "{error}");
+    };
+    refused(|levels| levels.heights.clear(), Code::WrongType, "heights");
+    refused(|levels| levels.radii.truncate(79), Code::WrongType, "heights");
+    refused(|levels| levels.heights[5] = levels.heights[4], Code::OutOfRange, "heights[5]");
+    refused(|levels| levels.heights[5] = f64::NAN, Code::NotFinite, "heights[5]");
+    refused(|levels| levels.radii[7].truncate(179), Code::WrongType, "radii[7]");
+    refused(|levels| levels.radii[7][3] = 0.0, Code::OutOfRange, "radii[7][3]");
+    refused(|levels| levels.radii[7][3] = f64::INFINITY, Code::NotFinite, "radii[7][3]");
+    refused(|levels| levels.axis[1] = f64::NAN, Code::NotFinite, "axis[1]");
+    let many: Vec<f64> = (0..=Levels::MOST).map(|i| i as f64).collect();
+    let radii = vec![vec![1.0; Levels::DIRECTIONS]; many.len()];
+    assert_eq!(fit_levels(&Levels::new(many, radii), 0.05).unwrap_err().code(), Code::TooLarge);
+    assert_eq!(fit_levels(&bellied(), f64::NAN).unwrap_err().path(), "tolerance");
 }

@@ -7,39 +7,30 @@ import type { Stage } from "../../render/stage";
 import type { PartId } from "../../state/part-ids";
 import { insideDesk, type Seen } from "../../work/inside-desk";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 
 @customElement("pasu-inside-layer")
 export class PasuInsideLayer extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   /** The part that is looked into. */
   @property({ attribute: false }) within: PartId | null = null;
-  private sheets: InsideSheets | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new InsideSheets(bench),
+    () => {
+      this.drawn = null;
+    },
+  );
   private drawn: Seen | null = null;
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.leave();
     insideDesk(this.designer).leave();
   }
 
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.sheets = null;
-    this.drawn = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.sheets || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new InsideSheets(bench));
-    this.sheets = tool;
-    this.giveBack = giveBack;
-  }
-
   override updated(): void {
-    const { designer, sheets, within } = this;
+    const { designer, within } = this;
+    const { tool: sheets } = this.lent;
     const desk = insideDesk(designer);
     const { seen } = desk;
     const place = within === null ? -1 : designer.store.ids.indexOf(within);

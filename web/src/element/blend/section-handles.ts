@@ -16,6 +16,7 @@ import { blends as words } from "../../words/english/blends";
 import { pull } from "../../words/english/pull";
 import { spokenLength } from "../../words/quantities";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 import { followed } from "./grip-pull";
 
 interface Held {
@@ -35,8 +36,13 @@ const EVERY = 3;
 export class PasuSectionHandles extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @state() private spoken = "";
-  private hand: Hand | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new Hand(bench),
+    (tool) => {
+      tool.onFrame = () => this.follow();
+    },
+  );
   private held: Held | null = null;
 
   override connectedCallback(): void {
@@ -49,22 +55,6 @@ export class PasuSectionHandles extends DesignerElement {
     window.removeEventListener("keydown", this.escape, { capture: true });
     if (this.held) this.designer.store.endGesture();
     this.held = null;
-    this.leave();
-  }
-
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.hand = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.hand || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Hand(bench));
-    tool.onFrame = () => this.follow();
-    this.hand = tool;
-    this.giveBack = giveBack;
   }
 
   override render() {
@@ -125,7 +115,7 @@ export class PasuSectionHandles extends DesignerElement {
   // Pointers
 
   private take(event: PointerEvent, grip: Grip): void {
-    const see = this.hand?.sight(this.designer.store.part);
+    const see = this.lent.tool?.sight(this.designer.store.part);
     const { blend } = this;
     if (!see || !blend || event.button !== 0 || this.held) return;
     event.preventDefault();
@@ -189,7 +179,8 @@ export class PasuSectionHandles extends DesignerElement {
 
   /** Moves the handles to where their sections are seen. */
   private follow(): void {
-    const { hand, blend } = this;
+    const { blend } = this;
+    const { tool: hand } = this.lent;
     if (!hand || !blend) return;
     const see = hand.sight(this.designer.store.part);
     for (const grip of gripsOf(blend)) {

@@ -15,6 +15,7 @@ import { partName } from "../../words/parts";
 import { refusalWords } from "../../words/refusals";
 import { contrastDesk, type Told } from "../../work/contrast-desk";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 import { stageModel } from "../stage-model";
 import { colourOf, cssOf } from "./colours";
 
@@ -27,32 +28,11 @@ const WIDE = "(min-width: 53.7em)";
 export class PasuContrast extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @state() private isOpen = matchMedia(WIDE).matches;
-  private tints: Tints | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(this, (bench) => new Tints(bench));
   /** The other scene that was brought into the picture last. */
   private framed: unknown = null;
   /** What the colours are of. */
   private drawn: readonly unknown[] = [];
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.leave();
-  }
-
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.tints = null;
-    this.drawn = [];
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.tints || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Tints(bench));
-    this.tints = tool;
-    this.giveBack = giveBack;
-  }
 
   override render() {
     const { designer } = this;
@@ -88,7 +68,8 @@ export class PasuContrast extends DesignerElement {
   }
 
   override updated(): void {
-    const { designer, tints } = this;
+    const { designer } = this;
+    const { tool: tints } = this.lent;
     const desk = contrastDesk(designer);
     desk.follow();
     const { shown } = designer.surface;

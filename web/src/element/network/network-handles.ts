@@ -22,6 +22,7 @@ import { spokenLength } from "../../words/quantities";
 import { type NetworkDesk, networkDesk } from "../../work/network-desk";
 import { followed } from "../blend/grip-pull";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
 import { drawNetwork, type Item, NetworkCurves, type Placed, placedItems, touched } from "./drawn-network";
 
@@ -58,8 +59,13 @@ export class PasuNetworkHandles extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @state() private spoken = "";
   @query("canvas") private readonly canvas!: HTMLCanvasElement | null;
-  private hand: Hand | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new Hand(bench),
+    (tool) => {
+      tool.onFrame = () => this.follow();
+    },
+  );
   private held: Held | null = null;
   private curves: NetworkCurves | null = null;
   private placed: readonly Placed[] = [];
@@ -81,22 +87,6 @@ export class PasuNetworkHandles extends DesignerElement {
     this.over = null;
     if (this.held) this.designer.store.endGesture();
     this.letGo();
-    this.leave();
-  }
-
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.hand = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.hand || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Hand(bench));
-    tool.onFrame = () => this.follow();
-    this.hand = tool;
-    this.giveBack = giveBack;
   }
 
   override render() {
@@ -161,7 +151,8 @@ export class PasuNetworkHandles extends DesignerElement {
   // Pointers
 
   private readonly take = (event: Event): void => {
-    const { network, hand } = this;
+    const { network } = this;
+    const { tool: hand } = this.lent;
     if (!(event instanceof PointerEvent) || event.button !== 0 || this.held || !network) return;
     // Tools that lie over the stage are pressed as ever.
     const on = event.composedPath()[0];
@@ -388,7 +379,8 @@ export class PasuNetworkHandles extends DesignerElement {
   // Keys
 
   private key(event: KeyboardEvent, item: Item): void {
-    const { network, hand } = this;
+    const { network } = this;
+    const { tool: hand } = this.lent;
     if (event.ctrlKey || event.metaKey || event.altKey || !network) return;
     const was = this.desk.picksOf(network);
     if (event.key === "Enter" || event.key === " ") {
@@ -458,7 +450,8 @@ export class PasuNetworkHandles extends DesignerElement {
 
   /** Draws the network where it is seen, and puts the handles there. */
   private follow(): void {
-    const { hand, network, canvas } = this;
+    const { network, canvas } = this;
+    const { tool: hand } = this.lent;
     const context = canvas?.getContext("2d");
     if (!hand || !network || !canvas || !context) return;
     const see = hand.sight(this.designer.store.part);

@@ -17,6 +17,7 @@ import { handling as words } from "../../words/english/handling";
 import { motionWords, readingOf } from "../../words/handling";
 import { type Held, heldBy, type Manner, mannerOf } from "../../work/held";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 import { type Modifier, type Point, PullGesture } from "../pull/pull-gesture";
 import { UnderEvent } from "../under/ask";
 import "./place-bar";
@@ -45,8 +46,13 @@ export class PasuPlaceHandles extends DesignerElement {
   @state() private said = "";
   @state() private spoken = "";
   @query(".surface") private readonly surface!: HTMLElement;
-  private watch: Watch | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new Watch(bench),
+    (tool) => {
+      tool.onFrame = () => this.follow();
+    },
+  );
   private hold: Hold | null = null;
   /** What keys move, from the first press to the last release: the middle stays the same meanwhile. */
   private keyed: Manner | null = null;
@@ -75,22 +81,6 @@ export class PasuPlaceHandles extends DesignerElement {
     this.gesture.drop();
     if (this.hold) this.designer.store.endGesture();
     this.hold = null;
-    this.leave();
-  }
-
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.watch = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.watch || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Watch(bench));
-    tool.onFrame = () => this.follow();
-    this.watch = tool;
-    this.giveBack = giveBack;
   }
 
   override render() {
@@ -184,7 +174,7 @@ export class PasuPlaceHandles extends DesignerElement {
 
   /** How far handles stand from the middle, in model units. */
   private reachOf(see: See, { pivot, box }: Manner): number {
-    const [width, height] = this.watch?.screen ?? [0, 0];
+    const [width, height] = this.lent.tool?.screen ?? [0, 0];
     const size = longestOf(box) || 1;
     const pixels = across(see, pivot, size) / size;
     if (!(pixels > 0)) return size;
@@ -194,7 +184,7 @@ export class PasuPlaceHandles extends DesignerElement {
 
   private take(grip: Grip, spot: Spot | null): boolean {
     const manner = this.manner();
-    const see = this.watch?.sight();
+    const see = this.lent.tool?.sight();
     const loose = looseIds(this.designer.state);
     if (!manner || !see || loose.length === 0) return false;
     this.hold = {
@@ -333,7 +323,7 @@ export class PasuPlaceHandles extends DesignerElement {
 
   /** Moves the handles to where they are seen. */
   private follow(): void {
-    const see = this.watch?.sight();
+    const see = this.lent.tool?.sight();
     const manner = this.hold ? this.following(this.hold) : this.manner();
     const middle = manner && see?.(manner.pivot);
     this.toggleAttribute("away", !middle);

@@ -16,6 +16,7 @@ import { pull as words } from "../../words/english/pull";
 import { spokenLength } from "../../words/quantities";
 import type { Pull } from "../../work/pull";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 import "./pull-bar";
 import { curveName } from "./curve-name";
 import { type Modifier, type Point, PullGesture } from "./pull-gesture";
@@ -41,8 +42,13 @@ export class PasuPull extends DesignerElement {
   @state() private spoken = "";
   private opening = false;
   @query(".surface") private readonly surface!: HTMLElement;
-  private hand: Hand | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new Hand(bench),
+    (tool) => {
+      tool.onFrame = () => this.follow();
+    },
+  );
   private hold: Hold | null = null;
   private over: Felt | null = null;
   /** Where the pointer is that holds nothing: felt once a frame. */
@@ -74,17 +80,9 @@ export class PasuPull extends DesignerElement {
     this.gesture.drop();
     this.pull?.cancel();
     this.hold = null;
-    this.leave();
   }
 
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.hand = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
+  override willUpdate(): void {
     // Not before the designer is there, which a component that is fetched late is given last.
     if (!this.opening) {
       this.opening = true;
@@ -92,11 +90,6 @@ export class PasuPull extends DesignerElement {
         this.pull = pull;
       });
     }
-    if (!this.stage || this.hand || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Hand(bench));
-    tool.onFrame = () => this.follow();
-    this.hand = tool;
-    this.giveBack = giveBack;
   }
 
   override render() {
@@ -180,7 +173,7 @@ export class PasuPull extends DesignerElement {
   /** Where the hand takes hold there, before placement. */
   private gripOf(shape: Shape, curve: Curve): Triple | null {
     const felt = this.feltOf(curve);
-    if (!takesRings(shape)) return (felt && this.hand?.pointOf(felt)) ?? null;
+    if (!takesRings(shape)) return (felt && this.lent.tool?.pointOf(felt)) ?? null;
     return felt && pointOn(shape, curve.index, spanOf(shape) * felt.v);
   }
 
@@ -198,7 +191,8 @@ export class PasuPull extends DesignerElement {
   // What is under the hand
 
   private feel({ x, y }: Point): Felt | null {
-    const { hand, stage } = this;
+    const { stage } = this;
+    const { tool: hand } = this.lent;
     if (!hand || !stage) return null;
     const { left, top } = this.surface.getBoundingClientRect();
     const felt = hand.feel({ x: x - left, y: y - top }, (a, b) => stage.pick(a, b));
@@ -214,7 +208,7 @@ export class PasuPull extends DesignerElement {
 
   /** The point of a ring that is seen at the right. */
   private feltOf({ u }: Curve): Felt | null {
-    const { hand } = this;
+    const { tool: hand } = this.lent;
     const place = this.designer.store.part;
     const matrix = hand?.matrixOf(place);
     const { shape } = this;
@@ -250,7 +244,8 @@ export class PasuPull extends DesignerElement {
 
   /** Shows what a pull would move, or moves. */
   private show(): void {
-    const { hand, pull, hold } = this;
+    const { pull, hold } = this;
+    const { tool: hand } = this.lent;
     const felt = hold?.felt ?? this.over;
     const shape = felt && this.designer.store.design.parts[felt.place]?.shape;
     if (!hand || !felt || !shape || !pull) {
@@ -265,7 +260,8 @@ export class PasuPull extends DesignerElement {
   // Pulling
 
   private take(felt: Felt | null): boolean {
-    const { hand, pull, designer } = this;
+    const { pull, designer } = this;
+    const { tool: hand } = this.lent;
     const see = felt && hand?.sight(felt.place);
     const point = felt && hand?.pointOf(felt);
     const part = felt && designer.store.ids[felt.place];
@@ -385,7 +381,8 @@ export class PasuPull extends DesignerElement {
 
   /** How long a pixel of the screen is at a ring. */
   private pixel(curve: Curve): number {
-    const { hand, shape } = this;
+    const { shape } = this;
+    const { tool: hand } = this.lent;
     const felt = this.feltOf(curve);
     const see = felt && hand?.sight(felt.place);
     const at = shape && this.gripOf(shape, curve);
@@ -407,7 +404,8 @@ export class PasuPull extends DesignerElement {
 
   /** Moves the handles to where their rings are seen. */
   private follow(): void {
-    const { hand, shape } = this;
+    const { shape } = this;
+    const { tool: hand } = this.lent;
     if (!hand || !shape) return;
     const see = hand.sight(this.designer.store.part);
     for (const curve of gripsOf(shape)) {

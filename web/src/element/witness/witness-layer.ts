@@ -11,6 +11,7 @@ import { breachWords, witnessWords } from "../../words/constraints";
 import { boxesOf } from "../../work/held";
 import type { Shown } from "../../work/witness";
 import { DesignerElement } from "../designer-element";
+import { Lent } from "../lent";
 
 /** So much of the stage at its edge is not looked at, as a share. */
 const EDGE = 0.14;
@@ -22,30 +23,19 @@ const LARGE = 0.45;
 export class PasuWitness extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @query(".mark") private readonly mark!: HTMLElement;
-  private watch: Watch | null = null;
-  private giveBack: (() => void) | null = null;
+  private readonly lent = new Lent(
+    this,
+    (bench) => new Watch(bench),
+    (tool) => {
+      tool.onFrame = () => this.follow();
+    },
+  );
   /** The one that was brought into the picture last. */
   private sought: Shown | null = null;
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.leave();
     this.sought = null;
-  }
-
-  private leave(): void {
-    this.giveBack?.();
-    this.giveBack = null;
-    this.watch = null;
-  }
-
-  override willUpdate(changed: Map<PropertyKey, unknown>): void {
-    if (changed.has("stage")) this.leave();
-    if (!this.stage || this.watch || !this.isConnected) return;
-    const { tool, giveBack } = this.stage.lend((bench) => new Watch(bench));
-    tool.onFrame = () => this.follow();
-    this.watch = tool;
-    this.giveBack = giveBack;
   }
 
   override render() {
@@ -67,7 +57,8 @@ export class PasuWitness extends DesignerElement {
   private follow(): void {
     const { shown } = this.designer.witness;
     const at = shown?.breach.at;
-    const { stage, watch } = this;
+    const { stage } = this;
+    const { tool: watch } = this.lent;
     const see = watch?.sight();
     if (!shown || !at || !stage || !watch || !see || !this.mark) return;
     const spot = see(at);

@@ -6,16 +6,84 @@ use glam::{DVec2, DVec3};
 
 use super::handle::without_handle;
 use super::section::{DIRECTIONS, Section};
+use crate::design::plain;
+use crate::error::{Code, Error, Result};
 
-/// A scan by how far its outside is from the axis. Inside and floor are not looked at.
-#[derive(Debug, Clone)]
-pub(super) struct Levels {
-    pub(super) axis: DVec2,
-    /// The lowest point.
-    pub(super) bottom: f64,
-    /// Above that, from the foot to the rim.
-    pub(super) heights: Vec<f64>,
-    pub(super) sections: Vec<Section>,
+/// A scan of a pot that stands upright, level by level: how far its outside is from the axis in every direction. Inside and floor are not looked at.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Levels {
+    /// Where the axis is, in the scan: x and y.
+    pub axis: [f64; 2],
+    /// The lowest point of the scan.
+    pub bottom: f64,
+    /// How high the scan is, with what is not closed all round.
+    pub height: f64,
+    /// Of the levels above the bottom, from the foot to the rim.
+    pub heights: Vec<f64>,
+    /// For each of them the distance from the axis in 180 directions, one every two degrees from that of x.
+    pub radii: Vec<Vec<f64>>,
+}
+
+impl Levels {
+    /// Each level is looked at in so many directions.
+    pub const DIRECTIONS: usize = DIRECTIONS;
+
+    /// Rings are fitted to so many levels at most.
+    pub const MOST: usize = 1000;
+
+    /// About the z axis, above 0, and as high as the highest level.
+    ///
+    /// ```
+    /// let levels = pasu::Levels::new(vec![0.0, 1.0], vec![vec![3.0; 180]; 2]);
+    /// assert_eq!(levels.height, 1.0);
+    /// ```
+    pub fn new(heights: Vec<f64>, radii: Vec<Vec<f64>>) -> Levels {
+        let height = heights.last().copied().unwrap_or_default();
+        Levels { axis: [0.0; 2], bottom: 0.0, height, heights, radii }
+    }
+
+    /// # Errors
+    /// What [`fit_levels`](super::fit_levels) says of levels that are none.
+    pub(super) fn check(&self) -> Result<()> {
+        let Levels { axis, bottom, height, heights, radii } = self;
+        let n = heights.len();
+        if n < 2 || n != radii.len() {
+            let message =
+                format!("expected two levels or more with a section for each, found {n} with {}", radii.len());
+            return Err(Error::new(Code::WrongType, "heights", message));
+        }
+        if n > Levels::MOST {
+            let message = format!("expected at most {} levels, found {n}", Levels::MOST);
+            return Err(Error::new(Code::TooLarge, "heights", message).with("greatest", Levels::MOST).with("found", n));
+        }
+        let wrong = |path: String, expected: &str, found: f64| {
+            let message = format!("expected {expected}, found {}", plain(found));
+            let code = if found.is_finite() { Code::OutOfRange } else { Code::NotFinite };
+            Err(Error::new(code, path, message))
+        };
+        for (name, value) in [("axis[0]", axis[0]), ("axis[1]", axis[1]), ("bottom", *bottom), ("height", *height)] {
+            if !value.is_finite() {
+                return wrong(name.into(), "a finite number", value);
+            }
+        }
+        for (i, at) in heights.iter().enumerate() {
+            let rises = i.checked_sub(1).is_none_or(|before| heights[before] < *at);
+            if !(at.is_finite() && rises) {
+                return wrong(format!("heights[{i}]"), "a finite height above the one before", *at);
+            }
+        }
+        for (i, section) in radii.iter().enumerate() {
+            if section.len() != DIRECTIONS {
+                let message = format!("expected {DIRECTIONS} distances, found {}", section.len());
+                return Err(Error::new(Code::WrongType, format!("radii[{i}]"), message));
+            }
+            if let Some(k) = section.iter().position(|radius| !(*radius > 0.0 && radius.is_finite())) {
+                return wrong(format!("radii[{i}][{k}]"), "a finite distance greater than 0", section[k]);
+            }
+        }
+        Ok(())
+    }
 }
 
 const LEVELS: usize = 160;
@@ -30,7 +98,7 @@ const FEWEST: usize = 24;
 const ROUNDS: usize = 3;
 
 /// Of triangles; nothing where too few levels are closed round an axis.
-pub(super) fn levels(triangles: &[[DVec3; 3]]) -> Option<Levels> {
+pub(super) fn of_triangles(triangles: &[[DVec3; 3]]) -> Option<Levels> {
     let points = || triangles.iter().flatten().copied();
     let low = points().reduce(DVec3::min)?;
     let high = points().reduce(DVec3::max)?;
@@ -52,10 +120,11 @@ pub(super) fn levels(triangles: &[[DVec3; 3]]) -> Option<Levels> {
     let n = sections[first..].iter().take_while(|section| is_whole(section)).count();
     let within = first..first + n;
     (n > FEWEST).then(|| Levels {
-        axis,
+        axis: axis.to_array(),
         bottom,
+        height,
         heights: all[within.clone()].to_vec(),
-        sections: sections[within].to_vec(),
+        radii: sections[within].to_vec(),
     })
 }
 

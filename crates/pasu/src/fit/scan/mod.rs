@@ -8,7 +8,8 @@ mod section;
 use glam::DVec3;
 
 use self::handle::without_handle;
-use self::levels::{Levels, levels};
+pub use self::levels::Levels;
+use self::levels::of_triangles;
 use self::off::{Off, off};
 use self::section::{DIRECTIONS, Section, middle};
 use super::contract::check_tolerance;
@@ -97,21 +98,62 @@ impl Scan {
 /// `wrong-type` for a number of coordinates that is not that of triangles, `too-large` for more than 4,000,000 triangles, `not-finite` for a coordinate that is none, `out-of-range` for the number of a point that does not exist and for a tolerance that is not above 0, `unsupported-shape` where too few levels are closed round an axis, and what [`fit`] refuses.
 pub fn fit_scan(scan: &Scan, tolerance: f64) -> Result<Scanned> {
     check_tolerance(tolerance)?;
-    let triangles = triangles(scan)?;
-    let unable = || {
-        let message = "too few levels of the scan are closed round an axis: expected a pot that stands upright";
-        Error::new(Code::UnsupportedShape, "positions", message)
-    };
-    let levels = levels(&triangles).ok_or_else(unable)?;
-    let bridged = without_handle(&levels.sections);
-    let sections = bridged.as_ref().unwrap_or(&levels.sections);
-    let profile = Profile::new(outline(&levels, sections));
+    Ok(fit_levels(&levels(scan)?, tolerance)?.scanned)
+}
+
+/// The outside of a scan, level by level: what [`fit_scan`] fits rings to. Levels that are not closed all round at foot and rim are left out; what stands out like a handle is taken for the outermost there is.
+///
+/// ```
+/// use pasu::{Design, MeshOptions, Scan, fit_levels, levels, mesh};
+///
+/// let vase = Design::parse("#1/fourth-order?r0=2&r1=2&rm=3&h1=6")?;
+/// let mesh = mesh(&vase, &MeshOptions { rows: Some(80), columns: Some(120), ..MeshOptions::default() })?;
+/// let mut scan = Scan::new(mesh.positions);
+/// scan.indices = Some(mesh.indices);
+/// let levels = levels(&scan)?;
+/// let fitted = fit_levels(&levels, 0.02)?;
+/// assert!(fitted.scanned.distance < 0.02);
+/// assert_eq!(fitted.away.len() % levels.heights.len(), 0);
+/// # Ok::<(), pasu::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`fit_scan`] has them of the scan.
+pub fn levels(scan: &Scan) -> Result<Levels> {
+    of_triangles(&triangles(scan)?).ok_or_else(|| unable("positions"))
+}
+
+fn unable(path: &str) -> Error {
+    let message = "too few levels of the scan are closed round an axis: expected a pot that stands upright";
+    Error::new(Code::UnsupportedShape, path, message)
+}
+
+/// Rings through the levels of a scan, and how far each place of its outside is from them.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FittedLevels {
+    /// The pot of rings, about the axis of the levels and above their bottom.
+    pub scanned: Scanned,
+    /// How far the outside is from the pot, level by level from the foot, in directions of equal angles from that of x: above 0 where it is outside of the pot, below 0 inside. What stands out like a handle is looked at too.
+    pub away: Vec<f32>,
+}
+
+/// As [`fit_scan`], of levels that were read before: another tolerance, or another size, needs no triangles.
+///
+/// # Errors
+/// `wrong-type` for fewer than two levels, or levels that do not have 180 distances each, `too-large` for more than 1000 levels, `not-finite` and `out-of-range` for numbers that are no heights from below and no distances, `out-of-range` for a tolerance that is not above 0, and what [`fit`] refuses.
+pub fn fit_levels(levels: &Levels, tolerance: f64) -> Result<FittedLevels> {
+    check_tolerance(tolerance)?;
+    levels.check()?;
+    let bridged = without_handle(&levels.radii);
+    let sections = bridged.as_ref().unwrap_or(&levels.radii);
+    let profile = Profile::new(outline(levels, sections));
     let mut best: Option<(Rings, Surface, Off)> = None;
     for round in 0..ROUNDS {
         let closely = tolerance * libm::exp2(-f64::from(round));
         let fitted = fit(&profile, closely).and_then(|fitted| {
-            let Shape::Rings(rings) = &fitted.design.parts()[0].shape else { return Err(unable()) };
-            let rings = with_waves(rings, &levels, sections, UNSEEN * closely);
+            let Shape::Rings(rings) = &fitted.design.parts()[0].shape else { return Err(unable("heights")) };
+            let rings = with_waves(rings, levels, sections, UNSEEN * closely);
             let surface = Surface::solve(&rings.boundary_value(), "")?;
             Ok((rings, surface))
         });
@@ -122,24 +164,27 @@ pub fn fit_scan(scan: &Scan, tolerance: f64) -> Result<Scanned> {
             Err(error) if best.is_none() => return Err(error),
             Err(_) => break,
         };
-        let found = off(&levels, sections, &surface);
+        let found = off(levels, sections, &surface);
+        let is_near = found.most <= tolerance;
         if best.as_ref().is_none_or(|(.., before)| found.rms < before.rms) {
             best = Some((rings, surface, found));
         }
-        if found.most <= tolerance {
+        if is_near {
             break;
         }
     }
-    let (rings, surface, found) = best.ok_or_else(unable)?;
-    let whole = bridged.as_ref().map_or(found, |_| off(&levels, &levels.sections, &surface));
-    let shift = [levels.axis.x, levels.axis.y, levels.bottom];
+    let (rings, surface, found) = best.ok_or_else(|| unable("heights"))?;
+    let without = Apart { distance: found.most, rms: found.rms };
+    let whole = if bridged.is_some() { off(levels, &levels.radii, &surface) } else { found };
+    let [x, y] = levels.axis;
     let design = Design::parse("#1/rings")?.with_shape(0, Shape::Rings(rings))?;
-    Ok(Scanned {
-        design: design.placed(0, Placement { shift, ..Placement::default() })?,
+    let scanned = Scanned {
+        design: design.placed(0, Placement { shift: [x, y, levels.bottom], ..Placement::default() })?,
         distance: whole.most,
         rms: whole.rms,
-        without_handle: bridged.map(|_| Apart { distance: found.most, rms: found.rms }),
-    })
+        without_handle: bridged.map(|_| without),
+    };
+    Ok(FittedLevels { scanned, away: whole.away })
 }
 
 /// The triangles of a scan by their corners.
