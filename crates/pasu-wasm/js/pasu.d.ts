@@ -388,6 +388,34 @@ export interface Scan {
  */
 export function fit(scan: Scan, options: FitOptions): Scanned;
 
+/** As of a scan, of levels that were read before: another tolerance, or another size, needs no triangles. */
+export function fit(levels: Levels, options: FitOptions): FittedLevels;
+
+/** A scan of a pot that stands upright, level by level: how far its outside is from the axis in every direction. */
+export interface Levels {
+  /** Where the axis is, in the scan. */
+  readonly axis: readonly [x: number, y: number];
+  /** The lowest point of the scan, and how high it is with what is not closed all round. */
+  readonly bottom: number;
+  readonly height: number;
+  /** Above the bottom, from the foot to the rim. */
+  readonly heights: Float64Array;
+  /** For each of them the distance from the axis in 180 directions, one every two degrees from that of x. */
+  readonly radii: readonly Float64Array[];
+}
+
+/** The outside of a scan, level by level, to which rings are fitted. Levels that are not closed all round at foot and rim are left out. */
+export function levels(scan: Scan): Levels;
+
+/** A pot of rings through the levels of a scan. */
+export interface FittedLevels extends Scanned {
+  /**
+   * How far the outside is from the pot, level by level from the foot, in directions of equal angles from that of x: above 0 where it is outside of the pot, below 0 inside. What stands out like a
+   * handle is looked at too.
+   */
+  readonly away: Float32Array;
+}
+
 /** What can be measured on a design, by quadrature on the closed form. */
 export function measure(source: DesignSource, options?: MeasureOptions & Watch): Measures;
 

@@ -57,6 +57,7 @@ const pull = (source, part, hand) => call("pull", source, part, hand);
 const pulled = (source, part, hand) => call("pulled", source, part, hand);
 const free = (source, part, options) => call("free", source, part, options);
 const fit = (profile, options) => call("fit", profile, options);
+const levels = (scan) => call("levels", scan);
 const cells = (source, part, options) => call("cells", source, part, options);
 const cellsFile = (source, part, format, options) => call("cellsFile", source, part, format, options);
 const inside = (source, part) => call("inside", source, part);
@@ -92,6 +93,7 @@ export {
   init as default,
   inside,
   insideValues,
+  levels,
   link,
   measure,
   mesh,

@@ -41,7 +41,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 #[cfg(feature = "making")]
-pub use crate::fit::{fit, free};
+pub use crate::fit::{fit, free, levels};
 #[cfg(feature = "making")]
 pub use crate::interior::{cells, cells_file, inside, inside_values};
 #[cfg(feature = "making")]

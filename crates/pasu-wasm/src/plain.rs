@@ -91,6 +91,10 @@ impl Items {
         is_array(value).map_err(unreadable)?.then(|| Items::of(value.clone())).transpose()
     }
 
+    pub(crate) fn len(&self) -> u32 {
+        self.length - self.index
+    }
+
     fn of(list: JsValue) -> Result<Items> {
         let length = Reflect::get(&list, &"length".into()).map_err(unreadable)?;
         Ok(Items { list, length: length.as_f64().unwrap_or_default() as u32, index: 0 })

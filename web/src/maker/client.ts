@@ -31,6 +31,7 @@ const ORDER: readonly Kind[] = [
   "free",
   "fit",
   "levels",
+  "scanned",
   "compare",
   "apart",
   "together",

@@ -1,18 +1,19 @@
 /** What the page and the maker's worker say to each other. Everything here survives structured cloning. */
 
+import type { FittedLevels } from "pasu";
 import type { Look, SeenInside } from "../document/blend/looking";
 import type { Method } from "../document/blend/solving";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
 import type { Extents } from "../document/extents";
 import type { Lock } from "../document/locks";
-import type { Levels } from "../document/scanned/levels";
 import type {
   Constraints,
   Design,
   Difference,
   Format,
   Hit,
+  Levels,
   Making,
   MapName,
   Measures,
@@ -228,7 +229,9 @@ export type Ask =
   | { readonly kind: "compare"; readonly before: Design; readonly after: Design }
   | { readonly kind: "fit"; readonly profile: DrawnProfile; readonly tolerance: number }
   /** Triangles of a scan, nine numbers each. */
-  | { readonly kind: "levels"; readonly positions: Float32Array };
+  | { readonly kind: "levels"; readonly positions: Float32Array }
+  /** Rings through what was read of a scan. */
+  | { readonly kind: "scanned"; readonly levels: Levels; readonly tolerance: number };
 
 export interface Answers {
   readonly pull: PulledShape;
@@ -258,8 +261,13 @@ export interface Answers {
   readonly push: Pushed | null;
   readonly compare: Difference;
   readonly fit: RingedShape;
-  /** Null where the triangles are no pot. */
-  readonly levels: Levels | null;
+  readonly levels: Levels;
+  readonly scanned: ScannedShape;
+}
+
+/** Rings that stand on 0, and how far a scan is from them. */
+export interface ScannedShape extends Omit<FittedLevels, "design"> {
+  readonly shape: Rings;
 }
 
 export type Kind = Ask["kind"];

@@ -7,6 +7,7 @@ import {
   constraints,
   fit as fitted,
   free,
+  levels,
   measure,
   mesh,
   paint,
@@ -17,7 +18,6 @@ import {
   water,
   write,
 } from "pasu";
-import { levelsOf } from "../document/scanned/levels";
 import type { MapName, Sent } from "../document/types";
 import { cellsOf } from "./cells";
 import { apart, together } from "./clearing";
@@ -88,7 +88,11 @@ export function perform({ ask }: Request, tell: (done: number) => void): Answers
     case "fit":
       return ringed(fitted(ask.profile, { tolerance: ask.tolerance }), 0);
     case "levels":
-      return levelsOf(ask.positions);
+      return levels({ positions: ask.positions });
+    case "scanned": {
+      const { design, ...apart } = fitted(ask.levels, { tolerance: ask.tolerance });
+      return { ...apart, shape: ringed({ design, distance: apart.distance }, 0).shape };
+    }
   }
 }
 

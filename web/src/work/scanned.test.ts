@@ -1,8 +1,6 @@
 import { expect, test } from "vitest";
 import { realMaker } from "../../testing/real-maker";
-import { realSolver } from "../../testing/real-solver";
-import { levelsOf } from "../document/scanned/levels";
-import { DIRECTIONS } from "../document/scanned/section";
+import type { Levels } from "../document/types";
 import { scaled, scannedOf } from "./scanned";
 
 type Radius = (height: number, angle: number) => number;
@@ -35,26 +33,31 @@ function scan(radius: Radius, { columns = 120, rows = 90, more = [] as readonly 
 
 const belly = (height: number) => 6 + 3 * Math.sin(height / 6);
 
+/** Null where there is no pot. */
+async function levelsOf(positions: Float32Array): Promise<Levels | null> {
+  const outcome = await realMaker({ free: true }).maker.ask({ kind: "levels", positions });
+  return outcome.state === "done" ? outcome.value : null;
+}
+
 async function rings(positions: Float32Array, tolerance: number, height = 30) {
-  const levels = levelsOf(positions);
+  const levels = await levelsOf(positions);
   if (!levels) throw new Error("there is no pot");
-  const { maker } = realMaker({ free: true });
-  const outcome = await scannedOf(maker, realSolver({ free: true }).solver, scaled(levels, height), tolerance);
+  const outcome = await scannedOf(realMaker({ free: true }).maker, scaled(levels, height), tolerance);
   if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
   return outcome.value;
 }
 
 test("a round pot is found again, wherever it stands, as large as it is to be", async () => {
   const positions = scan(belly);
-  const levels = levelsOf(positions);
+  const levels = await levelsOf(positions);
   expect(levels?.axis[0]).toBeCloseTo(4, 3);
   expect(levels?.axis[1]).toBeCloseTo(-7, 3);
   expect(levels?.bottom).toBeCloseTo(2, 5);
   const found = await rings(positions, 0.1, 15);
-  expect(found.most).toBeLessThanOrEqual(0.1);
-  expect(found.rms).toBeLessThan(found.most);
-  expect(found.without).toBeNull();
-  expect(Math.max(...found.away.map(Math.abs))).toBeCloseTo(found.most, 6);
+  expect(found.distance).toBeLessThanOrEqual(0.1);
+  expect(found.rms).toBeLessThan(found.distance);
+  expect(found.withoutHandle).toBeNull();
+  expect(Math.max(...found.away.map(Math.abs))).toBeCloseTo(found.distance, 6);
   expect(found.shape.rings.length).toBeLessThan(12);
   // At half of the size.
   expect(found.shape.rings[0]?.r.mean).toBeCloseTo(3, 1);
@@ -67,7 +70,7 @@ test("petals that turn as they climb are waves of the rings", async () => {
     scan((height, angle) => belly(height) + 0.6 * Math.cos(5 * angle - height / 12)),
     0.2,
   );
-  expect(found.most).toBeLessThanOrEqual(0.2);
+  expect(found.distance).toBeLessThanOrEqual(0.2);
   for (const { r } of found.shape.rings) expect(r.waves?.some(({ n }) => n === 5)).toBe(true);
 });
 
@@ -78,24 +81,24 @@ test("a handle is told, and rings go on without it", async () => {
     scan((height, angle) => (out(height, angle) ? 14 : belly(height))),
     0.2,
   );
-  expect(found.most).toBeGreaterThan(3);
+  expect(found.distance).toBeGreaterThan(3);
   // It is outside of them.
-  expect(Math.max(...found.away)).toBeCloseTo(found.most, 5);
+  expect(Math.max(...found.away)).toBeCloseTo(found.distance, 5);
   expect(Math.min(...found.away)).toBeGreaterThan(-0.2);
   // The rest of the pot is as round as it was.
-  expect(found.without?.most).toBeLessThanOrEqual(0.2);
+  expect(found.withoutHandle?.distance).toBeLessThanOrEqual(0.2);
   expect(found.shape.rings.every(({ r }) => r.waves === undefined)).toBe(true);
 });
 
-test("what is no pot has no levels", () => {
-  expect(levelsOf(new Float32Array(0))).toBeNull();
-  expect(levelsOf(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0))).toBeNull();
-  expect(levelsOf(Float32Array.of(0, 0, Number.NaN, 1, 0, 5, 0, 1, 9))).toBeNull();
+test("what is no pot has no levels", async () => {
+  expect(await levelsOf(new Float32Array(0))).toBeNull();
+  expect(await levelsOf(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0))).toBeNull();
+  expect(await levelsOf(Float32Array.of(0, 0, Number.NaN, 1, 0, 5, 0, 1, 9))).toBeNull();
   // Half a pot, open at one side.
   const half = scan(belly);
   const kept: number[] = [];
   for (let t = 0; t < half.length; t += 9) if ((half[t + 1] ?? 0) > -7) kept.push(...half.subarray(t, t + 9));
-  expect(levelsOf(Float32Array.from(kept))).toBeNull();
-  const levels = levelsOf(scan(belly));
-  expect(levels?.radii.every((section) => section.length === DIRECTIONS)).toBe(true);
+  expect(await levelsOf(Float32Array.from(kept))).toBeNull();
+  const levels = await levelsOf(scan(belly));
+  expect(levels?.radii.every((section) => section.length === 180)).toBe(true);
 });

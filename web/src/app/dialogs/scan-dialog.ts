@@ -4,11 +4,11 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { scanKind } from "../../document/scanned/file-kind";
-import type { Levels } from "../../document/scanned/levels";
 import { upright } from "../../document/scanned/upright";
-import type { Unit } from "../../document/types";
+import type { Levels, Unit } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { isolated } from "../../language";
+import type { ScannedShape } from "../../maker/messages";
 import "../../ui/dialog";
 import { icon } from "../../ui/icons";
 import { base, buttons, fields } from "../../ui/styles";
@@ -20,7 +20,7 @@ import { spokenLength } from "../../words/quantities";
 import { drawnPot } from "../../work/drawn";
 import { pickFile } from "../../work/files";
 import { followedByHand } from "../../work/freeing";
-import { type Scanned, scaled, scannedOf } from "../../work/scanned";
+import { scaled, scannedOf } from "../../work/scanned";
 import type { Outcome } from "../../worker/port";
 import { FileDrop } from "../file-drop";
 import { trianglesOf } from "../scanning/mesh-file";
@@ -51,12 +51,12 @@ export class PasuScan extends DesignerElement {
   @state() private height = 0;
   @state() private typed: number | null = null;
   @state() private levels: Levels | null = null;
-  private readonly rings = new Seeking<Scanned>(this, PAUSE_MS);
+  private readonly rings = new Seeking<ScannedShape>(this, PAUSE_MS);
   private triangles: Float32Array | null = null;
   /** How high the scan was taken to be when it was opened. */
   private first = 0;
   /** What is shown of what was found. */
-  private shown: { readonly found: Outcome<Scanned>; readonly fitted: Fitted } | null = null;
+  private shown: { readonly found: Outcome<ScannedShape>; readonly fitted: Fitted } | null = null;
   /** The file that is being read. */
   private reading: File | null = null;
 
@@ -135,8 +135,8 @@ export class PasuScan extends DesignerElement {
         },
       })}
       ${cut ? html`<p class="hint">${words.cut}</p>` : nothing}
-      ${ready?.without ? html`<p class="hint">${words.standsOut(this.length(ready.without.rms), this.length(ready.without.most))}</p>` : nothing}
-      ${ready && (ready.without ?? ready).most > tolerance ? html`<p class="hint">${words.further}</p>` : nothing}
+      ${ready?.withoutHandle ? html`<p class="hint">${words.standsOut(this.length(ready.withoutHandle.rms), this.length(ready.withoutHandle.distance))}</p>` : nothing}
+      ${ready && (ready.withoutHandle ?? ready).distance > tolerance ? html`<p class="hint">${words.further}</p>` : nothing}
     `;
   }
 
@@ -144,14 +144,14 @@ export class PasuScan extends DesignerElement {
   private fitted(levels: Levels): Fitted | null {
     const { found } = this.rings;
     if (found?.state !== "done") return null;
-    const { shape, away, most, without } = found.value;
+    const { shape, away, distance, withoutHandle } = found.value;
     if (this.shown?.found !== found) {
       const fitted = {
         rings: shape.rings,
         times: this.height / levels.height,
         away,
-        most: Math.max((without ?? { most }).most, this.tolerance),
-        greatest: most,
+        most: Math.max((withoutHandle ?? { distance }).distance, this.tolerance),
+        greatest: distance,
       };
       this.shown = { found, fitted };
     }
@@ -171,7 +171,7 @@ export class PasuScan extends DesignerElement {
     if (!ready) return nothing;
     const { rings } = ready.shape;
     const waves = new Set(rings.flatMap(({ r }) => (r.waves ?? []).map(({ n }) => n)));
-    return words.found(rings.length, waves.size, this.length(ready.rms), this.length(ready.most));
+    return words.found(rings.length, waves.size, this.length(ready.rms), this.length(ready.distance));
   }
 
   private readonly pick = async (): Promise<void> => {
@@ -231,7 +231,7 @@ export class PasuScan extends DesignerElement {
     if (!levels) return;
     this.rings.soon(async () => {
       const made = await designer.openMade();
-      return made && scannedOf(made.maker, designer.solver, scaled(levels, height), tolerance);
+      return made && scannedOf(made.maker, scaled(levels, height), tolerance);
     });
   }
 
@@ -240,7 +240,7 @@ export class PasuScan extends DesignerElement {
     const { ready } = this.rings;
     if (!ready) return;
     designer.opening.open(drawnPot(ready.shape, this.height, this.unit));
-    designer.notices.say(words.done(ready.shape.rings.length, this.length(ready.rms), this.length(ready.most)));
+    designer.notices.say(words.done(ready.shape.rings.length, this.length(ready.rms), this.length(ready.distance)));
     this.close();
   };
 

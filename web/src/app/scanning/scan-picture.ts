@@ -7,10 +7,8 @@ import { css, html, LitElement, nothing, type PropertyValues, svg } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { colourAt, DIVERGING } from "../../document/maps";
 import type { Hoop } from "../../document/ring-numbers";
-import type { Levels } from "../../document/scanned/levels";
-import { DIRECTIONS } from "../../document/scanned/section";
-import { frontOf, piecesSeen, seenAt, widestOf } from "../../document/scanned/seen";
-import type { Unit } from "../../document/types";
+import { directionsOf, frontOf, piecesSeen, seenAt, widestOf } from "../../document/scanned/seen";
+import type { Levels, Unit } from "../../document/types";
 import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { colourRamp, rampLegend, rampStyles } from "../../ui/ramp";
@@ -61,11 +59,11 @@ export class PasuScanPicture extends LitElement {
     const spot = (radius: number, height: number) => this.spot(radius, height).join(" ");
     const around = (of: (section: Float64Array, side: 1 | -1) => number) => {
       const side = (way: 1 | -1) =>
-        levels.heights.map((height, i) => spot(way * of(levels.radii[i] as Float64Array, way), height));
+        Array.from(levels.heights, (height, i) => spot(way * of(levels.radii[i] as Float64Array, way), height));
       return `M${side(1).join("L")}L${side(-1).reverse().join("L")}Z`;
     };
     const { right } = this;
-    const whole = around((section, side) => seenAt(section, right + (side === 1 ? 0 : DIRECTIONS / 2)));
+    const whole = around((section, side) => seenAt(section, right + (side === 1 ? 0 : directionsOf(levels) / 2)));
     const core = around((section) => section.reduce((a, b) => Math.min(a, b)));
     return html`<div class="sheet">
         ${fitted ? html`<canvas width=${FINE * SIZE} height=${FINE * SIZE}></canvas>` : nothing}
@@ -133,7 +131,7 @@ export class PasuScanPicture extends LitElement {
 
   /** The direction that is seen at the right. */
   private get right(): number {
-    return this.front + (this.turn * DIRECTIONS) / 360;
+    return this.front + (this.turn * directionsOf(this.levels)) / 360;
   }
 
   private spot(across: number, up: number): [number, number] {

@@ -1,15 +1,21 @@
 import { expect, test } from "vitest";
-import type { Levels } from "./levels";
-import { COLUMNS } from "./off";
-import { DIRECTIONS } from "./section";
-import { frontOf, piecesSeen, seenAt, widestOf } from "./seen";
+import type { Levels } from "../types";
+import { directionsOf, frontOf, piecesSeen, seenAt, widestOf } from "./seen";
 
+const [DIRECTIONS, COLUMNS] = [180, 60];
 const round = new Float64Array(DIRECTIONS).fill(3);
 /** With something that stands out to one side. */
 const spouted = round.map((radius, k) => (k === 45 ? 5 : radius));
-const SCAN: Levels = { axis: [0, 0], bottom: 0, height: 2, heights: [0, 1, 2], radii: [round, spouted, round] };
+const SCAN: Levels = {
+  axis: [0, 0],
+  bottom: 0,
+  height: 2,
+  heights: Float64Array.of(0, 1, 2),
+  radii: [round, spouted, round],
+};
 
 test("a scan is seen with what stands out of it at the side", () => {
+  expect(directionsOf(SCAN)).toBe(DIRECTIONS);
   expect(widestOf(SCAN)).toBe(5);
   expect(frontOf(SCAN)).toBe(45);
   expect(seenAt(spouted, 45)).toBe(5);

@@ -1,8 +1,11 @@
 /** A scan as it is seen from the side. */
 
-import type { Levels } from "./levels";
-import { COLUMNS } from "./off";
-import { DIRECTIONS } from "./section";
+import type { Levels } from "../types";
+
+/** In how many directions each level was looked at. */
+export function directionsOf({ radii }: Levels): number {
+  return radii[0]?.length ?? 1;
+}
 
 /** How far out it reaches anywhere. */
 export function widestOf({ radii }: Levels): number {
@@ -17,7 +20,7 @@ export function frontOf(levels: Levels): number {
 
 /** How far out a section is seen to reach that way. */
 export function seenAt(section: Float64Array, direction: number): number {
-  const turned = (k: number) => Math.cos((2 * Math.PI * (k - direction)) / DIRECTIONS);
+  const turned = (k: number) => Math.cos((2 * Math.PI * (k - direction)) / section.length);
   return section.reduce((most, radius, k) => Math.max(most, radius * turned(k)), 0);
 }
 
@@ -27,15 +30,18 @@ export interface Piece {
   readonly away: number;
 }
 
-/** What of the outside is turned to whoever sees `right` at the right, from the back to the front. `away` is level by level in {@link COLUMNS} directions. */
-export function piecesSeen({ heights, radii }: Levels, away: Float32Array, right: number): readonly Piece[] {
-  const step = DIRECTIONS / COLUMNS;
+/** What of the outside is turned to whoever sees `right` at the right, from the back to the front. `away` is level by level in directions of equal angles. */
+export function piecesSeen(levels: Levels, away: Float32Array, right: number): readonly Piece[] {
+  const { heights, radii } = levels;
+  const directions = directionsOf(levels);
+  const columns = away.length / heights.length;
+  const step = directions / columns;
   const pieces: (Piece & { readonly near: number })[] = [];
-  const angle = (k: number) => (2 * Math.PI * (k * step - right)) / DIRECTIONS;
+  const angle = (k: number) => (2 * Math.PI * (k * step - right)) / directions;
   for (let level = 0; level + 1 < heights.length; level += 1) {
-    for (let k = 0; k < COLUMNS; k += 1) {
+    for (let k = 0; k < columns; k += 1) {
       const corner = (above: 0 | 1, on: 0 | 1) => {
-        const radius = radii[level + above]?.[((k + on) % COLUMNS) * step] ?? 0;
+        const radius = radii[level + above]?.[((k + on) % columns) * step] ?? 0;
         const height = heights[level + above] ?? 0;
         return [radius * Math.cos(angle(k + on)), height, -radius * Math.sin(angle(k + on))] as const;
       };
@@ -44,7 +50,7 @@ export function piecesSeen({ heights, radii }: Levels, away: Float32Array, right
       const area = (c[0] - a[0]) * (d[1] - b[1]) - (c[1] - a[1]) * (d[0] - b[0]);
       if (area <= 0) continue;
       const corners = [a, b, c, d].map(([across, up]) => [across, up] as const);
-      const off = (above: 0 | 1, on: 0 | 1) => away[(level + above) * COLUMNS + ((k + on) % COLUMNS)] ?? 0;
+      const off = (above: 0 | 1, on: 0 | 1) => away[(level + above) * columns + ((k + on) % columns)] ?? 0;
       const mean = (off(0, 0) + off(0, 1) + off(1, 0) + off(1, 1)) / 4;
       pieces.push({ corners, away: mean, near: a[2] + b[2] + c[2] + d[2] });
     }
