@@ -91,6 +91,8 @@ impl Items {
         is_array(value).map_err(unreadable)?.then(|| Items::of(value.clone())).transpose()
     }
 
+    /// How many are left.
+    #[cfg(feature = "making")]
     pub(crate) fn len(&self) -> u32 {
         self.length - self.index
     }
