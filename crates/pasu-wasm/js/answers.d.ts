@@ -142,7 +142,7 @@ export interface PartMeasures extends BodyMeasures {
   readonly part: number;
   /** Its name. */
   readonly name: string | null;
-  /** Whether it has a wall, and can have it. What runs through itself is no pot; of a body for which its surface asks more than 50,000 triangles that is left to `check`(crate::check()). */
+  /** Whether it has a wall, and can have it. What runs through itself is no pot; of a body for which its surface asks more than 50,000 triangles that is left to `check`. */
   readonly isPot: boolean;
   /** Why it is no pot, in words; null where it is one. */
   readonly reason: string | null;
@@ -168,7 +168,7 @@ export interface Cause {
   readonly code: string;
   /** What of the design it is about, such as `parts[0].wall.foot`; null where that is no single field. */
   readonly path: string | null;
-  /** What the sentence names, as `Error::args`(crate::Error::args) has it. */
+  /** What the sentence names, as `Error::args` has it. */
   readonly args: PasuErrorArgs;
 }
 
@@ -250,7 +250,7 @@ export interface Finding {
   readonly path: string | null;
   /** One sentence in a potter's words. */
   readonly message: string;
-  /** What the sentence names, as `Error::args`(crate::Error::args) has it: with the code it takes no more to say it in another language. Lengths are in the unit of the design; those whose names end in `Mm` are in millimetres of what is made, angles in degrees. */
+  /** What the sentence names, as `Error::args` has it: with the code it takes no more to say it in another language. Lengths are in the unit of the design; those whose names end in `Mm` are in millimetres of what is made, angles in degrees. */
   readonly args: PasuErrorArgs;
   /** Where, in model units after placement. */
   readonly at: Point | null;
@@ -408,7 +408,7 @@ export interface Breach {
   readonly other: number;
   /** One sentence. */
   readonly message: string;
-  /** What the sentence names, as `Error::args`(crate::Error::args) has it: the names of both. */
+  /** What the sentence names, as `Error::args` has it: the names of both. */
   readonly args: PasuErrorArgs;
   /** A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of the part towards the other, in model units after placement. */
   readonly at: Point | null;

@@ -104,7 +104,15 @@ pub(crate) fn declare(text: &mut String, name: &str, about: &[&str], fields: &[F
 #[cfg(feature = "typescript")]
 fn sentences(lines: &[&str]) -> String {
     let text: Vec<&str> = lines.iter().map(|line| line.trim()).filter(|line| !line.is_empty()).collect();
-    text.join(" ").replace("[`", "`").replace("`]", "`").replace("`None`", "null")
+    // The address of a link may end in a pair of brackets of its own.
+    let joined = text.join(" ");
+    let mut pieces = joined.split("](crate::");
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (address, rest) = piece.split_once(')').unwrap_or((piece, ""));
+        text.push_str(if address.ends_with('(') { rest.strip_prefix(')').unwrap_or(rest) } else { rest });
+    }
+    text.replace("[`", "`").replace("`]", "`").replace("`None`", "null")
 }
 
 #[cfg(feature = "typescript")]

@@ -12,7 +12,7 @@ use core::ops::Range;
 use glam::DVec3;
 
 /// No block: the triangles of the cell are looked at one by one.
-pub(crate) const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 /// With fewer cells than this a block is not worth its while.
 const FEWEST_CELLS: usize = 16;

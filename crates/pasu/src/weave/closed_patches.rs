@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::blocks::NONE;
 use super::meshed::{compact, finished};
 use super::solid_mesh::SolidMesh;
 use super::woven::{Woven, WovenFace};
@@ -61,7 +60,7 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
             let message = "the body is larger than a file can hold: numbers up to 3e38 millimetres can be held";
             return Err(Error::new(Code::Overflow, placed.own_path(), message));
         }
-        let mut woven = Woven { positions, blocks: vec![NONE; triangles.len()], triangles, faces: vec![face], bound };
+        let mut woven = Woven { positions, triangles, blocks: Vec::new(), faces: vec![face], bound };
         compact(&mut woven);
         match verdict(placed, &woven, scale) {
             Ok(topology) => {

@@ -53,7 +53,7 @@ impl Grid {
 pub(crate) struct Woven {
     pub(crate) positions: Vec<[f32; 3]>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// For each triangle the number of the block that it is in, of which no two cross, or [`NONE`].
+    /// For each triangle the number of the block that it is in, of which no two cross, or [`NONE`]; empty where nobody looked for blocks.
     pub(crate) blocks: Vec<u32>,
     /// In the order of the triangles.
     pub(crate) faces: Vec<WovenFace>,
