@@ -14,8 +14,8 @@ interface Bench extends Workbench {
   readonly inStep: InStep;
   /** What was put on the stage. */
   readonly pieces: Piece<Quick>[];
-  /** The clocks that run. */
-  readonly clocks: (() => void)[];
+  /** Lets the time of all clocks that run be over. */
+  readonly tick: () => void;
   /** Moves the hand on. */
   readonly drag: (height: number) => void;
   readonly height: () => number | undefined;
@@ -29,7 +29,10 @@ async function bench(design: Design, options: Options = {}): Promise<Bench> {
   const clocks: (() => void)[] = [];
   const later = (run: () => void) => {
     clocks.push(run);
-    return () => void clocks.splice(clocks.indexOf(run), 1);
+    return () => {
+      // One that is over is not there any more.
+      if (clocks.includes(run)) clocks.splice(clocks.indexOf(run), 1);
+    };
   };
   const inStep = new InStep(store, surface, maker, (piece) => pieces.push(piece), later);
   surface.accompany(inStep);
@@ -37,7 +40,9 @@ async function bench(design: Design, options: Options = {}): Promise<Bench> {
     ...there,
     inStep,
     pieces,
-    clocks,
+    tick: () => {
+      for (const run of clocks.splice(0)) run();
+    },
     drag: (height) => store.apply({ design: tall(store.design, height), undo: "merge", key: "height" }),
     height: () => surface.shown?.solved.facts?.height,
     asked: () => making.sent.flatMap(({ ask }) => (ask.kind === "quick" ? [ask] : [])),
@@ -126,10 +131,10 @@ test("what cannot be a pot is shown bare, with the reason", async () => {
 });
 
 test("a surface does not wait for long, nor at all while the maker is busy with an older wall", async () => {
-  const { asked, clocks, drag, height, making, pieces, solved } = await bench(POT);
+  const { asked, drag, height, making, pieces, solved, tick } = await bench(POT);
   drag(21);
   await solved();
-  for (const run of [...clocks]) run();
+  tick();
   await settled();
   expect(height()).toBeCloseTo(21);
   expect(pieces).toEqual([]);
@@ -144,25 +149,22 @@ test("a surface does not wait for long, nor at all while the maker is busy with 
 });
 
 test("a wall that is late is shown when it comes, if the hand still holds what it is of", async () => {
-  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
+  const { asked, drag, making, pieces, solved, store, tick } = await bench(POT);
   drag(21);
   await solved();
-  for (const run of [...clocks]) run();
+  tick();
   await settled();
   expect(pieces).toEqual([]);
   await making.answer();
   expect(pieces).toMatchObject([{ of: store.design, problem: null, key: "quick" }]);
   expect(pieces[0]?.value?.solid.bounds?.centre[2]).toBeCloseTo(10.5, 0);
   // Nothing is left to ask for.
-  for (const run of [...clocks]) run();
+  tick();
   expect(asked()).toHaveLength(1);
 });
 
 test("the wall is asked for again once a hand that moved on holds still, and not before", async () => {
-  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
-  const tick = () => {
-    for (const run of clocks.splice(0)) run();
-  };
+  const { asked, drag, making, pieces, solved, store, tick } = await bench(POT);
   drag(21);
   await solved();
   tick();
@@ -181,10 +183,7 @@ test("the wall is asked for again once a hand that moved on holds still, and not
 });
 
 test("a hand that let go or moved on is shown no wall of what it held", async () => {
-  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT);
-  const tick = () => {
-    for (const run of clocks.splice(0)) run();
-  };
+  const { asked, drag, making, pieces, solved, store, tick } = await bench(POT);
   drag(21);
   await solved();
   tick();
@@ -201,7 +200,7 @@ test("a hand that let go or moved on is shown no wall of what it held", async ()
 });
 
 test("a wall that is left out for its time comes all the same while the hand holds still", async () => {
-  const { asked, clocks, drag, making, pieces, solved, store } = await bench(POT, { took: 130 });
+  const { asked, drag, making, pieces, solved, store, tick } = await bench(POT, { took: 130 });
   for (let i = 1, before = -1; asked().length > before; i += 1) {
     before = asked().length;
     drag(20 + i / 10);
@@ -210,7 +209,7 @@ test("a wall that is left out for its time comes all the same while the hand hol
   }
   const before = asked().length;
   expect(pieces.at(-1)?.of).not.toBe(store.design);
-  for (const run of clocks.splice(0)) run();
+  tick();
   expect(asked()).toHaveLength(before + 1);
   await making.answer();
   expect(pieces.at(-1)).toMatchObject({ of: store.design, problem: null });
