@@ -14,23 +14,16 @@ use crate::error::{Code, Error, Result};
 /// The work between two calls of a watcher: about a millisecond.
 const BETWEEN: u64 = 1 << 17;
 
-/// What a place of a surface counts for, in units of [`work`].
+/// What a place of a surface counts for, in units of [`work`], and each of the terms that it is the sum of;
 const PLACE: u64 = 16;
+const PLACE_TERM: u64 = 1;
 
-/// What a row of it counts for besides, of which a place is asked for the first time.
-const ROW: u64 = 64;
+/// what a row counts for besides, of which a place is asked for the first time, and each of its terms.
+const ROW: u64 = 16;
+const ROW_TERM: u64 = 3;
 
 /// The work after which a stretch whose length nobody knows is taken to be half done: about a tenth of a second.
 const HALF: f64 = 1e7;
-
-/// Up to so many terms a place and a row count for that, as many as those of nearly all pots have;
-const FEW: usize = 64;
-
-/// a place of more for one unit for so many of them,
-const TERMS: u64 = 4;
-
-/// and a row for so many for each.
-const ROW_TERM: u64 = 16;
 
 thread_local! {
     static STATE: Cell<State> = const { Cell::new(State::Alone) };
@@ -190,7 +183,7 @@ impl Drop for Limit {
     }
 }
 
-/// Says that so much was done, in units of about ten nanoseconds.
+/// Says that so much was done, in units of about ten nanoseconds, of thirteen in WebAssembly.
 #[inline]
 pub(crate) fn work(units: u64) {
     if matches!(STATE.get(), State::Watched | State::Counted) {
@@ -222,13 +215,13 @@ fn count(done: u64) {
 /// Says that one place of a surface was computed, which is the sum of so many terms.
 #[inline]
 pub(crate) fn place(n_terms: usize) {
-    work(if n_terms <= FEW { PLACE } else { n_terms as u64 / TERMS });
+    work(PLACE + PLACE_TERM * n_terms as u64);
 }
 
 /// Says that what a row of a surface has in common was computed, of so many terms.
 #[inline]
 pub(crate) fn row(n_terms: usize) {
-    work(if n_terms <= FEW { ROW } else { ROW_TERM * n_terms as u64 });
+    work(ROW + ROW_TERM * n_terms as u64);
 }
 
 /// Does part number `index` of `n` of what is at hand, which take about as long.

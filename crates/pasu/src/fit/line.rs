@@ -48,14 +48,26 @@ impl Line {
         self.points[next - 1].lerp(self.points[next], ((along - from) / (to - from)).clamp(0.0, 1.0))
     }
 
-    /// How far away from it a point is.
-    pub(super) fn distance(&self, point: DVec2) -> f64 {
-        let squared = self.points.windows(2).map(|pair| {
-            let way = pair[1] - pair[0];
-            let part = ((point - pair[0]).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-            (point - pair[0] - way * part).length_squared()
-        });
-        squared.fold(f64::INFINITY, f64::min).sqrt()
+    /// How far away from it a point is, of which it is known to be no further away than `most`.
+    ///
+    /// A piece that is so far along from a point of the line that its distance from there cannot make up for it is passed over.
+    pub(super) fn distance(&self, point: DVec2, most: f64) -> f64 {
+        let mut nearest = most;
+        let mut index = 0;
+        while index + 1 < self.points.len() {
+            let (from, to) = (self.points[index], self.points[index + 1]);
+            let way = to - from;
+            let part = ((point - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            nearest = nearest.min((point - from - way * part).length());
+            index += 1;
+            let too_far = to.distance(point) - nearest;
+            let beyond = self.along[index] + too_far / self.length;
+            if too_far > 0.0 {
+                // The piece on which the line may come near again.
+                index = (self.along.partition_point(|along| *along <= beyond) - 1).max(index);
+            }
+        }
+        nearest
     }
 
     /// Where it turns sharply, seen over this length to either side.
@@ -99,9 +111,28 @@ mod tests {
             [0.0, 0.125, 0.25, 0.5, 1.0].map(|along| bent.at(along).to_array()),
             [[1.0, 0.0], [2.5, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 9.0]]
         );
-        assert_eq!(bent.distance(DVec2::new(0.0, -1.0)), 2f64.sqrt());
-        assert_eq!(bent.distance(DVec2::new(6.0, 5.0)), 2.0);
+        assert_eq!(bent.distance(DVec2::new(0.0, -1.0), f64::INFINITY), 2f64.sqrt());
+        assert_eq!(bent.distance(DVec2::new(6.0, 5.0), 3.0), 2.0);
         assert!(Line::of([DVec2::ONE, DVec2::ONE]).is_none() && Line::of([]).is_none());
+    }
+
+    /// Against every piece.
+    #[test]
+    fn no_nearer_piece_is_passed_over() {
+        let wavy = |i: i32| DVec2::new(3.0 + (0.4 * f64::from(i)).sin() * f64::from(i % 7), 0.1 * f64::from(i));
+        let line = Line::of((0..300).map(wavy)).unwrap();
+        for i in 0..200 {
+            let point = DVec2::new(f64::from(i % 13) - 3.0, 0.17 * f64::from(i));
+            let piece = |pair: &[DVec2]| {
+                let way = pair[1] - pair[0];
+                let part = ((point - pair[0]).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+                (point - pair[0] - way * part).length()
+            };
+            let each = line.points.windows(2).map(piece).fold(f64::INFINITY, f64::min);
+            for most in [f64::INFINITY, line.at(0.3).distance(point), each] {
+                assert!((line.distance(point, most) - each).abs() < 1e-12, "{i} {most}");
+            }
+        }
     }
 
     #[test]

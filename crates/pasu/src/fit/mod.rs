@@ -6,6 +6,7 @@ mod curves;
 mod digits;
 mod free;
 mod line;
+mod normal;
 mod profile;
 mod scan;
 mod sections;

@@ -1,15 +1,16 @@
 //! Rings through a drawn profile.
 
 use glam::DVec2;
-use nalgebra::{DMatrix, DVector};
 
 use super::contract::{Ringed, check_tolerance, too_fine};
-use super::curves::{self, Curves, Place, leaning};
+use super::curves::{self, Answers, Curves, Place, leaning};
 use super::digits::{decimal, to_multiple};
 use super::line::Line;
+use super::normal::Normal;
 use crate::design::{Design, RINGS, Rings, Shape, plain};
 use crate::error::{Code, Error, Result};
 use crate::surface::Surface;
+use crate::watch;
 
 /// A drawn profile: points as radius and height, in pairs, from one end to the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,8 +59,11 @@ const ROUNDED: f64 = 0.04;
 /// Where it is off by less than this part of the most, a ring elsewhere helps more.
 const WORTH: f64 = 0.25;
 
-/// How strongly a solution is drawn to 0 where samples leave it open, in parts of what they say.
-const RIDGE: f64 = 1e-12;
+/// The most work on leaving out rings that are not needed, in the units of [`watch::work`]: a third of a second.
+const MOST_WORK: u64 = 24_000_000;
+
+/// Samples that moved by less than this part of the tolerance stay where they are.
+const AT_REST: f64 = 0.01;
 
 /// Least squares and the smoothing parameters that are tried: the potter's, and none, which makes straight lines straight.
 const SMOOTHINGS: [f64; 2] = [1.0, 0.0];
@@ -201,6 +205,7 @@ impl<'a> Search<'a> {
     fn run(mut self) -> Result<(Rings, f64)> {
         let mut found = loop {
             let attempt = self.attempt(&self.places)?;
+            watch::go_on()?;
             let distance = attempt.distance();
             if distance <= self.tolerance {
                 break attempt;
@@ -211,22 +216,29 @@ impl<'a> Search<'a> {
                 return Err(too_fine(self.tolerance, distance));
             }
         };
-        // Rings that were needed before others came may not be any more.
-        let mut index = 1;
-        while index + 1 < self.places.len() {
-            if !self.places[index].1 {
-                let mut fewer = self.places.clone();
-                fewer.remove(index);
-                let attempt = self.attempt(&fewer)?;
-                if attempt.distance() <= self.tolerance {
-                    (self.places, found) = (fewer, attempt);
-                    continue;
-                }
-            }
-            index += 1;
-        }
+        watch::within(MOST_WORK, || self.prune(&mut found));
+        watch::go_on()?;
         let distance = found.distance();
         Ok((found.rings, distance))
+    }
+
+    /// Leaves out rings that were needed before others came and may not be any more, those first that seem to be needed least, as long as there is time for it.
+    fn prune(&mut self, found: &mut Attempt) {
+        let mut needed: Vec<f64> = Vec::new();
+        loop {
+            let inner = self.places.iter().enumerate().take(self.places.len() - 1).skip(1);
+            let open = inner.filter(|(_, (u, sharp))| !sharp && !needed.contains(u));
+            let off = |index: usize| found.between[index - 1].max(found.between[index]);
+            let least = open.map(|(index, _)| index).min_by(|one, other| off(*one).total_cmp(&off(*other)));
+            let Some(index) = least else { return };
+            let mut fewer = self.places.clone();
+            let (u, _) = fewer.remove(index);
+            match self.attempt(&fewer) {
+                _ if watch::is_stopped() => return,
+                Ok(attempt) if attempt.distance() <= self.tolerance => (self.places, *found) = (fewer, attempt),
+                _ => needed.push(u),
+            }
+        }
     }
 
     /// Rings at these places by least squares: the samples of the line move along the pot's own curve to where they are nearest to it, and the numbers follow, a few times.
@@ -244,12 +256,19 @@ impl<'a> Search<'a> {
         let mut rings = self.solved(&curves, places, &samples)?;
         for _ in 0..ROUNDS {
             let surface = Surface::solve(&rings.boundary_value(), "")?;
+            let mut most = 0.0f64;
             for (index, side) in samples.iter_mut().enumerate() {
+                let length = self.sides[index].line.length();
                 for (u, point) in side.iter_mut() {
-                    *u = nearest(&surface, index, *u, *point, places);
+                    let next = nearest(&surface, index, *u, *point, places);
+                    most = most.max((next - *u).abs() * length);
+                    *u = next;
                 }
             }
             rings = self.solved(&curves, places, &samples)?;
+            if most <= AT_REST * self.tolerance {
+                break;
+            }
         }
         let between = self.off(&rings, places, n)?;
         Ok(Attempt { rings, between })
@@ -259,37 +278,28 @@ impl<'a> Search<'a> {
     fn solved(&self, curves: &Curves, places: &[Place], samples: &[Vec<(f64, DVec2)>]) -> Result<Rings> {
         let n = places.len() + 2;
         let n_numbers = n * samples.len();
-        let (mut normal, mut right) = (
-            [(); 2].map(|()| DMatrix::<f64>::zeros(n_numbers, n_numbers)),
-            [(); 2].map(|()| DVector::<f64>::zeros(n_numbers)),
-        );
+        let mut normals = [(); 2].map(|()| Normal::new(n_numbers));
+        let mut answers = Answers::default();
         for (index, side) in samples.iter().enumerate() {
+            watch::work((side.len() * n_numbers) as u64 * (4 + n_numbers as u64 / 24));
             for (u, point) in side {
-                let answers = curves.at(*u);
-                for (axis, (normal, right)) in normal.iter_mut().zip(&mut right).enumerate() {
-                    let of = |number: usize| {
-                        let answer = answers[number][0];
-                        let mirrored = if index == 1 && number >= n { -1.0 } else { 1.0 };
-                        mirrored * if axis == 0 { answer.r } else { answer.z }
-                    };
-                    let goal = point[axis];
-                    let row: Vec<f64> = (0..n_numbers).map(of).collect();
-                    for (i, one) in row.iter().enumerate() {
-                        right[i] += one * goal;
-                        for (j, other) in row.iter().enumerate() {
-                            normal[(i, j)] += one * other;
-                        }
+                curves.at(*u, &mut answers);
+                for ((normal, row), goal) in
+                    normals.iter_mut().zip([&mut answers.r, &mut answers.z]).zip(point.to_array())
+                {
+                    if index == 1 {
+                        row[n..].iter_mut().for_each(|wave| *wave = -*wave);
                     }
+                    normal.add(row, goal);
                 }
             }
         }
         let fixed = self.fixed(places);
         let unit = decimal(ROUNDED * self.tolerance);
-        let numbers: Vec<Vec<f64>> = normal
+        let numbers: Vec<Vec<f64>> = normals
             .into_iter()
-            .zip(right)
             .enumerate()
-            .map(|(axis, (normal, right))| {
+            .map(|(axis, normal)| {
                 let given: Vec<Option<f64>> = (0..n_numbers)
                     .map(|number| {
                         let given = fixed.get(number % n)?.as_ref()?;
@@ -297,7 +307,7 @@ impl<'a> Search<'a> {
                         Some(if number < n { mean } else { lean })
                     })
                     .collect();
-                least(&normal, &right, &given).into_iter().map(|number| to_multiple(number, unit)).collect()
+                normal.least(&given).into_iter().map(|number| to_multiple(number, unit)).collect()
             })
             .collect();
         let series = |axis: usize| {
@@ -333,8 +343,10 @@ impl<'a> Search<'a> {
             let made = Line::of(curve.iter().copied());
             for (u, point) in shown.zip(&curve) {
                 let drawn = side.line.at(side.along(u));
-                let off =
-                    side.line.distance(*point).max(made.as_ref().map_or(f64::INFINITY, |made| made.distance(drawn)));
+                // Both are places of the other line.
+                let most = drawn.distance(*point);
+                let far = made.as_ref().map_or(f64::INFINITY, |made| made.distance(drawn, most));
+                let off = side.line.distance(*point, most).max(far);
                 let bay = places.partition_point(|(place, _)| *place <= u).clamp(1, places.len() - 1) - 1;
                 between[bay] = between[bay].max(off);
             }
@@ -398,28 +410,4 @@ fn nearest(surface: &Surface, side: usize, u: f64, point: DVec2, places: &[Place
 
 fn stepped(u: f64) -> f64 {
     to_multiple(u, STEP)
-}
-
-/// The solution of the normal equations, some numbers given.
-fn least(normal: &DMatrix<f64>, right: &DVector<f64>, given: &[Option<f64>]) -> Vec<f64> {
-    let open: Vec<usize> = (0..given.len()).filter(|&number| given[number].is_none()).collect();
-    let mut reduced = DMatrix::<f64>::zeros(open.len(), open.len());
-    let mut goal = DVector::<f64>::zeros(open.len());
-    let scale = open.iter().fold(0.0f64, |most, &i| most.max(normal[(i, i)]));
-    for (row, &i) in open.iter().enumerate() {
-        let known = given.iter().enumerate().filter_map(|(j, given)| given.map(|given| normal[(i, j)] * given));
-        goal[row] = right[i] - known.sum::<f64>();
-        for (column, &j) in open.iter().enumerate() {
-            reduced[(row, column)] = normal[(i, j)];
-        }
-        reduced[(row, row)] += RIDGE * scale;
-    }
-    let found = reduced.cholesky().map(|factors| factors.solve(&goal));
-    let mut numbers: Vec<f64> = given.iter().map(|given| given.unwrap_or(0.0)).collect();
-    if let Some(found) = found {
-        for (number, found) in open.iter().zip(found.iter()) {
-            numbers[*number] = *found;
-        }
-    }
-    numbers
 }

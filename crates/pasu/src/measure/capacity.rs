@@ -59,8 +59,8 @@ answers! {
     }
 }
 
-/// The most work on what a pot holds, in the units of [`watch::work`]: somewhat more than a second.
-pub(super) const MOST_WORK: u64 = 120_000_000;
+/// The most work on what a pot holds, in the units of [`watch::work`]: about a second in WebAssembly.
+pub(super) const MOST_WORK: u64 = 80_000_000;
 
 /// Why nobody knows.
 pub(super) fn too_long() -> Dry {

@@ -25,4 +25,5 @@ pub(crate) use row_table::RowTable;
 pub(crate) use solve::SOLVED;
 pub use solve::Surface;
 pub(crate) use table::{BLOCK, Block, ColumnTable};
+pub(crate) use term::Term;
 pub(crate) use turns::Turns;

@@ -13,7 +13,7 @@ pub(crate) struct Term {
     pub(super) column: usize,
     /// Shared by all components and modes with the same equation.
     pub(crate) beam: Arc<Beam>,
-    pub(super) cos: Deflection,
+    pub(crate) cos: Deflection,
     pub(super) sin: Deflection,
 }
 

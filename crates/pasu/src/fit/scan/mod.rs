@@ -10,7 +10,7 @@ use glam::DVec3;
 use self::handle::without_handle;
 pub use self::levels::Levels;
 use self::levels::of_triangles;
-use self::off::{Off, off};
+use self::off::off;
 use self::section::{DIRECTIONS, Section, middle};
 use super::contract::check_tolerance;
 use super::digits::{decimal, to_multiple};
@@ -24,6 +24,9 @@ use crate::watch;
 
 /// Each time the outline is followed twice as closely, which takes more rings: waves between rings are followed more closely by that, too.
 const ROUNDS: i32 = 5;
+
+/// The most work on all but the first of them, in the units of [`watch::work`]: somewhat more than half a second.
+const MOST_WORK: u64 = 45_000_000;
 
 /// Waves of a ring that are left out, as a part of how far off it may be.
 const UNSEEN: f64 = 0.15;
@@ -148,32 +151,35 @@ pub fn fit_levels(levels: &Levels, tolerance: f64) -> Result<FittedLevels> {
     let bridged = without_handle(&levels.radii);
     let sections = bridged.as_ref().unwrap_or(&levels.radii);
     let profile = Profile::new(outline(levels, sections));
-    let mut best: Option<(Rings, Surface, Off)> = None;
-    for round in 0..ROUNDS {
+    let round = |round: i32| {
         let closely = tolerance * libm::exp2(-f64::from(round));
-        let fitted = fit(&profile, closely).and_then(|fitted| {
-            let Shape::Rings(rings) = &fitted.design.parts()[0].shape else { return Err(unable("heights")) };
-            let rings = with_waves(rings, levels, sections, UNSEEN * closely);
-            let surface = Surface::solve(&rings.boundary_value(), "")?;
-            Ok((rings, surface))
-        });
-        watch::go_on()?;
-        let (rings, surface) = match fitted {
-            Ok(fitted) => fitted,
-            // Closer than rings can follow: what was found before is the best there is.
-            Err(error) if best.is_none() => return Err(error),
-            Err(_) => break,
-        };
+        let fitted = fit(&profile, closely)?;
+        let Shape::Rings(rings) = &fitted.design.parts()[0].shape else { return Err(unable("heights")) };
+        let rings = with_waves(rings, levels, sections, UNSEEN * closely);
+        let surface = Surface::solve(&rings.boundary_value(), "")?;
         let found = off(levels, sections, &surface);
-        let is_near = found.most <= tolerance;
-        if best.as_ref().is_none_or(|(.., before)| found.rms < before.rms) {
-            best = Some((rings, surface, found));
+        Ok((rings, surface, found))
+    };
+    let mut best = round(0)?;
+    let closer = || {
+        for number in 1..ROUNDS {
+            if best.2.most <= tolerance {
+                return;
+            }
+            // Closer than rings can follow: what was found before is the best there is.
+            let Ok(next) = round(number) else { return };
+            let is_near = next.2.most <= tolerance;
+            if next.2.rms < best.2.rms {
+                best = next;
+            }
+            if is_near {
+                return;
+            }
         }
-        if is_near {
-            break;
-        }
-    }
-    let (rings, surface, found) = best.ok_or_else(|| unable("heights"))?;
+    };
+    watch::within(MOST_WORK, closer);
+    watch::go_on()?;
+    let (rings, surface, found) = best;
     let without = Apart { distance: found.most, rms: found.rms };
     let whole = if bridged.is_some() { off(levels, &levels.radii, &surface) } else { found };
     let [x, y] = levels.axis;
