@@ -1,5 +1,7 @@
 //! The closed form of one mode.
 
+use std::sync::OnceLock;
+
 use super::equation::Equation;
 use super::order::Order;
 use super::series;
@@ -30,6 +32,17 @@ pub struct ModeSolution {
     ends: [[f64; 2]; 2],
     /// The number of coefficients of the force.
     force_len: usize,
+    about_middle: AboutMiddle,
+}
+
+/// All of it as a power series in `u - 1/2`, once somebody asked. It follows from the rest.
+#[derive(Debug, Clone, Default)]
+struct AboutMiddle(OnceLock<Vec<f64>>);
+
+impl PartialEq for AboutMiddle {
+    fn eq(&self, _: &AboutMiddle) -> bool {
+        true
+    }
 }
 
 impl ModeData<'_> {
@@ -43,7 +56,8 @@ impl ModeData<'_> {
 impl ModeSolution {
     /// The solution that is 0.
     pub(super) const fn zero() -> Self {
-        ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0 }
+        let about_middle = AboutMiddle(OnceLock::new());
+        ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0, about_middle }
     }
 
     /// Adds to a particular solution the homogeneous one that meets the boundary data.
@@ -68,6 +82,7 @@ impl ModeSolution {
                 particular,
                 ends: [[data.start, data.start_u], [data.end, data.end_u]],
                 force_len: data.force.len(),
+                about_middle: AboutMiddle::default(),
             })
         } else {
             Err(Unsolvable::Overflow)
@@ -82,6 +97,11 @@ impl ModeSolution {
     /// The polynomial in `u - 1/2`.
     pub(super) fn particular(&self) -> &[f64] {
         &self.particular
+    }
+
+    /// The power series in `u - 1/2` that it is, found at most once.
+    pub(super) fn about_middle(&self, find: impl FnOnce() -> Vec<f64>) -> &[f64] {
+        self.about_middle.0.get_or_init(find)
     }
 
     /// The number of coefficients of the force.

@@ -26,9 +26,12 @@ impl Equation {
         let needs_basis = slow.is_none() && solutions.iter().any(|solution| solution.factors() != [0.0; 4]);
         let basis = if needs_basis { self.basis.suprema::<N>(from, to) } else { [[0.0; N]; 4] };
         solutions.map(|solution| {
+            if solution.is_zero() {
+                return [0.0; N];
+            }
             let (factors, particular) = (solution.factors(), solution.particular());
             if let Some(slow) = slow {
-                return polynomial(&added(slow.terms(factors), particular), reach);
+                return polynomial(solution.about_middle(|| added(slow.terms(factors), particular)), reach);
             }
             let mut suprema = polynomial::<N>(particular, reach);
             for (factor, function) in factors.iter().zip(&basis).filter(|(factor, _)| **factor != 0.0) {
