@@ -178,7 +178,7 @@ impl<'a> Part<'a> {
         if !(estimate < MANY_ROWS) {
             return estimate.max(LEAST_ALONG).ceil();
         }
-        self.profile.walk(q, budget, usize::MAX, &mut |_| {}).map_or(f64::INFINITY, |n| n as f64)
+        self.profile.steps(q, budget, usize::MAX).map_or(f64::INFINITY, |n| n as f64)
     }
 
     /// Rows placed so that every cell costs about the same, which is what the budget allows or less. Where the columns spend the budget by themselves, as if there were none.
@@ -190,17 +190,17 @@ impl<'a> Part<'a> {
         if !((estimate + 1.0) * (round + 1.0) <= 2.0 * VERTEX_LIMIT as f64) {
             return grid(estimate.ceil(), None);
         }
-        let Some(n_steps) = self.profile.walk(q, budget, VERTEX_LIMIT, &mut |_| {}) else {
+        let Some(n_steps) = self.profile.steps(q, budget, VERTEX_LIMIT) else {
             return grid(estimate.ceil().max(VERTEX_LIMIT as f64), None);
         };
         // The same number of steps at the least budget, so that the last is no shorter than it must be.
         let least = (q * q * roundest).max(0.25 * budget);
         let halvings = if (n_steps as f64) < MANY_ROWS { EVENING } else { 0 };
-        let holds = |budget: f64| self.profile.walk(q, budget, n_steps, &mut |_| {}).is_some();
+        let holds = |budget: f64| self.profile.steps(q, budget, n_steps).is_some();
         let [(enough, _), _] = bisection::change((budget, true), (least, false), halvings, holds, |holds| *holds);
         let mut rows = Vec::with_capacity(n_steps + 1);
         rows.push(0.0);
-        self.profile.walk(q, enough, n_steps, &mut |u| rows.push(u));
+        self.profile.walk(q, enough, n_steps, |u| rows.push(u));
         grid(rows.len() as f64 - 1.0, Some(rows))
     }
 
