@@ -64,16 +64,13 @@ const TAKING: f64 = 0.3;
 const TOGETHER: f64 = 0.9;
 
 /// The most work on measuring one part, in the units of [`watch::work`]: two seconds in WebAssembly.
-const MOST_WORK: u64 = 150_000_000;
+const MOST_WORK: u64 = 136_000_000;
 
-/// What measuring the wall of a surface of many terms takes for each wave and each term, in the same units, as it was found on outlines of 24 to 128 waves, give or take a third. The base cuts it at another place of every column, and each of these takes rows of its own.
-const CUT: f64 = 135_000.0;
-
-/// What is expected to take so many times [`MOST_WORK`] is not begun.
-const HOPELESS: f64 = 1.2;
+/// What measuring the wall of a surface of many terms takes for each wave and each term, in the same units, as it was found on outlines of 24 to 128 waves, give or take two fifths. The base cuts it at another place of every column, and each of these takes rows of its own.
+const CUT: f64 = 100_000.0;
 
 /// Surfaces of no more terms than this are measured in time whatever their wall.
-const FEW_TERMS: usize = 64;
+const FEW_TERMS: usize = 48;
 
 /// Refuses beforehand what would be refused after all of [`MOST_WORK`].
 fn refuse_hopeless(solution: &Solution, product: Product) -> Result<()> {
@@ -84,7 +81,7 @@ fn refuse_hopeless(solution: &Solution, product: Product) -> Result<()> {
         };
         let waves = surface.distinct().iter().fold(0.0f64, |most, n| most.max(n.abs()));
         let n_terms = surface.n_terms();
-        if n_terms > FEW_TERMS && CUT * waves * n_terms as f64 > HOPELESS * MOST_WORK as f64 {
+        if n_terms > FEW_TERMS && CUT * waves * n_terms as f64 > MOST_WORK as f64 {
             return Err(too_long(solution.design(), index));
         }
     }
