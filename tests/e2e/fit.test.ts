@@ -108,6 +108,30 @@ test("a part that nobody sees is taken away, and one that is loose becomes an ob
   await expect.poll(() => told(pot)).toEqual(["No two objects run into each other."]);
 });
 
+test("what hangs together is named, selected, brought and set free together", async () => {
+  const knob = block("Knob", 0, [1, 1, 1], [6.9, 1.2, 1.2]);
+  const stand = block("Stand", 0, [3, 3, 1], [0.5, 0.5, -0.9]);
+  const pot = await entered(scene(JAR, stand, HANDLE, knob));
+  await expect
+    .poll(async () => (await told(pot)).join(" "))
+    .toMatch(/Handle and Knob hang together and are glued to Jar, but Handle is 2.cm away from it at least\./);
+  await report(pot, "not-connected").locator(".told").click();
+  expect(await selected(pot)).toEqual(["Jar", "Handle", "Knob"]);
+  await mark(pot).waitFor();
+  const before = await standing(pot);
+  await mend(pot, "not-connected", "together").click();
+  await pot.page.getByText(/^2 parts were moved by/).waitFor();
+  await expect.poll(() => told(pot)).toEqual(["What is glued together touches."]);
+  const after = await standing(pot);
+  expect((after[3]?.shift[0] ?? 0) - (after[2]?.shift[0] ?? 0)).toBeCloseTo(0.9, 6);
+  await pot.undo();
+  await expect.poll(() => standing(pot)).toEqual(before);
+  await mend(pot, "not-connected", "separate").click();
+  await expect
+    .poll(() => told(pot))
+    .toEqual(["No two objects run into each other, and what is glued together touches."]);
+});
+
 test("nothing of an earlier scene is said while a hand moves a part", async () => {
   const pot = await entered(scene(JAR, LID));
   await expect.poll(async () => (await told(pot)).join(" ")).toContain("runs into");

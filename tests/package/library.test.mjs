@@ -35,6 +35,7 @@ test("the package holds what it promises and nothing else", async () => {
       "drawing.d.ts",
       "drawing.js",
       "drawing_bindings.js",
+      "known.js",
       "package.json",
       "pasu.d.ts",
       "pasu.js",
@@ -690,6 +691,87 @@ test("a scene says what is where and whether it keeps its constraints", async ()
       "1 0.100000 0 0.150000",
       "false interference,true",
       "not-finite ray.origin[2]",
+    ]);
+  });
+});
+
+test("a scene that is asked again is known by what it says, and never by being the same object", async () => {
+  await inFreshProject((project) => {
+    const text = `
+      import init, { at, pick } from "pasu";
+      await init();
+      const ball = (x) => ({ shape: { kind: "octant", exponents: [2, 2, 2] }, place: { shift: [x, 0, 0] } });
+      const ray = { origin: [0.6, 0.1, -1], direction: [0, 0, 1] };
+      const said = (scene, about = ray) => {
+        try {
+          return pick(scene, about).map(({ part }) => part).join();
+        } catch ({ code, path }) {
+          return code + " " + path;
+        }
+      };
+      const scene = { pasu: 1, parts: [ball(0), ball(0.5)] };
+      console.log(said(scene), said(scene), at(scene, [0.6, 0.2, 0.15]).map(({ part }) => part).join());
+      // Changed where it is, and back: the answers are those of what it says now.
+      scene.parts[1].place.shift[0] = 5;
+      console.log(said(scene), at(scene, [0.6, 0.2, 0.15]).map(({ part }) => part).join());
+      scene.parts[1].place.shift[0] = 0.5;
+      console.log(said(scene), said(structuredClone(scene)));
+      // Of what is known the ray is read as strictly.
+      console.log(said(scene, { ...ray, origin: [0, 0, Number.NaN] }), "|", said(scene, { ...ray, more: 1 }));
+      // What would be one text is not one design, and what is refused of it stays refused.
+      for (const x of [Number.NaN, null, undefined, "0", [0.5]]) {
+        scene.parts[1].place.shift[0] = x;
+        console.log(said(scene), "|", said(scene));
+      }
+      scene.parts[1].place.shift = new Float64Array([0.5, 0, 0]);
+      console.log(said(scene));
+      scene.parts[1].place.shift[0] = 5;
+      console.log(said(scene));
+      scene.parts[1].place.shift = { 0: 0.5, 1: 0, 2: 0 };
+      console.log(said(scene));
+      scene.parts[1] = ball(0.5);
+      console.log(said(scene));
+      scene.parts[1].extra = 1;
+      console.log(said(scene));
+      delete scene.parts[1].extra;
+      // A getter is asked, whatever it said before; what it throws is refused, and a call from within it too.
+      let x = 0.5;
+      Object.defineProperty(scene.parts[1].place, "shift", { enumerable: true, get: () => [x, 0, 0] });
+      console.log(said(scene), said(scene));
+      x = 5;
+      console.log(said(scene));
+      let calls = 0;
+      Object.defineProperty(scene.parts[1], "wall", { enumerable: true, configurable: true, get: () => (calls++, pick(scene, ray)) });
+      console.log(said(scene), calls < 100);
+      Object.defineProperty(scene.parts[1], "wall", { enumerable: true, get: () => { throw new Error("no"); } });
+      console.log(said(scene));
+      const round = { pasu: 1, parts: [] };
+      round.parts.push(round);
+      console.log(said(round));
+      const { proxy, revoke } = Proxy.revocable({ pasu: 1, parts: [ball(0)] }, {});
+      console.log(said(proxy), said(proxy));
+      revoke();
+      console.log(said(proxy));
+    `;
+    assert.deepEqual(run(project, "again.mjs", text).trim().split("\n"), [
+      "0,1,0,1 0,1,0,1 1,0",
+      "0,0 0",
+      "0,1,0,1 0,1,0,1",
+      "not-finite ray.origin[2] | unknown-field more",
+      "not-finite parts[1].place.shift[0] | not-finite parts[1].place.shift[0]",
+      ...Array(4).fill("wrong-type parts[1].place.shift[0] | wrong-type parts[1].place.shift[0]"),
+      "0,1,0,1",
+      "0,0",
+      "wrong-type parts[1].place.shift",
+      "0,1,0,1",
+      "unknown-field parts[1].extra",
+      "0,1,0,1 0,1,0,1",
+      "0,0",
+      "wrong-type parts[1].wall true",
+      "wrong-type parts[1].wall",
+      "too-large ",
+      "0,0 0,0",
+      "wrong-type",
     ]);
   });
 });

@@ -398,7 +398,7 @@ export interface Constraints {
 
 /** What two parts are to each other, where that is to be known. */
 export interface Breach {
-  /** A stable kebab-case word: `interference` of parts of different objects, `not-connected` of a part that touches no other of its object, `within` of a part wholly inside another, `same-place` of one body twice; `contact` of objects that touch; `undecided-interference`, `undecided-connection` and `undecided-within` where the limit of work was not enough. */
+  /** A stable kebab-case word: `interference` of parts of different objects, `not-connected` of parts that touch none of the others of their object, `within` of a part wholly inside another, `same-place` of one body twice; `contact` of objects that touch; `undecided-interference`, `undecided-connection` and `undecided-within` where the limit of work was not enough. */
   readonly code: string;
   /** An error breaks a constraint, a warning is undecided, a note is a contact. */
   readonly severity: "error" | "warning" | "note";
@@ -406,11 +406,13 @@ export interface Breach {
   readonly part: number;
   /** The other part. */
   readonly other: number;
+  /** All parts that it is about, in the order of the document: of `not-connected` and `undecided-connection` those that hang together with `part`, of all else `part` alone. */
+  readonly group: readonly number[];
   /** One sentence. */
   readonly message: string;
-  /** What the sentence names, as `Error::args` has it: the names of both. */
+  /** What the sentence names, as `Error::args` has it: the names of both parts, and of a group of several how many they are. */
   readonly args: PasuErrorArgs;
-  /** A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of the part towards the other, in model units after placement. */
+  /** A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of `part` towards the other, in model units after placement. */
   readonly at: Point | null;
   /** How deep the witness is beneath the surface of the other at least, or how far what is not connected is away at least. */
   readonly distance: number | null;

@@ -1,6 +1,7 @@
 // Pasu for browsers, workers and Node: all of it.
 
 import * as bindings from "./bindings.js";
+import { remembering } from "./known.js";
 import { apart, entry, PasuError } from "./wrapper.js";
 
 const entered = entry(
@@ -63,8 +64,9 @@ const cellsFile = (source, part, format, options) => call("cellsFile", source, p
 const inside = (source, part) => call("inside", source, part);
 const insideValues = (source, part, map, at) => call("insideValues", source, part, map, at);
 const compare = (before, after) => call("compare", before, after);
-const pick = (source, ray) => call("pick", source, ray);
-const at = (source, point) => call("at", source, point);
+const asked = remembering(call);
+const pick = (source, ray) => asked("pick", source, ray);
+const at = (source, point) => asked("at", source, point);
 const tree = (source) => call("tree", source);
 const flat = (tree) => call("flat", tree);
 const connectivity = (source) => call("connectivity", source);

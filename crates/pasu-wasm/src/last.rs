@@ -16,6 +16,20 @@ struct Last {
     solution: Rc<Solution>,
     /// What its design was read from, where that was text.
     text: Option<String>,
+    /// By what a caller knows it again.
+    #[cfg(feature = "making")]
+    mark: Option<f64>,
+}
+
+impl Last {
+    fn of(solution: Rc<Solution>) -> Last {
+        Last {
+            solution,
+            text: None,
+            #[cfg(feature = "making")]
+            mark: None,
+        }
+    }
 }
 
 /// The solution of a design: that of the last call where it was of an equal design, and otherwise one that takes over from it what is the same. Equal designs have the same canonical link, and so the same answers.
@@ -25,7 +39,7 @@ pub(crate) fn solution(design: &Design) -> Rc<Solution> {
         _ => {
             let next = last.as_ref().map_or_else(|| Solution::of(design), |known| known.solution.after(design));
             let solution = Rc::new(next);
-            *last = Some(Last { solution: Rc::clone(&solution), text: None });
+            *last = Some(Last::of(Rc::clone(&solution)));
             solution
         }
     })
@@ -50,6 +64,24 @@ pub(crate) fn solution_of(text: &str) -> Result<Rc<Solution>> {
         }
     });
     Ok(solution)
+}
+
+/// Marks the solution that is kept, so that a caller who knows a design to be the one of before can have it by that.
+#[cfg(feature = "making")]
+pub(crate) fn mark(mark: f64) {
+    LAST.with_borrow_mut(|last| {
+        if let Some(known) = last {
+            known.mark = Some(mark);
+        }
+    });
+}
+
+/// The solution that is kept, if it has this mark.
+#[cfg(feature = "making")]
+pub(crate) fn marked(mark: f64) -> Option<Rc<Solution>> {
+    LAST.with_borrow(|last| {
+        last.as_ref().filter(|known| known.mark == Some(mark)).map(|known| Rc::clone(&known.solution))
+    })
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -92,5 +124,24 @@ mod tests {
             assert_eq!(solution_of(&long).map(|solution| solution.design().clone()), Ok(design(six)));
         }
         assert_eq!(solution_of(five).unwrap().design(), &design(five));
+    }
+
+    #[cfg(feature = "making")]
+    #[test]
+    fn a_mark_is_of_one_solution_and_goes_with_it() {
+        mark(1.0);
+        assert!(marked(1.0).is_none(), "there is nothing to mark");
+        let first = solution(&design("#1/bloor-wilson?n1=5"));
+        assert!(marked(1.0).is_none());
+        mark(1.0);
+        assert!(marked(1.0).is_some_and(|again| Rc::ptr_eq(&first, &again)) && marked(2.0).is_none());
+        // An equal design keeps it, and one that is refused.
+        solution(&design("#1/bloor-wilson?n1=5&a=0.01"));
+        assert!(solution_of("#1/bloor-wilson?n1=x").is_err());
+        assert!(marked(1.0).is_some());
+        solution(&design("#1/bloor-wilson?n1=6"));
+        assert!(marked(1.0).is_none());
+        solution(&design("#1/bloor-wilson?n1=5"));
+        assert!(marked(1.0).is_none());
     }
 }

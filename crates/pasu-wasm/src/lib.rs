@@ -49,7 +49,7 @@ pub use crate::making::{check, measure, obj_materials, open, paint, provenance, 
 #[cfg(feature = "making")]
 pub use crate::pull::{pull, pulled};
 #[cfg(feature = "making")]
-pub use crate::scene::{at, compare, connectivity, constraints, flat, pick, tree};
+pub use crate::scene::{at, at_again, compare, connectivity, constraints, flat, mark_last, pick, pick_again, tree};
 pub use crate::shape::{convert, handles};
 #[cfg(feature = "making")]
 pub use crate::sketch::sketch;

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::thrown;
 use crate::plain::Plain;
-use crate::{plain_object, source};
+use crate::{last, plain_object, source};
 
 #[derive(Deserialize, Default)]
 #[serde(expecting = "an object of options")]
@@ -41,6 +41,34 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
 #[wasm_bindgen]
 pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
     let held = || source::solution(source)?.at(source::argument(point, "point")?);
+    plain_object(&held().map_err(|error| thrown(&error))?)
+}
+
+/// Marks the design of the last call by a number, for `pickAgain` and `atAgain`.
+#[wasm_bindgen(js_name = markLast)]
+pub fn mark_last(mark: f64) {
+    last::mark(mark);
+}
+
+/// As `pick` of the design that has this mark: to read one of five hundred parts takes longer than the answer. `undefined` where its solution is no longer kept.
+///
+/// # Errors
+/// When the ray is none.
+#[wasm_bindgen(js_name = pickAgain)]
+pub fn pick_again(mark: f64, ray: &JsValue) -> Result<JsValue, JsValue> {
+    let Some(solution) = last::marked(mark) else { return Ok(JsValue::UNDEFINED) };
+    let picked = || solution.pick(source::argument(ray, "ray")?);
+    plain_object(&picked().map_err(|error| thrown(&error))?)
+}
+
+/// As `at`, likewise.
+///
+/// # Errors
+/// When the point is none.
+#[wasm_bindgen(js_name = atAgain)]
+pub fn at_again(mark: f64, point: &JsValue) -> Result<JsValue, JsValue> {
+    let Some(solution) = last::marked(mark) else { return Ok(JsValue::UNDEFINED) };
+    let held = || solution.at(source::argument(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
 }
 

@@ -31,9 +31,10 @@ impl Care {
 }
 
 /// Files that are copied into the package as they are.
-const COPIED: [(&str, &str); 10] = [
+const COPIED: [(&str, &str); 11] = [
     ("crates/pasu-wasm/js/pasu.js", "pasu.js"),
     ("crates/pasu-wasm/js/drawing.js", "drawing.js"),
+    ("crates/pasu-wasm/js/known.js", "known.js"),
     ("crates/pasu-wasm/js/wrapper.js", "wrapper.js"),
     ("crates/pasu-wasm/js/pasu.d.ts", "pasu.d.ts"),
     ("crates/pasu-wasm/js/drawing.d.ts", "drawing.d.ts"),

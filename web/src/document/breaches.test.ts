@@ -7,6 +7,7 @@ const breach = (code: string, part: number, other: number, severity: Breach["sev
   severity,
   part,
   other,
+  group: [part],
   message: "",
   args: {},
   at: null,
@@ -37,25 +38,13 @@ test("the worst is told first, and what is wholly inside another is not told twi
 });
 
 test("what would mend it goes by what it is, and by what is glued", () => {
-  const mends = (each: Breach, of: Design) => mendsOf(each, { breaches: [each] }, of);
-  expect(mends(breach("interference", 1, 0), design(0, 1))).toEqual(["apart", "glue"]);
-  expect(mends(breach("within", 1, 0), design(0, 1))).toEqual(["remove", "apart"]);
+  expect(mendsOf(breach("interference", 1, 0), design(0, 1))).toEqual(["apart", "glue"]);
+  expect(mendsOf(breach("within", 1, 0), design(0, 1))).toEqual(["remove", "apart"]);
   // Glued, it would only come loose.
-  expect(mends(breach("within", 1, 0), design(0, 0))).toEqual(["remove"]);
-  expect(mends(breach("same-place", 1, 0), design(0, 0))).toEqual(["remove"]);
-  expect(mends(breach("undecided-interference", 1, 0, "warning"), design(0, 1))).toEqual(["apart"]);
+  expect(mendsOf(breach("within", 1, 0), design(0, 0))).toEqual(["remove"]);
+  expect(mendsOf(breach("same-place", 1, 0), design(0, 0))).toEqual(["remove"]);
+  expect(mendsOf(breach("undecided-interference", 1, 0, "warning"), design(0, 1))).toEqual(["apart"]);
+  expect(mendsOf(breach("not-connected", 1, 0), design(0, 0))).toEqual(["together", "separate"]);
   for (const code of ["contact", "undecided-within", "undecided-connection", "of a later version"])
-    expect(mends(breach(code, 1, 0), design(0, 1))).toEqual([]);
-});
-
-test("a loose part is moved or separated alone only where no other part hangs on it", () => {
-  const loose = breach("not-connected", 1, 0);
-  expect(mendsOf(loose, { breaches: [loose] }, design(0, 0))).toEqual(["together", "separate"]);
-  // Of three parts one breach means that two of them touch: which, is not told.
-  expect(mendsOf(loose, { breaches: [loose] }, design(0, 0, 0))).toEqual([]);
-  const both = { breaches: [loose, breach("not-connected", 2, 0)] };
-  expect(mendsOf(loose, both, design(0, 0, 0))).toEqual(["together", "separate"]);
-  // Those of another object do not count.
-  const elsewhere = { breaches: [loose, breach("not-connected", 4, 3)] };
-  expect(mendsOf(loose, elsewhere, design(0, 0, 0, 1, 1))).toEqual([]);
+    expect(mendsOf(breach(code, 1, 0), design(0, 1))).toEqual([]);
 });

@@ -2,7 +2,7 @@
 
 import type { Breach, Constraints, Design } from "./types";
 
-/** What could be done about a breach: glue both, put both apart, put both together, let a part be an object of its own, or take it away. */
+/** What could be done about a breach: glue both, put both apart, put both together, let what is loose be an object of its own, or take a part away. */
 export type Mend = "glue" | "apart" | "together" | "separate" | "remove";
 
 const ORDER: readonly Breach["severity"][] = ["error", "warning", "note"];
@@ -25,7 +25,7 @@ export function countsOf(constraints: Constraints): { readonly broken: number; r
 }
 
 /** What would mend a breach. Nothing is proposed that would break something else by itself. */
-export function mendsOf(breach: Breach, { breaches }: Pick<Constraints, "breaches">, design: Design): readonly Mend[] {
+export function mendsOf(breach: Breach, design: Design): readonly Mend[] {
   const isOneObject = objectAt(design, breach.part) === objectAt(design, breach.other);
   switch (breach.code) {
     case "interference":
@@ -37,21 +37,10 @@ export function mendsOf(breach: Breach, { breaches }: Pick<Constraints, "breache
     case "same-place":
       return ["remove"];
     case "not-connected":
-      return isLooseAlone(breach, breaches, design) ? ["together", "separate"] : [];
+      return ["together", "separate"];
     default:
       return [];
   }
-}
-
-/**
- * Whether a part that is loose is so by itself, and not with others that it touches. One breach is told of each group of parts that hangs together, but for the largest: with as many
- * groups as parts, each is of one.
- */
-function isLooseAlone({ part }: Breach, breaches: readonly Breach[], design: Design): boolean {
-  const object = objectAt(design, part);
-  const members = design.parts.filter((each) => (each.object ?? 0) === object).length;
-  const loose = breaches.filter((each) => each.code === "not-connected" && objectAt(design, each.part) === object);
-  return loose.length === members - 1;
 }
 
 function objectAt(design: Design, place: number): number {

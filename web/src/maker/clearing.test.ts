@@ -75,15 +75,33 @@ test("what is glued and loose is brought until it touches", () => {
   const [breach] = constraints(design as Sent).breaches;
   expect(breach).toMatchObject({ code: "not-connected", part: 1, other: 0 });
   const from = breach?.at as Triple;
-  const move = together({ kind: "together", design, part: 1, other: 0, from, to: [0.5, 0.5, 0.5], size: 1 });
+  const move = together({ kind: "together", design, group: [1], other: 0, from, to: [0.5, 0.5, 0.5], size: 1 });
   expect(move?.moving).toEqual([1]);
   expect(Math.hypot(...(move?.by ?? []))).toBeGreaterThan(breach?.distance ?? Number.POSITIVE_INFINITY);
   expect(Math.hypot(...(move?.by ?? []))).toBeLessThan(1.1 * (breach?.distance ?? 0) + 0.3);
   expect(codes(after(design, move))).toEqual([]);
 });
 
+test("what hangs together is brought as it is, until one of it touches", () => {
+  const pair = [octant([3, 0.3, 0.1], 0, "handle"), block([3.5, 0.3, 0.1], 0, "end")] as const;
+  const design = scene(block([0, 0, 0], 0, "cup"), ...pair, block([9, 9, 9], 1, "elsewhere"));
+  // The larger group is what others are loose from.
+  const [breach] = constraints(design as Sent).breaches;
+  expect(breach).toMatchObject({ code: "not-connected", part: 0, other: 1, group: [0] });
+  const from = [3, 0.5, 0.2] as const;
+  const move = together({ kind: "together", design, group: [1, 2], other: 0, from, to: [0.5, 0.5, 0.5], size: 1 });
+  expect(move?.moving).toEqual([1, 2]);
+  expect(Math.abs(move?.by[0] ?? 0)).toBeGreaterThan(1.9);
+  expect(Math.abs(move?.by[0] ?? 0)).toBeLessThan(2.2);
+  expect(codes(after(design, move))).toEqual([]);
+});
+
 test("where nothing lies on the way nothing is brought", () => {
   const design = scene(block([0, 0, 0], 0, "cup"), octant([3, 0, 0], 0, "handle"));
-  expect(together({ kind: "together", design, part: 1, other: 0, from: [3, 0, 0], to: [3, 5, 0], size: 1 })).toBeNull();
-  expect(together({ kind: "together", design, part: 1, other: 0, from: [3, 0, 0], to: [3, 0, 0], size: 1 })).toBeNull();
+  expect(
+    together({ kind: "together", design, group: [1], other: 0, from: [3, 0, 0], to: [3, 5, 0], size: 1 }),
+  ).toBeNull();
+  expect(
+    together({ kind: "together", design, group: [1], other: 0, from: [3, 0, 0], to: [3, 0, 0], size: 1 }),
+  ).toBeNull();
 });

@@ -3,7 +3,7 @@
 import { constraints, pick } from "pasu";
 import { difference, moved, scaledBy } from "../document/moving";
 import { UNMOVED } from "../document/placement";
-import type { Design, Part, Sent, Triple } from "../document/types";
+import type { Breach, Design, Part, Sent, Triple } from "../document/types";
 
 /** A way out: some parts go so far in a direction at most, where these others may be in their way. */
 export interface Way {
@@ -21,15 +21,15 @@ export interface ApartAsk {
   readonly ways: readonly Way[];
 }
 
-/** How far a part has to go to touch another one, from a place of it towards a place within the other. */
+/** How far parts that hang together have to go for one of them to touch another part, from a place of theirs towards a place within the other. */
 export interface TogetherAsk {
   readonly kind: "together";
   readonly design: Design;
-  readonly part: number;
+  readonly group: readonly number[];
   readonly other: number;
   readonly from: Triple;
   readonly to: Triple;
-  /** How large the part is. */
+  /** How large the part is that is next to the other. */
   readonly size: number;
 }
 
@@ -46,8 +46,10 @@ const BEYOND = [1e-3, 0.01, 0.04, 0.15, 0.3];
 
 /** What of two parts is no distance between them. */
 const TOGETHER = ["interference", "within", "same-place", "contact", "undecided-interference", "undecided-within"];
+/** What is said of parts that hang together and of which nobody knows that they touch the others. */
+const LOOSE = ["not-connected", "undecided-connection"];
 /** What of two parts of one object is no good joint. */
-const LOOSE = ["not-connected", "undecided-connection", "within", "undecided-within", "same-place"];
+const LOST = ["within", "undecided-within", "same-place"];
 
 /** Null where none of the ways leads out. */
 export function apart({ design, ways }: ApartAsk): Move | null {
@@ -66,8 +68,8 @@ export function apart({ design, ways }: ApartAsk): Move | null {
   return null;
 }
 
-/** Null where the part meets the other nowhere on that way. */
-export function together({ design, part, other, from, to, size }: TogetherAsk): Move | null {
+/** Null where they meet the other nowhere on that way. */
+export function together({ design, group, other, from, to, size }: TogetherAsk): Move | null {
   const way = difference(to, from);
   const length = Math.hypot(...way);
   if (!(length > 0)) return null;
@@ -77,12 +79,21 @@ export function together({ design, part, other, from, to, size }: TogetherAsk): 
   const [hit] = pick(sceneOf(design, [there]), { origin: [...from], direction: [...towards] });
   if (!hit) return null;
   const touches = (by: number) => {
-    const glued = [...placed(design, [part], scaledBy(by, towards)), there].map((each) => ({ ...each, object: 0 }));
-    const { breaches } = constraints(sceneOf(design, glued));
-    return breaches.every(({ code }) => !LOOSE.includes(code));
+    const glued = [...placed(design, group, scaledBy(by, towards)), there].map((each) => ({ ...each, object: 0 }));
+    const { breaches, leftOut } = constraints(sceneOf(design, glued));
+    const last = glued.length - 1;
+    const isLost = breaches.some(({ code, part, other: of }) => LOST.includes(code) && (part === last || of === last));
+    return leftOut === 0 && !isLost && hangTogether(breaches, last, glued.length) > 1;
   };
   const far = BEYOND.map((share) => hit.distance + share * size).find(touches);
-  return far === undefined ? null : { moving: [part], by: scaledBy(least(touches, far), towards) };
+  return far === undefined ? null : { moving: group, by: scaledBy(least(touches, far), towards) };
+}
+
+/** With how many parts of a scene of one object a part hangs together, itself among them: with those of its group, or else with all that are in none. */
+function hangTogether(breaches: readonly Breach[], part: number, count: number): number {
+  const groups = breaches.filter(({ code }) => LOOSE.includes(code)).map(({ group }) => group);
+  const own = groups.find((group) => group.includes(part));
+  return own ? own.length : groups.reduce((left, group) => left - group.length, count);
 }
 
 /** The least number up to `far` of which it is true, to within a share of that, rounded upwards. It is true of `far`, and taken for false at 0. */

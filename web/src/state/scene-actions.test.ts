@@ -13,6 +13,7 @@ import {
   MAX_NAME,
   movePart,
   renamePart,
+  splitOff,
 } from "./scene-actions";
 import { hiddenParts, selectParts, togglePart } from "./seen-actions";
 import { NEW_SESSION } from "./session";
@@ -196,6 +197,17 @@ test("a part is glued to the object of another one, or stands by itself", () => 
   expect(objects()).toEqual([0, 0, 1]);
   expect(Object.keys(store.design.parts[0] ?? {})).not.toContain("object");
   for (let step = 0; step < 4; step += 1) store.undo();
+  expect(store.design).toBe(SCENE);
+});
+
+test("parts leave their object together and stay glued to each other", () => {
+  const objects = () => store.design.parts.map(({ object }) => object ?? 0);
+  store.apply(splitOff(store.state, [body, lid]));
+  expect(objects()).toEqual([1, 1, 0]);
+  // Nothing is left to leave.
+  expect(splitOff(store.state, [body, lid]).undo).toBe("none");
+  expect(splitOff(store.state, [foot]).undo).toBe("none");
+  store.undo();
   expect(store.design).toBe(SCENE);
 });
 

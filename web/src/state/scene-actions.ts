@@ -185,6 +185,16 @@ export function glueTogether(state: State, ids: readonly PartId[]): Change {
   return inObjects(state, (part) => (joined.has(objectOf(part)) ? objectOf(into) : objectOf(part)));
 }
 
+/** Makes some parts of one object an object of their own, glued as they are among themselves. */
+export function splitOff(state: State, ids: readonly PartId[]): Change {
+  const free = freeObject(state.design.parts);
+  const left = new Set(
+    state.ids.flatMap((id, place) => (ids.includes(id) ? [] : objectOf(state.design.parts[place] as Part))),
+  );
+  // What is an object of its own already stays as it is.
+  return inObjects(state, (part, id) => (ids.includes(id) && left.has(objectOf(part)) ? free : objectOf(part)));
+}
+
 /** Makes each of some parts an object of its own. */
 export function separateParts(state: State, ids: readonly PartId[]): Change {
   const { design } = state;

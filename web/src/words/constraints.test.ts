@@ -21,6 +21,7 @@ const breach = (code: string, more: Partial<Breach> = {}): Breach => ({
   severity: "error",
   part: 1,
   other: 0,
+  group: [1],
   message: "what the library says in English",
   args: {},
   at: [0, 0, 0],
@@ -53,6 +54,20 @@ test("every report is in words of the page, with the names of both parts", () =>
   speak(PSEUDO_ENGLISH);
   for (const code of CODES)
     expect(breachWords(breach(code), { ...DESIGN, parts: [{ shape: octant }] })).not.toMatch(/[a-z]{4}/i);
+});
+
+test("a group that hangs together is named, and of a large one the first and how many more", () => {
+  const parts = ["Jar", "Knob", "Lid", "Ring", "Ball", "Bead"].map((name) => ({ name, shape: octant }));
+  const of = (group: readonly number[], code = "not-connected") =>
+    breachWords(breach(code, { part: 2, group }), { ...DESIGN, parts });
+  expect(of([2])).toBe(
+    "Lid is glued to Jar, but is 0.12\u00a0in away from it at least. Move it there, or let it be an object of its own.",
+  );
+  expect(of([1, 2, 3])).toBe(
+    "Knob, Lid, and Ring hang together and are glued to Jar, but Lid is 0.12\u00a0in away from it at least. Move them there, or let them be an object of their own.",
+  );
+  expect(of([1, 2, 3, 4, 5])).toContain("Knob, Lid, Ring, and 2 more hang together");
+  expect(of([1, 2], "undecided-connection")).toContain("Whether any of Knob and Lid touches Jar");
 });
 
 test("a bound is said to be one, in the unit of the design, and what was measured is about that", () => {

@@ -3,7 +3,7 @@
 import { countsOf, toldOf } from "../document/breaches";
 import { unitOf } from "../document/look";
 import type { Breach, Constraints, Design, Finding, Report } from "../document/types";
-import { isolated } from "../language";
+import { isolated, listed } from "../language";
 import { constraints as words } from "./english/constraints";
 import { partName } from "./parts";
 import { lengthWords } from "./quantities";
@@ -12,6 +12,9 @@ import type { Sentence } from "./report";
 
 /** Digits of a bound. */
 const DIGITS = 2;
+
+/** The most parts of a group that are named; how many more there are is said. */
+const MOST_NAMED = 4;
 
 /** Codes of findings about two parts. */
 const TOGETHER: readonly string[] = ["overlap", "same-place"];
@@ -32,13 +35,17 @@ export function breachWords(breach: Breach, design: Design): string {
     case "same-place":
       return words.samePlace(part, other);
     case "not-connected":
-      return words.notConnected(part, other, away());
+      return breach.group.length > 1
+        ? words.groupNotConnected(groupWords(breach, design), other, part, away())
+        : words.notConnected(part, other, away());
     case "contact":
       return words.contact(part, other);
     case "undecided-interference":
       return words.undecidedInterference(part, other);
     case "undecided-connection":
-      return words.undecidedConnection(part, other);
+      return breach.group.length > 1
+        ? words.undecidedGroup(groupWords(breach, design), other)
+        : words.undecidedConnection(part, other);
     case "undecided-within":
       return words.undecidedWithin(part, other);
     default:
@@ -75,6 +82,13 @@ export function withoutPairs(report: Report, found: Constraints): Report {
   const told = new Set(found.breaches.flatMap(({ part, other }) => [`${part} ${other}`, `${other} ${part}`]));
   const isTold = ({ code, part, args }: Finding) => TOGETHER.includes(code) && told.has(`${part} ${args.other}`);
   return { ...report, findings: report.findings.filter((finding) => !isTold(finding)) };
+}
+
+/** “Knob, Lid, and Ring”; of many the first, and how many more. */
+function groupWords({ group }: Breach, design: Design): string {
+  const named = group.length > MOST_NAMED ? group.slice(0, MOST_NAMED - 1) : group;
+  const names = named.map((place) => nameAt(place, design));
+  return listed(named.length < group.length ? [...names, words.more(group.length - named.length)] : names);
 }
 
 export function nameAt(place: number, design: Design): string {

@@ -123,6 +123,24 @@ test("what is glued and loose is brought to the other, and what was changed mean
   expect(store.design).toEqual(other);
 });
 
+test("of several that are loose together all are brought, and none where one is locked", async () => {
+  const loose: Design = {
+    pasu: 1,
+    parts: [table, block([3.5, 0, 0.5], 0), block([9, 1, 0.2], 0), block([9.5, 1.2, 0.4], 0), block([3, 3, 0.5], 0)],
+  };
+  const { designer, during, rest, store } = await bench(loose);
+  const breach = first(await rest());
+  expect(breach).toMatchObject({ code: "not-connected", part: 2, group: [2, 3] });
+  store.apply(lockParts(store.state, store.ids.slice(3, 4), true));
+  expect(await during(moveTogether(designer, breach))).toEqual({ state: "locked" });
+  store.apply(lockParts(store.state, store.ids.slice(3, 4), false));
+  expect(await during(moveTogether(designer, breach))).toMatchObject({ state: "moved", ids: store.ids.slice(2, 4) });
+  const by = (place: number) =>
+    (store.design.parts[place]?.place?.shift ?? []).map((x, i) => x - (loose.parts[place]?.place?.shift?.[i] ?? 0));
+  for (const [i, x] of by(2).entries()) expect(by(3)[i]).toBeCloseTo(x, 9);
+  expect((await rest()).isKept).toBe(true);
+});
+
 test("the scene is judged at rest, and of an earlier one nothing is said", async () => {
   const { made, making, rest, store } = await bench(CUP);
   expect((await rest()).isKept).toBe(false);

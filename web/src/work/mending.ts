@@ -30,15 +30,15 @@ export async function moveApart(designer: Designer, breach: Breach): Promise<Men
   return follow(designer, async (judge) => judge.ask({ kind: "apart", design, ways }, LANE));
 }
 
-/** Brings a part to another one of its object, from the place of it that the breach names. */
-export async function moveTogether(designer: Designer, { part, other, at }: Breach): Promise<Mended> {
+/** Brings what is loose of an object to another part of it, from the place that the breach names. */
+export async function moveTogether(designer: Designer, { part, other, group, at }: Breach): Promise<Mended> {
   const { design, ids, session } = designer.state;
   const boxes = boxesOf(designer);
   const [own, there] = [part, other].map((place) => boxes.get(ids[place] as PartId));
-  if (session.locked.includes(ids[part] as PartId)) return { state: "locked" };
+  if (group.some((place) => session.locked.includes(ids[place] as PartId))) return { state: "locked" };
   if (!own || !there) return { state: "nowhere" };
   const from = at ?? middleOf(own);
-  const ask = { kind: "together", design, part, other, from, to: middleOf(there), size: longestOf(own) } as const;
+  const ask = { kind: "together", design, group, other, from, to: middleOf(there), size: longestOf(own) } as const;
   return follow(designer, async (judge) => judge.ask(ask, LANE));
 }
 

@@ -19,7 +19,7 @@ answers! {
 
     /// What two parts are to each other, where that is to be known.
     pub struct Breach as "Breach" {
-        /// A stable kebab-case word: `interference` of parts of different objects, `not-connected` of a part that touches no other of its object, `within` of a part wholly inside another, `same-place` of one body twice; `contact` of objects that touch; `undecided-interference`, `undecided-connection` and `undecided-within` where the limit of work was not enough.
+        /// A stable kebab-case word: `interference` of parts of different objects, `not-connected` of parts that touch none of the others of their object, `within` of a part wholly inside another, `same-place` of one body twice; `contact` of objects that touch; `undecided-interference`, `undecided-connection` and `undecided-within` where the limit of work was not enough.
         pub code: &'static str,
         /// An error breaks a constraint, a warning is undecided, a note is a contact.
         pub severity: Severity,
@@ -27,11 +27,13 @@ answers! {
         pub part: usize,
         /// The other part.
         pub other: usize,
+        /// All parts that it is about, in the order of the document: of `not-connected` and `undecided-connection` those that hang together with `part`, of all else `part` alone.
+        pub group: Vec<usize>,
         /// One sentence.
         pub message: String,
-        /// What the sentence names, as [`Error::args`](crate::Error::args) has it: the names of both.
+        /// What the sentence names, as [`Error::args`](crate::Error::args) has it: the names of both parts, and of a group of several how many they are.
         pub args: Args,
-        /// A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of the part towards the other, in model units after placement.
+        /// A witness: of interference a place of one part in the other, of contact where they touch, of what is not connected a place of `part` towards the other, in model units after placement.
         pub at: Option<[f64; 3]>,
         /// How deep the witness is beneath the surface of the other at least, or how far what is not connected is away at least.
         pub distance: Option<f64>,

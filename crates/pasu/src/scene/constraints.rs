@@ -25,6 +25,9 @@ const MOST_WORK: u64 = 150_000;
 /// The most breaches that are told one by one.
 const MOST_TOLD: usize = 1000;
 
+/// The most parts of a group that a sentence names; how many more there are is said.
+const MOST_NAMED: usize = 4;
+
 /// Whether a scene keeps the three constraints of ASB88 (J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, 1988): (1) no two discrete objects share points, (2) the parts of one object hang together, (3) no part is wholly inside another.
 ///
 /// `slack` is a length in the unit of the design; where there is none, the power of two below a millionth of the size of the scene. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
@@ -288,7 +291,7 @@ impl Judge<'_> {
                 match doubt {
                     Some([one, other]) => {
                         let both = if is_in(&one) { [one, other] } else { [other, one] };
-                        self.tell("undecided-connection", Severity::Warning, both, None, None);
+                        self.tell_of(group, "undecided-connection", Severity::Warning, both, None, None);
                     }
                     None => self.loose(group, &parts),
                 }
@@ -316,27 +319,59 @@ impl Judge<'_> {
             _ => None,
         };
         let at = one.nearest(another.bounds.middle()).position;
-        self.tell("not-connected", Severity::Error, [part, other], Some(at), least);
+        self.tell_of(group, "not-connected", Severity::Error, [part, other], Some(at), least);
     }
 
     fn tell(&mut self, code: &'static str, severity: Severity, both: [usize; 2], at: Option<DVec3>, by: Option<f64>) {
+        self.tell_of(&[both[0]], code, severity, both, at, by);
+    }
+
+    /// Tells something of a group of parts, of which the first of both is one.
+    fn tell_of(
+        &mut self,
+        group: &[usize],
+        code: &'static str,
+        severity: Severity,
+        both: [usize; 2],
+        at: Option<DVec3>,
+        by: Option<f64>,
+    ) {
         if self.told.len() >= MOST_TOLD {
             self.n_left_out += 1;
             return;
         }
         let [part, other] = both;
         let names = both.map(|part| self.name(part));
-        let message = sentence(code, &names, at, by);
-        let args = Args::from([("part", names[0].as_str().into()), ("other", names[1].as_str().into())]);
+        let message = sentence(code, &self.names(group), &names, at, by);
+        let mut args = Args::from([("part", names[0].as_str().into()), ("other", names[1].as_str().into())]);
+        if group.len() > 1 {
+            args.insert("count", group.len().into());
+        }
         let is_proved = both.iter().all(|part| self.space(*part).is_proved());
         let at = at.map(|at| at.to_array());
-        self.told.push(Breach { code, severity, part, other, message, args, at, distance: by, is_proved });
+        let group = group.to_vec();
+        self.told.push(Breach { code, severity, part, other, group, message, args, at, distance: by, is_proved });
+    }
+
+    /// The names of a group in a row.
+    fn names(&self, group: &[usize]) -> String {
+        let n_named = if group.len() > MOST_NAMED { MOST_NAMED - 1 } else { group.len() };
+        let mut names: Vec<String> = group.iter().take(n_named).map(|part| self.name(*part)).collect();
+        if group.len() > n_named {
+            names.push(format!("{} more", group.len() - n_named));
+        }
+        match names.split_last() {
+            Some((last, before)) if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+            _ => names.concat(),
+        }
     }
 }
 
-fn sentence(code: &str, [part, other]: &[String; 2], at: Option<DVec3>, by: Option<f64>) -> String {
+/// What is said of a group of parts, whose `part` it is that is next to the other.
+fn sentence(code: &str, group: &str, [part, other]: &[String; 2], at: Option<DVec3>, by: Option<f64>) -> String {
     let place = at.map_or_else(String::new, |at| format!(" at {}", crate::solid::place(at)));
     let by = by.map_or_else(String::new, |by| format!(" by {} at least", crate::solid::short(by)));
+    let are_several = group != part;
     match code {
         "interference" => format!(
             "{part} runs into {other}{place}, beneath the surface{by}: expected separate objects to share no point"
@@ -345,6 +380,9 @@ fn sentence(code: &str, [part, other]: &[String; 2], at: Option<DVec3>, by: Opti
         "within" => {
             format!("all of {part} is inside {other}{place}{by}: expected every part to have a place of its own")
         }
+        "not-connected" if are_several => format!(
+            "{group} touch no other part of their object; the nearest, {other}, is away from {part}{by}{place}: expected the parts of an object to be connected"
+        ),
         "not-connected" => format!(
             "{part} touches no other part of its object; the nearest, {other}, is away{by}{place}: expected the parts of an object to be connected"
         ),
@@ -352,6 +390,9 @@ fn sentence(code: &str, [part, other]: &[String; 2], at: Option<DVec3>, by: Opti
         "undecided-within" => format!(
             "whether all of {part} is inside {other} could not be told: every place of it that was looked at is"
         ),
+        "undecided-connection" if are_several => {
+            format!("whether {group} touch {other}, to which they are to be connected, could not be told")
+        }
         "undecided-connection" => {
             format!("whether {part} touches {other}, to which it is to be connected, could not be told")
         }

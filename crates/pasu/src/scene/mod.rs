@@ -20,6 +20,7 @@ mod nearest;
 mod node;
 mod pick;
 mod scenery;
+mod sight;
 mod space;
 mod tile;
 mod tree;

@@ -65,27 +65,23 @@ impl Solution {
     /// As [`pick`].
     pub fn pick(&self, ray: Ray) -> Result<Vec<Hit>> {
         let (origin, direction) = ray.unit()?;
-        let scenery = self.scenery()?;
+        let sight = self.sight()?;
         let inverse = direction.recip();
         let (mut hits, mut unclear) = (Vec::new(), None);
-        scenery.boxes.each(
-            |bounds| bounds.is_met(origin, inverse),
-            |part| {
-                let space = &scenery.parts[part];
-                let crossings = space.crossings(origin, direction);
-                if crossings.is_cut {
-                    unclear.get_or_insert(part);
+        for space in sight.met(self, |bounds| bounds.is_met(origin, inverse))? {
+            let crossings = space.crossings(origin, direction);
+            if crossings.is_cut {
+                unclear.get_or_insert(space.part);
+            }
+            let same = SAME * space.size();
+            let mut last = f64::NEG_INFINITY;
+            for crossing in &crossings.found {
+                if crossing.t - last > same {
+                    hits.push(space.hit(crossing));
                 }
-                let same = SAME * space.size();
-                let mut last = f64::NEG_INFINITY;
-                for crossing in &crossings.found {
-                    if crossing.t - last > same {
-                        hits.push(space.hit(crossing));
-                    }
-                    last = crossing.t;
-                }
-            },
-        );
+                last = crossing.t;
+            }
+        }
         watch::go_on()?;
         if let Some(part) = unclear {
             let message = "the ray goes along the surface of this part, so closely that it takes too long to tell where it meets it: expected another direction";
@@ -101,19 +97,18 @@ impl Solution {
     /// As [`at`].
     pub fn at(&self, at: [f64; 3]) -> Result<Vec<Hit>> {
         let at = point(at, "point")?;
-        let scenery = self.scenery()?;
-        let mut parts = Vec::new();
-        scenery.boxes.each(|bounds| bounds.holds(at), |part| parts.push(part));
+        let sight = self.sight()?;
         let mut hits = Vec::new();
-        for part in parts {
-            let space = &scenery.parts[part];
+        for space in sight.met(self, |bounds| bounds.holds(at))? {
             match space.holds(at) {
                 Some(true) => hits.push(space.beneath(at)),
                 Some(false) => {}
                 None => {
                     watch::go_on()?;
                     let message = "no ray from here tells on which side of the surface of this part the point is: expected a surface that does not run through itself";
-                    return Err(Error::new(Code::TooLarge, format!("parts[{part}]"), message).with("what", "point"));
+                    return Err(
+                        Error::new(Code::TooLarge, format!("parts[{}]", space.part), message).with("what", "point")
+                    );
                 }
             }
         }

@@ -22,20 +22,14 @@ impl Solution {
         }
         let before = self.scene_before().get::<Arc<Scenery>>();
         let design = self.design().parts();
-        let kept: Vec<Option<&Arc<Space>>> =
-            design.iter().enumerate().map(|(index, part)| before?.standing(index, part)).collect();
-        let parts = kept.iter().enumerate().map(|(index, kept)| match kept {
-            Some(space) => Ok(Arc::clone(space)),
-            None => self.in_space(index),
-        });
-        let parts = parts.collect::<Result<Vec<_>>>()?;
+        let parts = (0..design.len()).map(|index| self.in_space(index)).collect::<Result<Vec<_>>>()?;
         let bounds: Vec<Bounds> = parts.iter().map(|part| part.bounds).collect();
         let scenery = Arc::new(Scenery {
             boxes: Boxes::new(&bounds),
             parts,
             design: design.to_vec(),
             before: before.map_or_else(Known::default, |before| {
-                before.found().of(|part| kept.get(part).is_some_and(Option::is_some))
+                before.found().of(|part| design.get(part).is_some_and(|own| before.standing(part, own).is_some()))
             }),
             known: OnceLock::new(),
         });

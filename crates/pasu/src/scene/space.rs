@@ -148,22 +148,7 @@ impl Space {
     /// The tiles of its border, made when they are first asked for.
     pub(super) fn tiles(&self) -> &Tiles {
         self.tiles.get_or_init(|| {
-            let cells = self.borders.iter().enumerate().flat_map(|(index, border)| {
-                border.cells().into_iter().map(move |cell| Tile::of(&self.borders, index, cell))
-            });
-            let mut open: VecDeque<Tile> = cells.collect();
-            let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
-            let enough = COARSE * corners.size();
-            let mut all = Vec::with_capacity(open.len());
-            // Generation by generation.
-            while let Some(tile) = open.pop_front() {
-                let is_halved = tile.deviation > enough && all.len() + open.len() < MOST_TILES && !watch::is_stopped();
-                match is_halved.then(|| tile.halves(&self.borders)).flatten() {
-                    Some(halves) => open.extend(halves),
-                    None => all.push(tile),
-                }
-                watch::work(TILE);
-            }
+            let all = tiled(&self.borders, MOST_TILES);
             let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
             Tiles { boxes: Boxes::new(&bounds), all }
         })
@@ -202,6 +187,28 @@ impl Space {
         });
         deepest.map(|(_, at)| at)
     }
+}
+
+/// The tiles of a border, halved until they are near enough, or there are as many as there may be.
+pub(super) fn tiled(borders: &[Border], most: usize) -> Vec<Tile> {
+    let cells = borders
+        .iter()
+        .enumerate()
+        .flat_map(|(index, border)| border.cells().into_iter().map(move |cell| Tile::of(borders, index, cell)));
+    let mut open: VecDeque<Tile> = cells.collect();
+    let corners = open.iter().fold(Bounds::NOTHING, |all, tile| all.with(Bounds::of(&tile.corners)));
+    let enough = COARSE * corners.size();
+    let mut all = Vec::with_capacity(open.len());
+    // Generation by generation.
+    while let Some(tile) = open.pop_front() {
+        let is_halved = tile.deviation > enough && all.len() + open.len() < most && !watch::is_stopped();
+        match is_halved.then(|| tile.halves(borders)).flatten() {
+            Some(halves) => open.extend(halves),
+            None => all.push(tile),
+        }
+        watch::work(TILE);
+    }
+    all
 }
 
 impl Solution {

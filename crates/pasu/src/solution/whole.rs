@@ -32,8 +32,11 @@ pub struct Solution {
     /// What each part is in space, and all of them together, which the scene knows.
     spaces: Vec<Kept>,
     scene: Kept,
+    /// The boxes round all of them, which may be known when they are not.
+    scene_seen: Kept,
     /// The same of a design before.
     scene_before: Kept,
+    scene_seen_before: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -50,7 +53,9 @@ impl Solution {
             bodies: parts.iter().map(|_| Default::default()).collect(),
             spaces: parts.iter().map(|_| Kept::default()).collect(),
             scene: Kept::default(),
+            scene_seen: Kept::default(),
             scene_before: Kept::default(),
+            scene_seen_before: Kept::default(),
         }
     }
 
@@ -69,7 +74,13 @@ impl Solution {
     pub fn after(&self, design: &Design) -> Solution {
         let mut solution = Solution::of(design);
         solution.scene_before = if self.scene.is_empty() { &self.scene_before } else { &self.scene }.clone();
+        solution.scene_seen_before =
+            if self.scene_seen.is_empty() { &self.scene_seen_before } else { &self.scene_seen }.clone();
         for (index, part) in design.parts().iter().enumerate() {
+            let stands = |own: &&Part| own.place == part.place && own.wall == part.wall && own.shape == part.shape;
+            if let Some(space) = self.design.parts().get(index).filter(stands).and_then(|_| self.spaces.get(index)) {
+                solution.spaces[index] = space.clone();
+            }
             // At its own place first.
             let order = core::iter::once(index).chain(0..self.parts.len());
             let mut known = order.filter_map(|place| {
@@ -136,6 +147,16 @@ impl Solution {
     /// Where what all parts are together is kept.
     pub(crate) fn scene(&self) -> &Kept {
         &self.scene
+    }
+
+    /// Where the boxes round all parts are kept.
+    pub(crate) fn scene_seen(&self) -> &Kept {
+        &self.scene_seen
+    }
+
+    /// Where the boxes round the parts of a design before were kept, if they were.
+    pub(crate) fn scene_seen_before(&self) -> &Kept {
+        &self.scene_seen_before
     }
 
     /// Where what the parts of a design before were together was kept, if anything was.

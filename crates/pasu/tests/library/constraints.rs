@@ -227,6 +227,36 @@ fn parts_of_one_object_hang_together_or_are_told() {
     }
 }
 
+/// Of parts that hang together and are loose from the others all are told, and where they come nearest.
+#[test]
+fn a_group_that_is_loose_is_told_as_one() {
+    let places = [0.0, 4.0, 1.0, 5.0, 2.0, 9.0];
+    let row = |object: u32| places.map(|x| block(object, [0.5; 3], [x, 0.0, 0.0])).to_vec();
+    let found = told(&scene(&row(0)));
+    let groups: Vec<(&str, usize, usize, &[usize])> =
+        found.iter().map(|breach| (breach.code, breach.part, breach.other, &breach.group[..])).collect();
+    assert_eq!(groups, [("not-connected", 1, 4, &[1, 3][..]), ("not-connected", 5, 3, &[5][..])]);
+    let [pair, alone] = [&found[0].message, &found[1].message];
+    assert!(
+        pair.starts_with(
+            "part 2 and part 4 touch no other part of their object; the nearest, part 5, is away from part 2"
+        ),
+        "{pair}"
+    );
+    assert!(alone.starts_with("part 6 touches no other part of its object; the nearest, part 4, is away"), "{alone}");
+    assert_eq!(found[0].args.get("count").map(|count| count == &pasu::Arg::Number(2.0)), Some(true));
+    assert_eq!(found[1].args.get("count"), None);
+    // Of many a few are named, and every one of them is in the group.
+    let long = |x: f64| (0..9).map(move |i| block(0, [0.5; 3], [x + f64::from(i), 0.0, 0.0]));
+    let found = told(&scene(&long(0.0).chain(long(20.0)).collect::<Vec<_>>()));
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].group, (9..18).collect::<Vec<_>>());
+    assert!(found[0].message.starts_with("part 10, part 11, part 12 and 6 more touch"), "{}", found[0].message);
+    // What concerns two parts is about these two.
+    let found = told(&scene(&[block(0, [0.5; 3], [0.0; 3]), block(1, [0.5; 3], [0.3; 3])]));
+    assert_eq!((found[0].code, &found[0].group[..]), ("interference", &[1][..]));
+}
+
 /// Pots: what is in the hollow is apart, what is in the clay is not.
 #[test]
 fn what_is_in_the_hollow_of_a_pot_is_apart_from_it() {

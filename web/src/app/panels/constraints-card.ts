@@ -6,7 +6,7 @@ import { type Mend, mendsOf, toldOf } from "../../document/breaches";
 import { unitOf } from "../../document/look";
 import type { Breach, Constraints, Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
-import { deleteParts, gluePart, glueTogether } from "../../state/scene-actions";
+import { deleteParts, glueTogether, splitOff } from "../../state/scene-actions";
 import { selectParts } from "../../state/seen-actions";
 import { icon } from "../../ui/icons";
 import { base, buttons } from "../../ui/styles";
@@ -53,7 +53,7 @@ export class PasuConstraints extends DesignerElement {
     const listed = this.all ? told : told.slice(0, FEW);
     return html`
       ${worst === "note" ? sentences([{ severity: "good", text: keptWords(design) }]) : nothing}
-      <ul class="reports">${listed.map((breach) => this.report(breach, constraints, design))}</ul>
+      <ul class="reports">${listed.map((breach) => this.report(breach, design))}</ul>
       ${
         listed.length < told.length
           ? html`<button class="button outlined" type="button" @click=${this.showAll}>${words.all(told.length)}</button>`
@@ -63,11 +63,11 @@ export class PasuConstraints extends DesignerElement {
     `;
   }
 
-  private report(breach: Breach, constraints: Constraints, design: Design) {
+  private report(breach: Breach, design: Design) {
     const { designer, mending } = this;
     const { severity } = breach;
     const shown = designer.witness.shown?.breach === breach;
-    const mends = mendsOf(breach, constraints, design);
+    const mends = mendsOf(breach, design);
     return html`<li class=${severity} data-code=${breach.code}>
       <button
         class="told"
@@ -90,7 +90,7 @@ export class PasuConstraints extends DesignerElement {
                   ?disabled=${mending !== null}
                   @click=${() => void this.mend(mend, breach, design)}
                 >
-                  ${mend === "remove" ? words.mends.remove(nameAt(breach.part, design)) : words.mends[mend]}
+                  ${mendWords(mend, breach, design)}
                 </button>`,
               )}
               ${mending === breach ? html`<span class="wait" role="status">${page.checking}</span>` : nothing}
@@ -99,14 +99,15 @@ export class PasuConstraints extends DesignerElement {
     </li>`;
   }
 
-  /** Selects both parts and marks the place on the stage; pressed again it is no longer marked. */
+  /** Selects the parts that it is about and marks the place on the stage; pressed again it is no longer marked. */
   private show(breach: Breach, design: Design): void {
     const { store, witness } = this.designer;
     const again = witness.shown?.breach === breach;
     witness.show(again ? null : { breach, of: design });
     if (again) return;
-    const [part, other] = [breach.part, breach.other].map((place) => store.ids[place]);
-    this.designer.apply(selectParts(...[other, part].filter((id) => id !== undefined)));
+    // The one that is told of by name, or that is next to the other, comes last.
+    const places = [breach.other, ...breach.group.filter((place) => place !== breach.part), breach.part];
+    this.designer.apply(selectParts(...places.flatMap((place) => store.ids[place] ?? [])));
   }
 
   private async mend(mend: Mend, breach: Breach, design: Design): Promise<void> {
@@ -122,7 +123,12 @@ export class PasuConstraints extends DesignerElement {
         designer.apply(glueTogether(now, [part, other]));
         return heading();
       case "separate":
-        designer.apply(gluePart(now, part, null));
+        designer.apply(
+          splitOff(
+            now,
+            breach.group.flatMap((place) => now.ids[place] ?? []),
+          ),
+        );
         return heading();
       case "remove":
         designer.apply(deleteParts(now, [part]));
@@ -237,6 +243,12 @@ export class PasuConstraints extends DesignerElement {
       }
     `,
   ];
+}
+
+function mendWords(mend: Mend, { group, part }: Breach, design: Design): string {
+  const said = words.mends[mend];
+  if (typeof said === "string") return said;
+  return mend === "remove" ? words.mends.remove(nameAt(part, design)) : words.mends[mend as "together"](group.length);
 }
 
 declare global {

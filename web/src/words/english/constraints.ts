@@ -23,18 +23,26 @@ export const constraints = phrases("constraints", {
     `${part} is the same body in the same place as ${other}. One of them is enough.`,
   notConnected: (part: string, other: string, away: string) =>
     `${part} is glued to ${other}, but ${away === "" ? "does not touch it" : `is ${away}`}. Move it there, or let it be an object of its own.`,
+  /** Of several that hang together, one of which is the nearest. */
+  groupNotConnected: (group: string, other: string, part: string, away: string) =>
+    `${group} hang together and are glued to ${other}, but ${away === "" ? `${part} does not touch it` : `${part} is ${away}`}. Move them there, or let them be an object of their own.`,
+  /** At the end of a list of names. */
+  more: (count: number) => `${formatNumber(count)} more`,
   contact: (part: string, other: string) => `${part} touches ${other}. Leave a gap where they are to come apart again.`,
   undecidedInterference: (part: string, other: string) =>
     `Whether ${part} runs into ${other} could not be told, so close they are. Move them a little apart to be sure.`,
   undecidedConnection: (part: string, other: string) =>
     `Whether ${part} touches ${other}, to which it is glued, could not be told. Push it a little into it to be sure.`,
+  undecidedGroup: (group: string, other: string) =>
+    `Whether any of ${group} touches ${other}, to which they are glued, could not be told. Push them a little into it to be sure.`,
   undecidedWithin: (part: string, other: string) =>
     `Whether all of ${part} lies inside ${other} could not be told. Where nothing of it is seen, take it away.`,
   mends: {
     glue: "Glue together",
     apart: "Move apart",
-    together: "Bring it there",
-    separate: "Let it be an object of its own",
+    together: (count: number) => (count === 1 ? "Bring it there" : "Bring them there"),
+    separate: (count: number) =>
+      count === 1 ? "Let it be an object of its own" : "Let them be an object of their own",
     remove: (part: string) => `Take ${part} away`,
   },
   /** What became of a press. */

@@ -1,0 +1,250 @@
+//! Which parts a ray may meet, or which may hold a point, before the bodies of all are known.
+//!
+//! A wall takes long to find, and of hundreds of pots a ray meets a few. So a box is laid round what the clay of a part can reach at most, which follows from its surface and from what its wall is asked to be; the body itself is found when
+//! something gets into that box.
+
+use std::sync::{Arc, OnceLock};
+
+use glam::{DMat3, DVec3};
+
+use super::border::Border;
+use super::bounds::Bounds;
+use super::boxes::Boxes;
+use super::space::{Space, tiled};
+use crate::design::{Part, Wall};
+use crate::error::Result;
+use crate::solid::Product;
+use crate::solution::{Placed, Solution, Upright};
+use crate::watch;
+
+/// The most tiles by which a surface is enclosed where its body may not be wanted: a quarter of those that a body has.
+const FEW_TILES: usize = 128;
+
+/// So many times what all of a wall together measures it is taken to reach. No face goes further than once.
+const MARGIN: f64 = 2.0;
+
+/// Surfaces beyond this, and those smaller than its inverse, have their bodies found at once, so that what cannot be computed with is refused whatever is asked.
+const LARGE: f64 = 1e50;
+
+/// All parts of a design, each in a box that may be wider than it has to be.
+#[derive(Debug)]
+pub(super) struct Sight {
+    boxes: Boxes,
+    parts: Vec<Seen>,
+    /// What they are of.
+    design: Vec<Part>,
+}
+
+#[derive(Debug)]
+struct Seen {
+    bounds: Bounds,
+    /// What it is in space, once that was wanted.
+    space: OnceLock<Arc<Space>>,
+}
+
+impl Solution {
+    /// The boxes of all parts.
+    ///
+    /// # Errors
+    /// As [`Solution::in_space`], of every part.
+    pub(super) fn sight(&self) -> Result<Arc<Sight>> {
+        if let Some(sight) = self.scene_seen().get::<Arc<Sight>>() {
+            return Ok(Arc::clone(sight));
+        }
+        let before = self.scene_seen_before().get::<Arc<Sight>>();
+        let design = self.design().parts();
+        let seen = design.iter().enumerate().map(|(index, part)| {
+            // What stands where it stood has the box that it had.
+            if let Some(known) = before.and_then(|before| before.same(index, part)) {
+                self.part(index)?;
+                return Ok(Seen { bounds: known.bounds, space: known.space.clone() });
+            }
+            match self.reach(index)? {
+                Some(bounds) => Ok(Seen { bounds, space: OnceLock::new() }),
+                None => {
+                    let space = self.in_space(index)?;
+                    Ok(Seen { bounds: space.bounds, space: OnceLock::from(space) })
+                }
+            }
+        });
+        let parts = seen.collect::<Result<Vec<Seen>>>()?;
+        watch::go_on()?;
+        let bounds: Vec<Bounds> = parts.iter().map(|seen| seen.bounds).collect();
+        let sight = Arc::new(Sight { boxes: Boxes::new(&bounds), parts, design: design.to_vec() });
+        self.scene_seen().keep(Arc::clone(&sight));
+        Ok(sight)
+    }
+
+    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: it has no wall, or one whose reach is not known beforehand.
+    ///
+    /// In the frame of the pot's own axis the clay is within the box round its surface, widened by all that its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
+    /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
+    /// and goes as far as its angle says.
+    ///
+    /// # Errors
+    /// As [`Solution::part`].
+    fn reach(&self, index: usize) -> Result<Option<Bounds>> {
+        let (_, part) = self.existing(index)?;
+        let placed = self.part(index)?;
+        let Some(wall) = part.wall else { return Ok(None) };
+        if self.has_shell(index, Product::Pot).is_ok_and(|is_shell| is_shell) {
+            return Ok(None);
+        }
+        let is_smooth = Upright::new(placed).is_some_and(|upright| upright.stretches().len() == 1);
+        let bounds = is_smooth.then(|| widened(placed, &wall));
+        Ok(bounds.filter(|bounds| {
+            let most = bounds.low.abs().max(bounds.high.abs()).max_element();
+            most < LARGE && bounds.size() > 1.0 / LARGE
+        }))
+    }
+}
+
+/// The box round a surface, as its axis stands, wider by what its wall measures, and the box along the axes round that.
+fn widened(placed: &Arc<Placed>, wall: &Wall) -> Bounds {
+    let matrix = placed.matrix();
+    // What scales, then turns.
+    let turn = DMat3::from_cols(
+        matrix.x_axis.normalize_or(DVec3::X),
+        matrix.y_axis.normalize_or(DVec3::Y),
+        matrix.z_axis.normalize_or(DVec3::Z),
+    );
+    let tiles = tiled(&Border::patches(placed), FEW_TILES);
+    let upright = tiles.iter().fold(Bounds::NOTHING, |all, tile| {
+        all.with(Bounds::of(&tile.corners.map(|corner| turn.transpose() * corner)).wider(tile.deviation))
+    });
+    let [width, height] = wall.foot.unwrap_or([0.0; 2]);
+    let reach = wall.thickness + wall.base + width + height + 0.5 * wall.drain;
+    let upright = upright.wider(MARGIN * reach);
+    let corner = |i: usize| {
+        let pick = |axis: usize| if i >> axis & 1 == 0 { upright.low[axis] } else { upright.high[axis] };
+        turn * DVec3::new(pick(0), pick(1), pick(2))
+    };
+    let bounds = Bounds::of(&core::array::from_fn::<DVec3, 8, _>(corner));
+    bounds.wider(1e-14 * bounds.low.abs().max(bounds.high.abs()).max_element())
+}
+
+impl Sight {
+    /// The parts whose box something gets into, in the order of the document: of each the body, if it gets into the box of that too.
+    ///
+    /// # Errors
+    /// As [`Solution::in_space`].
+    pub(super) fn met(&self, solution: &Solution, is_met: impl Fn(&Bounds) -> bool) -> Result<Vec<&Arc<Space>>> {
+        let mut near = Vec::new();
+        self.boxes.each(&is_met, |part| near.push(part));
+        near.sort_unstable();
+        let spaces = near.into_iter().map(|part| self.space(solution, part));
+        let met = spaces.filter(|space| space.as_ref().map_or(true, |space| is_met(&space.bounds)));
+        met.collect()
+    }
+
+    fn space(&self, solution: &Solution, part: usize) -> Result<&Arc<Space>> {
+        let seen = &self.parts[part];
+        match seen.space.get() {
+            Some(space) => Ok(space),
+            None => {
+                let space = solution.in_space(part)?;
+                Ok(seen.space.get_or_init(|| space))
+            }
+        }
+    }
+
+    /// What is known of a part that is here just as it is there.
+    fn same(&self, index: usize, part: &Part) -> Option<&Seen> {
+        let own = self.design.get(index)?;
+        let is_same = own.place == part.place && own.wall == part.wall && own.shape == part.shape;
+        is_same.then(|| self.parts.get(index)).flatten()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+
+    /// Of every pot of a scene the box that is laid round it beforehand, and how many have one; each holds all of the clay.
+    fn held(parts: &str) -> usize {
+        let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{parts}] }}"#)).unwrap();
+        let solution = Solution::of(&design);
+        let reached = (0..design.parts().len()).filter(|index| {
+            let Some(bounds) = solution.reach(*index).unwrap() else { return false };
+            let space = solution.in_space(*index).unwrap();
+            assert!(space.is_solid, "{parts} is to be made: {:?}", solution.pot(*index, Product::Pot).err());
+            for tile in &space.tiles().all {
+                for corner in tile.corners {
+                    assert!(bounds.holds(corner), "{corner} of {parts} is beyond {bounds:?}");
+                }
+            }
+            // It is of use only where it is not much wider than it has to be: askew, a box round a box is up to 1.7 times as large.
+            assert!(bounds.size() < 4.0 * space.size(), "{bounds:?} {:?}", space.bounds);
+            true
+        });
+        reached.count()
+    }
+
+    const CUP: &str = r#""kind": "second-order", "r": [3, 0.1, 3.5, 0.3], "t": [0.4, 0], "n": [1, 5], "height": 4"#;
+    const WALLS: [&str; 6] = [
+        r#""thickness": 0.3, "base": 0.4"#,
+        r#""thickness": 0.3, "base": 0.4, "side": "outside", "rim": "rounded""#,
+        r#""thickness": 0.25, "base": 0, "rim": "rounded""#,
+        r#""thickness": 0.2, "base": 0.3, "foot": [0.3, 0.4]"#,
+        r#""thickness": 0.2, "base": 0.3, "drain": 1"#,
+        r#""thickness": 0.2, "base": 0.6, "side": "outside", "drain": 1"#,
+    ];
+    const PLACES: [&str; 3] = [
+        "{}",
+        r#"{ "axis": [1, 2, 0.5], "angle": 1.1, "shift": [5, -3, 40] }"#,
+        r#"{ "scale": [1.5, -0.8, 1.2], "axis": [1, 0, 0], "angle": 2.5, "shift": [-7, 0, 2] }"#,
+    ];
+
+    #[test]
+    fn clay_stays_in_the_box_that_is_laid_round_it_before_it_is_known() {
+        let mut n_boxes = 0;
+        for wall in WALLS {
+            for place in PLACES {
+                n_boxes += held(&format!(r#"{{ "shape": {{ {CUP} }}, "wall": {{ {wall} }}, "place": {place} }}"#));
+            }
+        }
+        assert_eq!(n_boxes, WALLS.len() * PLACES.len());
+    }
+
+    #[test]
+    fn what_is_bare_sharp_or_no_pot_has_no_box_beforehand() {
+        let sharp = r#""kind": "rings", "rings": [{ "u": 0, "r": { "mean": 2 }, "z": { "mean": 0 } }, { "u": 0.5, "r": { "mean": 3 }, "z": { "mean": 2 }, "sharp": true }, { "u": 1, "r": { "mean": 2 }, "z": { "mean": 4 } }]"#;
+        let wall = r#""wall": { "thickness": 0.3, "base": 0.4 }"#;
+        assert_eq!(held(&format!(r#"{{ "shape": {{ {sharp} }}, {wall} }}"#)), 0);
+        assert_eq!(held(&format!(r#"{{ "shape": {{ {CUP} }} }}"#)), 0);
+        assert_eq!(held(r#"{ "shape": { "kind": "octant", "exponents": [2, 2, 2] } }"#), 0);
+    }
+
+    #[test]
+    fn only_what_a_ray_comes_near_is_made_and_stays_made() {
+        let pot = |x: f64| {
+            format!(r#"{{ "shape": {{ {CUP} }}, "wall": {{ {} }}, "place": {{ "shift": [{x}, 0, 0] }} }}"#, WALLS[0])
+        };
+        let scene =
+            |x: f64| Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, pot(0.0), pot(x))).unwrap();
+        let ray = crate::Ray { origin: [-12.0, 0.0, 2.0], direction: [0.0, 0.0, 1.0] };
+        let along = crate::Ray { origin: [0.1, 0.2, -5.0], direction: [0.0, 0.0, 1.0] };
+        let made = |solution: &Solution| {
+            let sight = solution.sight().unwrap();
+            sight.parts.iter().map(|seen| seen.space.get().cloned()).collect::<Vec<_>>()
+        };
+        let first = Solution::of(&scene(10.0));
+        assert!(first.pick(ray).unwrap().is_empty());
+        assert!(made(&first).iter().all(Option::is_none), "{:?}", first.reach(0));
+        let hits = first.pick(along).unwrap();
+        assert_eq!(hits.len(), 2, "{hits:?}");
+        let once = made(&first);
+        assert!(once[0].is_some() && once[1].is_none());
+        // The other one is moved: the same body answers.
+        let second = first.after(&scene(12.0));
+        assert_eq!(second.pick(along).unwrap(), hits);
+        let again = made(&second);
+        assert!(again[0].as_ref().zip(once[0].as_ref()).is_some_and(|(one, other)| Arc::ptr_eq(one, other)));
+        // It is taken over by whoever asks for all parts, and what is asked first makes no difference.
+        let third = second.after(&scene(14.0));
+        let (whole, alone) = (third.constraints(None).unwrap(), Solution::of(&scene(14.0)));
+        assert_eq!(whole, alone.constraints(None).unwrap());
+        assert_eq!(alone.pick(along).unwrap(), hits);
+    }
+}
