@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { fineWall, walls, watchDrags } from "../support/drag.ts";
 import { overhang, unreachable } from "../support/reach.ts";
 import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
@@ -53,6 +54,9 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   expect(await panel.getByRole("spinbutton").evaluateAll((all) => all.map((each) => each.ariaLabel))).toHaveLength(1);
   expect(await panel.getByRole("checkbox").count()).toBe(0);
   expect(await findings(pot)).toEqual([]);
+  // The stage shows it: the other side and the rims beside the network.
+  await fineWall(pot);
+  expect(await wallOnStage(pot)).toEqual({ faces: 2, sides: ["inside"] });
   await pot.tab("Measures");
   await pot.page.getByText("The mesh is closed").waitFor();
   await pot.tab("Wall");
@@ -64,6 +68,67 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   await pot.undo();
   await pot.button("Give it a thickness").waitFor();
   await pot.shows(plain);
+});
+
+/** What the stage draws besides the network itself. */
+async function wallOnStage(pot: Visit): Promise<unknown> {
+  return await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { made: { solid: { value: { groups: Uint32Array; sides: unknown[] } | null } } };
+    };
+    const { value } = designer.made.solid;
+    return value && { faces: value.groups.length / 3, sides: value.sides };
+  });
+}
+
+test("the thickness stays on the stage while a point is dragged", async () => {
+  const { pot } = await opened({ before: watchDrags });
+  await pot.tab("Wall");
+  await pot.button("Give it a thickness").click();
+  await fineWall(pot);
+  await pot.tab("Shape");
+  await points(pot);
+  const thick = await pot.fingerprint();
+  await walls(pot);
+  const [x, y] = await middle(pot, "vertex 2");
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(x + 20, y - 30, { steps: 6 });
+  await pot.page.locator('pasu-stage[data-wall="quick"]').waitFor({ state: "attached" });
+  await pot.page.mouse.move(x + 30, y - 40, { steps: 6 });
+  await pot.page.mouse.up();
+  await pot.fingerprintOtherThan(thick);
+  await fineWall(pot);
+  const seen = await walls(pot);
+  expect(seen.slice(seen.indexOf("quick"))).not.toContain("");
+});
+
+test("what goes round a body is offered no thickness, and one that it has is told and taken away", async () => {
+  const { pot, plain } = await openCan();
+  await pot.tab("Wall");
+  await pot.button("Give it a thickness").waitFor();
+  await pot.tab("Shape");
+  await pot.button("All").click();
+  await pot.button("Bridge").click();
+  const closed = await pot.fingerprintOtherThan(plain);
+  await pot.tab("Wall");
+  await pot.page.getByText("It goes round a body").waitFor();
+  expect(await pot.button("Give it a thickness").count()).toBe(0);
+  // Closed only after it had got a wall.
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.button("Give it a thickness").click();
+  await pot.page.getByText("It has a thickness everywhere").waitFor();
+  await pot.tab("Shape");
+  await pot.button("All").click();
+  await pot.button("Bridge").click();
+  await pot.fingerprintOtherThan(plain);
+  await pot.tab("Wall");
+  await pot.page.getByText("It has a wall all the same").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Remove the wall").click();
+  await pot.page.getByText("It has a wall all the same").waitFor({ state: "detached" });
+  await pot.shows(closed);
 });
 
 test("the thickness of a network is told from the catalogue", async () => {

@@ -68,6 +68,12 @@ export function isFree(edge: Edge): boolean {
   return edge.sides.length === 1;
 }
 
+/** Whether it goes round something: no edge has a patch on one side alone. */
+export function isClosed(network: Network): boolean {
+  for (const edge of edgesOf(network).values()) if (isFree(edge)) return false;
+  return true;
+}
+
 /** The edges whose middles these vertices are. */
 export function edgesThrough(network: Network, vertices: ReadonlySet<number>): readonly Edge[] {
   return [...edgesOf(network).values()].filter(({ sides }) => sides[0] && vertices.has(sides[0].vertices[1]));
