@@ -357,6 +357,76 @@ test("a mug's handle is built with a finger", { timeout: 120_000 }, async () => 
   expect(moved).not.toBe(both);
 });
 
+test("a finger picks two patches apart, and takes one of them back", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan({ ...PHONE });
+  const { page } = pot;
+  const cdp = await pot.context.newCDPSession(page);
+  const down = async (name: string) => {
+    const [x, y] = await middle(pot, name);
+    await cdp.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  };
+  const up = () => cdp.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  const touch = async (name: string) => {
+    await down(name);
+    await up();
+  };
+  const picked = (name: string, is: boolean) =>
+    expect.poll(() => item(pot, name).getAttribute("aria-pressed")).toBe(is ? "true" : "false");
+  const tap = (name: string) => page.getByRole("button", { name, exact: true }).tap();
+  const status = page.locator("pasu-network-panel .told").first();
+  const toStage = () => page.evaluate(() => scrollTo(0, 0));
+  await toStage();
+  await touch(LOWER);
+  await picked(LOWER, true);
+  // A finger that rests picks beside what there is; lifted it changes nothing more.
+  await down(UPPER);
+  await picked(UPPER, true);
+  await picked(LOWER, true);
+  await up();
+  expect(await status.innerText()).toMatch(/^16 points and 2 patches/);
+  // Resting on one once more leaves it out.
+  await down(UPPER);
+  await picked(UPPER, false);
+  await up();
+  expect(await status.innerText()).toMatch(/^8 points and 1 patch /);
+  // A tap alone picks one in place of the other, until several are asked for.
+  await touch(UPPER);
+  await picked(UPPER, true);
+  await picked(LOWER, false);
+  await tap("Pick several");
+  expect(await findings(pot)).toEqual([]);
+  await toStage();
+  await touch(LOWER);
+  await picked(LOWER, true);
+  await picked(UPPER, true);
+  // Which is all that a handle takes.
+  await tap("Delete");
+  const opened = await pot.fingerprintOtherThan(plain);
+  await tap("Extrude");
+  await tap("Bridge");
+  await expect.poll(() => told(pot)).toContain("30 patches");
+  await pot.fingerprintOtherThan(opened);
+});
+
+test("with Pick several the Enter key and numbers pick beside what there is", async () => {
+  const { pot } = await opened();
+  const { page } = pot;
+  await points(pot);
+  const status = page.locator("pasu-network-panel .told").first();
+  await item(pot, "vertex 0").focus();
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Pick several", exact: true }).focus();
+  await page.keyboard.press("Enter");
+  await item(pot, "vertex 2").focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points/);
+  await pot.type("Point", "5");
+  await expect.poll(() => status.innerText()).toMatch(/^3 points/);
+  await item(pot, "vertex 2").focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points/);
+});
+
 test("a region is drawn across patches and pulled, and its numbers follow", { timeout: 120_000 }, async () => {
   const { pot, plain } = await openCan();
   const { page } = pot;

@@ -30,11 +30,13 @@ interface Held {
   readonly pointer: number;
   readonly item: Item | null;
   readonly network: Network;
-  readonly picks: Picks;
-  readonly grasp: Grasp;
+  /** What was picked before it was touched. */
+  readonly was: Picks;
+  picks: Picks;
+  grasp: Grasp;
   readonly more: boolean;
   /** Whether it was picked when it was touched. */
-  readonly fresh: boolean;
+  fresh: boolean;
   /** Where on which patch a region begins. */
   readonly begun: { readonly patch: number; readonly at: Pair } | null;
   now: Spot;
@@ -45,6 +47,8 @@ interface Held {
 const NEAR = { mouse: 11, pen: 14, touch: 24 } as const;
 /** A hand that goes less far has clicked. */
 const STILL = 3;
+/** A finger that rests on a point for so many milliseconds picks it beside the others. */
+const RESTS_MS = 500;
 /** With more points buttons stand for what is picked alone: fields of the panel pick by number. */
 const MOST = 400;
 const COARSE = 10;
@@ -71,6 +75,7 @@ export class PasuNetworkHandles extends DesignerElement {
   private placed: readonly Placed[] = [];
   private over: Document | ShadowRoot | null = null;
   private drags = 0;
+  private resting: ReturnType<typeof setTimeout> | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -78,12 +83,14 @@ export class PasuNetworkHandles extends DesignerElement {
     // Before the stage hears of it: what is no point of the network turns the view.
     this.over = this.getRootNode() as ShadowRoot;
     this.over.addEventListener("pointerdown", this.take, { capture: true });
+    this.over.addEventListener("contextmenu", this.noMenu, { capture: true });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     window.removeEventListener("keydown", this.escape, { capture: true });
     this.over?.removeEventListener("pointerdown", this.take, { capture: true });
+    this.over?.removeEventListener("contextmenu", this.noMenu, { capture: true });
     this.over = null;
     if (this.held) this.designer.store.endGesture();
     this.letGo();
@@ -173,19 +180,18 @@ export class PasuNetworkHandles extends DesignerElement {
     if (!found && touch !== "box" && !begun) return;
     event.preventDefault();
     event.stopPropagation();
-    const more = event.shiftKey;
-    let picks = this.desk.picksOf(network);
+    const more = event.shiftKey || this.desk.settings.several;
+    const was = this.desk.picksOf(network);
     const item = found?.item ?? null;
     // What is not picked yet is picked at once, so that it can be dragged; what is, only when nothing was dragged.
-    if (item?.kind === "vertex" && !picks.vertices.has(item.index)) picks = withVertex(picks, item.index, more);
-    if (item?.kind === "patch" && !picks.patches.has(item.index)) picks = withPatch(network, picks, item.index, more);
-    const was = this.desk.picksOf(network);
+    const picks = isPicked(was, item) ? was : toggled(network, was, item, more);
     if (picks !== was) this.desk.pick(network, picks);
     this.drags += 1;
     this.held = {
       pointer: event.pointerId,
       item,
       network,
+      was,
       picks,
       grasp: this.grasp(network, picks, item, found?.at ?? null, see, from),
       more,
@@ -196,9 +202,33 @@ export class PasuNetworkHandles extends DesignerElement {
     };
     if (item)
       this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`)?.focus({ preventScroll: true });
+    if (event.pointerType !== "mouse" && (item?.kind === "vertex" || item?.kind === "patch"))
+      this.resting = setTimeout(() => this.rest(), RESTS_MS);
     window.addEventListener("pointermove", this.move);
     window.addEventListener("pointerup", this.release);
     window.addEventListener("pointercancel", this.release);
+  };
+
+  /** A finger or a pen rests on a point: it is picked beside those before, and all of them can be dragged; or it is left out of them, and nothing is held. */
+  private rest(): void {
+    const { held, network } = this;
+    if (!held || held.moves || held.network !== network) return;
+    const { item, was, grasp } = held;
+    const picks = toggled(network, was, item, true);
+    this.desk.pick(network, picks);
+    this.spoken = words.picked(picks.vertices.size, picks.patches.size);
+    if (!isPicked(picks, item)) {
+      this.letGo();
+      return;
+    }
+    held.picks = picks;
+    held.grasp = this.grasp(network, picks, item, grasp.at, grasp.see, grasp.from);
+    held.fresh = true;
+  }
+
+  /** A finger that rests is no question for a menu. */
+  private readonly noMenu = (event: Event): void => {
+    if (this.held) event.preventDefault();
   };
 
   private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
@@ -251,6 +281,7 @@ export class PasuNetworkHandles extends DesignerElement {
     const by = { x: held.now.x - from.x, y: held.now.y - from.y };
     if (!held.moves && Math.hypot(by.x, by.y) < STILL) return;
     held.moves = true;
+    clearTimeout(this.resting);
     if (!held.item) {
       this.follow();
       return;
@@ -329,8 +360,7 @@ export class PasuNetworkHandles extends DesignerElement {
       return;
     }
     if (held.moves || held.fresh) return;
-    if (item.kind === "vertex") this.desk.pick(network, withVertex(picks, item.index, held.more));
-    if (item.kind === "patch") this.desk.pick(network, withPatch(network, picks, item.index, held.more));
+    this.desk.pick(network, toggled(network, picks, item, held.more));
   }
 
   /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. */
@@ -362,6 +392,7 @@ export class PasuNetworkHandles extends DesignerElement {
 
   private letGo(): void {
     this.held = null;
+    clearTimeout(this.resting);
     window.removeEventListener("pointermove", this.move);
     window.removeEventListener("pointerup", this.release);
     window.removeEventListener("pointercancel", this.release);
@@ -386,8 +417,7 @@ export class PasuNetworkHandles extends DesignerElement {
     if (event.key === "Enter" || event.key === " ") {
       event.preventDefault();
       event.stopPropagation();
-      if (item.kind === "vertex") this.desk.pick(network, withVertex(was, item.index, event.shiftKey));
-      if (item.kind === "patch") this.desk.pick(network, withPatch(network, was, item.index, event.shiftKey));
+      this.desk.pick(network, toggled(network, was, item, event.shiftKey || this.desk.settings.several));
       return;
     }
     const arrow = ARROWS[event.key];
@@ -400,9 +430,7 @@ export class PasuNetworkHandles extends DesignerElement {
       this.raiseBy(network, item, (times * (arrow[0] + arrow[1]) * sizeOf(network)) / STEPS);
       return;
     }
-    let picks = was;
-    if (item.kind === "vertex" && !was.vertices.has(item.index)) picks = withVertex(was, item.index, false);
-    if (item.kind === "patch" && !was.patches.has(item.index)) picks = withPatch(network, was, item.index, false);
+    const picks = isPicked(was, item) ? was : toggled(network, was, item, this.desk.settings.several);
     if (picks !== was) this.desk.pick(network, picks);
     const grasp = this.grasp(network, picks, item, null, see, { x: 0, y: 0 });
     this.change(network, picks, this.nudge(grasp, arrow, times), `keys ${nameOf(item)}`);
@@ -540,6 +568,17 @@ export class PasuNetworkHandles extends DesignerElement {
       }
     `,
   ];
+}
+
+function isPicked({ vertices, patches }: Picks, item: Item | null): boolean {
+  if (item?.kind === "vertex") return vertices.has(item.index);
+  return item?.kind === "patch" && patches.has(item.index);
+}
+
+/** With a point or a patch picked, alone or beside what there is; the same picks of anything else. */
+function toggled(network: Network, picks: Picks, item: Item | null, more: boolean): Picks {
+  if (item?.kind === "vertex") return withVertex(picks, item.index, more);
+  return item?.kind === "patch" ? withPatch(network, picks, item.index, more) : picks;
 }
 
 function nameOf(item: Item): string {
