@@ -25,8 +25,10 @@ export interface Placed {
   readonly front: boolean;
 }
 
-/** How an edge is divided to be drawn. */
-const PIECES = 6;
+/** How an edge is divided to be drawn, of few patches and of more. */
+const PIECES = { few: 16, more: 6 } as const;
+/** Of no more patches each is large on the stage. */
+const FEW = 24;
 const RIM = 6;
 /** Of more patches than these edges are drawn from point to point. */
 const MANY = 300;
@@ -34,6 +36,11 @@ const MANY = 300;
 const MOST_MOVED = 4;
 /** More points than these are a crowd: they are drawn smaller. */
 const CROWD = 150;
+/** Of more points those are drawn, and can be taken, that have so many pixels to themselves; nearer by there is room for more. */
+const THRONG = 10_000;
+const ROOM = 14;
+/** Of more patches no edges are drawn, nor looked for: they would be a surface of lines. */
+const NO_EDGES = 10_000;
 
 export interface Colours {
   readonly line: string;
@@ -42,7 +49,8 @@ export interface Colours {
 }
 
 /** The places of a side, from 0 to 1 along it. */
-const ALONG: readonly ((share: number) => readonly [number, number])[] = [
+type Along = (share: number) => readonly [number, number];
+const ALONG: readonly Along[] = [
   (share) => [share, 0],
   (share) => [1, share],
   (share) => [share, 1],
@@ -62,8 +70,8 @@ export function partedOf(network: Network, vertices: ReadonlySet<number>): Parte
   if (!isMany(network) || vertices.size > network.vertices.length / MOST_MOVED) return null;
   const edges = new Set<number>();
   let number = 0;
-  for (const { sides } of edgesOf(network).values()) {
-    if (sides[0]?.vertices.some((vertex) => vertices.has(vertex))) edges.add(number);
+  for (const { vertices: own } of sidesOf(network)) {
+    if (own.some((vertex) => vertices.has(vertex))) edges.add(number);
     number += 1;
   }
   const patches = new Set<number>();
@@ -105,11 +113,12 @@ export class NetworkCurves {
 
 const known = new WeakMap<Network["patches"], readonly Side[]>();
 
-/** One side of each edge. */
+/** One side of each edge that is drawn. */
 function sidesOf(network: Network): readonly Side[] {
   const before = known.get(network.patches);
   if (before) return before;
-  const sides = [...edgesOf(network).values()].flatMap(({ sides: [side] }) => side ?? []);
+  const all = network.patches.length > NO_EDGES ? [] : [...edgesOf(network).values()];
+  const sides = all.flatMap(({ sides: [side] }) => side ?? []);
   known.set(network.patches, sides);
   return sides;
 }
@@ -118,7 +127,12 @@ function curveOf(network: Network, side: Side | undefined): readonly Triple[] {
   const along = side && ALONG[side.side];
   if (!along) return [];
   if (isMany(network)) return side.vertices.map((vertex) => at(network, vertex));
-  return Array.from({ length: PIECES + 1 }, (_, piece) => pointOn(network, side.patch, ...along(piece / PIECES)));
+  return piecesOf(network, side.patch, along);
+}
+
+function piecesOf(network: Network, patch: number, along: Along): readonly Triple[] {
+  const pieces = network.patches.length <= FEW ? PIECES.few : PIECES.more;
+  return Array.from({ length: pieces + 1 }, (_, piece) => pointOn(network, patch, ...along(piece / pieces)));
 }
 
 /** Where a patch is halfway along both ways: no cubic term reaches there. */
@@ -155,7 +169,8 @@ export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple |
   for (const { item, at: point } of crests(network, picks)) add(item, point);
   if (pivot) add({ kind: "pivot" }, pivot);
   const middle = (near + far) / 2;
-  return { placed: inSight(all, picks, middle, network.vertices.length), middle };
+  const placed = inSight(all, picks, middle, network.vertices.length);
+  return { placed: network.vertices.length > THRONG ? thinned(placed, picks) : placed, middle };
 }
 
 /** Those alone that a hand moves. */
@@ -202,6 +217,19 @@ function inSight(
     if (front || !crowded || isPicked) found.push({ item, at: point, seen, front });
   }
   return found.sort((a, b) => a.seen.depth - b.seen.depth);
+}
+
+/** Of what lies close together the nearest to the eye; what is picked stays. */
+function thinned(placed: readonly Placed[], { vertices, patches }: Picks): readonly Placed[] {
+  const taken = new Set<number>();
+  return placed.filter(({ item, seen }) => {
+    if (item.kind === "vertex" ? vertices.has(item.index) : item.kind !== "patch" || patches.has(item.index))
+      return true;
+    const place = 65_536 * Math.floor(seen.y / ROOM) + Math.floor(seen.x / ROOM);
+    if (taken.has(place)) return false;
+    taken.add(place);
+    return true;
+  });
 }
 
 function crests(network: Network, { patches }: Picks) {
@@ -352,7 +380,7 @@ function drawPicked(
       continue;
     }
     for (const along of ALONG) {
-      trace(Array.from({ length: PIECES + 1 }, (_, piece) => pointOn(network, patch, ...along(piece / PIECES))));
+      trace(piecesOf(network, patch, along));
     }
   }
   context.stroke();
