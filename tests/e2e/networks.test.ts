@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { fineWall } from "../support/drag.ts";
 import { overhang, unreachable } from "../support/reach.ts";
 import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
@@ -53,6 +54,9 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   expect(await panel.getByRole("spinbutton").evaluateAll((all) => all.map((each) => each.ariaLabel))).toHaveLength(1);
   expect(await panel.getByRole("checkbox").count()).toBe(0);
   expect(await findings(pot)).toEqual([]);
+  // The stage shows it: the other side and the rims beside the network.
+  await fineWall(pot);
+  expect(await wallOnStage(pot)).toEqual({ faces: 2, sides: ["inside"] });
   await pot.tab("Measures");
   await pot.page.getByText("The mesh is closed").waitFor();
   await pot.tab("Wall");
@@ -64,6 +68,65 @@ test("an open network gets a thickness, is a body that is exported, and says whe
   await pot.undo();
   await pot.button("Give it a thickness").waitFor();
   await pot.shows(plain);
+});
+
+/** What the stage draws besides the network itself. */
+async function wallOnStage(pot: Visit): Promise<unknown> {
+  return await pot.page.evaluate(() => {
+    const { designer } = document.querySelector("pasu-app") as unknown as {
+      designer: { made: { solid: { value: { groups: Uint32Array; sides: unknown[] } | null } } };
+    };
+    const { value } = designer.made.solid;
+    return value && { faces: value.groups.length / 3, sides: value.sides };
+  });
+}
+
+test("the thickness follows while a point is dragged", async () => {
+  const { pot } = await opened();
+  await pot.tab("Wall");
+  await pot.button("Give it a thickness").click();
+  await fineWall(pot);
+  await pot.tab("Shape");
+  await points(pot);
+  const thick = await pot.fingerprint();
+  const [x, y] = await middle(pot, "vertex 2");
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  await pot.page.mouse.move(x + 20, y - 30, { steps: 6 });
+  // While the hand still holds it: the wall of what is held, and not that of before.
+  await pot.page.locator('pasu-stage[data-wall="quick"]').waitFor({ state: "attached" });
+  expect(await wallOnStage(pot)).toEqual({ faces: 2, sides: ["inside"] });
+  await pot.page.mouse.up();
+  await pot.fingerprintOtherThan(thick);
+  await fineWall(pot);
+});
+
+test("what goes round a body is offered no thickness, and one that it has is told and taken away", async () => {
+  const { pot, plain } = await openCan();
+  await pot.tab("Wall");
+  await pot.button("Give it a thickness").waitFor();
+  await pot.tab("Shape");
+  await pot.button("All").click();
+  await pot.button("Bridge").click();
+  const closed = await pot.fingerprintOtherThan(plain);
+  await pot.tab("Wall");
+  await pot.page.getByText("It goes round a body").waitFor();
+  expect(await pot.button("Give it a thickness").count()).toBe(0);
+  // Closed only after it had got a wall.
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.button("Give it a thickness").click();
+  await pot.page.getByText("It has a thickness everywhere").waitFor();
+  await pot.tab("Shape");
+  await pot.button("All").click();
+  await pot.button("Bridge").click();
+  await pot.fingerprintOtherThan(plain);
+  await pot.tab("Wall");
+  await pot.page.getByText("It has a wall all the same").waitFor();
+  expect(await findings(pot)).toEqual([]);
+  await pot.button("Remove the wall").click();
+  await pot.page.getByText("It has a wall all the same").waitFor({ state: "detached" });
+  await pot.shows(closed);
 });
 
 test("the thickness of a network is told from the catalogue", async () => {
@@ -290,6 +353,76 @@ test("a mug's handle is built with a finger", { timeout: 120_000 }, async () => 
   await pot.undo();
   await pot.shows(both);
   expect(moved).not.toBe(both);
+});
+
+test("a finger picks two patches apart, and takes one of them back", { timeout: 120_000 }, async () => {
+  const { pot, plain } = await openCan({ ...PHONE });
+  const { page } = pot;
+  const cdp = await pot.context.newCDPSession(page);
+  const down = async (name: string) => {
+    const [x, y] = await middle(pot, name);
+    await cdp.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  };
+  const up = () => cdp.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  const touch = async (name: string) => {
+    await down(name);
+    await up();
+  };
+  const picked = (name: string, is: boolean) =>
+    expect.poll(() => item(pot, name).getAttribute("aria-pressed")).toBe(is ? "true" : "false");
+  const tap = (name: string) => page.getByRole("button", { name, exact: true }).tap();
+  const status = page.locator("pasu-network-panel .told").first();
+  const toStage = () => page.evaluate(() => scrollTo(0, 0));
+  await toStage();
+  await touch(LOWER);
+  await picked(LOWER, true);
+  // A finger that rests picks beside what there is; lifted it changes nothing more.
+  await down(UPPER);
+  await picked(UPPER, true);
+  await picked(LOWER, true);
+  await up();
+  expect(await status.innerText()).toMatch(/^16 points and 2 patches/);
+  // Resting on one once more leaves it out.
+  await down(UPPER);
+  await picked(UPPER, false);
+  await up();
+  expect(await status.innerText()).toMatch(/^8 points and 1 patch /);
+  // A tap alone picks one in place of the other, until several are asked for.
+  await touch(UPPER);
+  await picked(UPPER, true);
+  await picked(LOWER, false);
+  await tap("Pick several");
+  expect(await findings(pot)).toEqual([]);
+  await toStage();
+  await touch(LOWER);
+  await picked(LOWER, true);
+  await picked(UPPER, true);
+  // Which is all that a handle takes.
+  await tap("Delete");
+  const opened = await pot.fingerprintOtherThan(plain);
+  await tap("Extrude");
+  await tap("Bridge");
+  await expect.poll(() => told(pot)).toContain("30 patches");
+  await pot.fingerprintOtherThan(opened);
+});
+
+test("with Pick several the Enter key and numbers pick beside what there is", async () => {
+  const { pot } = await opened();
+  const { page } = pot;
+  await points(pot);
+  const status = page.locator("pasu-network-panel .told").first();
+  await item(pot, "vertex 0").focus();
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Pick several", exact: true }).focus();
+  await page.keyboard.press("Enter");
+  await item(pot, "vertex 2").focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points/);
+  await pot.type("Point", "5");
+  await expect.poll(() => status.innerText()).toMatch(/^3 points/);
+  await item(pot, "vertex 2").focus();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => status.innerText()).toMatch(/^2 points/);
 });
 
 test("a region is drawn across patches and pulled, and its numbers follow", { timeout: 120_000 }, async () => {

@@ -128,11 +128,11 @@ export class PasuApp extends DesignerElement {
     const { notice } = notices;
     if (!notice) return nothing;
     return html`<p class="toast">
-      ${icon("check")}<span>${notice.text}</span>
+      ${icon(notice.undo?.saves ? "warn" : "check")}<span>${notice.text}</span>
       ${
         notice.undo
           ? html`<button class="button" type="button" @click=${() => void notices.undo()}>
-              ${icon("undo")}<span>${notice.undo.label}</span>
+              ${icon(notice.undo.saves ? "save" : "undo")}<span>${notice.undo.label}</span>
             </button>`
           : nothing
       }

@@ -7,7 +7,19 @@ import type { Points } from "../document/mixing";
 import type { Conversion, Design, OrderKind, Refusal, Shape } from "../document/types";
 import type { Outcome, Told } from "../worker/port";
 import { askOf, Desk, type Desktop, meshWanted, type Task } from "./desk";
-import type { Ask, Parsed, PartsAsk, Reply, SentAnswers, SentMesh, SentParts, SolverPort, Used } from "./messages";
+import type {
+  Ask,
+  Parsed,
+  PartsAsk,
+  Reply,
+  Request,
+  SentAnswers,
+  SentMesh,
+  SentParts,
+  SolverPort,
+  Used,
+} from "./messages";
+import { Sender } from "./moved";
 import { nextRevision, placedParts, type Solved, type SolvedParts } from "./solved";
 import { type Lattices, Stock } from "./stock";
 
@@ -44,6 +56,7 @@ export class SolverClient implements Desktop {
   readonly #lanes = new Map<LaneKey, Lane>();
   readonly #sent = new Map<number, Sent>();
   readonly #stock = new Stock();
+  readonly #sender = new Sender();
   #port: SolverPort | null = null;
   #nextId = 1;
 
@@ -168,15 +181,22 @@ export class SolverClient implements Desktop {
       ask.kind === "parts" && typeof name !== "string"
         ? ask.parts.map(({ mesh }) => mesh && this.#stock.take(mesh.rows * mesh.columns))
         : [];
-    this.#connect().postMessage(
-      { id, ask, known: [...lattices.keys()], spares },
+    const port = this.#connect();
+    port.postMessage(
+      { id, ask: this.#packed(ask), known: [...lattices.keys()], spares },
       spares.flatMap((spare) => (spare ? [spare.positions.buffer, spare.normals.buffer, spare.texels.buffer] : [])),
     );
+  }
+
+  #packed(ask: Ask): Request["ask"] {
+    if (ask.kind !== "parts") return ask;
+    return { ...ask, parts: ask.parts.map((part) => ({ ...part, shape: this.#sender.pack(part.shape) })) };
   }
 
   #connect(): SolverPort {
     if (this.#port) return this.#port;
     const port = this.#start();
+    this.#sender.forget();
     port.onmessage = (event) => this.#receive(event.data);
     port.onerror = () => this.#restart();
     this.#port = port;

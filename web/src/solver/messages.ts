@@ -7,6 +7,7 @@ import type { GridSize } from "../document/waves";
 import type { PartId } from "../state/part-ids";
 import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
+import type { Moved } from "./moved";
 import type { Ware } from "./ware";
 
 /** What depends on the grid alone. Meshes of the same topology share these very arrays. */
@@ -172,9 +173,15 @@ export interface SentAnswers {
   readonly convert: Conversion;
 }
 
+/** A part as it travels. */
+export type SentPartAsk = Omit<PartAsk, "shape"> & { readonly shape: Shape | Moved };
+
+/** Parts as they travel. */
+export type SentPartsAsk = Omit<PartsAsk, "parts"> & { readonly parts: readonly SentPartAsk[] };
+
 export interface Request {
   readonly id: number;
-  readonly ask: Ask;
+  readonly ask: SentPartsAsk | Exclude<Ask, PartsAsk>;
   /** The topologies whose lattice the page has. */
   readonly known: readonly string[];
   /** One for each of the first parts that are asked for, where there are any of its size. */

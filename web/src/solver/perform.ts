@@ -35,8 +35,8 @@ import type {
   SentPart,
   SentParts,
   Spare,
-  WholeAsk,
 } from "./messages";
+import { Receiver } from "./moved";
 import { reachOf } from "./reach";
 import { evenWare, WARE_SIZE, ware } from "./ware";
 
@@ -46,11 +46,16 @@ const TAU = 2 * Math.PI;
 /** The last coarse mesh, written over by every next one; it never leaves the worker. */
 let coarse: Partial<Mesh> = {};
 
+const receiver = new Receiver();
+
 export function perform(request: Request): SentAnswers[Ask["kind"]] {
   const { ask } = request;
   switch (ask.kind) {
     case "parts":
-      return solve(ask, request);
+      return solve(
+        { ...ask, parts: ask.parts.map((part) => ({ ...part, shape: receiver.unpack(part.shape) })) },
+        request,
+      );
     case "parse": {
       const design = parse(ask.text);
       return { design, link: linkOf(design) };
@@ -65,7 +70,7 @@ export function perform(request: Request): SentAnswers[Ask["kind"]] {
 }
 
 /** The link of a design; empty for one that is too large for any. */
-function linkOf(design: Sent): string {
+function linkOf(design: Sent | string): string {
   try {
     return link(design);
   } catch (error) {
@@ -83,19 +88,19 @@ interface Spent {
 function solve({ parts, whole }: PartsAsk, { known, spares }: Pick<Request, "known" | "spares">): SentParts {
   const begun = now();
   // The document is read as a whole before any of its parts, so that it is refused as a whole.
-  const address = whole ? linkOf(whole.design as Sent) : "";
+  const text = whole && quickly(whole.design as Sent);
+  const address = text ? linkOf(text) : "";
   const read = now();
   const spent: Spent = { meshes: 0, coarse: 0 };
   const here = new Set(known);
   const sent = parts.map((part, index) => named(part.place, () => solved(part, spares[index] ?? null, here, spent)));
-  const all = whole && { ...told(whole), link: address };
+  const all = whole && text ? { ...told(text, whole), link: address } : null;
   const meshed = read + spent.meshes;
   return { parts: sent, whole: all, times: { begun, meshed, glazed: meshed + spent.coarse, done: now() } };
 }
 
-function told({ design, rows, columns }: WholeAsk) {
-  const sent = design as Sent;
-  return { bound: bound(sent, { rows, columns }), fingerprint: fingerprint(sent) };
+function told(design: Sent | string, { rows, columns }: GridSize) {
+  return { bound: bound(design, { rows, columns }), fingerprint: fingerprint(design) };
 }
 
 /** What a part is refused for is told of the place that it has in the design. */
@@ -199,11 +204,20 @@ function meshed(
   };
 }
 
+/** Text in place of a design of which reading every number by itself would take longer than solving it. */
+function quickly(design: Sent): Sent | string {
+  const long = design.parts.some(({ shape }) => shape.kind === "vertex-frame" && shape.vertices.length > LONG);
+  return long ? JSON.stringify(design) : design;
+}
+
+/** A network of more points is read as text. */
+const LONG = 500;
+
 /** A network of patches, or what goes round a solid. It has no grid of its own: what goes by rows from foot to rim is not there. */
 function patched(design: Sent, { rows, columns, ware: size }: MeshWanted, here: Set<string>, spent: Spent) {
   const begun = now();
   const guess = [...here].at(-1);
-  const made = mesh(design, { rows, columns, into: guess ? { topology: guess } : {} });
+  const made = mesh(quickly(design), { rows, columns, into: guess ? { topology: guess } : {} });
   const { positions, normals, topology, uvs, indices } = made;
   spent.meshes += now() - begun;
   const lattice = uvs && indices && !here.has(topology) ? { uvs, indices } : null;

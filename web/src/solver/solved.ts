@@ -43,6 +43,13 @@ export interface Solved extends SolvedParts {
   readonly times: Times | null;
 }
 
+/** The longest of height, width and depth; 1 while that is not known. Patches have no foot and no rim, of which facts are told. */
+export function longest(solved: Pick<Solved, "facts" | "bounds"> | undefined): number {
+  const { facts, bounds } = solved ?? {};
+  if (facts) return Math.max(facts.height, facts.width, facts.depth);
+  return bounds ? Math.max(...bounds.max.map((most, axis) => most - (bounds.min[axis] ?? most))) : 1;
+}
+
 let revisions = 0;
 
 /** A number for a mesh that no mesh before had. */

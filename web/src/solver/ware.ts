@@ -48,10 +48,10 @@ export function wareGrid(parts: number, waves: number): GridSize {
 /** A distance to an edge that there is not. */
 const NO_EDGE = 1e9;
 
-/** What a glaze goes by where there is nothing to tell: it is even, and far from every edge. */
+/** What a glaze goes by where there is nothing to tell: it is even, far from every edge, and its inner side has as much light as the outer. */
 export function evenWare({ rows, columns }: GridSize): Float32Array {
   const texels = new Float32Array(WARE_SIZE * rows * columns);
-  for (let at = 0; at < texels.length; at += WARE_SIZE) texels.set([0, NO_EDGE, NO_EDGE, NO_EDGE], at);
+  for (let at = 0; at < texels.length; at += WARE_SIZE) texels.set([0, NO_EDGE, NO_EDGE, 0], at);
   return texels;
 }
 

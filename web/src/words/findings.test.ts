@@ -32,7 +32,16 @@ const ARGS = {
 /** By code, the words by which several things with one code are told apart. */
 const REASONS: Readonly<Record<string, readonly string[]>> = {
   "open-surface": ["no-foot", "not-closed", "free-edge", "one-sided"],
-  "unsupported-shape": ["no-ends", "open-sections", "no-inside", "hollow", "collapsed", "left-out", "no-foot"],
+  "unsupported-shape": [
+    "no-ends",
+    "closes",
+    "open-sections",
+    "no-inside",
+    "hollow",
+    "collapsed",
+    "left-out",
+    "no-foot",
+  ],
   "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal"],
   "crosses-itself": [
     "surface",

@@ -82,6 +82,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   "unsupported-shape": (refusal) => {
     const said: Readonly<Record<string, string>> = {
       "no-ends": making.noEnds,
+      closes: making.closes,
       "open-sections": making.openSections,
       "no-inside": making.noInside,
       hollow: making.hollow,

@@ -9,7 +9,7 @@ import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
 import type { Quick, Spare } from "../maker/messages";
 import { around } from "../solver/bounds";
-import type { Solved } from "../solver/solved";
+import { longest, type Solved } from "../solver/solved";
 import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
 import { Pace } from "./pace";
@@ -208,10 +208,8 @@ export class InStep implements Companion {
   }
 
   #ask(design: Design): { readonly asking: Promise<Outcome<Quick>>; readonly step: number } {
-    const { facts } = this.#surface.shown?.solved ?? {};
-    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
     const { step } = this.#pace;
-    const tolerance = size * (TOLERANCES[step] ?? TOLERANCES[0]);
+    const tolerance = longest(this.#surface.shown?.solved) * (TOLERANCES[step] ?? TOLERANCES[0]);
     const fill = this.#store.session.fill;
     const spare = this.#spares.pop() ?? null;
     return { asking: this.#maker.ask({ kind: "quick", design, tolerance, fill, spare }), step };

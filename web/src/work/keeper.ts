@@ -159,7 +159,7 @@ export class Keeper {
   /** Says that there is no link of so large a design, and offers the file. */
   sayTooLarge(): void {
     const act = async () => (await this.#save()) ?? page.notSaved;
-    this.#notices.say(page.tooLargeForLink, { label: page.commands.save, act });
+    this.#notices.say(page.tooLargeForLink, { label: page.commands.save, saves: true, act });
   }
 
   /** The address that opens this very design; null while the design is not one that the solver accepts, or one that is too large for a link. */

@@ -12,6 +12,7 @@ import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Lined, Painted, Quick, Solid } from "../maker/messages";
+import { longest } from "../solver/solved";
 import type { Store } from "../state/store";
 import { holdsText } from "../words/measures";
 import { InStep, type Later } from "./in-step";
@@ -198,9 +199,7 @@ export class Made {
 
   /** Coarsely at once, and finely once that is there and the hand rests. */
   #draw(design: Design | null, fine: boolean): void {
-    const facts = this.#surface.shown?.solved.facts;
-    const size = facts ? Math.max(facts.height, facts.width, facts.depth) : 1;
-    const tolerance = size * (fine ? FINE : COARSE);
+    const tolerance = longest(this.#surface.shown?.solved) * (fine ? FINE : COARSE);
     // What was refused is not tried again, unless that was said in haste.
     if (design && fine && this.solid.value === null && this.solid.key !== QUICK) return;
     this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");

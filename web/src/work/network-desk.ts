@@ -11,6 +11,8 @@ export interface Settings {
   readonly motion: Doing;
   readonly way: Way;
   readonly touch: Touch;
+  /** Whether what is picked is picked beside what is there, as with shift: a finger has none. */
+  readonly several: boolean;
   readonly grid: boolean;
   /** In units of the document. */
   readonly step: number;
@@ -26,6 +28,7 @@ const USUAL: Settings = {
   motion: "move",
   way: "view",
   touch: "view",
+  several: false,
   grid: false,
   step: 0.5,
   meet: false,

@@ -12,6 +12,8 @@ export interface Notice {
 /** A way back. */
 export interface Undo {
   readonly label: string;
+  /** What it does otherwise than take back what was done: saves what has no address. */
+  readonly saves?: boolean;
   /** Takes it back, and says what became of that. */
   act(): Promise<string>;
 }

@@ -4,7 +4,7 @@ use super::drawn::{DrawnFace, add};
 use super::write::body;
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
-use crate::make::sketched;
+use crate::make::{Sketched, sketched};
 use crate::measure::{WaterSurface, filled};
 use crate::solution::Solution;
 
@@ -82,11 +82,11 @@ fn drafted(solution: &Solution, options: &SketchOptions) -> Result<Sketch> {
             pots.push(None);
             continue;
         }
-        let (pot, mesh) = sketched(solution, part, options.tolerance)?;
+        let Sketched { pot, shown, mesh } = sketched(solution, part, options.tolerance)?;
         let mut body = body(design, "", &mesh);
-        body.faces.retain(|(kind, ..)| *kind != pot.surface_kind());
+        body.faces.retain(|(kind, ..)| *kind != shown);
         add(&body, part, 1.0, (&mut sketch.positions, &mut sketch.normals, &mut sketch.indices), &mut sketch.faces);
-        pots.push(Some(pot));
+        pots.push(pot);
     }
     if let Some(fill) = options.fill {
         sketch.water = filled(solution, &pots, fill)?;

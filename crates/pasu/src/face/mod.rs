@@ -8,6 +8,6 @@ mod seams;
 
 pub use contract::{Face, FaceJet, FaceWalk};
 pub use kind::FaceKind;
-pub(crate) use patch_face::PatchFace;
+pub(crate) use patch_face::{PatchFace, kind_of};
 pub(crate) use sealed::Sealed;
 pub(crate) use seams::{Seams, ascending};

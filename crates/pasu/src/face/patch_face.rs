@@ -7,6 +7,8 @@ use super::contract::{Face, FaceJet, FaceWalk};
 use super::kind::FaceKind;
 use super::sealed::Sealed;
 use super::seams::Seams;
+#[cfg(feature = "patchwork")]
+use crate::frame::Lie;
 use crate::patch::{Patch, Row, Side};
 use crate::solution::Placed;
 use crate::watch;
@@ -29,6 +31,20 @@ impl PatchFace {
     pub(crate) fn patch(&self) -> &dyn Patch {
         self.placed.solved().patch(self.patch)
     }
+}
+
+/// What patch number `patch` of a part is: of a network with a thickness its outer side, its lining or its rim, and the outside of anything else.
+#[cfg_attr(not(feature = "patchwork"), expect(unused_variables, reason = "nothing else has an inside of its own"))]
+pub(crate) fn kind_of(placed: &Placed, patch: usize) -> FaceKind {
+    #[cfg(feature = "patchwork")]
+    if let Some(shell) = placed.solved().shell() {
+        return match shell.lie(patch) {
+            Lie::Outer => FaceKind::Outer,
+            Lie::Inner => FaceKind::Lining,
+            Lie::Rim => FaceKind::Rim,
+        };
+    }
+    FaceKind::Outer
 }
 
 /// Rows of a patch, of which the last is kept.
@@ -60,7 +76,7 @@ impl Sealed for PatchFace {}
 
 impl Face for PatchFace {
     fn kind(&self) -> FaceKind {
-        FaceKind::Outer
+        kind_of(&self.placed, self.patch)
     }
 
     fn jet(&self, a: f64, v: f64) -> FaceJet {

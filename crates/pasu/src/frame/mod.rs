@@ -10,5 +10,5 @@ mod shell;
 mod solve;
 mod strips;
 
-pub(crate) use shell::{NoShell, Shell, Thick};
+pub(crate) use shell::{Lie, NoShell, Shell, Thick};
 pub(crate) use solve::Frame;

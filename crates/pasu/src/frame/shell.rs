@@ -37,8 +37,23 @@ pub(crate) struct Shell {
     patches: Vec<Box<dyn Patch>>,
     is_outward: Vec<bool>,
     crease: f64,
+    /// How many patches the network has.
+    n_own: usize,
+    /// Whether the clay is outside of the network.
+    is_outside: bool,
     /// The thinnest of the places that were looked into, and where it is before the network is placed.
     thinnest: (f64, DVec3),
+}
+
+/// Where a patch of a shell lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lie {
+    /// Outside of the clay.
+    Outer,
+    /// On its inside.
+    Inner,
+    /// Between the two, along a free edge.
+    Rim,
 }
 
 /// What is asked of a shell.
@@ -218,7 +233,8 @@ impl Frame {
         let rims: Vec<Box<dyn Patch>> = free.iter().enumerate().map(rim).collect();
         let both = one.iter().chain(&two).map(|patch| Box::new(FourSided::clone(patch)) as Box<dyn Patch>);
         let patches = both.chain(rims).collect();
-        Ok(Shell { patches, is_outward, crease: self.crease(), thinnest: (f64::INFINITY, DVec3::ZERO) })
+        let thinnest = (f64::INFINITY, DVec3::ZERO);
+        Ok(Shell { patches, is_outward, crease: self.crease(), n_own: n, is_outside, thinnest })
     }
 }
 
@@ -280,6 +296,16 @@ impl Shell {
     /// The number of patches.
     pub(crate) fn n_patches(&self) -> usize {
         self.patches.len()
+    }
+
+    /// Where one of the patches lies: the network is the outer side of clay that is laid inwards.
+    pub(crate) fn lie(&self, index: usize) -> Lie {
+        match index / self.n_own {
+            0 if self.is_outside => Lie::Inner,
+            1 if !self.is_outside => Lie::Inner,
+            0 | 1 => Lie::Outer,
+            _ => Lie::Rim,
+        }
     }
 
     /// For each patch whether `X_u x X_v` points out of the clay.

@@ -19,6 +19,6 @@ pub(crate) use made::{Finished, make};
 pub use making::{Making, Scale, Size};
 pub use remedy::Remedy;
 pub use report::{Finding, MeshReport, Report, Severity};
-pub(crate) use sketch::sketched;
+pub(crate) use sketch::{Sketched, sketched};
 pub use verdict::check;
 pub(crate) use verdict::verdict;

@@ -1,18 +1,41 @@
 //! From a design to a mesh for the screen while a hand changes the design: checked coarsely, drawn finely.
 
+use crate::design::Side;
 use crate::error::Result;
-use crate::solid::Pot;
+use crate::face::FaceKind;
+use crate::solid::{Pot, Product};
 use crate::solution::Solution;
-use crate::weave::{GLIMPSE, SolidMesh, Woven, compact, finished, glimpsed, grid, weave};
+use crate::weave::{GLIMPSE, SolidMesh, Woven, closed_patches, compact, finished, glimpsed, grid, weave};
 
 /// A mesh that is refused is looked at once more so many times as finely: a coarse one may cross itself where the faces do not.
 const FINER: f64 = 3.0;
 
-/// A pot and its mesh in model units, at a tolerance that is aimed at and not proved. A ring or drain that was asked for gives way, as in every body, where the coarse mesh sees that there is no room for it.
+/// What a hand drags, in model units.
+pub(crate) struct Sketched {
+    /// None of an open network, which has a thickness and no foot and rim.
+    pub(crate) pot: Option<Pot>,
+    /// The face that is the surface of the design itself.
+    pub(crate) shown: FaceKind,
+    pub(crate) mesh: SolidMesh,
+}
+
+/// A pot, or an open network with its thickness, and its mesh in model units, at a tolerance that is aimed at and not proved. A ring or drain that was asked for gives way, as in every body, where the coarse mesh sees that there is no room for it.
 ///
 /// # Errors
-/// What [`Pot::new`] and [`solid`](super::made::solid) refuse, as far as it is seen on the coarse mesh.
-pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
+/// What [`Pot::new`] and [`solid`](super::made::solid) refuse, as far as it is seen on the coarse mesh; of a network on this one.
+pub(crate) fn sketched(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<Sketched> {
+    if solution.has_shell(part, Product::Pot)? {
+        let (_, of) = solution.existing(part)?;
+        let is_outside = of.wall.as_ref().is_some_and(|wall| wall.side == Side::Outside);
+        let (_, mesh) = closed_patches(&*solution.patched(part, Product::Pot)?, tolerance, 1.0)?;
+        let shown = if is_outside { FaceKind::Lining } else { FaceKind::Outer };
+        return Ok(Sketched { pot: None, shown, mesh });
+    }
+    let (pot, mesh) = potted(solution, part, tolerance)?;
+    Ok(Sketched { shown: pot.surface_kind(), pot: Some(pot), mesh })
+}
+
+fn potted(solution: &Solution, part: usize, tolerance: Option<f64>) -> Result<(Pot, SolidMesh)> {
     let asked = solution.quick_pot(part).and_then(|pot| meshed(pot, tolerance));
     match asked {
         Err(error) => match solution.quick_fitted_pot(part)? {
@@ -75,7 +98,7 @@ mod tests {
             let full = super::super::made::solid(&design, &super::super::Making::default());
             for fineness in [700.0, 350.0, 150.0] {
                 let tolerance = size / fineness;
-                let found = sketched(&Solution::of(&design), 0, Some(tolerance));
+                let found = potted(&Solution::of(&design), 0, Some(tolerance));
                 let (pot, mesh) = match (found, &full) {
                     (Ok(found), Ok(_)) => found,
                     (Err(error), Ok(_)) => panic!("{name} {fineness}: {error}"),

@@ -239,8 +239,22 @@ pub(crate) struct Welded {
     /// By vertex number; some are of no triangle.
     pub(crate) positions: Vec<DVec3>,
     pub(crate) triangles: Vec<[u32; 3]>,
+    /// How many of them each patch has, in their order.
+    pub(crate) of_patches: Vec<usize>,
     /// How far they are from the patches at most, rounding to single precision included.
     pub(crate) bound: f64,
+}
+
+impl Welded {
+    fn of(placed: &Placed, lines: &[Lines], bound: f64) -> Welded {
+        let (positions, numbered) = sewn(placed, lines);
+        let mut of_patches = vec![0; lines.len()];
+        for (_, (patch, _)) in &numbered {
+            of_patches[*patch] += 1;
+        }
+        let triangles = numbered.into_iter().map(|(corners, _)| corners).collect();
+        Welded { positions, triangles, of_patches, bound }
+    }
 }
 
 /// The patches of a part within a tolerance, or within the usual one, with one vertex for each point.
@@ -249,9 +263,7 @@ pub(crate) struct Welded {
 /// `tolerance-too-fine`, `too-large`.
 pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> {
     let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
-    let (positions, triangles) = sewn(placed, &grids.lines);
-    let triangles = triangles.into_iter().map(|(corners, _)| corners).collect();
-    Ok(Welded { positions, triangles, bound: grids.bound.unwrap_or(f64::INFINITY) })
+    Ok(Welded::of(placed, &grids.lines, grids.bound.unwrap_or(f64::INFINITY)))
 }
 
 /// The same without lines so near to each other that triangles between them are narrower than single precision tells; `None` where there are no such lines, and where without them it is further from the patches than `most`.
@@ -264,8 +276,6 @@ pub(crate) fn welded_clear(placed: &Placed, tolerance: Option<f64>, most: f64) -
     let patches = placed.solved().patches();
     let m = placed.matrix();
     let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);
-    let (positions, triangles) = sewn(placed, &lines);
-    let triangles = triangles.into_iter().map(|(corners, _)| corners).collect();
     let bound = deviation_of(&patches, &lines, stretch) + deviation;
-    Ok((bound <= most).then_some(Welded { positions, triangles, bound }))
+    Ok((bound <= most).then(|| Welded::of(placed, &lines, bound)))
 }

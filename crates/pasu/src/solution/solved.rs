@@ -178,6 +178,15 @@ impl Solved {
         }
     }
 
+    /// The open network with a thickness that it is.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn shell(&self) -> Option<&Shell> {
+        match self {
+            Solved::Shell(shell) => Some(shell),
+            _ => None,
+        }
+    }
+
     /// The network that it is.
     #[cfg(feature = "patchwork")]
     pub(crate) fn frame(&self) -> Option<&Frame> {

@@ -7,7 +7,7 @@ use super::solid_mesh::SolidMesh;
 use super::woven::{Woven, WovenFace};
 use crate::check::{self, Topology};
 use crate::error::{Code, Error, Result};
-use crate::face::FaceKind;
+use crate::face::{FaceKind, kind_of};
 use crate::mesh::{Welded, welded, welded_clear};
 use crate::patch::Side;
 use crate::solid::place;
@@ -42,7 +42,7 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
             false => welded(placed, within).map(Some),
             true => welded_clear(placed, within, tolerance.unwrap_or(LOOSER * asked.unwrap_or(f64::INFINITY))),
         };
-        let Welded { positions, triangles, bound } = match woven {
+        let Welded { positions, triangles, of_patches, bound } = match woven {
             Ok(Some(woven)) => woven,
             Ok(None) => continue,
             // What is refused for being too fine was refused for something else before.
@@ -54,13 +54,13 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
             let error = Error::new(Code::TooLarge, placed.own_path(), message).with("what", "triangles");
             return Err(error.with("greatest", MOST_TRIANGLES));
         }
-        let face = WovenFace { kind: FaceKind::Outer, n_triangles: triangles.len(), is_level: false };
+        let faces = faces_of(placed, &of_patches);
         let positions: Vec<[f32; 3]> = positions.iter().map(|at| (*at * scale).to_array().map(|x| x as f32)).collect();
         if positions.iter().flatten().any(|x| !x.is_finite()) {
             let message = "the body is larger than a file can hold: numbers up to 3e38 millimetres can be held";
             return Err(Error::new(Code::Overflow, placed.own_path(), message));
         }
-        let mut woven = Woven { positions, triangles, blocks: Vec::new(), faces: vec![face], bound };
+        let mut woven = Woven { positions, triangles, blocks: Vec::new(), faces, bound };
         compact(&mut woven);
         match verdict(placed, &woven, scale) {
             Ok(topology) => {
@@ -73,6 +73,19 @@ pub(crate) fn closed_patches(placed: &Placed, tolerance: Option<f64>, scale: f64
         }
     }
     Err(refusal.unwrap_or_else(|| Error::new(Code::CrossesItself, placed.own_path(), "the patches cannot be meshed")))
+}
+
+/// The triangles of patches one after the other that are of one kind, as one face.
+fn faces_of(placed: &Placed, of_patches: &[usize]) -> Vec<WovenFace> {
+    let mut faces: Vec<WovenFace> = Vec::new();
+    for (patch, n_triangles) in of_patches.iter().copied().enumerate() {
+        let kind = kind_of(placed, patch);
+        match faces.last_mut().filter(|last| last.kind == kind) {
+            Some(last) => last.n_triangles += n_triangles,
+            None => faces.push(WovenFace { kind, n_triangles, is_level: false }),
+        }
+    }
+    faces
 }
 
 /// Refuses patches that are no boundary of a body.

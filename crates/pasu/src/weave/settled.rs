@@ -180,9 +180,13 @@ impl Solution {
                     "open-sections",
                     "a wall goes round between two closed sections: expected a disc or an outline at both ends, or no wall; without one this is a solid",
                 ),
+                _ if placed.solved().is_closed() => (
+                    "closes",
+                    "patches that close are a solid as they are, and have no free edge for a wall to end at: expected no wall",
+                ),
                 _ => (
                     "no-ends",
-                    "a network of patches has no foot and no rim, so that it is no pot: what closes is a solid as it is, without a wall, and what is open has a wall along its normals",
+                    "a network of patches has no foot and no rim, so that it is no pot: what is open has a wall along its normals",
                 ),
             };
             return Err(Error::new(Code::UnsupportedShape, placed.path("wall"), message).with("what", what));

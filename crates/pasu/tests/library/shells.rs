@@ -1,7 +1,7 @@
 //! Open networks of patches with a wall: a thickness along their normals.
 
 use glam::DVec3;
-use pasu::{Code, Design, Error, Format, Making, MeasureOptions, check, measure, solid, write};
+use pasu::{Code, Design, Error, FaceKind, Format, Making, MeasureOptions, check, measure, solid, write};
 use serde_json::{Value, json};
 
 use crate::support::networks::{Dice, Net, Wrap, cube};
@@ -88,6 +88,39 @@ fn a_flat_patch_becomes_a_slab() {
         let told = thin.findings.iter().find(|finding| finding.code == "too-thin").expect("too thin to be printed");
         assert_eq!(told.path.as_deref(), Some("parts[0].wall.thickness"));
         assert!(told.at.is_some_and(|at| (at[2] - 5.0).abs() < 1e-9), "{told:?}");
+    }
+}
+
+#[test]
+fn the_other_side_is_the_lining_and_free_edges_are_rims() {
+    let flat = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0], [0.0, 1.0]];
+    let shape = patch(flat.map(|[x, y]| [x, y, 5.0]));
+    for (side, own, beyond) in
+        [("inside", FaceKind::Outer, FaceKind::Lining), ("outside", FaceKind::Lining, FaceKind::Outer)]
+    {
+        let look = json!({ "wall": { "side": side }, "look": { "glaze": "celadon", "inside": "tin-white" } });
+        let design = walled(&shape, 0.25, &look);
+        let millimetres = design.unit().millimetres() as f32;
+        let mesh = &solid(&design, &Making::default()).unwrap()[0];
+        let of = |kind: FaceKind| {
+            let faces = mesh.faces.iter().filter(move |face| face.0 == kind);
+            let vertices = faces.flat_map(|(_, first, count)| &mesh.indices[*first as usize..(first + count) as usize]);
+            vertices.map(|vertex| mesh.positions[3 * *vertex as usize + 2] / millimetres).collect::<Vec<f32>>()
+        };
+        let off = |heights: &[f32]| heights.iter().map(|z| (z - 5.0).abs()).fold(0.0, f32::max);
+        assert!(!of(own).is_empty() && off(&of(own)) < 1e-6, "{side}");
+        assert!(!of(beyond).is_empty() && of(beyond).iter().all(|z| ((z - 5.0).abs() - 0.25).abs() < 1e-5), "{side}");
+        assert!(of(FaceKind::Rim).len() >= 8 * 3 && (off(&of(FaceKind::Rim)) - 0.25).abs() < 1e-5, "{side}");
+        let n: u32 = mesh.faces.iter().map(|(_, _, count)| count).sum();
+        assert_eq!(n as usize, mesh.indices.len());
+        // So that a glaze of the inside is on it.
+        let obj = String::from_utf8_lossy(&write(&design, Format::Obj, &Making::default()).unwrap()).into_owned();
+        let looks: std::collections::BTreeSet<&str> = obj.lines().filter(|line| line.contains("usemtl ")).collect();
+        assert_eq!(looks.len(), 2, "{side}: {looks:?}");
+        // What a hand drags has the other side and the rims; the network is drawn already.
+        let sketch = pasu::sketch(&design, &pasu::SketchOptions::default()).unwrap();
+        assert_eq!(sketch.faces.iter().map(|face| face.kind).collect::<Vec<_>>(), [beyond, FaceKind::Rim], "{side}");
+        assert!(sketch.water.is_none());
     }
 }
 
@@ -235,6 +268,7 @@ fn what_cannot_have_its_thickness_is_refused_with_the_place() {
     // What closes is a solid as it is.
     let error = solid(&walled(&cube(), 0.1, &json!({})), &Making::default()).unwrap_err();
     assert_eq!((error.code(), error.path()), (Code::UnsupportedShape, "parts[0].wall"), "{error}");
+    assert_eq!(error.arg("what"), Some(&"closes".into()));
 }
 
 #[test]

@@ -114,6 +114,7 @@ export class PasuNetworkPanel extends DesignerElement {
 
   private picking(network: Network, picks: Picks) {
     const { vertices, patches } = picks;
+    const { several } = this.desk.settings;
     const pick = (next: Picks) => this.desk.pick(network, next);
     const acts = [
       ["all", () => everything(network), ""],
@@ -121,8 +122,8 @@ export class PasuNetworkPanel extends DesignerElement {
       ["ring", () => ringThrough(network, picks), words.ringHelp],
       ["patchOf", () => patchesOf(network, picks), words.patchOfHelp],
     ] as const;
-    const one = ([...vertices][0] ?? -1) + 1;
-    const square = ([...patches][0] ?? -1) + 1;
+    const one = (lastOf(vertices) ?? -1) + 1;
+    const square = (lastOf(patches) ?? -1) + 1;
     return html`<section aria-label=${words.pick}>
       <h3>${words.pick}</h3>
       <div class="acts">
@@ -132,6 +133,16 @@ export class PasuNetworkPanel extends DesignerElement {
               ${words[name]}
             </button>`,
         )}
+        <button
+          class="button outlined"
+          type="button"
+          data-pick="several"
+          title=${words.severalHelp}
+          aria-pressed=${several ? "true" : "false"}
+          @click=${() => this.desk.set({ several: !several })}
+        >
+          ${words.several}
+        </button>
       </div>
       <p class="told" role="status">
         ${vertices.size === 0 ? words.pickedNone : words.picked(vertices.size, patches.size)}
@@ -139,11 +150,12 @@ export class PasuNetworkPanel extends DesignerElement {
       <div class="two">
         ${this.cell(words.numberOfPoint, one, 1, (value) => {
           const vertex = Math.round(value) - 1;
-          if (network.vertices[vertex]) pick(withVertices(NOTHING, [vertex], false));
+          if (network.vertices[vertex]) pick(withVertices(picks, [vertex], several));
         })}
         ${this.cell(words.numberOfPatch, square, 1, (value) => {
           const patch = Math.round(value) - 1;
-          if (network.patches[patch]) pick(withPatch(network, NOTHING, patch, false));
+          if (network.patches[patch] && !(several && patches.has(patch)))
+            pick(withPatch(network, picks, patch, several));
         })}
       </div>
     </section>`;
@@ -351,6 +363,13 @@ export class PasuNetworkPanel extends DesignerElement {
       }
     `,
   ];
+}
+
+/** What was picked last. */
+function lastOf(all: ReadonlySet<number>): number | undefined {
+  let last: number | undefined;
+  for (const one of all) last = one;
+  return last;
 }
 
 /** The patches of which a point is picked, with all their points. */

@@ -3,11 +3,13 @@
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
+import { isClosed } from "../../document/network/network";
 import { pathText } from "../../document/path";
 import { DEFAULTS } from "../../document/tables.gen";
 import type { Shape, Wall } from "../../document/types";
 import { isThickness, type WallField, wallFields, wallNumber, wallRange } from "../../document/wall";
 import { DesignerElement } from "../../element/designer-element";
+import { longest } from "../../solver/solved";
 import { toggleExplain } from "../../state/actions";
 import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
 import { checks } from "../../ui/checks";
@@ -29,10 +31,8 @@ export class PasuWall extends DesignerElement {
   private size = 1;
 
   override willUpdate(): void {
-    const { facts, bounds } = this.designer.surface.shown?.solved ?? {};
-    if (facts) this.size = Math.max(facts.height, facts.width, facts.depth);
-    // Patches have no foot and no rim, of which facts are told.
-    else if (bounds) this.size = Math.max(...bounds.max.map((most, axis) => most - (bounds.min[axis] ?? most)));
+    const solved = this.designer.surface.shown?.solved;
+    if (solved) this.size = longest(solved);
   }
 
   override render() {
@@ -42,6 +42,7 @@ export class PasuWall extends DesignerElement {
     const shape = design.parts[part]?.shape;
     if (!shape) return nothing;
     const isPatched = isThickness(shape.kind);
+    if (closes(shape)) return this.closed(wall !== undefined);
     if (!wall) {
       return html`<p class="lead">${isPatched ? words.isNetwork : words.isSurface}</p>
         <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
@@ -69,6 +70,20 @@ export class PasuWall extends DesignerElement {
         ${icon("make")}<span>${words.export}</span>
       </button>
     `;
+  }
+
+  /** What goes round a body has no edge for a wall to end at. It may have got one in a file, or before it was closed. */
+  private closed(isWalled: boolean) {
+    const { designer } = this;
+    return html`<p class="lead">${words.closed}</p>
+      ${
+        isWalled
+          ? html`<p class="problem" role="status">${icon("warn")}<span>${words.closedWall}</span></p>
+              <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, false, this.size))}>
+                ${words.remove}
+              </button>`
+          : nothing
+      }`;
   }
 
   /** What a wall is like below and above. */
@@ -196,6 +211,11 @@ export class PasuWall extends DesignerElement {
       }
     `,
   ];
+}
+
+/** Whether patches go round a body, which is a solid without a wall. */
+function closes(shape: Shape): boolean {
+  return shape.kind === "octant" || (shape.kind === "vertex-frame" && isClosed(shape));
 }
 
 /** Each value of a choice with its words. */

@@ -53,8 +53,17 @@ export function onGrid(point: Triple, step: number, moves: Triple = [1, 1, 1]): 
   return [snap(0), snap(1), snap(2)];
 }
 
+const mirrored = new WeakMap<Network["vertices"], Map<Axis, ReadonlyMap<number, number>>>();
+
 /** For each vertex its image in the plane where the coordinate is 0, where there is one. */
 export function imagesOf(network: Network, mirror: Axis): ReadonlyMap<number, number> {
+  const before = mirrored.get(network.vertices) ?? new Map<Axis, ReadonlyMap<number, number>>();
+  const images = before.get(mirror) ?? imagesIn(network, mirror);
+  mirrored.set(network.vertices, before.set(mirror, images));
+  return images;
+}
+
+function imagesIn(network: Network, mirror: Axis): ReadonlyMap<number, number> {
   const axis = AXES.indexOf(mirror);
   const cell = NEAR * sizeOf(network);
   const keyOf = (point: Triple) => point.map((value) => Math.round(value / cell)).join();

@@ -68,6 +68,12 @@ export function isFree(edge: Edge): boolean {
   return edge.sides.length === 1;
 }
 
+/** Whether it goes round something: no edge has a patch on one side alone. */
+export function isClosed(network: Network): boolean {
+  for (const edge of edgesOf(network).values()) if (isFree(edge)) return false;
+  return true;
+}
+
 /** The edges whose middles these vertices are. */
 export function edgesThrough(network: Network, vertices: ReadonlySet<number>): readonly Edge[] {
   return [...edgesOf(network).values()].filter(({ sides }) => sides[0] && vertices.has(sides[0].vertices[1]));
@@ -96,20 +102,27 @@ export function faultOf(network: Network): Fault | null {
   return null;
 }
 
+const sizes = new WeakMap<Network["vertices"], number>();
+
 /** How far it reaches from its middle. */
 export function sizeOf({ vertices }: Network): number {
-  let [low, high] = [
-    [0, 0, 0],
-    [0, 0, 0],
-  ].map((each) => [...each]) as [number[], number[]];
-  if (vertices[0]) [low, high] = [[...vertices[0]], [...vertices[0]]];
+  const known = sizes.get(vertices);
+  if (known !== undefined) return known;
+  const [low, high] = [
+    [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY],
+    [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY],
+  ] as [[number, number, number], [number, number, number]];
   for (const point of vertices) {
-    for (const [axis, value] of point.entries()) {
-      low[axis] = Math.min(low[axis] ?? value, value);
-      high[axis] = Math.max(high[axis] ?? value, value);
+    for (const axis of [0, 1, 2] as const) {
+      const value = point[axis];
+      if (value < low[axis]) low[axis] = value;
+      if (value > high[axis]) high[axis] = value;
     }
   }
-  return Math.hypot(...high.map((value, axis) => value - (low[axis] ?? 0))) / 2 || 1;
+  const size = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
+  const found = size > 0 && Number.isFinite(size) ? size : 1;
+  sizes.set(vertices, found);
+  return found;
 }
 
 /** Without the vertices that nothing uses, and where each of the old ones is now. */

@@ -60,6 +60,11 @@ export function ringThrough(network: Network, picks: Picks): Picks {
 
 /** What of the picks there still is. */
 export function within({ vertices, patches }: Network, picks: Picks): Picks {
+  const isInside = (all: ReadonlySet<number>, count: number) => {
+    for (const each of all) if (each >= count) return false;
+    return true;
+  };
+  if (isInside(picks.vertices, vertices.length) && isInside(picks.patches, patches.length)) return picks;
   const inside = (all: ReadonlySet<number>, count: number) => new Set([...all].filter((each) => each < count));
   return { vertices: inside(picks.vertices, vertices.length), patches: inside(picks.patches, patches.length) };
 }

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import type { Triple } from "../types";
-import { edgesOf, faultOf, isFree, type Network } from "./network";
+import { edgesOf, faultOf, isClosed, isFree, type Network } from "./network";
 import { ringThrough } from "./selection";
 import { pointOn } from "./surface";
 import { type Building, type Built, bridged, extruded, filled, outsides, removed, rowsOf, split } from "./topology";
@@ -38,6 +38,13 @@ function can(): Network {
   weaving.wall(low, middle, high);
   return weaving.network();
 }
+
+test("what has a free edge is not closed, and what is bridged is", () => {
+  const round = can();
+  expect(isClosed(round)).toBe(false);
+  const joined = done(bridged(round, new Set(free(round).flatMap(({ sides }) => sides[0]?.vertices ?? []))));
+  expect(isClosed(joined.network)).toBe(true);
+});
 
 test("a patch is put on a free edge, and goes on from the one behind it", () => {
   const leaf = model("own-leaf");

@@ -1,6 +1,6 @@
 /** The network as it is drawn over the stage: edges, points, middles of patches, regions; those behind the middle fainter. */
 
-import { at, edgesOf, type Frame, type Network } from "../../document/network/network";
+import { at, edgesOf, type Frame, type Network, type Side } from "../../document/network/network";
 import { crestOf, heightOf, pointAt, pointsAt, rimOf, unfolded } from "../../document/network/sculpting";
 import type { Picks } from "../../document/network/selection";
 import { pointOn } from "../../document/network/surface";
@@ -25,13 +25,22 @@ export interface Placed {
   readonly front: boolean;
 }
 
-/** How an edge is divided to be drawn. */
-const PIECES = 6;
+/** How an edge is divided to be drawn, of few patches and of more. */
+const PIECES = { few: 16, more: 6 } as const;
+/** Of no more patches each is large on the stage. */
+const FEW = 24;
 const RIM = 6;
 /** Of more patches than these edges are drawn from point to point. */
 const MANY = 300;
+/** Of so many points one at most moves, or all are drawn again. */
+const MOST_MOVED = 4;
 /** More points than these are a crowd: they are drawn smaller. */
 const CROWD = 150;
+/** Of more points those are drawn, and can be taken, that have so many pixels to themselves; nearer by there is room for more. */
+const THRONG = 10_000;
+const ROOM = 14;
+/** Of more patches no edges are drawn, nor looked for: they would be a surface of lines. */
+const NO_EDGES = 10_000;
 
 export interface Colours {
   readonly line: string;
@@ -40,73 +49,187 @@ export interface Colours {
 }
 
 /** The places of a side, from 0 to 1 along it. */
-const ALONG: readonly ((share: number) => readonly [number, number])[] = [
+type Along = (share: number) => readonly [number, number];
+const ALONG: readonly Along[] = [
   (share) => [share, 0],
   (share) => [1, share],
   (share) => [share, 1],
   (share) => [0, share],
 ];
 
+/** What of a network a hand moves, by numbers: of thousands of patches this alone is found and drawn again with every movement. */
+export interface Parted {
+  readonly vertices: ReadonlySet<number>;
+  /** Those that have one of the vertices, in the order of {@link edgesOf}. */
+  readonly edges: ReadonlySet<number>;
+  readonly patches: ReadonlySet<number>;
+}
+
+/** What goes with these vertices; null where the network is small, or so much of it moves that all may be drawn again. */
+export function partedOf(network: Network, vertices: ReadonlySet<number>): Parted | null {
+  if (!isMany(network) || vertices.size > network.vertices.length / MOST_MOVED) return null;
+  const edges = new Set<number>();
+  let number = 0;
+  for (const { vertices: own } of sidesOf(network)) {
+    if (own.some((vertex) => vertices.has(vertex))) edges.add(number);
+    number += 1;
+  }
+  const patches = new Set<number>();
+  for (const [patch, { frame }] of network.patches.entries()) {
+    if (frame.some((vertex) => vertices.has(vertex))) patches.add(patch);
+  }
+  return { vertices, edges, patches };
+}
+
+/** Among very many patches the points themselves are line enough. */
+function isMany({ patches }: Network): boolean {
+  return patches.length > MANY;
+}
+
 /** Curves and middles of a network: good until it changes. */
 export class NetworkCurves {
   readonly edges: readonly (readonly Triple[])[];
   readonly middles: readonly Triple[];
 
-  constructor(readonly network: Network) {
-    // Among very many patches the points themselves are line enough.
-    const many = network.patches.length > MANY;
-    this.edges = [...edgesOf(network).values()].flatMap(({ sides: [side] }) => {
-      const along = side && ALONG[side.side];
-      if (!along) return [];
-      if (many) return [side.vertices.map((vertex) => at(network, vertex))];
-      return [Array.from({ length: PIECES + 1 }, (_, piece) => pointOn(network, side.patch, ...along(piece / PIECES)))];
-    });
+  /** `before` are those of the same patches, of which `parted` alone has moved since. */
+  constructor(
+    readonly network: Network,
+    before: NetworkCurves | null = null,
+    parted: Parted | null = null,
+  ) {
+    if (before && parted) {
+      const [edges, middles] = [[...before.edges], [...before.middles]];
+      const all = sidesOf(network);
+      for (const edge of parted.edges) edges[edge] = curveOf(network, all[edge]);
+      for (const patch of parted.patches) middles[patch] = middleOf(network, network.patches[patch]?.frame);
+      this.edges = edges;
+      this.middles = middles;
+      return;
+    }
+    this.edges = sidesOf(network).map((side) => curveOf(network, side));
     this.middles = network.patches.map(({ frame }) => middleOf(network, frame));
   }
 }
 
+const known = new WeakMap<Network["patches"], readonly Side[]>();
+
+/** One side of each edge that is drawn. */
+function sidesOf(network: Network): readonly Side[] {
+  const before = known.get(network.patches);
+  if (before) return before;
+  const all = network.patches.length > NO_EDGES ? [] : [...edgesOf(network).values()];
+  const sides = all.flatMap(({ sides: [side] }) => side ?? []);
+  known.set(network.patches, sides);
+  return sides;
+}
+
+function curveOf(network: Network, side: Side | undefined): readonly Triple[] {
+  const along = side && ALONG[side.side];
+  if (!along) return [];
+  if (isMany(network)) return side.vertices.map((vertex) => at(network, vertex));
+  return piecesOf(network, side.patch, along);
+}
+
+function piecesOf(network: Network, patch: number, along: Along): readonly Triple[] {
+  const pieces = network.patches.length <= FEW ? PIECES.few : PIECES.more;
+  return Array.from({ length: pieces + 1 }, (_, piece) => pointOn(network, patch, ...along(piece / pieces)));
+}
+
 /** Where a patch is halfway along both ways: no cubic term reaches there. */
-function middleOf(network: Network, frame: Frame): Triple {
+function middleOf(network: Network, frame: Frame | undefined): Triple {
   const sum: [number, number, number] = [0, 0, 0];
-  for (const [place, vertex] of frame.entries()) {
-    const point = at(network, vertex);
+  for (let place = 0; frame && place < frame.length; place += 1) {
+    const point = at(network, frame[place] ?? 0);
     const weight = place % 2 === 0 ? -0.25 : 0.5;
     for (const axis of [0, 1, 2] as const) sum[axis] += weight * point[axis];
   }
   return sum;
 }
 
-/** Everything that a hand can take, the nearest first. */
-export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple | null, see: See): readonly Placed[] {
+/** Everything that a hand can take, the nearest first, and how far from the eye what is behind begins. */
+export interface Items {
+  readonly placed: readonly Placed[];
+  readonly middle: number;
+}
+
+export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple | null, see: See): Items {
+  const { network, middles } = curves;
+  const all: { item: Item; at: Triple; seen: Seen }[] = [];
+  let [near, far] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  const add = (item: Item, point: Triple) => {
+    const spot = see(point);
+    if (!spot) return;
+    const depth = spot.depth ?? 0;
+    if (depth < near) near = depth;
+    if (depth > far) far = depth;
+    all.push({ item, at: point, seen: { x: spot.x, y: spot.y, depth } });
+  };
+  for (let index = 0; index < network.vertices.length; index += 1) add({ kind: "vertex", index }, at(network, index));
+  for (let index = 0; index < middles.length; index += 1) add({ kind: "patch", index }, middles[index] ?? [0, 0, 0]);
+  for (const { item, at: point } of crests(network, picks)) add(item, point);
+  if (pivot) add({ kind: "pivot" }, pivot);
+  const middle = (near + far) / 2;
+  const placed = inSight(all, picks, middle, network.vertices.length);
+  return { placed: network.vertices.length > THRONG ? thinned(placed, picks) : placed, middle };
+}
+
+/** Those alone that a hand moves. */
+export function movedItems(
+  curves: NetworkCurves,
+  { vertices, patches }: Parted,
+  picks: Picks,
+  pivot: Triple | null,
+  see: See,
+  middle: number,
+): readonly Placed[] {
   const { network, middles } = curves;
   const all: { item: Item; at: Triple }[] = [
-    ...network.vertices.map((point, index) => ({ item: { kind: "vertex", index } as const, at: point })),
-    ...middles.map((point, index) => ({ item: { kind: "patch", index } as const, at: point })),
+    ...[...vertices].map((index) => ({ item: { kind: "vertex", index } as const, at: at(network, index) })),
+    ...[...patches].map((index) => ({ item: { kind: "patch", index } as const, at: middles[index] ?? at(network, 0) })),
     ...crests(network, picks),
+    ...(pivot ? [{ item: { kind: "pivot" } as const, at: pivot }] : []),
   ];
-  if (pivot) all.push({ item: { kind: "pivot" }, at: pivot });
-  const placed = all.flatMap(({ item, at: point }) => {
+  const seen = all.flatMap(({ item, at: point }) => {
     const spot = see(point);
     return spot ? [{ item, at: point, seen: { x: spot.x, y: spot.y, depth: spot.depth ?? 0 } }] : [];
   });
-  const depths = placed.map(({ seen }) => seen.depth);
-  const [near, far] = [Math.min(...ends(depths, -1)), Math.max(...ends(depths, 1))];
-  const middle = (near + far) / 2;
-  const isWorkedWith = ({ kind }: Item) => kind === "pivot" || kind === "crest";
-  const isPicked = (item: Item) => item.kind === "vertex" && picks.vertices.has(item.index);
-  // Among many points those behind would only be in the way.
-  const crowded = network.vertices.length > CROWD;
-  return placed
-    .map((each) => ({ ...each, front: isWorkedWith(each.item) || each.seen.depth <= middle }))
-    .filter(({ item, front }) => front || !crowded || isPicked(item))
-    .sort((a, b) => a.seen.depth - b.seen.depth);
+  return inSight(seen, picks, middle, network.vertices.length);
 }
 
-/** Without spreading thousands of numbers over a call. */
-function ends(values: readonly number[], way: 1 | -1): readonly number[] {
-  let end = values[0] ?? 0;
-  for (const value of values) if (way * value > way * end) end = value;
-  return [end];
+/** Whether something stays where it is while a hand moves these. */
+export function isLeft({ vertices, patches }: Parted, { item }: Placed): boolean {
+  if (item.kind === "vertex") return !vertices.has(item.index);
+  return item.kind === "patch" && !patches.has(item.index);
+}
+
+/** Among many points those behind would only be in the way. */
+function inSight(
+  all: readonly Omit<Placed, "front">[],
+  picks: Picks,
+  middle: number,
+  count: number,
+): readonly Placed[] {
+  const crowded = count > CROWD;
+  const found: Placed[] = [];
+  for (const { item, at: point, seen } of all) {
+    const front = item.kind === "pivot" || item.kind === "crest" || seen.depth <= middle;
+    const isPicked = item.kind === "vertex" && picks.vertices.has(item.index);
+    if (front || !crowded || isPicked) found.push({ item, at: point, seen, front });
+  }
+  return found.sort((a, b) => a.seen.depth - b.seen.depth);
+}
+
+/** Of what lies close together the nearest to the eye; what is picked stays. */
+function thinned(placed: readonly Placed[], { vertices, patches }: Picks): readonly Placed[] {
+  const taken = new Set<number>();
+  return placed.filter(({ item, seen }) => {
+    if (item.kind === "vertex" ? vertices.has(item.index) : item.kind !== "patch" || patches.has(item.index))
+      return true;
+    const place = 65_536 * Math.floor(seen.y / ROOM) + Math.floor(seen.x / ROOM);
+    if (taken.has(place)) return false;
+    taken.add(place);
+    return true;
+  });
 }
 
 function crests(network: Network, { patches }: Picks) {
@@ -122,7 +245,7 @@ function crests(network: Network, { patches }: Picks) {
   });
 }
 
-/** Draws it all; `box` is a rectangle that is being drawn, `region` a line round what would be sculpted. */
+/** Draws edges and points; where a hand moves some, `parted` says which, and `which` whether it is these or the others. */
 export function drawNetwork(
   context: CanvasRenderingContext2D,
   curves: NetworkCurves,
@@ -130,33 +253,134 @@ export function drawNetwork(
   picks: Picks,
   see: See,
   colours: Colours,
+  parted: { readonly of: Parted; readonly which: "moved" | "left" } | null = null,
+): void {
+  const { network, edges } = curves;
+  const trace = tracer(context, see);
+  context.lineJoin = "round";
+  context.beginPath();
+  if (parted?.which === "moved") for (const edge of parted.of.edges) trace(edges[edge] ?? []);
+  else for (let edge = 0; edge < edges.length; edge += 1) if (!parted?.of.edges.has(edge)) trace(edges[edge] ?? []);
+  context.strokeStyle = colours.line;
+  context.globalAlpha = 0.55;
+  context.lineWidth = 1;
+  context.stroke();
+  context.globalAlpha = 1;
+  // What is picked moves.
+  if (parted?.which !== "left") drawPicked(context, network, picks, trace, colours);
+  const crowded = network.vertices.length > CROWD;
+  const stamps = crowded ? new Stamps(context, picks, colours) : null;
+  for (let place = placed.length - 1; place >= 0; place -= 1) {
+    const each = placed[place] as Placed;
+    if (!stamps?.put(each)) drawItem(context, each, picks, colours, crowded ? LARGE : 1);
+  }
+  context.globalAlpha = 1;
+}
+
+/** How large points are among many. */
+const LARGE = 0.75;
+/** Half of a stamp, in CSS pixels. */
+const HALF = 6;
+
+/** Among many points each is one of few pictures, drawn once and put down thousands of times. */
+class Stamps {
+  readonly #context: CanvasRenderingContext2D;
+  readonly #picks: Picks;
+  readonly #colours: Colours;
+  readonly #ratio: number;
+  readonly #made = new Map<string, HTMLCanvasElement | null>();
+
+  constructor(context: CanvasRenderingContext2D, picks: Picks, colours: Colours) {
+    this.#context = context;
+    this.#picks = picks;
+    this.#colours = colours;
+    this.#ratio = context.getTransform().a;
+  }
+
+  /** Says whether it could. */
+  put({ item, seen, at: point, front }: Placed): boolean {
+    if (item.kind !== "vertex" && item.kind !== "patch") return false;
+    const isPicked = (item.kind === "vertex" ? this.#picks.vertices : this.#picks.patches).has(item.index);
+    const key = `${item.kind} ${isPicked} ${front}`;
+    let stamp = this.#made.get(key);
+    if (stamp === undefined) {
+      stamp = this.#stamp({ item, at: point, front, seen: { x: HALF, y: HALF, depth: 0 } });
+      this.#made.set(key, stamp);
+    }
+    if (!stamp) return false;
+    const ratio = this.#ratio;
+    // On whole pixels nothing has to be blended anew.
+    const [x, y] = [Math.round(ratio * (seen.x - HALF)) / ratio, Math.round(ratio * (seen.y - HALF)) / ratio];
+    this.#context.globalAlpha = 1;
+    this.#context.drawImage(stamp, x, y, stamp.width / ratio, stamp.height / ratio);
+    return true;
+  }
+
+  #stamp(one: Placed): HTMLCanvasElement | null {
+    const stamp = document.createElement("canvas");
+    stamp.width = Math.ceil(2 * HALF * this.#ratio);
+    stamp.height = stamp.width;
+    const context = stamp.getContext("2d");
+    context?.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
+    if (context) drawItem(context, one, this.#picks, this.#colours, LARGE);
+    return context && stamp;
+  }
+}
+
+/** Draws what a hand is drawing: `box` is a rectangle, `region` a line round what would be sculpted. */
+export function drawHeld(
+  context: CanvasRenderingContext2D,
+  see: See,
+  colours: Colours,
   box: readonly [Spot, Spot] | null,
   region: readonly Triple[],
 ): void {
-  const { network } = curves;
-  context.lineJoin = "round";
-  const trace = (points: readonly Triple[], close = false) => {
-    for (const [place, point] of points.entries()) {
-      const spot = see(point);
+  const trace = tracer(context, see);
+  context.strokeStyle = colours.picked;
+  context.setLineDash([5, 4]);
+  context.lineWidth = 1.6;
+  context.beginPath();
+  trace(region, true);
+  if (box) context.rect(box[0].x, box[0].y, box[1].x - box[0].x, box[1].y - box[0].y);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+type Trace = (points: readonly Triple[], close?: boolean) => void;
+
+function tracer(context: CanvasRenderingContext2D, see: See): Trace {
+  return (points, close = false) => {
+    for (let place = 0; place < points.length; place += 1) {
+      const spot = see(points[place] as Triple);
       if (!spot) continue;
       if (place === 0) context.moveTo(spot.x, spot.y);
       else context.lineTo(spot.x, spot.y);
     }
     if (close) context.closePath();
   };
-  context.beginPath();
-  for (const edge of curves.edges) trace(edge);
-  context.strokeStyle = colours.line;
-  context.globalAlpha = 0.55;
-  context.lineWidth = 1;
-  context.stroke();
-  context.globalAlpha = 1;
+}
+
+/** Round picked patches, and round what pushes them. */
+function drawPicked(
+  context: CanvasRenderingContext2D,
+  network: Network,
+  picks: Picks,
+  trace: Trace,
+  colours: Colours,
+): void {
   context.strokeStyle = colours.picked;
   context.lineWidth = 2.4;
   context.beginPath();
   for (const patch of picks.patches) {
+    if (isMany(network)) {
+      trace(
+        (network.patches[patch]?.frame ?? []).map((vertex) => at(network, vertex)),
+        true,
+      );
+      continue;
+    }
     for (const along of ALONG) {
-      trace(Array.from({ length: PIECES + 1 }, (_, piece) => pointOn(network, patch, ...along(piece / PIECES))));
+      trace(piecesOf(network, patch, along));
     }
   }
   context.stroke();
@@ -169,13 +393,8 @@ export function drawNetwork(
     const laid = unfolded(network, patch);
     for (const force of forces) trace(pointsAt(network, laid, rimOf(force, RIM)), true);
   }
-  trace(region, true);
-  if (box) context.rect(box[0].x, box[0].y, box[1].x - box[0].x, box[1].y - box[0].y);
   context.stroke();
   context.setLineDash([]);
-  const large = network.vertices.length > CROWD ? 0.75 : 1;
-  for (const each of placed.toReversed()) drawItem(context, each, picks, colours, large);
-  context.globalAlpha = 1;
 }
 
 function drawItem(

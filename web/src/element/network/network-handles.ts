@@ -3,7 +3,17 @@
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
-import { AXES, type Axis, type Motion, middleOf, moved, scaleBy, shiftBy, turnBy } from "../../document/network/moving";
+import {
+  AXES,
+  type Axis,
+  imagesOf,
+  type Motion,
+  middleOf,
+  moved,
+  scaleBy,
+  shiftBy,
+  turnBy,
+} from "../../document/network/moving";
 import { type Network, sizeOf } from "../../document/network/network";
 import { forceFor, heightOf, laidAt, pointsAt, regionBetween, rimOf, unfolded } from "../../document/network/sculpting";
 import { type Picks, withPatch, withVertex, withVertices } from "../../document/network/selection";
@@ -24,27 +34,63 @@ import { followed } from "../blend/grip-pull";
 import { DesignerElement } from "../designer-element";
 import { Lent } from "../lent";
 import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
-import { drawNetwork, type Item, NetworkCurves, type Placed, placedItems, touched } from "./drawn-network";
+import {
+  type Colours,
+  drawHeld,
+  drawNetwork,
+  type Item,
+  isLeft,
+  movedItems,
+  NetworkCurves,
+  type Parted,
+  type Placed,
+  partedOf,
+  placedItems,
+  touched,
+} from "./drawn-network";
 
 interface Held {
   readonly pointer: number;
   readonly item: Item | null;
+  /** Where the stage is on the page. */
+  readonly frame: DOMRect;
   readonly network: Network;
-  readonly picks: Picks;
-  readonly grasp: Grasp;
+  /** What was picked before it was touched. */
+  readonly was: Picks;
+  picks: Picks;
+  grasp: Grasp;
   readonly more: boolean;
   /** Whether it was picked when it was touched. */
-  readonly fresh: boolean;
+  fresh: boolean;
   /** Where on which patch a region begins. */
   readonly begun: { readonly patch: number; readonly at: Pair } | null;
   now: Spot;
   moves: boolean;
 }
 
+/** What stays where it is while a hand moves something, as long as it is seen so. */
+interface Rest {
+  readonly held: Held;
+  readonly view: string;
+  readonly parted: Parted;
+  readonly placed: readonly Placed[];
+  readonly middle: number;
+}
+
+/** Where these are seen, all is. */
+const PROBES: readonly Triple[] = [
+  [0, 0, 0],
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
 /** How far from a point a mouse takes it, and a finger, in pixels. */
 const NEAR = { mouse: 11, pen: 14, touch: 24 } as const;
 /** A hand that goes less far has clicked. */
 const STILL = 3;
+/** A finger that rests on a point for so many milliseconds picks it beside the others. */
+const RESTS_MS = 500;
 /** With more points buttons stand for what is picked alone: fields of the panel pick by number. */
 const MOST = 400;
 const COARSE = 10;
@@ -58,7 +104,8 @@ const RISE = 0.06;
 export class PasuNetworkHandles extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
   @state() private spoken = "";
-  @query("canvas") private readonly canvas!: HTMLCanvasElement | null;
+  @query("canvas.front") private readonly canvas!: HTMLCanvasElement | null;
+  @query("canvas.behind") private readonly behind!: HTMLCanvasElement | null;
   private readonly lent = new Lent(
     this,
     (bench) => new Hand(bench),
@@ -69,21 +116,37 @@ export class PasuNetworkHandles extends DesignerElement {
   private held: Held | null = null;
   private curves: NetworkCurves | null = null;
   private placed: readonly Placed[] = [];
+  private colours: Colours = { line: "", picked: "", ground: "" };
+  private unmoved: Rest | null = null;
+  /** What was drawn last. */
+  private drawn: { readonly network: Network; readonly picks: Picks; readonly view: string } | null = null;
   private over: Document | ShadowRoot | null = null;
   private drags = 0;
+  /** In CSS pixels; asked for only when it changes, because the page has to be laid out to know it. */
+  private size: readonly [number, number] = [0, 0];
+  private readonly sized = new ResizeObserver(() => {
+    this.size = [this.clientWidth, this.clientHeight];
+    this.follow();
+  });
+  private resting: ReturnType<typeof setTimeout> | undefined;
 
   override connectedCallback(): void {
     super.connectedCallback();
     window.addEventListener("keydown", this.escape, { capture: true });
+    this.size = [this.clientWidth, this.clientHeight];
+    this.sized.observe(this);
     // Before the stage hears of it: what is no point of the network turns the view.
     this.over = this.getRootNode() as ShadowRoot;
     this.over.addEventListener("pointerdown", this.take, { capture: true });
+    this.over.addEventListener("contextmenu", this.noMenu, { capture: true });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     window.removeEventListener("keydown", this.escape, { capture: true });
+    this.sized.disconnect();
     this.over?.removeEventListener("pointerdown", this.take, { capture: true });
+    this.over?.removeEventListener("contextmenu", this.noMenu, { capture: true });
     this.over = null;
     if (this.held) this.designer.store.endGesture();
     this.letGo();
@@ -98,7 +161,8 @@ export class PasuNetworkHandles extends DesignerElement {
       vertices.length > MOST ? [...picks.vertices].sort((a, b) => a - b).slice(0, MOST) : [...vertices.keys()];
     const patches = network.patches.length > MOST ? [...picks.patches] : [...network.patches.keys()];
     return html`
-      <canvas aria-hidden="true"></canvas>
+      <canvas class="behind" aria-hidden="true"></canvas>
+      <canvas class="front" aria-hidden="true"></canvas>
       <div class="handles" role="group" aria-label=${words.handles} aria-describedby="keys">
         ${picks.vertices.size > 1 ? this.handle({ kind: "pivot" }, words.pivot(picks.vertices.size), true) : nothing}
         ${shown.map((index) => this.handle({ kind: "vertex", index }, this.reading(network, index), picks.vertices.has(index)))}
@@ -115,6 +179,8 @@ export class PasuNetworkHandles extends DesignerElement {
   }
 
   override updated(): void {
+    // There may be other handles.
+    this.drawn = null;
     this.follow();
   }
 
@@ -173,19 +239,19 @@ export class PasuNetworkHandles extends DesignerElement {
     if (!found && touch !== "box" && !begun) return;
     event.preventDefault();
     event.stopPropagation();
-    const more = event.shiftKey;
-    let picks = this.desk.picksOf(network);
+    const more = event.shiftKey || this.desk.settings.several;
+    const was = this.desk.picksOf(network);
     const item = found?.item ?? null;
     // What is not picked yet is picked at once, so that it can be dragged; what is, only when nothing was dragged.
-    if (item?.kind === "vertex" && !picks.vertices.has(item.index)) picks = withVertex(picks, item.index, more);
-    if (item?.kind === "patch" && !picks.patches.has(item.index)) picks = withPatch(network, picks, item.index, more);
-    const was = this.desk.picksOf(network);
+    const picks = isPicked(was, item) ? was : toggled(network, was, item, more);
     if (picks !== was) this.desk.pick(network, picks);
     this.drags += 1;
     this.held = {
       pointer: event.pointerId,
       item,
+      frame,
       network,
+      was,
       picks,
       grasp: this.grasp(network, picks, item, found?.at ?? null, see, from),
       more,
@@ -196,9 +262,33 @@ export class PasuNetworkHandles extends DesignerElement {
     };
     if (item)
       this.renderRoot.querySelector<HTMLElement>(`[data-item="${nameOf(item)}"]`)?.focus({ preventScroll: true });
+    if (event.pointerType !== "mouse" && (item?.kind === "vertex" || item?.kind === "patch"))
+      this.resting = setTimeout(() => this.rest(), RESTS_MS);
     window.addEventListener("pointermove", this.move);
     window.addEventListener("pointerup", this.release);
     window.addEventListener("pointercancel", this.release);
+  };
+
+  /** A finger or a pen rests on a point: it is picked beside those before, and all of them can be dragged; or it is left out of them, and nothing is held. */
+  private rest(): void {
+    const { held, network } = this;
+    if (!held || held.moves || held.network !== network) return;
+    const { item, was, grasp } = held;
+    const picks = toggled(network, was, item, true);
+    this.desk.pick(network, picks);
+    this.spoken = words.picked(picks.vertices.size, picks.patches.size);
+    if (!isPicked(picks, item)) {
+      this.letGo();
+      return;
+    }
+    held.picks = picks;
+    held.grasp = this.grasp(network, picks, item, grasp.at, grasp.see, grasp.from);
+    held.fresh = true;
+  }
+
+  /** A finger that rests is no question for a menu. */
+  private readonly noMenu = (event: Event): void => {
+    if (this.held) event.preventDefault();
   };
 
   private nearest(spot: Spot, reach: number, onlyCrests: boolean): Placed | null {
@@ -245,12 +335,13 @@ export class PasuNetworkHandles extends DesignerElement {
   private readonly move = (event: PointerEvent): void => {
     const { held } = this;
     if (held?.pointer !== event.pointerId) return;
-    const frame = this.getBoundingClientRect();
+    const { frame } = held;
     held.now = { x: event.clientX - frame.left, y: event.clientY - frame.top };
     const { from } = held.grasp;
     const by = { x: held.now.x - from.x, y: held.now.y - from.y };
     if (!held.moves && Math.hypot(by.x, by.y) < STILL) return;
     held.moves = true;
+    clearTimeout(this.resting);
     if (!held.item) {
       this.follow();
       return;
@@ -329,8 +420,7 @@ export class PasuNetworkHandles extends DesignerElement {
       return;
     }
     if (held.moves || held.fresh) return;
-    if (item.kind === "vertex") this.desk.pick(network, withVertex(picks, item.index, held.more));
-    if (item.kind === "patch") this.desk.pick(network, withPatch(network, picks, item.index, held.more));
+    this.desk.pick(network, toggled(network, picks, item, held.more));
   }
 
   /** A force on the rectangle that was drawn, which rises a little: its crest is there to be pulled. */
@@ -362,6 +452,7 @@ export class PasuNetworkHandles extends DesignerElement {
 
   private letGo(): void {
     this.held = null;
+    clearTimeout(this.resting);
     window.removeEventListener("pointermove", this.move);
     window.removeEventListener("pointerup", this.release);
     window.removeEventListener("pointercancel", this.release);
@@ -386,8 +477,7 @@ export class PasuNetworkHandles extends DesignerElement {
     if (event.key === "Enter" || event.key === " ") {
       event.preventDefault();
       event.stopPropagation();
-      if (item.kind === "vertex") this.desk.pick(network, withVertex(was, item.index, event.shiftKey));
-      if (item.kind === "patch") this.desk.pick(network, withPatch(network, was, item.index, event.shiftKey));
+      this.desk.pick(network, toggled(network, was, item, event.shiftKey || this.desk.settings.several));
       return;
     }
     const arrow = ARROWS[event.key];
@@ -400,9 +490,7 @@ export class PasuNetworkHandles extends DesignerElement {
       this.raiseBy(network, item, (times * (arrow[0] + arrow[1]) * sizeOf(network)) / STEPS);
       return;
     }
-    let picks = was;
-    if (item.kind === "vertex" && !was.vertices.has(item.index)) picks = withVertex(was, item.index, false);
-    if (item.kind === "patch" && !was.patches.has(item.index)) picks = withPatch(network, was, item.index, false);
+    const picks = isPicked(was, item) ? was : toggled(network, was, item, this.desk.settings.several);
     if (picks !== was) this.desk.pick(network, picks);
     const grasp = this.grasp(network, picks, item, null, see, { x: 0, y: 0 });
     this.change(network, picks, this.nudge(grasp, arrow, times), `keys ${nameOf(item)}`);
@@ -445,35 +533,100 @@ export class PasuNetworkHandles extends DesignerElement {
     const picks = before && this.desk.picksOf(before);
     this.designer.apply(changeNetwork(this.designer.state, edit, key));
     const { network } = this;
-    if (network && picks && network !== before) this.desk.pick(network, picks);
+    // Where points were moved alone, the same are picked.
+    if (network && picks && network.patches !== before?.patches) this.desk.pick(network, picks);
   }
 
   /** Draws the network where it is seen, and puts the handles there. */
   private follow(): void {
     const { network, canvas } = this;
     const { tool: hand } = this.lent;
-    const context = canvas?.getContext("2d");
-    if (!hand || !network || !canvas || !context) return;
-    const see = hand.sight(this.designer.store.part);
+    const see = hand && network ? hand.sight(this.designer.store.part) : null;
+    if (!hand || !network || !canvas) return;
+    const picks = this.desk.picksOf(network);
+    const view = this.viewOf(see);
+    // A frame of the stage in which nothing of this changed is no reason to draw thousands of points again.
+    const drawing = this.held?.moves && !this.held.item;
+    const last = this.drawn;
+    if (!drawing && last?.network === network && last.picks === picks && last.view === view) return;
+    this.drawn = drawing ? null : { network, picks, view };
+    const pivot = picks.vertices.size > 1 ? middleOf(network, picks.vertices) : null;
+    const rest = this.restOf(network, see, view);
+    const context = this.cleared(canvas);
+    if (see && context && rest && this.curves) {
+      const { parted, placed, middle } = rest;
+      this.curves = new NetworkCurves(network, this.curves, parted);
+      const moved = movedItems(this.curves, parted, picks, pivot, see, middle);
+      this.placed = [...placed, ...moved];
+      drawNetwork(context, this.curves, moved, picks, see, this.colours, { of: parted, which: "moved" });
+    } else if (see && context) {
+      if (this.curves?.network !== network) this.curves = new NetworkCurves(network);
+      const { placed } = placedItems(this.curves, picks, pivot, see);
+      this.placed = placed;
+      this.colours = this.coloursNow();
+      drawNetwork(context, this.curves, placed, picks, see, this.colours);
+      const { held } = this;
+      const box = held && drawing && !held.begun ? ([held.grasp.from, held.now] as const) : null;
+      drawHeld(context, see, this.colours, box, this.outline(network, see));
+    }
+    if (see) this.putHandles(network, see);
+  }
+
+  /** Which way the stage is looked at: the same as long as all points are seen where they were. */
+  private viewOf(see: See | null): string {
+    const seen = see ? PROBES.map((point) => see(point)) : [];
+    const places = seen.flatMap((spot) =>
+      (spot ? [spot.x, spot.y, 100 * (spot.depth ?? 0)] : []).map((each) => each.toFixed(3)),
+    );
+    // While a hand holds something nobody asks for other colours, and asking for them has the browser find all styles again.
+    const colours = this.held?.moves ? this.colours : this.coloursNow();
+    return [...this.size, window.devicePixelRatio, ...places, ...Object.values(colours)].join();
+  }
+
+  private coloursNow(): Colours {
+    const style = getComputedStyle(this);
+    const colour = (name: string) => style.getPropertyValue(name).trim();
+    return { line: colour("--ink"), picked: colour("--accent"), ground: colour("--sheet") };
+  }
+
+  /** The canvas as large as it is seen, and empty. */
+  private cleared(canvas: HTMLCanvasElement): CanvasRenderingContext2D | null {
+    const context = canvas.getContext("2d");
     const ratio = window.devicePixelRatio;
-    const [width, height] = [this.clientWidth, this.clientHeight];
+    const [width, height] = this.size;
     if (canvas.width !== Math.round(ratio * width) || canvas.height !== Math.round(ratio * height)) {
       canvas.width = Math.round(ratio * width);
       canvas.height = Math.round(ratio * height);
     }
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    if (!see) return;
-    const picks = this.desk.picksOf(network);
-    if (this.curves?.network !== network) this.curves = new NetworkCurves(network);
-    const pivot = picks.vertices.size > 1 ? middleOf(network, picks.vertices) : null;
-    this.placed = placedItems(this.curves, picks, pivot, see);
-    const style = getComputedStyle(this);
-    const colour = (name: string) => style.getPropertyValue(name).trim();
-    const colours = { line: colour("--ink"), picked: colour("--accent"), ground: colour("--sheet") };
-    const { held } = this;
-    const box = held && !held.item && !held.begun && held.moves ? ([held.grasp.from, held.now] as const) : null;
-    drawNetwork(context, this.curves, this.placed, picks, see, colours, box, this.outline(network, see));
+    context?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context?.clearRect(0, 0, width, height);
+    return context;
+  }
+
+  /** What stays where it is while a hand moves some of very many points: drawn once, on a canvas of its own. Null where all is drawn together. */
+  private restOf(network: Network, see: See | null, view: string): Rest | null {
+    const { held, behind } = this;
+    const before = this.unmoved;
+    const moves = held?.moves && held.item && held.item.kind !== "crest" && network.patches === held.network.patches;
+    if (held && moves && see && behind) {
+      if (before?.held === held && before.view === view) return before;
+      const parted = partedOf(held.network, withImages(held.network, held.picks.vertices, this.desk.settings.mirror));
+      if (parted && this.curves?.network.patches === held.network.patches) {
+        const { placed, middle } = placedItems(this.curves, held.picks, null, see);
+        const left = placed.filter((each) => isLeft(parted, each));
+        const context = this.cleared(behind);
+        if (context)
+          drawNetwork(context, this.curves, left, held.picks, see, this.colours, { of: parted, which: "left" });
+        this.unmoved = { held, view, parted, placed: left, middle };
+        return this.unmoved;
+      }
+    }
+    if (before && behind) this.cleared(behind);
+    this.unmoved = null;
+    return null;
+  }
+
+  private putHandles(network: Network, see: See): void {
     for (const handle of this.renderRoot.querySelectorAll<HTMLElement>("[data-item]")) {
       const spot = this.spotOf(handle.dataset.item ?? "", network, see);
       if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
@@ -540,6 +693,24 @@ export class PasuNetworkHandles extends DesignerElement {
       }
     `,
   ];
+}
+
+/** Vertices with their images in a mirror, which move too. */
+function withImages(network: Network, vertices: ReadonlySet<number>, mirror: Axis | null): ReadonlySet<number> {
+  if (!mirror) return vertices;
+  const images = imagesOf(network, mirror);
+  return new Set([...vertices, ...[...vertices].flatMap((vertex) => images.get(vertex) ?? [])]);
+}
+
+function isPicked({ vertices, patches }: Picks, item: Item | null): boolean {
+  if (item?.kind === "vertex") return vertices.has(item.index);
+  return item?.kind === "patch" && patches.has(item.index);
+}
+
+/** With a point or a patch picked, alone or beside what there is; the same picks of anything else. */
+function toggled(network: Network, picks: Picks, item: Item | null, more: boolean): Picks {
+  if (item?.kind === "vertex") return withVertex(picks, item.index, more);
+  return item?.kind === "patch" ? withPatch(network, picks, item.index, more) : picks;
 }
 
 function nameOf(item: Item): string {

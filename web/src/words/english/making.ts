@@ -32,6 +32,7 @@ export const making = phrases("making", {
   /** Of what has no foot and no rim. */
   noEnds:
     "A network of patches has no foot and no rim, so this cannot be done with it. What closes is a solid without a wall; what has free edges gets a thickness.",
+  closes: "It closes, so that it is a solid as it is, and has no free edge for a wall to end at.",
   /** Of the thickness of patches. */
   thickness: {
     noFoot: "Patches have no foot and no rim: their wall has no base, no ring and no drain, and its edges are flat.",

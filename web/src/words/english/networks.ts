@@ -19,7 +19,11 @@ export const networks = phrases("networks", {
   besideOpen: "Patches compared…",
   pick: "Pick",
   picked: (pointCount: number, patchCount: number) => `${points(pointCount)} and ${patches(patchCount)} picked.`,
-  pickedNone: "Nothing is picked: click a point or the square in the middle of a patch, with shift several.",
+  pickedNone:
+    "Nothing is picked: click a point or the square in the middle of a patch. Several with shift, with Pick several, or by a finger that rests on them.",
+  several: "Pick several",
+  severalHelp:
+    "A click, a tap or Enter picks beside what is picked, or leaves it out, as with shift. A finger that rests on a point does so too.",
   all: "All",
   none: "None",
   ring: "Ring",
@@ -109,7 +113,8 @@ export const networks = phrases("networks", {
   },
 
   handles: "Points of the network",
-  handleKeys: "Arrow keys move what is picked, with shift further. Enter picks a point, with shift beside the others.",
+  handleKeys:
+    "Arrow keys move what is picked, with shift further. Enter picks a point, with shift or Pick several beside the others.",
   point: (number: string, at: string) => `Point ${number}: ${at}`,
   pivot: (count: number) => `Middle of ${points(count)}`,
   patch: (number: string) => `Patch ${number}`,

@@ -30,7 +30,10 @@ export const wall = phrases("wall", {
     "This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or thrown.",
   makePot: "Make it a pot",
   isNetwork:
-    "These are patches. Where they go round a body they are a solid as they are. Where they have free edges a thickness along their normals makes them one, which can be printed.",
+    "These patches have free edges: they are a surface without thickness. With one along their normals they become a body, which can be printed.",
+  closed:
+    "It goes round a body, so that it is a solid as it is, which can be printed. A wall takes a free edge to end at.",
+  closedWall: "It has a wall all the same, with which it cannot be made.",
   thicken: "Give it a thickness",
   thickened: "It has a thickness everywhere, and is a body that can be made.",
   remove: "Remove the wall",

@@ -6,7 +6,7 @@ use super::exchange::{Entities, Id, integers, list, reals, string};
 use super::net::PatchNet;
 use super::sewn::{Sewn, boolean};
 use super::spline::multiplicities;
-use crate::face::FaceKind;
+use crate::face::kind_of;
 use crate::patch::{ENDS, Lines, Side, SurfaceJet, first_corners};
 use crate::solution::Placed;
 
@@ -91,7 +91,7 @@ pub(super) fn sew(into: &mut Entities, name: &str, placed: &Placed, millimetres:
         let shell = into.add(&format!("OPEN_SHELL('',{})", list(&faces)));
         into.add(&format!("SHELL_BASED_SURFACE_MODEL({},({shell}))", string(name)))
     };
-    let faces = faces.into_iter().map(|id| (FaceKind::Outer, id)).collect();
+    let faces = faces.into_iter().enumerate().map(|(patch, id)| (kind_of(placed, patch), id)).collect();
     Sewn { shape, is_closed, faces, deviation: fitted.deviation, bound: fitted.deviation, n_samples: fitted.n_samples }
 }
 

@@ -1,0 +1,194 @@
+// How far a network of 2,000 patches is behind the pointer that drags one of its points, in the built designer on a slow machine, and what the page's thread does for one movement.
+
+import type { Browser } from "playwright-core";
+import { test } from "vitest";
+import { launch } from "../support/browser.ts";
+import { movements, slowDown, watchDrags } from "../support/drag.ts";
+import { ISOLATED, serve } from "../support/server.ts";
+import { type Visit, visit } from "../support/visit.ts";
+import { QUICK, record } from "./rows.ts";
+
+/** Patches one way and the other: 2,000. */
+const [ROWS, COLUMNS] = [40, 50];
+const SLOWER = 6;
+const DRAGS = QUICK ? 2 : 5;
+const STEPS = QUICK ? 10 : 40;
+const STEP = 1;
+
+/** When each movement was told, when the frame with it was done, and what the worker took. */
+interface Timed {
+  pasuTimed: { readonly change: number; readonly event: number; drawn: number | null }[];
+  pasuSolved: number[];
+  pasuTrace(moment: string, change: number, times?: { begun: number; done: number }): void;
+}
+
+test("network", { timeout: 600_000 }, async () => {
+  const site = await serve(undefined, 0, () => ISOLATED);
+  const browser = await launch();
+  try {
+    // What the software that stands in for a GPU draws is not the point here: a small stage.
+    const pot = await visit(browser, site.url, {
+      viewport: { width: 860, height: 480 },
+      before: async (there) => {
+        await watchDrags(there);
+        await watchTimes(there);
+      },
+    });
+    const first = await pot.fingerprint();
+    await pot.dropFile("sheet.json", JSON.stringify(sheet()));
+    await pot.fingerprintOtherThan(first);
+    await pot.button("Points on the stage").click();
+    await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+    await slowDown(pot, SLOWER);
+    const busy: number[] = [];
+    for (let turn = 0; turn < DRAGS; turn += 1) busy.push(...(await busyWhile(browser, () => dragged(pot))));
+    const behind = (await movements(pot)).map((each) => each.behind);
+    const { late, solved } = await times(pot);
+    await slowDown(pot, 1);
+    await pot.leave();
+    record({
+      group: `behind the pointer, a point of ${ROWS * COLUMNS} patches`,
+      unit: "frames",
+      tail: true,
+      rows: [{ name: `on a processor ${SLOWER} times slower`, samples: behind, median_at_most: 2 }],
+    });
+    record({
+      group: `a point of ${ROWS * COLUMNS} patches under the hand, the page's thread ${SLOWER} times slower`,
+      unit: "ms",
+      tail: true,
+      rows: [
+        {
+          name: "the page's thread, for one movement",
+          samples: busy,
+          note: "Without what it waits for software to draw: without a GPU, Chromium's page waits until every frame is read back.",
+        },
+        { name: "the worker, for one change, not slowed down", samples: solved },
+        { name: "event to drawn, by software", samples: late },
+      ],
+    });
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+});
+
+/** One event of Chromium's trace; times in microseconds. */
+interface Traced {
+  readonly name: string;
+  readonly ph: string;
+  readonly pid: number;
+  readonly tid: number;
+  readonly ts: number;
+  readonly dur?: number;
+  readonly args?: { readonly data?: { readonly type?: string } };
+}
+
+/** For each movement of the pointer in between how long the page's thread was at work, in milliseconds, until the next; without waiting for what draws. */
+async function busyWhile(browser: Browser, act: () => Promise<void>): Promise<readonly number[]> {
+  const session = await browser.newBrowserCDPSession();
+  const events: Traced[] = [];
+  session.on("Tracing.dataCollected", ({ value }) => events.push(...(value as unknown as Traced[])));
+  const over = new Promise<void>((resolve) => session.on("Tracing.tracingComplete", () => resolve()));
+  await session.send("Tracing.start", {
+    traceConfig: { includedCategories: ["toplevel", "devtools.timeline", "gpu"], excludedCategories: ["*"] },
+  });
+  await act();
+  await session.send("Tracing.end");
+  await over;
+  await session.detach();
+  const moves = events.filter(({ name, args }) => name === "EventDispatch" && args?.data?.type === "pointermove");
+  const thread = moves[0];
+  if (!thread) throw new Error("no movement was traced");
+  const own = events.filter(({ ph, pid, tid }) => ph === "X" && pid === thread.pid && tid === thread.tid);
+  const spent = (name: string, from: number, to: number) =>
+    own
+      .filter((each) => each.name === name && each.ts >= from && each.ts < to)
+      .reduce((sum, { dur = 0 }) => sum + dur / 1000, 0);
+  // A task begins before the event that it tells of.
+  const starts = moves.map(
+    ({ ts }) =>
+      own.findLast(
+        (each) => each.name === "ThreadControllerImpl::RunTask" && each.ts <= ts && each.ts + (each.dur ?? 0) > ts,
+      )?.ts ?? ts,
+  );
+  return starts.slice(0, -1).map((from, index) => {
+    const to = starts[index + 1] ?? from;
+    return spent("ThreadControllerImpl::RunTask", from, to) - spent("ImplementationBase::WaitForCmd", from, to);
+  });
+}
+
+/** A sheet with waves. */
+function sheet(): object {
+  const [vertices, patches]: [number[][], object[]] = [[], []];
+  const wide = 2 * COLUMNS + 1;
+  const places = new Map<number, number>();
+  const vertex = (row: number, column: number) => {
+    const key = row * wide + column;
+    const known = places.get(key);
+    if (known !== undefined) return known;
+    const point = [(column - COLUMNS) / 4, (row - ROWS) / 4, Math.sin(column / 9) * Math.cos(row / 7)];
+    places.set(key, vertices.push(point) - 1);
+    return vertices.length - 1;
+  };
+  for (let row = 0; row < ROWS; row += 1) {
+    for (let column = 0; column < COLUMNS; column += 1) {
+      const at = (right: number, up: number) => vertex(2 * row + up, 2 * column + right);
+      patches.push({ frame: [at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1)] });
+    }
+  }
+  return { pasu: 1, parts: [{ shape: { kind: "vertex-frame", vertices, patches } }] };
+}
+
+/** Drags the point in the middle out and takes it back. */
+async function dragged(pot: Visit): Promise<void> {
+  const { page } = pot;
+  const before = await pot.fingerprint();
+  const box = await page.locator("pasu-network-handles").boundingBox();
+  if (!box) throw new Error("the network cannot be seen");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= STEPS; step += 1) await page.mouse.move(x, y - step * STEP);
+  await page.mouse.up();
+  await pot.fingerprintOtherThan(before);
+  await pot.undo();
+  await pot.shows(before);
+}
+
+async function watchTimes(pot: Visit): Promise<void> {
+  await pot.context.addInitScript(() => {
+    const watched = globalThis as unknown as Timed;
+    watched.pasuTimed = [];
+    watched.pasuSolved = [];
+    let event: number | null = null;
+    addEventListener(
+      "pointermove",
+      ({ timeStamp }) => {
+        event = timeStamp;
+      },
+      { capture: true },
+    );
+    const before = watched.pasuTrace;
+    watched.pasuTrace = (moment, change, times) => {
+      before?.(moment, change);
+      if (moment === "asked" && event !== null) {
+        watched.pasuTimed.push({ change, event, drawn: null });
+        event = null;
+      }
+      const ours = watched.pasuTimed.some((each) => each.change === change);
+      if (moment === "solved" && times && ours) watched.pasuSolved.push(times.done - times.begun);
+      if (moment !== "drawn") return;
+      for (const each of watched.pasuTimed)
+        if (each.drawn === null && each.change <= change) each.drawn = performance.now();
+    };
+  });
+}
+
+/** How long after its event each movement was drawn, and how long the worker took for each change, in milliseconds. */
+async function times(pot: Visit): Promise<{ readonly late: readonly number[]; readonly solved: readonly number[] }> {
+  return await pot.page.evaluate(() => {
+    const { pasuTimed, pasuSolved } = globalThis as unknown as Timed;
+    const late = pasuTimed.flatMap(({ event, drawn }) => (drawn === null ? [] : [drawn - event]));
+    return { late, solved: pasuSolved };
+  });
+}

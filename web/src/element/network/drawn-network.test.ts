@@ -1,0 +1,73 @@
+import { expect, test } from "vitest";
+import type { Network } from "../../document/network/network";
+import { NOTHING } from "../../document/network/selection";
+import type { Triple } from "../../document/types";
+import type { See } from "../../render/pull/reach";
+import { isLeft, movedItems, NetworkCurves, partedOf, placedItems } from "./drawn-network";
+
+/** A flat sheet of patches, of sides 2. */
+function sheet(rows: number, columns: number): Network {
+  const [vertices, patches]: [Triple[], Network["patches"][number][]] = [[], []];
+  const places = new Map<string, number>();
+  const vertex = (x: number, y: number) => {
+    const known = places.get(`${x} ${y}`);
+    if (known !== undefined) return known;
+    places.set(`${x} ${y}`, vertices.push([x, y, 0]) - 1);
+    return vertices.length - 1;
+  };
+  for (let y = 0; y < 2 * rows; y += 2) {
+    for (let x = 0; x < 2 * columns; x += 2) {
+      const round = [0, 0, 1, 0, 2, 0, 2, 1, 2, 2, 1, 2, 0, 2, 0, 1];
+      const frame = Array.from({ length: 8 }, (_, k) => vertex(x + (round[2 * k] ?? 0), y + (round[2 * k + 1] ?? 0)));
+      patches.push({ frame: frame as unknown as Network["patches"][number]["frame"] });
+    }
+  }
+  return { kind: "vertex-frame", vertices, patches };
+}
+
+const see: See = ([x, y, z]) => ({ x: 3 * x, y: 3 * y, depth: 10 - z });
+
+test("of many patches what a hand moves is found alone, and is as if all were found again", () => {
+  const network = sheet(20, 20);
+  const before = new NetworkCurves(network);
+  const vertex = network.patches[210]?.frame[4] as number;
+  const parted = partedOf(network, new Set([vertex]));
+  if (!parted) throw new Error("all of it moves");
+  expect([parted.edges.size, parted.patches.size]).toEqual([4, 4]);
+  const vertices = network.vertices.map((point, index): Triple => (index === vertex ? [11, 12, -5] : point));
+  const moved = { ...network, vertices };
+  const [part, all] = [new NetworkCurves(moved, before, parted), new NetworkCurves(moved)];
+  expect(part.edges).toEqual(all.edges);
+  expect(part.middles).toEqual(all.middles);
+  // What stays and what moves are all that there is.
+  const picks = { ...NOTHING, vertices: new Set([vertex]) };
+  const { placed, middle } = placedItems(before, picks, null, see);
+  const left = placed.filter((each) => isLeft(parted, each));
+  const others = movedItems(part, parted, picks, null, see, middle);
+  expect(left.length + others.length).toBe(placed.length);
+  expect(others.find(({ item }) => item.kind === "vertex" && item.index === vertex)?.at).toEqual([11, 12, -5]);
+});
+
+test("few patches are found together, and so are most of many", () => {
+  expect(partedOf(sheet(3, 3), new Set([1]))).toBeNull();
+  const many = sheet(20, 20);
+  expect(partedOf(many, new Set(many.vertices.keys()))).toBeNull();
+});
+
+test("of a throng of points those are shown that have room, and those that are picked", () => {
+  const network = sheet(60, 60);
+  const picks = { ...NOTHING, vertices: new Set([5, 6, 7, 8, 9]) };
+  const { placed } = placedItems(new NetworkCurves(network), picks, null, see);
+  expect(placed.length).toBeGreaterThan(500);
+  expect(placed.length).toBeLessThan(1000);
+  for (const vertex of picks.vertices)
+    expect(placed.some(({ item }) => item.kind === "vertex" && item.index === vertex)).toBe(true);
+  // Nearer by there is room for all that is within sight.
+  const near: See = (point) => {
+    const seen = see(point);
+    return seen && { ...seen, x: 20 * seen.x, y: 20 * seen.y };
+  };
+  expect(placedItems(new NetworkCurves(network), picks, null, near).placed.length).toBe(
+    network.vertices.length + network.patches.length,
+  );
+});
