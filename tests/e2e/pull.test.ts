@@ -117,11 +117,36 @@ test("on a phone one finger pulls, two turn, and nothing in the way is too small
   const pulled = await pot.fingerprintOtherThan(before);
   const seen = await stagePicture(pot);
   await fingers(pot, [
-    { from: { x: middle.x - 30, y: middle.y }, to: { x: middle.x - 60, y: middle.y + 10 } },
-    { from: { x: middle.x + 30, y: middle.y }, to: { x: middle.x + 60, y: middle.y + 10 } },
+    { from: { x: middle.x, y: middle.y - 30 }, to: { x: middle.x + 10, y: middle.y - 60 } },
+    { from: { x: middle.x, y: middle.y + 30 }, to: { x: middle.x + 10, y: middle.y + 60 } },
   ]);
   await expect.poll(async () => (await stagePicture(pot)).equals(seen)).toBe(false);
   expect(await pot.fingerprint()).toBe(pulled);
+});
+
+test("two fingers side by side on the pot squeeze it from both sides, all round or as an oval, in one step", async () => {
+  const pot = await here.enter({ ...PHONE, link: BOTTLE, painted: true });
+  const before = await pot.fingerprint();
+  await takeUp(pot);
+  const { y } = await spotOf(ring(pot, 1));
+  const middle = await onStage(pot, 0.5, 0.5);
+  const squeezed = async (spread: string) => {
+    await pot.page.getByRole("combobox", { name: "Where" }).selectOption(spread);
+    await fingers(pot, [
+      { from: { x: middle.x - 25, y }, to: { x: middle.x - 10, y } },
+      { from: { x: middle.x + 25, y }, to: { x: middle.x + 10, y } },
+    ]);
+    const fingerprint = await pot.fingerprintOtherThan(before);
+    const link = await pot.address();
+    await pot.undo();
+    await pot.shows(before);
+    expect(await pot.history("Undo").isEnabled()).toBe(false);
+    return { fingerprint, link };
+  };
+  const round = await squeezed("all");
+  const oval = await squeezed("side");
+  expect(oval.fingerprint).not.toBe(round.fingerprint);
+  expect(decodeURIComponent(oval.link).length).toBeGreaterThan(decodeURIComponent(round.link).length);
 });
 
 test("a named vase follows with its numbers, and says where it cannot", async () => {
@@ -255,6 +280,37 @@ test("what is pulled keeps its wall and its water", async () => {
   await pot.fingerprintOtherThan(before);
   await fineWall(pot);
   await expect.poll(() => water.innerText()).not.toBe(volume);
+});
+
+test("what cannot be made is said while the hand still holds it, and taken back as soon as it can", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  await pot.makePot();
+  const sound = await pot.fingerprintOtherThan(before);
+  await pot.tab("Measures");
+  const faults = pot.page.locator("pasu-measures .sentences .error");
+  const checked = pot.page.locator("pasu-measures .sentences li");
+  await checked.first().waitFor();
+  expect(await faults.count()).toBe(0);
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  const spot = await spotOf(ring(pot, 1));
+  // Past the axis, where the surface runs through itself, and back to where it was.
+  const far = await onStage(pot, 0.1, 0.5);
+  await dragFrom(
+    pot,
+    spot,
+    { x: far.x - spot.x, y: 0 },
+    {
+      held: async () => {
+        await faults.first().waitFor();
+        await pot.page.mouse.move(spot.x, spot.y);
+        await expect.poll(() => faults.count()).toBe(0);
+        await checked.first().waitFor();
+      },
+    },
+  );
+  await pot.shows(sound);
 });
 
 test.each<[string, VisitOptions]>([

@@ -66,6 +66,12 @@ test("sliders of the whole pot move every ring, there and back, each in one step
   await pot.fingerprintOtherThan(petals);
   await pot.type("Depth of the petals", "0");
   await pot.shows(tall);
+  await pot.type("Depth of the flutes", "8");
+  const fluted = await pot.fingerprintOtherThan(tall);
+  await pot.type("Flutes", "12");
+  await pot.fingerprintOtherThan(fluted);
+  await pot.type("Depth of the flutes", "0");
+  await pot.shows(tall);
   await pot.type("Height", "20");
   await pot.shows(before);
   expect(await findings(pot)).toEqual([]);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Brush, bumpOf, NEW_BRUSH, spreadOf, WIDTHS, widened } from "./brush";
+import { type Brush, bumpOf, NEW_BRUSH, spreadOf, squeezing, WIDTHS, widened } from "./brush";
 
 const SIDE: Brush = { ...NEW_BRUSH, spread: "side", width: 60 };
 
@@ -25,4 +25,9 @@ test("it is half as strong at half its width", () => {
   }
   expect(bumpOf({ ...SIDE, spread: "all" })).toEqual({ degree: 0, petals: 1 });
   expect(bumpOf({ ...SIDE, spread: "petals", petals: 6 }).petals).toBe(6);
+});
+
+test("between two fingers what pulls at one side pulls at both, and all else is as it was", () => {
+  expect(spreadOf(squeezing(SIDE))).toEqual({ width: Math.PI / 2, petals: 2 });
+  for (const spread of ["all", "petals"] as const) expect(squeezing({ ...SIDE, spread })).toEqual({ ...SIDE, spread });
 });

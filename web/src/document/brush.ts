@@ -35,6 +35,11 @@ export function widened(brush: Brush, steps: number): Brush {
   return { ...brush, width: Math.round(10 * width) / 10 };
 }
 
+/** The same brush between two fingers: what pulls at one side pulls at both. */
+export function squeezing(brush: Brush): Brush {
+  return brush.spread === "side" ? { ...brush, spread: "petals", petals: 2 } : brush;
+}
+
 export function within(value: number, least: number, most: number): number {
   return Math.min(Math.max(value, least), most);
 }

@@ -17,6 +17,7 @@ const SLIDERS: readonly Partial<Whole>[] = [
   { oval: 0.3 },
   { taper: -0.4 },
   ...PETALS_AT.map((at) => ({ depth: 0.2, petals: 6, at })),
+  { flutes: 0.1, fluteCount: 16 },
 ];
 
 test("a slider there and back leaves the same pot", () => {
@@ -31,7 +32,7 @@ test("each is linear: half of a slider is half of the way, everywhere on the sur
   const part = (slider: Partial<Whole>, share: number): Whole => {
     const values = Object.entries(slider).map(([name, value]) => {
       const none = UNCHANGED[name as keyof Whole];
-      const moves = typeof value === "number" && typeof none === "number" && name !== "petals";
+      const moves = typeof value === "number" && typeof none === "number" && name !== "petals" && name !== "fluteCount";
       return [name, moves ? none + share * (value - none) : value];
     });
     return { ...UNCHANGED, ...Object.fromEntries(values) };
@@ -77,4 +78,23 @@ test("petals are where they are asked for", () => {
   expect(depths("foot")[3]).toBe(0);
   expect(depths("belly")[0]).toBe(0);
   expect(depths("belly")[1]).toBeGreaterThan(depths("foot")[1] ?? 0);
+});
+
+test("flutes are as many and as deep as is asked for, round in the grooves and sharper on the ridges", () => {
+  const fluted = changed(BOTTLE, { ...UNCHANGED, flutes: 0.1, fluteCount: 12 });
+  const mean = BOTTLE.rings[1]?.r.mean ?? 0;
+  // Of the belly, beside what goes round it already.
+  const out = (angle: number) => {
+    const [before, after] = [BOTTLE, fluted].map((pot) => {
+      const [x = 0, y = 0] = point(pot, BOTTLE.rings[1]?.u ?? 0, angle);
+      return Math.hypot(x, y);
+    });
+    return ((after ?? 0) - (before ?? 0)) / mean;
+  };
+  for (let flute = 0; flute < 12; flute += 1) {
+    const groove = (flute * Math.PI) / 6;
+    expect(out(groove + Math.PI / 12) - out(groove)).toBeCloseTo(0.1, 9);
+    // A quarter of the way from the groove it has risen by less than a quarter turn of a plain wave would.
+    expect(out(groove + Math.PI / 24) - out(groove)).toBeLessThan(0.05);
+  }
 });

@@ -27,6 +27,9 @@ export interface Whole {
   readonly depth: number;
   readonly petals: number;
   readonly at: PetalsAt;
+  /** How deep flutes are from ridge to groove, as a share of every radius, and how many. */
+  readonly flutes: number;
+  readonly fluteCount: number;
 }
 
 export const UNCHANGED: Whole = {
@@ -39,7 +42,13 @@ export const UNCHANGED: Whole = {
   depth: 0,
   petals: 5,
   at: "all",
+  flutes: 0,
+  fluteCount: 20,
 };
+
+/** A flute is a round groove between two ridges, `-|cos|` of half the angle, of which two waves are kept: the second is so much of the first, and both together are this deep for each unit of that. */
+const SECOND = -1 / 5;
+const DEEP = 2;
 
 /** Digits that a number of a document keeps. */
 const DIGITS = 12;
@@ -57,7 +66,7 @@ export function changed(pot: Rings, whole: Whole): Rings {
   return { ...pot, rings, ...(foot && { foot: slopes(foot, 0) }), ...(rim && { rim: slopes(rim, 1) }) };
 }
 
-export function isUnchanged({ petals: _petals, at: _at, ...sizes }: Whole): boolean {
+export function isUnchanged({ petals: _petals, at: _at, fluteCount: _count, ...sizes }: Whole): boolean {
   return Object.entries(sizes).every(([name, value]) => value === UNCHANGED[name as keyof Whole]);
 }
 
@@ -87,6 +96,8 @@ function ringOf(ring: Hoop, share: number, whole: Whole, height: number): Hoop {
     { n: 1, cos: whole.lean * share * height * whole.height },
     { n: 2, cos: whole.oval * r.mean },
     { n: whole.petals, cos: whole.depth * strength(whole.at, share) * r.mean },
+    { n: whole.fluteCount, cos: (-whole.flutes / DEEP) * r.mean },
+    { n: 2 * whole.fluteCount, cos: ((-whole.flutes * SECOND) / DEEP) * r.mean },
   ];
   return { ...ring, r: added.reduce(plus, r), z };
 }

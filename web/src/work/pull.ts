@@ -114,9 +114,9 @@ export class Pull {
   }
 
   /** The hand has come so far from where it took hold. */
-  move(by: Move): void {
+  move(by: Move, brush = this.brush): void {
     const held = this.#grip.peek();
-    if (held) void this.#ask(held, by, this.brush, this.#locked.peek());
+    if (held) void this.#ask(held, by, brush, this.#locked.peek());
   }
 
   /** Puts a ring where the surface of a part is, which changes nothing until it is moved. */

@@ -22,6 +22,8 @@ const SHARES: readonly { readonly name: ShareName; readonly most: number; readon
 ];
 const DEEPEST = 0.5;
 const MOST_PETALS = 24;
+const DEEPEST_FLUTES = 0.3;
+const FLUTES = { least: 6, most: 32 } as const;
 const MOST_TWIST = 180;
 
 @customElement("pasu-whole-pot")
@@ -56,6 +58,10 @@ export class PasuWholePot extends DesignerElement {
         whole.at,
         (at) => this.change({ at }, false),
       )}
+      ${this.number(words.fluteDepth, words.help.fluteDepth, "%", 100 * whole.flutes, [0, 100 * DEEPEST_FLUTES], (value) => ({ flutes: value / 100 }))}
+      ${this.number(words.flutes, words.help.flutes, "", whole.fluteCount, [FLUTES.least, FLUTES.most], (value) => ({
+        fluteCount: Math.min(Math.max(Math.round(value), FLUTES.least), FLUTES.most),
+      }))}
     </details>`;
   }
 
@@ -65,11 +71,11 @@ export class PasuWholePot extends DesignerElement {
     return shape?.kind === "rings" ? shape : null;
   }
 
-  /** What the sliders began with: where the pot is another one by now, that. How many petals there would be, and where, stays. */
+  /** What the sliders began with: where the pot is another one by now, that. How many petals and flutes there would be, and where, stays. */
   private heldOf(shape: Rings): NonNullable<typeof this.held> {
     if (this.held?.made !== shape) {
-      const { petals, at } = this.held?.whole ?? UNCHANGED;
-      this.held = { from: shape, whole: { ...UNCHANGED, petals, at }, made: shape };
+      const { petals, at, fluteCount } = this.held?.whole ?? UNCHANGED;
+      this.held = { from: shape, whole: { ...UNCHANGED, petals, at, fluteCount }, made: shape };
     }
     return this.held;
   }

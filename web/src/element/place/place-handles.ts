@@ -60,6 +60,9 @@ export class PasuPlaceHandles extends DesignerElement {
   private readonly gesture = new PullGesture({
     take: (at, adds) => this.takePart(at, adds),
     pull: (by, modifier, otherwise) => this.move(by, modifier, otherwise),
+    // Two fingers turn and pinch, wherever they are.
+    pinch: () => false,
+    squeeze: () => {},
     release: () => this.release(),
     cancel: () => this.cancel(),
     hover: (at) => this.hover(at),

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { PullGesture } from "./pull-gesture";
 
 /** Events of a pointer as far as they are looked at, and what was heard of them. */
-function bench(onPot = true) {
+function bench(onPot = true, between = false) {
   const heard: unknown[][] = [];
   const hear =
     (name: string) =>
@@ -14,6 +14,11 @@ function bench(onPot = true) {
       return onPot;
     },
     pull: (by, modifier, otherwise) => heard.push(["pull", by, modifier, ...(otherwise ? ["otherwise"] : [])]),
+    pinch: (one, other) => {
+      heard.push(["pinch", one, other]);
+      return between;
+    },
+    squeeze: hear("squeeze"),
     release: hear("release"),
     cancel: hear("cancel"),
     hover: hear("hover"),
@@ -99,9 +104,9 @@ test("a second finger takes back the pull, and both turn and pinch until they ar
   gesture.down(finger(1, 100, 100));
   gesture.move(finger(1, 110, 100));
   gesture.down(finger(2, 210, 100));
-  expect(names()).toEqual(["take", "pull", "cancel"]);
+  expect(names()).toEqual(["take", "pull", "cancel", "pinch"]);
   gesture.move(finger(2, 310, 100));
-  expect(heard.slice(3)).toEqual([
+  expect(heard.slice(4)).toEqual([
     ["turn", 50, 0],
     ["zoom", 2],
   ]);
@@ -111,6 +116,29 @@ test("a second finger takes back the pull, and both turn and pinch until they ar
   gesture.up(finger(2, 300, 100));
   expect(gesture.pulling).toBe(false);
   expect(names()).not.toContain("release");
+});
+
+test("two fingers that hold the pot squeeze it by half of what they come nearer, and whichever goes first lets go", () => {
+  const { gesture, heard, names, event } = bench(true, true);
+  const finger = (id: number, x: number, y: number, more = {}) =>
+    event(x, y, { pointerId: id, pointerType: "touch", ...more });
+  gesture.down(finger(1, 100, 100));
+  gesture.down(finger(2, 200, 110));
+  expect(heard.slice(1)).toEqual([["cancel"], ["pinch", { x: 100, y: 100 }, { x: 200, y: 110 }]]);
+  expect(gesture.pulling).toBe(true);
+  // One that hardly moves squeezes nothing, and up or down does not.
+  gesture.move(finger(2, 198, 150));
+  expect(names()).toHaveLength(3);
+  gesture.move(finger(2, 180, 110));
+  gesture.move(finger(1, 90, 100));
+  gesture.up(finger(1, 90, 100));
+  gesture.move(finger(2, 150, 110));
+  gesture.up(finger(2, 150, 110));
+  expect(heard.slice(3)).toEqual([["squeeze", -10], ["squeeze", -5], ["release"]]);
+  gesture.down(finger(1, 100, 100));
+  gesture.down(finger(2, 200, 100));
+  gesture.up(finger(2, 200, 100, { type: "pointercancel" }));
+  expect(names().at(-1)).toBe("cancel");
 });
 
 test("only what holds nothing hovers, and no finger does", () => {

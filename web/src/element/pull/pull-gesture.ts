@@ -1,4 +1,4 @@
-/** What pointers over the stage mean while the tool that pulls is taken up: one finger or the first button on the pot pulls, and beside it turns; the second button turns, two fingers turn and pinch, the wheel zooms. */
+/** What pointers over the stage mean while the tool that pulls is taken up: one finger or the first button on the pot pulls, and beside it turns; the second button turns, two fingers side by side on the pot squeeze it and elsewhere turn and pinch, the wheel zooms. */
 
 /** A point of the window, in CSS pixels. */
 export interface Point {
@@ -14,6 +14,10 @@ export interface PullTarget {
   take(at: Point, adds: boolean): boolean;
   /** The hand that holds has come so far. `otherwise` with the control key. */
   pull(by: Point, modifier: Modifier, otherwise: boolean): void;
+  /** Takes hold between two fingers; false where they do not hold the pot from both sides. */
+  pinch(one: Point, other: Point): boolean;
+  /** Each of the two has gone so far away from the other. */
+  squeeze(by: number): void;
   /** Lets go, or did not mean it. */
   release(): void;
   cancel(): void;
@@ -26,7 +30,7 @@ export interface PullTarget {
   widen(notches: number): void;
 }
 
-type Doing = "pull" | "turn" | "pan" | "pinch";
+type Doing = "pull" | "squeeze" | "turn" | "pan" | "pinch";
 
 /** A hand that moves no farther than this did not mean to. */
 const STILL = 3;
@@ -42,6 +46,8 @@ export class PullGesture {
   readonly #pointers = new Map<number, { x: number; y: number }>();
   #doing: Doing | null = null;
   #from: Point = { x: 0, y: 0 };
+  /** How far two fingers were apart across the window when they took hold. */
+  #apart = 0;
   /** Whether the hand that holds has moved since. */
   #moved = false;
 
@@ -51,7 +57,7 @@ export class PullGesture {
 
   /** Whether the pot is held. */
   get pulling(): boolean {
-    return this.#doing === "pull";
+    return this.#doing === "pull" || this.#doing === "squeeze";
   }
 
   readonly down = (event: PointerEvent): void => {
@@ -61,7 +67,7 @@ export class PullGesture {
     if (this.#pointers.size === 2) {
       // The first finger was on its way to a pinch.
       if (this.#doing === "pull") this.#target.cancel();
-      this.#doing = "pinch";
+      this.#doing = this.#holds() ? "squeeze" : "pinch";
     } else this.#begin(event, at);
     capture(event);
   };
@@ -94,6 +100,12 @@ export class PullGesture {
         if (this.#moved) this.#target.pull(by, modifierOf(event), event.ctrlKey || event.metaKey);
         return;
       }
+      case "squeeze": {
+        const by = (this.#across() - this.#apart) / 2;
+        this.#moved ||= Math.abs(by) > STILL / 2;
+        if (this.#moved) this.#target.squeeze(by);
+        return;
+      }
       case "turn":
         this.#target.turn(dx, dy);
         return;
@@ -111,10 +123,10 @@ export class PullGesture {
 
   readonly up = (event: PointerEvent): void => {
     if (!this.#pointers.delete(event.pointerId)) return;
-    const doing = this.#doing;
-    // The finger that stays of two goes on turning.
-    this.#doing = this.#pointers.size > 0 ? "turn" : null;
-    if (doing !== "pull") return;
+    const { pulling } = this;
+    // The finger that stays of two goes on turning, but not where they held the pot.
+    this.#doing = this.#pointers.size > 0 && !pulling ? "turn" : null;
+    if (!pulling) return;
     if (event.type === "pointercancel") this.#target.cancel();
     else this.#target.release();
   };
@@ -129,7 +141,7 @@ export class PullGesture {
     // With the shift key some browsers scroll sideways.
     const raw = (event.deltaY || event.deltaX) * unit;
     const pixels = Math.min(Math.max(raw, -PIXELS_PER_PAGE), PIXELS_PER_PAGE);
-    if (this.#doing === "pull" || event.shiftKey || event.altKey) this.#target.widen(-pixels / PIXELS_PER_NOTCH);
+    if (this.pulling || event.shiftKey || event.altKey) this.#target.widen(-pixels / PIXELS_PER_NOTCH);
     else this.#target.zoom(Math.exp(-pixels * (event.ctrlKey ? PINCH_WHEEL_RATE : WHEEL_RATE)));
   };
 
@@ -146,6 +158,20 @@ export class PullGesture {
     else if (event.button !== 0 || event.ctrlKey || event.metaKey) this.#doing = "pan";
     else if (this.#target.take(at, event.shiftKey)) this.#doing = "pull";
     else this.#doing = event.shiftKey ? "pan" : "turn";
+  }
+
+  /** Whether the two fingers that are down hold the pot between them from now on. */
+  #holds(): boolean {
+    const [a, b] = [...this.#pointers.values()];
+    this.#moved = false;
+    this.#apart = this.#across();
+    return a !== undefined && b !== undefined && this.#target.pinch(a, b);
+  }
+
+  /** How far two fingers are apart across the window. */
+  #across(): number {
+    const [a, b] = [...this.#pointers.values()];
+    return a && b ? Math.abs(a.x - b.x) : 0;
   }
 
   /** The distance of two fingers, or null while there are not two. */

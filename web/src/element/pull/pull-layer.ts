@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
-import { bumpOf, takesRings, widened } from "../../document/brush";
+import { bumpOf, squeezing, takesRings, widened } from "../../document/brush";
 import { type Curve, curveUnder, gripsOf, pointOn, spanOf } from "../../document/curves";
 import { unitOf } from "../../document/look";
 import type { Pair, Shape, Triple } from "../../document/types";
@@ -33,6 +33,8 @@ interface Hold {
   readonly see: See;
   readonly point: Triple;
   readonly size: number;
+  /** Whether two fingers hold it. */
+  readonly pinched: boolean;
 }
 
 @customElement("pasu-pull")
@@ -59,6 +61,8 @@ export class PasuPull extends DesignerElement {
   private readonly gesture = new PullGesture({
     take: (at) => this.take(this.feel(at)),
     pull: (by, modifier) => this.move(by, modifier),
+    pinch: (one, other) => this.pinch(one, other),
+    squeeze: (by) => this.squeeze(by),
     release: () => this.release(),
     cancel: () => this.cancel(),
     hover: (at) => this.hover(at),
@@ -208,11 +212,14 @@ export class PasuPull extends DesignerElement {
 
   /** The point of a ring that is seen at the right. */
   private feltOf({ u }: Curve): Felt | null {
+    return this.shape && this.atRight(this.designer.store.part, u);
+  }
+
+  /** What is seen at the right there. */
+  private atRight(place: number, u: number): Felt | null {
     const { tool: hand } = this.lent;
-    const place = this.designer.store.part;
     const matrix = hand?.matrixOf(place);
-    const { shape } = this;
-    if (!hand || !matrix || !shape) return null;
+    if (!hand || !matrix) return null;
     // The direction to the right of the eye, turned back as the part is turned.
     const [x, y] = [-Math.sin(hand.azimuth), Math.cos(hand.azimuth)];
     const back = (i: number) => (matrix[4 * i] ?? 0) * x + (matrix[4 * i + 1] ?? 0) * y;
@@ -253,13 +260,14 @@ export class PasuPull extends DesignerElement {
       return;
     }
     const [u, v] = (hold && pull.followed.at) ?? [felt.u, spanOf(shape) * felt.v];
-    const bump = takesRings(shape) ? bumpOf(pull.brush) : { degree: 0, petals: 1 };
+    const brush = hold?.pinched ? squeezing(pull.brush) : pull.brush;
+    const bump = takesRings(shape) ? bumpOf(brush) : { degree: 0, petals: 1 };
     hand.show({ place: felt.place, u, v: v / spanOf(shape), ...bump, held: hold !== null });
   }
 
   // Pulling
 
-  private take(felt: Felt | null): boolean {
+  private take(felt: Felt | null, pinched = false): boolean {
     const { pull, designer } = this;
     const { tool: hand } = this.lent;
     const see = felt && hand?.sight(felt.place);
@@ -272,7 +280,7 @@ export class PasuPull extends DesignerElement {
     const size = Math.hypot(...point) || 1;
     pull.take({ part, at, size });
     this.keyed = { out: 0, up: 0, round: 0 };
-    this.hold = { felt, see, point, size };
+    this.hold = { felt, see, point, size, pinched };
     this.surface.classList.add("held");
     this.show();
     return true;
@@ -283,6 +291,21 @@ export class PasuPull extends DesignerElement {
     if (!hold || !pull) return;
     const way: Direction = modifier ?? pull.brush.way;
     pull.move(reached(hold.see, hold.point, hold.size, by, way));
+  }
+
+  /** Between two fingers that lie side by side the pot is held at the height of their middle, at the right and at the left. */
+  private pinch(one: Point, other: Point): boolean {
+    if (Math.abs(one.x - other.x) <= Math.abs(one.y - other.y)) return false;
+    const [a, b] = [this.feel(one), this.feel(other)];
+    const middle = this.feel({ x: (one.x + other.x) / 2, y: (one.y + other.y) / 2 });
+    if (!a || !b || !middle || a.place !== middle.place || b.place !== middle.place) return false;
+    return this.take(this.atRight(middle.place, middle.u), true);
+  }
+
+  private squeeze(by: number): void {
+    const { hold, pull } = this;
+    if (hold && pull)
+      pull.move(reached(hold.see, hold.point, hold.size, { x: by, y: 0 }, "out"), squeezing(pull.brush));
   }
 
   private release(): void {

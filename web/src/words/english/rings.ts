@@ -59,6 +59,8 @@ export const rings = phrases("rings", {
   petals: "Petals",
   depth: "Depth of the petals",
   petalsAt: "Where the petals are",
+  flutes: "Flutes",
+  fluteDepth: "Depth of the flutes",
   places: { all: "All over", rim: "Rim", belly: "Belly", foot: "Foot" } satisfies Readonly<Record<PetalsAt, string>>,
   help: {
     height: "From the foot to the rim.",
@@ -69,6 +71,8 @@ export const rings = phrases("rings", {
     taper: "Wider at the rim and narrower at the foot, or the other way.",
     petals: "How many petals the depth adds.",
     depth: "How far petals swing out.",
+    flutes: "How many flutes the depth adds.",
+    fluteDepth: "From the ridges to the bottom of the grooves.",
   },
 
   numbers: "As numbers",
