@@ -200,7 +200,7 @@ impl Profile {
 
     /// Walks from `u = 0` to `u = 1` with the longest steps whose cells cost no more than the budget, no step across a ring, and tells where each ends. The number of steps, or `None` where there are more than
     /// `most` or no step holds.
-    pub(super) fn walk(&self, q: f64, budget: f64, most: usize, mut visit: impl FnMut(f64)) -> Option<usize> {
+    pub(super) fn walk(&self, q: f64, budget: f64, most: usize, visit: &mut dyn FnMut(f64)) -> Option<usize> {
         let (mut strip, mut at) = (0, 0.0);
         for n_steps in 1..=most {
             let (start, mut worst) = (at, Bend::default());
@@ -235,7 +235,7 @@ impl Profile {
 
     /// The number of steps of [`Profile::walk`].
     pub(super) fn steps(&self, q: f64, budget: f64, most: usize) -> Option<usize> {
-        self.walk(q, budget, most, |_| {})
+        self.walk(q, budget, most, &mut |_| {})
     }
 
     /// What the cells between rows at these `u`, which ascend from 0 to 1, cost: for each its length in `t` and the worst bend.

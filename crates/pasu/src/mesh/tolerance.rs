@@ -200,7 +200,7 @@ impl<'a> Part<'a> {
         let [(enough, _), _] = bisection::change((budget, true), (least, false), halvings, holds, |holds| *holds);
         let mut rows = Vec::with_capacity(n_steps + 1);
         rows.push(0.0);
-        self.profile.walk(q, enough, n_steps, |u| rows.push(u));
+        self.profile.walk(q, enough, n_steps, &mut |u| rows.push(u));
         grid(rows.len() as f64 - 1.0, Some(rows))
     }
 
