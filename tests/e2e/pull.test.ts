@@ -282,6 +282,31 @@ test("what is pulled keeps its wall and its water", async () => {
   await expect.poll(() => water.innerText()).not.toBe(volume);
 });
 
+test("what cannot be made is said while the hand still holds it, and taken back as soon as it can", async () => {
+  const pot = await here.enter({ link: BOTTLE });
+  const before = await pot.fingerprint();
+  await pot.makePot();
+  await pot.tab("Measures");
+  const faults = pot.page.locator("pasu-measures .sentences .error");
+  const sentences = pot.page.locator("pasu-measures .sentences li");
+  await sentences.first().waitFor();
+  expect(await faults.count()).toBe(0);
+  await takeUp(pot);
+  await pot.page.getByRole("radio", { name: "All round" }).check();
+  const spot = await spotOf(ring(pot, 1));
+  // Past the axis, where the surface runs through itself, and back to where it was.
+  const far = await onStage(pot, 0.1, 0.5);
+  const held = async () => {
+    await faults.first().waitFor();
+    await pot.page.mouse.move(spot.x, spot.y);
+    await expect.poll(() => faults.count()).toBe(0);
+  };
+  await dragFrom(pot, spot, { x: far.x - spot.x, y: 0 }, { held });
+  await pot.shows(before);
+  await sentences.first().waitFor();
+  expect(await faults.count()).toBe(0);
+});
+
 test.each<[string, VisitOptions]>([
   ["on a phone", PHONE],
   // A window of 1280 by 800 whose page is enlarged to 200 %.

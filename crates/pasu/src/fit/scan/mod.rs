@@ -168,12 +168,8 @@ pub fn fit_levels(levels: &Levels, tolerance: f64) -> Result<FittedLevels> {
             }
             // Closer than rings can follow: what was found before is the best there is.
             let Ok(next) = round(number) else { return };
-            let is_near = next.2.most <= tolerance;
-            if next.2.rms < best.2.rms {
+            if next.2.most <= tolerance || next.2.rms < best.2.rms {
                 best = next;
-            }
-            if is_near {
-                return;
             }
         }
     };
