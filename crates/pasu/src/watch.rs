@@ -15,7 +15,7 @@ use crate::error::{Code, Error, Result};
 const BETWEEN: u64 = 1 << 17;
 
 /// What a place of a surface counts for, in units of [`work`], and so many of the terms that it is the sum of for one more;
-const PLACE: u64 = 14;
+const PLACE: u64 = 13;
 const TERMS_OF_PLACE: u64 = 3;
 
 /// what a row counts for besides, of which a place is asked for the first time, and each two of its terms. As found on blends of 12 to 128 waves, on pots through rings of 6 to 24 and on those of the papers, give or take a fifth.

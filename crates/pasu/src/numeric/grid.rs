@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::climb::{Place, climb};
+use crate::watch;
 
 /// What a face is at the points of an even grid, to be searched for several functions.
 pub(crate) struct Grid<T> {
@@ -18,15 +19,18 @@ const LAST: f64 = 1e-8;
 const FOLLOWED: usize = 6;
 
 impl<T> Grid<T> {
-    /// Samples a function of `(a, v)`: `rows` rows from `a = 0` to 1, and round `v` as many columns.
+    /// Samples a function of `(a, v)`: `rows` rows from `a = 0` to 1, and round `v` as many columns. Fewer rows once nobody waits for it any more.
     pub(crate) fn new(rows: usize, columns: usize, mut at: impl FnMut(f64, f64) -> T) -> Grid<T> {
         let (rows, columns) = (rows.max(2), columns.max(4));
         let mut points = Vec::with_capacity(rows * columns);
         for i in 0..rows {
+            if i >= 2 && watch::is_stopped() {
+                break;
+            }
             let a = i as f64 / (rows - 1) as f64;
             points.extend((0..columns).map(|j| at(a, TAU * j as f64 / columns as f64)));
         }
-        Grid { rows, columns, points }
+        Grid { rows: points.len() / columns, columns, points }
     }
 
     /// Something of every point.
