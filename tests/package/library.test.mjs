@@ -113,6 +113,85 @@ for (const entry of ["pasu.js", "drawing.js"]) {
   });
 }
 
+/** Three domes in a row, and one apart from them; a point on the first is higher by so much. */
+function network(z = 0) {
+  const vertices = [];
+  const patches = [];
+  for (const x of [0, 2, 4, 20]) {
+    const first = vertices.length;
+    const around = [
+      [0, 0],
+      [1, 0],
+      [2, 0],
+      [2, 1],
+      [2, 2],
+      [1, 2],
+      [0, 2],
+      [0, 1],
+    ];
+    vertices.push(...around.map(([a, b]) => [x + a, b, a === 1 || b === 1 ? 2 : 0]));
+    const frame = around.map((_, place) => first + place);
+    // The last side of the one before is the first of this one.
+    if (x === 2 || x === 4)
+      for (const [own, other] of [
+        [0, 2],
+        [7, 3],
+        [6, 4],
+      ])
+        frame[own] = patches.at(-1).frame[other];
+    patches.push({ frame });
+  }
+  vertices[1] = [1, 0, 2 + z];
+  return { pasu: 1, parts: [{ shape: { kind: "vertex-frame", vertices, patches } }] };
+}
+
+test("a network whose points are moved is told by what of its mesh is another", async () => {
+  await inFreshProject(async (project) => {
+    for (const entry of ["pasu.js", "drawing.js"]) {
+      const pasu = await import(pathToFileURL(join(project, "node_modules/pasu", entry)).href);
+      await pasu.default();
+      await pasu.widen?.();
+      const grid = { rows: 10, columns: 10 };
+      const { mesh, moved } = pasu.follow(network(), grid);
+      assert.deepEqual(mesh, pasu.follow(network(), grid).mesh);
+      // Somebody else has asked meanwhile.
+      assert.equal(moved([1, 1, 0, 0.5]), undefined);
+      const { mesh: now, moved: on } = pasu.follow(network(), grid);
+      for (const z of [0.5, 0.75]) {
+        const { ranges, positions, normals } = on(Float64Array.of(1, 1, 0, 2 + z));
+        let next = 0;
+        let count = 0;
+        for (let pair = 0; pair < ranges.length; pair += 2) {
+          for (const [all, some] of [
+            [now.positions, positions],
+            [now.normals, normals],
+          ])
+            all.set(some.subarray(next, next + 3 * ranges[pair + 1]), 3 * ranges[pair]);
+          next += 3 * ranges[pair + 1];
+          count += ranges[pair + 1];
+        }
+        assert.equal(next, positions.length);
+        assert.ok(count > 0 && count < now.positions.length / 3);
+        const whole = pasu.mesh(network(z), grid);
+        assert.deepEqual([now.positions, now.normals], [whole.positions, whole.normals]);
+        // That was of the design that follows.
+        assert.ok(on([]) !== undefined);
+      }
+      const refused = (moves, code, path) => assert.throws(() => on(moves), { name: "PasuError", code, path });
+      refused([1, 2], "wrong-type", "moves");
+      refused("here", "wrong-type", "moves");
+      refused([1.5, 0, 0, 0], "no-such-point", "moves[0]");
+      refused([99, 0, 0, 0], "no-such-point", "parts[0].shape.vertices[99]");
+      refused([1, 0, Number.NaN, 0], "not-finite", "parts[0].shape.vertices[1][1]");
+      refused([2, 0, 0, 0], "pinched-surface", "parts[0].shape.patches[0].frame");
+      assert.throws(() => pasu.follow(VASE, grid).moved([0, 0, 0, 0]), {
+        code: "unsupported-shape",
+        path: "parts[0].shape",
+      });
+    }
+  });
+});
+
 test("a vase comes in another order, and a hand learns what it drags, from both entries", async () => {
   await inFreshProject(async (project) => {
     for (const entry of ["pasu.js", "drawing.js"]) {

@@ -6,8 +6,10 @@ export type * from "./design.js";
 export type {
   Derivatives,
   DesignSource,
+  Followed,
   Mesh,
   MeshOptions,
+  Moved,
   PasuErrorArgs,
   PasuErrorCode,
   Point,
@@ -20,6 +22,7 @@ export {
   derivatives,
   evaluate,
   fingerprint,
+  follow,
   handles,
   link,
   PasuError,

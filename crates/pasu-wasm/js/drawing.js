@@ -29,7 +29,7 @@ const bindings = {
   handles: handlesOf,
 };
 
-const { init, widen, parse, link, mesh, bound, evaluate, derivatives, fingerprint, convert, handles } = entry(
+const { init, widen, parse, link, mesh, bound, evaluate, derivatives, fingerprint, convert, handles, follow } = entry(
   { module: () => new URL("./pasu_drawing_bg.wasm", import.meta.url), bindings: () => bindings },
   // Old engines are too few for a small module of their own.
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => import("./bindings.js") },
@@ -42,6 +42,7 @@ export {
   derivatives,
   evaluate,
   fingerprint,
+  follow,
   handles,
   init as default,
   link,

@@ -3,8 +3,7 @@
 // Two values are the same here only where whatever reads them finds the same: the same keys in the same order, the same lengths, the same numbers to the sign of a zero. A copy is taken of what was read,
 // because the caller may change what is theirs between two calls.
 
-/** Marks are never given twice, so that no instance of the module takes a design for one that another had. */
-let mark = 0;
+import { freshMark } from "./wrapper.js";
 
 /** Calls a binding about a design by its name, or that which answers of the design of before without reading it (`pickAgain` of `pick`). */
 export function remembering(call) {
@@ -34,7 +33,7 @@ export function remembering(call) {
     const copy = found(() => copied(source));
     if (copy === undefined) return call(name, source, about);
     const answer = call(name, copy.plain, about);
-    mark += 1;
+    const mark = freshMark();
     call("markLast", mark);
     known = { copy, mark };
     return answer;

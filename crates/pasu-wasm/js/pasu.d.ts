@@ -290,6 +290,31 @@ export function mesh(source: DesignSource, options?: MeshOptions & Watch & { int
  */
 export function mesh(source: DesignSource, options: MeshOptions & Watch & { into: Partial<Mesh> }): Remesh;
 
+/** What of a mesh is another than before. */
+export interface Moved {
+  /** Pairs of the first vertex and how many there are from it on, ascending. */
+  ranges: Uint32Array;
+  /** Of these vertices, one range after the other, xyz triples. */
+  positions: Float32Array;
+  normals: Float32Array;
+}
+
+/** A mesh of a network of patches, and what follows it while points are moved. */
+export interface Followed {
+  mesh: Mesh;
+  /**
+   * What of the mesh is another once points of the network are elsewhere: four numbers for each, which it is (from 0) and x, y, z. The next call begins from there. Whatever is on no strip of a point that moved is neither
+   * solved nor sampled nor copied; every number is that of {@link mesh}. `undefined` where designs that were asked about meanwhile have taken the place of this one: then begin anew.
+   */
+  moved(moves: Float64Array | readonly number[]): Moved | undefined;
+}
+
+/** As {@link mesh} of a design of one part, which is a network of patches, for whoever goes on moving its points. Of `pasu/drawing` only once it is widened. */
+export function follow(
+  source: DesignSource,
+  options: { rows: number; columns: number; into?: Partial<Mesh> },
+): Followed;
+
 /**
  * The largest distance between the surface and the triangles that {@link mesh} makes with these options, in the unit of the design. It is found from second derivatives and does
  * not fall short: what can be measured is somewhat less.

@@ -8,7 +8,7 @@ const entered = entry(
   { module: () => new URL("./pasu_bg.wasm", import.meta.url), bindings: () => bindings },
   { module: () => new URL("./pasu_scalar_bg.wasm", import.meta.url), bindings: () => bindings },
 );
-const { init, call, parse, link, bound, evaluate, derivatives, fingerprint, convert, handles } = entered;
+const { init, call, parse, link, bound, evaluate, derivatives, fingerprint, convert, handles, follow } = entered;
 
 /**
  * Runs with the options but for `progress`, and with what calls a binding and tells that how far it is. What it throws is thrown as it is: here, because whatever comes out of the module is a
@@ -90,6 +90,7 @@ export {
   fingerprint,
   fit,
   flat,
+  follow,
   free,
   handles,
   init as default,

@@ -83,6 +83,15 @@ function ofTables(mesh) {
   return mesh;
 }
 
+/** Marks are never given twice, so that no instance of the module takes a design for one that another had. */
+let mark = 0;
+
+/** A mark that nobody has. */
+export function freshMark() {
+  mark += 1;
+  return mark;
+}
+
 /** The options of a call without one of them, and that. */
 export function apart(options, name) {
   if (typeof options !== "object" || options === null) return { others: options };
@@ -169,10 +178,26 @@ export function entry(simd, scalar, whole = simd) {
     return into === undefined ? ofTables(by("mesh", source, others, tables)) : by("mesh", source, others, into);
   }
 
+  /** A mesh of a network, with what gives of it what is another once points are elsewhere. */
+  function follow(source, options) {
+    const mesh = meshBy(call, source, options);
+    const { rows, columns } = options;
+    let known = freshMark();
+    call("markLast", known);
+    const moved = (moves) => {
+      const next = freshMark();
+      const answer = call("moved", known, next, moves, { rows, columns });
+      if (answer) known = next;
+      return answer;
+    };
+    return { mesh, moved };
+  }
+
   return {
     init,
     widen,
     call,
+    follow,
     parse: (source) => call("parse", source),
     link: (source) => call("link", source),
     mesh: (source, options) => meshBy(call, source, options),

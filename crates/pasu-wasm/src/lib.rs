@@ -14,6 +14,8 @@ mod fields;
 #[cfg(feature = "making")]
 mod fit;
 #[cfg(feature = "making")]
+mod following;
+#[cfg(feature = "making")]
 mod interior;
 mod into;
 mod last;
@@ -42,6 +44,8 @@ use wasm_bindgen::prelude::*;
 use crate::error::thrown;
 #[cfg(feature = "making")]
 pub use crate::fit::{fit, free, levels};
+#[cfg(feature = "making")]
+pub use crate::following::moved;
 #[cfg(feature = "making")]
 pub use crate::interior::{cells, cells_file, inside, inside_values};
 #[cfg(feature = "making")]
@@ -72,8 +76,8 @@ pub fn start() {
 /// When the source is not a design.
 #[wasm_bindgen]
 pub fn parse(source: &JsValue) -> Result<JsValue, JsValue> {
-    let design = source::design(source).map_err(|error| thrown(&error))?;
-    plain_object(&design)
+    let solution = source::solution(source).map_err(|error| thrown(&error))?;
+    plain_object(solution.design())
 }
 
 /// What is made of structs, lists and numbers as plain objects, as `JSON.parse` would make them.
@@ -87,7 +91,7 @@ fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
 /// When the source is not a design, or one that is too large for a link.
 #[wasm_bindgen]
 pub fn link(source: &JsValue) -> Result<String, JsValue> {
-    let linked = || source::design(source)?.try_link();
+    let linked = || source::solution(source)?.design().try_link();
     linked().map_err(|error| thrown(&error))
 }
 
@@ -97,7 +101,7 @@ pub fn link(source: &JsValue) -> Result<String, JsValue> {
 /// When the source is not a design, an option is not understood, or the design cannot be solved or meshed.
 #[wasm_bindgen]
 pub fn mesh(source: &JsValue, options: &JsValue, into: &JsValue) -> Result<Object, JsValue> {
-    let sampled = || mesh::sampled(&*source::solution(source)?, &options::read(options)?, into);
+    let sampled = || mesh::sampled(&source::solution(source)?, &options::read(options)?, into);
     sampled().map_err(|error| thrown(&error))?
 }
 

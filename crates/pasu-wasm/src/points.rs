@@ -18,15 +18,20 @@ pub(crate) fn part(part: &JsValue) -> Result<usize> {
 
 /// Parameter values: a `Float64Array`, or a plain array of numbers.
 pub(crate) fn read(at: &JsValue) -> Result<Vec<f64>> {
-    let unreadable = |error: Error| error.at("at");
+    numbers(at, "at", "a Float64Array of (u, v) pairs")
+}
+
+/// Numbers of which a refusal says what was expected.
+pub(crate) fn numbers(at: &JsValue, name: &str, expected: &str) -> Result<Vec<f64>> {
+    let unreadable = |error: Error| error.at(name);
     if let Some(numbers) = plain::numbers(at).map_err(unreadable)? {
         return Ok(numbers.to_vec());
     }
     let Some(items) = Items::if_list(at).map_err(unreadable)? else {
-        return Err(Error::new(Code::WrongType, "at", "expected a Float64Array of (u, v) pairs"));
+        return Err(Error::new(Code::WrongType, name, format!("expected {expected}")));
     };
     let number = |(index, item): (usize, core::result::Result<JsValue, JsValue>)| {
-        let path = || format!("at[{index}]");
+        let path = || format!("{name}[{index}]");
         let item = item.map_err(|thrown| plain::unreadable(thrown).at(path()))?;
         item.as_f64().ok_or_else(|| Error::new(Code::WrongType, path(), "expected a number"))
     };

@@ -10,6 +10,7 @@ use crate::last;
 use crate::plain::Plain;
 
 /// Reads a design from whatever JavaScript has.
+#[cfg(feature = "making")]
 pub(crate) fn design(source: &JsValue) -> Result<Design> {
     match source.as_string() {
         Some(text) => Design::parse(&text),

@@ -7,6 +7,8 @@ use serde::ser::{Serialize, Serializer};
 
 use super::limits::{BYTES, LINK_BYTES, MODES, PARTS, VERSION};
 use super::number::plain;
+#[cfg(feature = "patchwork")]
+use super::number::rounded;
 use super::part::Part;
 use super::placement::Placement;
 use super::quantity::{is_default, or_default, whole};
@@ -96,6 +98,50 @@ impl Design {
         let mut document = self.0.clone();
         document.parts[part].shape = shape;
         Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+    }
+
+    /// The same design with points of a network elsewhere: each by its number with where it is. Only these are looked at, which of thousands is what a hand has time for.
+    ///
+    /// # Errors
+    /// `no-such-point` for a part that does not exist, or a point; `unsupported-shape` for a part that is no network of patches; otherwise as [`Design::read`].
+    ///
+    /// ```
+    /// use pasu::Design;
+    ///
+    /// let text = r#"{"pasu":1,"parts":[{"shape":{"kind":"vertex-frame","vertices":[[0,0,0],[1,0,0],[2,0,0],[2,1,0],[2,2,0],[1,2,0],[0,2,0],[0,1,0]],"patches":[{"frame":[0,1,2,3,4,5,6,7]}]}}]}"#;
+    /// let design = Design::parse(text)?.with_points(0, &[(4, [2.0, 2.0, 0.5])])?;
+    /// assert_eq!(design, Design::parse(&text.replace("[2,2,0]", "[2,2,0.5]"))?);
+    /// assert_eq!(design.with_points(0, &[(8, [0.0; 3])]).unwrap_err().path(), "parts[0].shape.vertices[8]");
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    #[cfg(feature = "patchwork")]
+    pub fn with_points(&self, part: usize, points: &[(usize, [f64; 3])]) -> Result<Design> {
+        let mut document = self.0.clone();
+        let n = document.parts.len();
+        let Some(Part { shape, .. }) = document.parts.get_mut(part) else {
+            let message = format!("expected a part from 0 to {}, found {part}", n - 1);
+            let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
+            return Err(error.with("greatest", n - 1).with("found", part));
+        };
+        let Shape::VertexFrame(network) = shape else {
+            let message = "expected a network of patches, whose points can be elsewhere";
+            return Err(Error::new(Code::UnsupportedShape, format!("parts[{part}].shape"), message));
+        };
+        let n = network.vertices.len();
+        for (number, at) in points {
+            let path = format!("parts[{part}].shape.vertices[{number}]");
+            let Some(point) = network.vertices.get_mut(*number) else {
+                let message = format!("expected the number of one of {n} points, found {number}");
+                let error = Error::new(Code::NoSuchPoint, path, message).with("least", 0.0);
+                return Err(error.with("greatest", n as f64 - 1.0).with("found", *number));
+            };
+            if let Some(axis) = at.iter().position(|x| !x.is_finite()) {
+                let message = format!("expected a number, found {}", plain(at[axis]));
+                return Err(Error::new(Code::NotFinite, format!("{path}[{axis}]"), message));
+            }
+            *point = at.map(rounded);
+        }
+        Design(document).within_limit()
     }
 
     /// The same design with a part in another place.

@@ -151,6 +151,16 @@ impl Frame {
         })
     }
 
+    /// The patches that are others than those of a network before, ascending; `None` where this one was not solved after that one, or something else differs that is to be seen.
+    pub(crate) fn changed_since(&self, before: &Frame) -> Option<Vec<usize>> {
+        let is_after = Arc::ptr_eq(&self.joints, &before.joints) && self.crease == before.crease;
+        if !is_after || self.is_outward() != before.is_outward() {
+            return None;
+        }
+        let both = self.patches.iter().zip(&before.patches).enumerate();
+        Some(both.filter(|(_, (now, before))| !Arc::ptr_eq(now, before)).map(|(index, _)| index).collect())
+    }
+
     /// One of the patches; the first in place of one that there is not.
     pub(crate) fn patch(&self, index: usize) -> &dyn Patch {
         &**self.patches.get(index).unwrap_or(&self.patches[0])

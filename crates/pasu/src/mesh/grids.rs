@@ -85,18 +85,24 @@ impl<'a> Grids<'a> {
         }
     }
 
-    /// Fills positions and normals.
+    /// Fills positions and normals; those of patches as they are before they are smoothed go into `unsmoothed` too.
     ///
     /// # Errors
     /// `overflow` for a point beyond single precision.
-    pub(super) fn fill(&self, workspace: &mut Workspace, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
+    pub(super) fn fill(
+        &self,
+        workspace: &mut Workspace,
+        positions: &mut [f32],
+        normals: &mut [f32],
+        unsmoothed: Option<&mut Vec<[f32; 3]>>,
+    ) -> Result<()> {
         match self {
             Grids::Fourier(grid) => {
                 workspace.fill(grid, positions, normals)?;
                 grid.join(positions);
                 Ok(())
             }
-            Grids::Patches(grids) => grids.fill(positions, normals),
+            Grids::Patches(grids) => grids.fill(positions, normals, unsmoothed),
         }
     }
 

@@ -4,6 +4,8 @@ mod cleared;
 mod contract;
 mod exact;
 mod fill;
+#[cfg(feature = "patchwork")]
+mod followed;
 mod fourier;
 mod grid;
 mod grids;

@@ -95,6 +95,17 @@ impl<'a> PatchGrids<'a> {
         PatchGrids { placed, lines: Lines::pieces_of(&placed.solved().patches(), pieces), bound: None }
     }
 
+    /// Grids that were chosen for the same patches elsewhere.
+    #[cfg(feature = "patchwork")]
+    pub(super) fn of(placed: &'a Placed, lines: Vec<Lines>) -> PatchGrids<'a> {
+        PatchGrids { placed, lines, bound: None }
+    }
+
+    #[cfg(feature = "patchwork")]
+    pub(super) fn into_lines(self) -> Vec<Lines> {
+        self.lines
+    }
+
     /// For each patch the lines of its grid.
     pub(super) fn lines(&self) -> &[Lines] {
         &self.lines
@@ -133,26 +144,51 @@ impl<'a> PatchGrids<'a> {
         mesh.groups.extend_from_slice(&[first, mesh.indices.len() as u32 - first, self.placed.index() as u32]);
     }
 
-    /// Fills positions and normals.
+    /// Fills positions and normals; these as they are before they are smoothed go into `unsmoothed` too.
     ///
     /// # Errors
     /// `overflow` for a point beyond single precision.
-    pub(super) fn fill(&self, positions: &mut [f32], normals: &mut [f32]) -> Result<()> {
+    pub(super) fn fill(
+        &self,
+        positions: &mut [f32],
+        normals: &mut [f32],
+        unsmoothed: Option<&mut Vec<[f32; 3]>>,
+    ) -> Result<()> {
         let (positions, normals) = (positions.as_chunks_mut::<3>().0, normals.as_chunks_mut::<3>().0);
         let patches = self.placed.solved().patches();
         let firsts = firsts(&self.lines);
-        let outward = cofactors(self.placed.matrix());
-        for (index, ((patch, lines), first)) in patches.iter().zip(&self.lines).zip(&firsts).enumerate() {
-            let range = *first..first + lines.n_vertices();
-            let outward = outward * if self.placed.is_forwards(index) { 1.0 } else { -1.0 };
-            if let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range)) {
-                self.fill_patch(*patch, lines, outward, positions, normals)?;
-            }
+        self.fill_patches(0..patches.len(), &firsts, positions, normals)?;
+        if let Some(unsmoothed) = unsmoothed {
+            unsmoothed.clear();
+            unsmoothed.extend_from_slice(normals);
         }
         let seams = Seams { patches: &patches, lines: &self.lines, firsts: &firsts };
         seams.close(positions);
         if let Some(crease) = self.placed.solved().crease() {
             seams.smooth(normals, crease);
+        }
+        Ok(())
+    }
+
+    /// Fills positions and normals of some patches, each by itself.
+    ///
+    /// # Errors
+    /// As [`PatchGrids::fill`].
+    pub(super) fn fill_patches(
+        &self,
+        which: impl Iterator<Item = usize>,
+        firsts: &[usize],
+        positions: &mut [[f32; 3]],
+        normals: &mut [[f32; 3]],
+    ) -> Result<()> {
+        let outward = cofactors(self.placed.matrix());
+        for index in which {
+            let (Some(lines), Some(first)) = (self.lines.get(index), firsts.get(index)) else { continue };
+            let range = *first..first + lines.n_vertices();
+            let outward = outward * if self.placed.is_forwards(index) { 1.0 } else { -1.0 };
+            if let (Some(positions), Some(normals)) = (positions.get_mut(range.clone()), normals.get_mut(range)) {
+                self.fill_patch(self.placed.solved().patch(index), lines, outward, positions, normals)?;
+            }
         }
         Ok(())
     }

@@ -1,7 +1,11 @@
 //! Sampling a design on grids.
 
+use core::ops::Range;
+
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::fill::Workspace;
+#[cfg(feature = "patchwork")]
+use super::followed::Followed;
 use super::grids::{Grids, Places};
 use super::part::PartGrid;
 use crate::design::{Design, plain};
@@ -34,7 +38,7 @@ impl Solution {
     /// As [`mesh`].
     pub fn mesh(&self, options: &MeshOptions) -> Result<Mesh> {
         let mut sampler = Sampler::new();
-        sampler.fill(&choose(self.parts(), options, false, &mut Vec::new())?)?;
+        sampler.fill(&choose(self.parts(), options, false, &mut Vec::new())?, None)?;
         Ok(sampler.mesh)
     }
 
@@ -57,6 +61,10 @@ pub struct Sampler {
     topology: String,
     /// Expansions of earlier meshes, whose memory the next one takes.
     spare: Vec<Curves>,
+    /// What the mesh is of, where that is a network of which the next one may be the same elsewhere.
+    #[cfg(feature = "patchwork")]
+    followed: Option<Followed>,
+    written: Vec<Range<usize>>,
 }
 
 impl Sampler {
@@ -86,7 +94,7 @@ impl Sampler {
         let parts = design.parts().iter().enumerate();
         let placed = parts.map(|(index, part)| Placed::new(part, index)).collect::<Result<Vec<Placed>>>()?;
         let grids = choose(placed.iter().map(Ok), options, false, &mut self.spare)?;
-        self.take(grids)
+        self.take(grids, None)
     }
 
     /// As [`Sampler::sample`], of a design that may have been solved already.
@@ -103,18 +111,69 @@ impl Sampler {
     /// # Ok::<(), pasu::Error>(())
     /// ```
     pub fn sample_solution(&mut self, solution: &Solution, options: &MeshOptions) -> Result<&Mesh> {
+        #[cfg(feature = "patchwork")]
+        if let Some(mut followed) = self.followed.take() {
+            // What is refused on the way leaves nothing behind.
+            let mut mesh = core::mem::take(&mut self.mesh);
+            let written = followed.follow(solution, options, &mut mesh)?;
+            self.mesh = mesh;
+            if let Some(written) = written {
+                (self.followed, self.written) = (Some(followed), written);
+                return Ok(&self.mesh);
+            }
+        }
         let grids = choose(solution.parts(), options, false, &mut self.spare)?;
-        self.take(grids)
+        #[cfg(feature = "patchwork")]
+        if let Some(mut followed) = Followed::of(solution, options, &grids) {
+            self.take(grids, Some(followed.normals_mut()))?;
+            self.followed = Some(followed);
+            return Ok(&self.mesh);
+        }
+        self.take(grids, None)
     }
 
-    fn take(&mut self, grids: Vec<Grids>) -> Result<&Mesh> {
-        let filled = self.fill(&grids);
+    /// The vertices of the last mesh that may be elsewhere, or have another normal, than in the one before, ascending. All of them, unless both were sampled by [`Sampler::sample_solution`] with the same given rows and columns, and
+    /// the second solution is that of one network of patches [after](Solution::after) the first, with its points elsewhere: then patches alone are sampled again that are on the strips of a point that moved.
+    ///
+    /// ```
+    /// use pasu::{Design, MeshOptions, Sampler, Solution};
+    ///
+    /// let at = |z: f64| {
+    ///     let points = format!("[0,0,0],[1,0,1],[2,0,0],[2,1,1],[2,2,0],[1,2,1],[0,2,0],[0,1,1],[4,0,0],[5,0,1],[6,0,0],[6,1,1],[6,2,{z}],[5,2,1],[4,2,0],[4,1,1]");
+    ///     let patches = r#"{"frame":[0,1,2,3,4,5,6,7]},{"frame":[8,9,10,11,12,13,14,15]}"#;
+    ///     Design::parse(&format!(r#"{{"pasu":1,"parts":[{{"shape":{{"kind":"vertex-frame","vertices":[{points}],"patches":[{patches}]}}}}]}}"#))
+    /// };
+    /// let (mut sampler, options) = (Sampler::new(), MeshOptions { rows: Some(4), columns: Some(8), tolerance: None });
+    /// let first = Solution::of(&at(0.0)?);
+    /// let n = sampler.sample_solution(&first, &options)?.n_vertices();
+    /// assert_eq!(sampler.written(), &[0..n]);
+    /// let second = first.after(&at(0.5)?);
+    /// assert_eq!(sampler.sample_solution(&second, &options)?, &second.mesh(&options)?);
+    /// assert_eq!(sampler.written(), &[n / 2..n]);
+    /// # Ok::<(), pasu::Error>(())
+    /// ```
+    pub fn written(&self) -> &[Range<usize>] {
+        &self.written
+    }
+
+    /// The last mesh; an empty one where there is none, and after an error.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    fn take(&mut self, grids: Vec<Grids>, unsmoothed: Option<&mut Vec<[f32; 3]>>) -> Result<&Mesh> {
+        #[cfg(feature = "patchwork")]
+        {
+            self.followed = None;
+        }
+        let filled = self.fill(&grids, unsmoothed);
         self.spare.extend(grids.into_iter().filter_map(Grids::into_curves));
         filled?;
         Ok(&self.mesh)
     }
 
-    fn fill(&mut self, grids: &[Grids]) -> Result<()> {
+    /// Normals of patches as they are before they are smoothed go into `unsmoothed`: those of the last part.
+    fn fill(&mut self, grids: &[Grids], mut unsmoothed: Option<&mut Vec<[f32; 3]>>) -> Result<()> {
         let mut mesh = core::mem::take(&mut self.mesh);
         self.topology.clear();
         for grid in grids {
@@ -136,9 +195,11 @@ impl Sampler {
             if let (Some(positions), Some(normals)) =
                 (mesh.positions.get_mut(range.clone()), mesh.normals.get_mut(range))
             {
-                grid.fill(&mut self.workspace, positions, normals)?;
+                grid.fill(&mut self.workspace, positions, normals, unsmoothed.as_deref_mut())?;
             }
         }
+        self.written.clear();
+        self.written.push(0..mesh.n_vertices());
         self.mesh = mesh;
         Ok(())
     }
@@ -174,7 +235,7 @@ pub(crate) fn exact_mesh(
         grid.make_precise();
     }
     let mut sampler = Sampler::new();
-    sampler.fill(&grids)?;
+    sampler.fill(&grids, None)?;
     Ok(sampler.mesh)
 }
 
