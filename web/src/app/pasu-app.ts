@@ -51,6 +51,9 @@ const LINK = /#1[/~]/;
 /** The query of a link, and the design behind it. */
 const VIEWED_LINK = /(\?[^#\s]*)(#\S+)/;
 
+/** A file of so many bytes is there before anybody could read that it is being opened. */
+const LONG = 200_000;
+
 @customElement("pasu-app")
 export class PasuApp extends DesignerElement {
   @state() private dialog: "none" | keyof typeof DIALOGUES = "none";
@@ -142,8 +145,10 @@ export class PasuApp extends DesignerElement {
   private banners() {
     const { designer } = this;
     const { problem } = designer.surface;
-    const openProblem = designer.opening.problem;
+    const { problem: openProblem, underway } = designer.opening;
+    if (underway && underway.bytes > LONG) import("./opening-note").catch(() => {});
     return html`
+      <pasu-opening-note .designer=${designer}></pasu-opening-note>
       ${
         openProblem
           ? html`<div class="banner" role="alert">

@@ -119,6 +119,19 @@ export class SolverClient implements Desktop {
     return this.#plain<Points>(`read ${lane}`, { kind: "read", shape, at });
   }
 
+  /** Ends all that is under way: the worker is stopped in the midst of it, and the next one begins anew. */
+  halt(): void {
+    const sent = [...this.#sent.values()];
+    if (sent.length === 0) return;
+    this.#port?.terminate();
+    this.#port = null;
+    this.#sent.clear();
+    for (const { job, lane } of sent) {
+      job.end({ state: "superseded" });
+      this.#release(lane);
+    }
+  }
+
   dispose(): void {
     this.#port?.terminate();
     this.#port = null;
@@ -190,7 +203,16 @@ export class SolverClient implements Desktop {
 
   #packed(ask: Ask): Request["ask"] {
     if (ask.kind !== "parts") return ask;
-    return { ...ask, parts: ask.parts.map((part) => ({ ...part, shape: this.#sender.pack(part.shape) })) };
+    const packed = <T extends { readonly shape: Shape }>(part: T) => ({
+      ...part,
+      shape: this.#sender.pack(part.shape),
+    });
+    // In the order in which they are read.
+    const whole = ask.whole && {
+      ...ask.whole,
+      design: { ...ask.whole.design, parts: ask.whole.design.parts.map(packed) },
+    };
+    return { ...ask, whole, parts: ask.parts.map(packed) };
   }
 
   #connect(): SolverPort {

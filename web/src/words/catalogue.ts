@@ -26,6 +26,7 @@ import type { measures } from "./english/measures";
 import type { modes } from "./english/modes";
 import type { networks } from "./english/networks";
 import type { octants } from "./english/octants";
+import type { opening } from "./english/opening";
 import type { orders } from "./english/orders";
 import type { page } from "./english/page";
 import type { parameters } from "./english/parameters";
@@ -71,6 +72,7 @@ export interface Catalogue {
   readonly modes: typeof modes;
   readonly networks: typeof networks;
   readonly octants: typeof octants;
+  readonly opening: typeof opening;
   readonly orders: typeof orders;
   readonly page: typeof page;
   readonly parameters: typeof parameters;

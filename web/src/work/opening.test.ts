@@ -16,7 +16,7 @@ import { Surface } from "./surface";
 const VASE = "#1/second-order?height=5";
 
 function bench(page = new Page()) {
-  const { solver } = realSolver({ free: true });
+  const { solver, worker } = realSolver({ free: true });
   const { maker } = realMaker({ free: true });
   const store = new Store(JAR, NEW_SESSION);
   const surface = new Surface(store, solver);
@@ -29,7 +29,7 @@ function bench(page = new Page()) {
     while (surface.settled === null) await settled();
   };
   const kind = () => store.design.parts[0]?.shape.kind;
-  return { keeper, kind, maker, opening, origin, page, rests, solver, store, surface };
+  return { keeper, kind, maker, opening, origin, page, rests, solver, store, surface, worker };
 }
 
 /** A page with work that was kept. */
@@ -168,4 +168,60 @@ test("work of an earlier visit goes on from where it was opened then", async () 
   expect(store.design.parts[0]?.shape).toMatchObject({ h1: 33 });
   expect(origin.design.parts[0]?.shape).toMatchObject({ h1: 25 });
   expect(origin.size).toBeGreaterThan(30);
+});
+
+test("that a file is being opened is told from when it is given until it is on the stage, or why it is not", async () => {
+  const { opening, rests, surface, store } = bench();
+  await opening.start();
+  await rests();
+  const before = surface.shown;
+  const giving = opening.openFile(new File([JSON.stringify(tall(JAR, 40))], "tall.json"));
+  expect(opening.underway).toMatchObject({ name: "tall.json", design: null });
+  expect(opening.underway?.bytes).toBeGreaterThan(100);
+  await giving;
+  // It was read, and the old one is on the stage still.
+  expect(opening.underway?.design).toBe(store.design);
+  expect(surface.shown).toBe(before);
+  await rests();
+  expect(opening.underway).toBeNull();
+  expect(surface.shown?.design).toBe(store.design);
+  for (const text of ["{", "solid nothing"]) {
+    const wrong = opening.openFile(new File([text], "wrong.json"));
+    expect(opening.underway?.name).toBe("wrong.json");
+    await wrong;
+    expect(opening.underway).toBeNull();
+    expect(opening.problem).not.toBeNull();
+  }
+});
+
+test("opening can be stopped while the file is read, and while it waits to be drawn: all is as it was", async () => {
+  for (const late of [false, true]) {
+    const { opening, rests, surface, store, worker } = bench();
+    await opening.start();
+    await rests();
+    worker.free = false;
+    const giving = opening.openFile(new File([JSON.stringify(tall(JAR, 40))], "tall.json"));
+    while (worker.sent.length === worker.answered) await settled();
+    if (late) {
+      await worker.answer();
+      await giving;
+      expect(opening.underway?.design).toBe(store.design);
+    }
+    opening.stop();
+    worker.free = true;
+    expect(opening.underway).toBeNull();
+    await giving;
+    await worker.finish();
+    await rests();
+    expect(store.design).toBe(JAR);
+    expect(surface.shown?.design).toBe(JAR);
+    expect(surface.status).toBe("ready");
+    expect(opening.problem).toBeNull();
+    // Another one is opened as ever, by a new worker.
+    await opening.openFile(new File([JSON.stringify(tall(JAR, 50))], "taller.json"));
+    await rests();
+    expect(surface.shown?.solved.facts?.height).toBeCloseTo(50);
+    opening.stop();
+    expect(surface.shown?.solved.facts?.height).toBeCloseTo(50);
+  }
 });

@@ -16,6 +16,15 @@ export interface Conflict {
   readonly theirs: Parsed;
 }
 
+/** A file that is being opened. */
+export interface Underway {
+  readonly name: string;
+  /** How long it is. */
+  readonly bytes: number;
+  /** Its design, once that is read and waits to be drawn. */
+  readonly design: Design | null;
+}
+
 export class Opening {
   readonly #store: Store;
   readonly #surface: Surface;
@@ -25,6 +34,7 @@ export class Opening {
   readonly #maker: () => Promise<MakerClient | null>;
   readonly #problem = signal<Refusal | null>(null);
   readonly #conflict = signal<Conflict | null>(null);
+  readonly #underway = signal<Underway | null>(null);
   /** How the opened file was made, and which design it took the place of. */
   readonly #opened = signal<{ readonly making: Making | null; readonly replaced: Design | null }>({
     making: null,
@@ -59,6 +69,20 @@ export class Opening {
     return this.#problem.value;
   }
 
+  /** The file that is being opened: from when it is given until it is on the stage, or why it is not. */
+  get underway(): Underway | null {
+    return this.#underway.value;
+  }
+
+  /** Opens it no further: what was there before is there. */
+  stop(): void {
+    const underway = this.#underway.peek();
+    if (!underway) return;
+    this.#underway.value = null;
+    this.#solver.halt();
+    if (underway.design && underway.design === this.#store.design) this.#store.undo();
+  }
+
   get conflict(): Conflict | null {
     return this.#conflict.value;
   }
@@ -71,12 +95,23 @@ export class Opening {
 
   /** Follows the document until what comes back is called: who goes on working has read why a link or file was not opened, and the address may be written again. */
   connect(): () => void {
-    return effect(() => {
-      const { design } = this.#store;
-      const changed = design !== this.#last;
-      this.#last = design;
-      if (changed && untracked(() => this.#surface.shown) !== null) this.dismissProblem();
-    });
+    const leaving = [
+      effect(() => {
+        const { design } = this.#store;
+        const changed = design !== this.#last;
+        this.#last = design;
+        if (changed && untracked(() => this.#surface.shown) !== null) this.dismissProblem();
+      }),
+      effect(() => {
+        const read = this.#underway.value?.design;
+        if (!read) return;
+        const { shown, problem } = this.#surface;
+        if (shown?.design === read || problem || this.#store.design !== read) this.#underway.value = null;
+      }),
+    ];
+    return () => {
+      for (const leave of leaving) leave();
+    };
   }
 
   /** Opens what the address asks for, or the work that this browser kept, or leaves what is there. */
@@ -128,18 +163,27 @@ export class Opening {
 
   /** Opens a document, or anything that Pasu made and that holds its link. */
   async openFile(file: File): Promise<void> {
+    const underway: Underway = { name: file.name, bytes: file.size, design: null };
+    this.#underway.value = underway;
     const found = await import("./open-file").then(
       ({ readFile }) => readFile(file, this.#maker),
       () => null,
     );
-    if (!found) return;
-    if ("text" in found) await this.#openText(found.text, false, found.made);
-    else this.#problem.value = found.refusal;
+    // It was stopped, or another one was given.
+    if (this.#underway.peek() !== underway) return;
+    if (found && "text" in found) await this.#openText(found.text, false, found.made, underway);
+    else if (found) this.#problem.value = found.refusal;
+    if (this.#underway.peek() === underway) this.#underway.value = null;
   }
 
-  async #openText(text: string, asLink: boolean, making: Making | null = null): Promise<void> {
+  async #openText(
+    text: string,
+    asLink: boolean,
+    making: Making | null = null,
+    underway: Underway | null = null,
+  ): Promise<void> {
     const outcome = await this.#solver.parse(text);
-    if (outcome.state === "superseded") return;
+    if (outcome.state === "superseded" || (underway && this.#underway.peek() !== underway)) return;
     if (outcome.state === "refused") {
       this.#problem.value = outcome.refusal;
       return;
@@ -147,7 +191,10 @@ export class Opening {
     const theirs = outcome.value;
     if (asLink && this.#surface.shown?.solved.link === theirs.link) return;
     if (asLink && this.#keeper.unsaved) this.#conflict.value = { theirs };
-    else this.open(theirs.design, making);
+    else {
+      this.open(theirs.design, making);
+      if (underway) this.#underway.value = { ...underway, design: this.#store.design };
+    }
   }
 
   /** Replaces the design; undo brings the old one back. */

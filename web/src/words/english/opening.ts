@@ -1,0 +1,10 @@
+/** What is said while a file is being opened. */
+
+import { phrases } from "../../language";
+
+export const opening = phrases("opening", {
+  opening: (file: string, megabytes: string) => `Opening ${file} (${megabytes} MB)…`,
+  stays: "What was there stays until then.",
+  stop: "Stop",
+  stopped: (file: string) => `${file} was not opened.`,
+});
