@@ -4,6 +4,7 @@ import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { fineWall } from "../support/drag.ts";
 import { overhang, unreachable } from "../support/reach.ts";
+import { sheet } from "../support/sheet.ts";
 import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, type Visit } from "../support/visit.ts";
@@ -548,4 +549,144 @@ test("a new network is one of the pictures", async () => {
   await pot.page.locator('pasu-new button[data-exhibit="own-mug"]').click();
   await pot.fingerprintOtherThan(first);
   expect(await told(pot)).toContain("110 patches through 330 points");
+});
+
+test("a large network that is dragged, undone and dragged again is drawn as one that is drawn anew", {
+  timeout: 120_000,
+}, async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  await pot.dropFile("sheet.json", JSON.stringify(sheet(20, 25)));
+  const plain = await pot.fingerprintOtherThan(first);
+  await pot.button("Points on the stage").click();
+  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+  const box = await pot.page.locator("pasu-network-handles").boundingBox();
+  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+  const pull = async (from: readonly [number, number], by: readonly [number, number]) => {
+    const before = await pot.fingerprint();
+    await pot.page.mouse.move(from[0], from[1]);
+    await pot.page.mouse.down();
+    await pot.page.mouse.move(from[0] + by[0], from[1] + by[1], { steps: 6 });
+    await pot.page.mouse.up();
+    return await pot.fingerprintOtherThan(before);
+  };
+  await pull([x, y + 80], [12, -60]);
+  const pulled = await pull([x + 60, y + 90], [-10, -40]);
+  await pot.undo();
+  await pot.undo();
+  await pot.shows(plain);
+  await pot.redo();
+  await pot.redo();
+  await pot.shows(pulled);
+  expect(await differsFromAnew(pot)).toBe(0);
+  await overlay(pot);
+  // The tool is put down and taken up: all is drawn anew.
+  await pot.button("Points on the stage").click();
+  await pot.page.locator("pasu-network-handles").waitFor({ state: "detached" });
+  await pot.button("Points on the stage").click();
+  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+  // Some pixels at the rims of points may be blended in another order.
+  await expect.poll(async () => await overlay(pot)).toBeLessThan(60);
+  await pot.leave();
+});
+
+/** By how much the mesh on the stage is another than one that is sampled as a whole. */
+async function differsFromAnew(pot: Visit): Promise<number> {
+  return await pot.page.evaluate(async () => {
+    interface Solver {
+      mesh(
+        lane: string,
+        design: object,
+        rows: number,
+        columns: number,
+      ): Promise<{ value: { parts: { mesh: Arrays }[] } }>;
+    }
+    interface Arrays {
+      positions: Float32Array;
+      normals: Float32Array;
+    }
+    interface Page {
+      designer: {
+        solver: Solver;
+        store: { design: object };
+        surface: {
+          grid(design: object): { rows: number; columns: number };
+          shown: { solved: { parts: { mesh: Arrays }[] } };
+        };
+      };
+    }
+    const { solver, store, surface } = (document.querySelector("pasu-app") as unknown as Page).designer;
+    const { rows, columns } = surface.grid(store.design);
+    const { value } = await solver.mesh("anew", store.design, rows, columns);
+    const [now, anew] = [surface.shown.solved.parts[0]?.mesh, value.parts[0]?.mesh];
+    if (!now || !anew || now.positions.length !== anew.positions.length) return Number.NaN;
+    let most = 0;
+    for (const name of ["positions", "normals"] as const)
+      for (const [place, each] of now[name].entries()) most = Math.max(most, Math.abs(each - (anew[name][place] ?? 0)));
+    return most;
+  });
+}
+
+/** How many pixels of what lies over the stage, both canvases on each other, are quite others than when this was asked last. */
+async function overlay(pot: Visit): Promise<number> {
+  return await pot.page.evaluate(() => {
+    const find = (root: Document | ShadowRoot): HTMLElement | null => {
+      for (const element of root.querySelectorAll("*")) {
+        if (element.localName === "pasu-network-handles") return element as HTMLElement;
+        const found = element.shadowRoot && find(element.shadowRoot);
+        if (found) return found;
+      }
+      return null;
+    };
+    const all = [...(find(document)?.shadowRoot?.querySelectorAll("canvas") ?? [])];
+    const { width = 1, height = 1 } = all[0] ?? {};
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    for (const each of all) context?.drawImage(each, 0, 0);
+    const now = context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+    const kept = globalThis as unknown as { pasuOverlay?: Uint8ClampedArray };
+    const before = kept.pasuOverlay;
+    kept.pasuOverlay ??= now;
+    let others = 0;
+    for (let place = 3; before && place < now.length; place += 4)
+      if (Math.abs((now[place] ?? 0) - (before[place] ?? 0)) > 64) others += 1;
+    return before?.length === now.length ? others : Number.POSITIVE_INFINITY;
+  });
+}
+
+test("that a large file is being opened is said and shown, and can be stopped", { timeout: 120_000 }, async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  // Held until the test lets it go.
+  await pot.page.evaluate(() => {
+    const { solver } = (document.querySelector("pasu-app") as unknown as { designer: { solver: Solver } }).designer;
+    interface Solver {
+      parse(text: string): Promise<unknown>;
+    }
+    const parse = solver.parse.bind(solver);
+    solver.parse = async (text) => {
+      await new Promise<void>((go) => Object.assign(globalThis, { pasuGo: go }));
+      return await parse(text);
+    };
+  });
+  const large = JSON.stringify(sheet(40, 50));
+  const said = pot.page.locator("pasu-opening-note [role=status]");
+  for (const stop of ["key", "button"]) {
+    await pot.dropFile("sheet.json", large);
+    await pot.button("Stop").waitFor();
+    await expect.poll(async () => await said.textContent()).toMatch(/^Opening .*sheet\.json.* \(0\.\d+ MB\)…$/);
+    expect(await findings(pot)).toEqual([]);
+    if (stop === "key") await pot.page.keyboard.press("Escape");
+    else await pot.button("Stop").click();
+    await pot.button("Stop").waitFor({ state: "detached" });
+    expect(await said.textContent()).toBe("");
+    await pot.page.evaluate(() => (globalThis as unknown as { pasuGo(): void }).pasuGo());
+    await pot.shows(first);
+  }
+  await pot.dropFile("sheet.json", large);
+  await pot.button("Stop").waitFor();
+  expect(await pot.fingerprint()).toBe(first);
+  await pot.page.evaluate(() => (globalThis as unknown as { pasuGo(): void }).pasuGo());
+  await pot.fingerprintOtherThan(first);
+  await pot.button("Stop").waitFor({ state: "detached" });
+  await pot.leave();
 });

@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import init, { PasuError, widen } from "pasu/drawing";
 import { SolverClient } from "../src/solver/client";
 import type { Ask, Request, SentAnswers } from "../src/solver/messages";
-import { buffersOf, perform } from "../src/solver/perform";
+import { buffersOf, fetchPatchwork, perform } from "../src/solver/perform";
 import { HeldWorker } from "./held-worker";
 
 type Worker = HeldWorker<Request, SentAnswers[Ask["kind"]]>;
@@ -17,7 +17,10 @@ export function realSolver({ free = false, wider = widen } = {}): {
   readonly solver: SolverClient;
   readonly worker: Worker;
 } {
-  const kit = { init, PasuError, fault: "solver-unusable", widen: wider };
+  const both = async (source?: string) => {
+    await Promise.all([wider(source), fetchPatchwork()]);
+  };
+  const kit = { init, PasuError, fault: "solver-unusable", widen: both };
   const worker: Worker = new HeldWorker(kit, module, perform, buffersOf);
   worker.free = free;
   return { solver: new SolverClient(worker.start), worker };

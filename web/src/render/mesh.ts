@@ -19,6 +19,14 @@ export interface PartMesh {
   readonly uvs: Float32Array;
   readonly indices: Uint32Array;
   readonly ware: StageWare;
+  /** What was written over in these very arrays; without it a mesh of another revision is another one. */
+  readonly writes?: Writes;
+}
+
+/** What was written over in the arrays of a mesh, by the revisions that this made. */
+export interface Writes {
+  /** All since a revision, each as pairs of the first vertex and how many there are from it on; null where that is not known any more. */
+  since(revision: number): readonly Uint32Array[] | null;
 }
 
 /** From which height to which. */

@@ -70,7 +70,12 @@ export class PotPart {
     this.span.value = span;
     this.drawable.mirrored = place(this.placing, matrix);
     if (revision === this.revision) return;
+    const writes = mesh.positions === this.positions.array ? (mesh.writes?.since(this.revision) ?? null) : null;
     this.revision = revision;
+    if (writes) {
+      for (const ranges of writes) for (const buffer of [this.positions, this.normals]) buffer.wrote(ranges);
+      return;
+    }
     this.positions.array = mesh.positions;
     this.normals.array = mesh.normals;
     if (lattice !== this.lattice) {

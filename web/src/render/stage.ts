@@ -6,7 +6,7 @@ import { Pane } from "./gl/pane";
 import type { Source } from "./gl/scene";
 import { WHOLE } from "./ground";
 import { Loop } from "./loop";
-import type { PartId, PartMesh, StageModel } from "./mesh";
+import type { PartId, PartMesh, StageModel, StagePart } from "./mesh";
 import type { Size } from "./overlay/dimensions";
 import type { Box } from "./overlay/label";
 import { Mark } from "./overlay/mark";
@@ -225,7 +225,8 @@ export class Stage {
    * into the view, and that one that was seen whole and grows beyond the stage is followed.
    */
   show(model: StageModel): readonly PartMesh[] {
-    const whole = this.placed && this.sees();
+    // What fills the same room is seen as well as before: to look through its points takes longer than to draw a few that moved.
+    const whole = this.placed && !fillsTheSame(this.model, model) && this.sees();
     const before = this.model.parts;
     this.model = model;
     this.tableau.show(model);
@@ -675,4 +676,20 @@ export class Stage {
     if (busy && !this.gesturing) this.loop.later(REST_DELAY);
     return moving;
   }
+}
+
+/** Whether the same parts are seen, and fill the same box. */
+function fillsTheSame(one: StageModel, other: StageModel): boolean {
+  const [a, b] = [one.bounds, other.bounds];
+  const alike = (axis: 0 | 1 | 2) => a?.min[axis] === b?.min[axis] && a?.max[axis] === b?.max[axis];
+  const same = (part: StagePart, place: number) =>
+    part.id === other.parts[place]?.id && part.hidden === other.parts[place]?.hidden;
+  return (
+    a?.radius === b?.radius &&
+    alike(0) &&
+    alike(1) &&
+    alike(2) &&
+    one.parts.length === other.parts.length &&
+    one.parts.every(same)
+  );
 }

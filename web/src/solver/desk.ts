@@ -8,9 +8,21 @@ import type { Design, Part, Placement, Shape } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";
 import type { Identified, PartId } from "../state/part-ids";
 import type { Outcome } from "../worker/port";
-import type { PartAsk, PartMesh, PartsAsk, Section, SentMesh, SentParts, Used, Whole, WholeAsk } from "./messages";
+import type {
+  PartAsk,
+  PartFacts,
+  PartMesh,
+  PartsAsk,
+  Section,
+  SentMesh,
+  SentParts,
+  Used,
+  Whole,
+  WholeAsk,
+} from "./messages";
 import { linesOfParts, nextRevision, type PartAnswer, placedParts, type Solved } from "./solved";
 import { wareGrid } from "./ware";
+import { rewrite } from "./written";
 
 export interface SolveOptions extends GridSize {
   /** Whether the overlay lines are wanted. */
@@ -30,6 +42,8 @@ interface Kept extends PartAnswer {
   /** The rows and columns that were asked for. */
   readonly grid: GridSize;
   readonly section: Section | null;
+  /** By what the worker knows its mesh again. */
+  readonly serial: number | undefined;
 }
 
 /** What is asked when its turn comes, and what becomes of the answer. */
@@ -82,10 +96,11 @@ export class Desk {
       const kept = this.#kept.get(id);
       const wanted = meshWanted(design, part, options);
       const there = isOf(kept, part) && this.#serves(kept, part, options, wanted);
-      const has = !["vertex-frame", "blend", "octant"].includes(part.shape.kind);
-      const section = has && options.section === place && !(kept?.shape === part.shape && kept.section);
+      const section =
+        !isPatchwork(part.shape) && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
-      return [askOf(part, id, place, there ? null : wanted, section)];
+      const has = kept && sameGrid(kept.grid, wanted) ? kept.serial : undefined;
+      return [askOf(part, id, place, there ? null : { ...wanted, ...(has !== undefined && { has }) }, section)];
     });
     // What cannot stand as it is told to is for the solver to refuse, under the hand too.
     const stands = design.parts.every(({ place }) => matrixOf(place) !== null);
@@ -115,26 +130,35 @@ export class Desk {
   }
 
   #keep(asked: PartsAsk, answer: SentParts, whole: (mesh: SentMesh) => PartMesh): void {
-    for (const [index, { id, mesh, told, lines, section }] of answer.parts.entries()) {
+    for (const [index, { id, mesh, change, told, lines, section }] of answer.parts.entries()) {
       const ask = asked.parts[index];
       if (!ask) continue;
       const { shape, hollow, turn } = ask;
       const old = this.#kept.get(id);
-      if (mesh && told && ask.mesh) {
+      const all = mesh ? whole(mesh) : old?.mesh;
+      if (all && (mesh || change) && told && ask.mesh) {
         const { exact, rows, columns } = ask.mesh;
         const had = old?.shape === shape ? old.section : null;
+        const revision = nextRevision();
+        if (change && old) {
+          rewrite(all.positions, change.positions, change.ranges);
+          rewrite(all.normals, change.normals, change.ranges);
+          all.writes?.note(old.revision, revision, change.ranges);
+        }
         this.#kept.set(id, {
           id,
-          revision: nextRevision(),
-          mesh: whole(mesh),
-          told,
+          revision,
+          mesh: all,
+          told: change && old ? stillTold(old.told, told) : told,
           lines,
           shape,
           hollow,
           turn,
-          exact,
+          // Of a network all vertices are told of, under the hand too.
+          exact: exact || shape.kind === "vertex-frame",
           grid: { rows, columns },
           section: section ?? had,
+          serial: (mesh ?? change)?.serial,
         });
       } else if (old && section) this.#kept.set(id, { ...old, section });
     }
@@ -162,6 +186,18 @@ export class Desk {
       times: answer?.times ?? null,
     };
   }
+}
+
+/** What was told before where it is the same: what follows from it is known then. */
+function stillTold(before: PartFacts, now: PartFacts): PartFacts {
+  const { reach } = before;
+  const same = reach.length === now.reach.length && reach.every((value, place) => value === now.reach[place]);
+  return same ? { ...now, reach } : now;
+}
+
+/** What has no foot and no rim: there is no section through it. */
+function isPatchwork({ kind }: Shape): boolean {
+  return kind === "vertex-frame" || kind === "blend" || kind === "octant";
 }
 
 /** How the mesh of one part is wanted. */

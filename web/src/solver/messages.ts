@@ -9,6 +9,7 @@ import type * as worker from "../worker/port";
 import type { Bounds } from "./bounds";
 import type { Moved } from "./moved";
 import type { Ware } from "./ware";
+import type { Written } from "./written";
 
 /** What depends on the grid alone. Meshes of the same topology share these very arrays. */
 export interface Lattice {
@@ -25,11 +26,24 @@ export interface Surface {
 }
 
 /** The mesh of one part, before placement: a grid of rows by columns, with what its picture needs besides. */
-export interface PartMesh extends Surface, Lattice {}
+export interface PartMesh extends Surface, Lattice {
+  /** What was written over in its arrays. */
+  readonly writes?: Written;
+}
 
 /** A mesh on its way: the page has the lattice already, or it comes along. */
 export interface SentMesh extends Surface {
   readonly lattice: Lattice | null;
+  /** By what the worker knows it again, where what comes after it may be sent as a change of it. */
+  readonly serial?: number;
+}
+
+/** What of a mesh that the page has is another: pairs of the first vertex and how many there are from it on, and what these have, one range after the other. */
+export interface MeshChange {
+  readonly ranges: Uint32Array;
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly serial: number;
 }
 
 /** A mesh that may be given back, as far as that goes. */
@@ -91,6 +105,8 @@ export interface MeshWanted extends GridSize {
   readonly lines: boolean;
   /** Whether its size is told of every vertex: under the hand fewer will do. */
   readonly exact: boolean;
+  /** The serial of the mesh of this part that the page has, if it may be changed. */
+  readonly has?: number;
 }
 
 /** What is asked of one part: of its shape alone, wherever it stands. */
@@ -136,6 +152,8 @@ export interface Times {
 export interface SentPart {
   readonly id: PartId;
   readonly mesh: SentMesh | null;
+  /** In its place, what of the mesh is another that the page has. */
+  readonly change?: MeshChange;
   readonly told: PartFacts | null;
   readonly lines: PartLines | null;
   readonly section: Section | null;
@@ -176,8 +194,18 @@ export interface SentAnswers {
 /** A part as it travels. */
 export type SentPartAsk = Omit<PartAsk, "shape"> & { readonly shape: Shape | Moved };
 
-/** Parts as they travel. */
-export type SentPartsAsk = Omit<PartsAsk, "parts"> & { readonly parts: readonly SentPartAsk[] };
+/** Parts as they travel; the whole design comes before them. */
+export type SentPartsAsk = Omit<PartsAsk, "parts" | "whole"> & {
+  readonly parts: readonly SentPartAsk[];
+  readonly whole: SentWholeAsk | null;
+};
+
+/** A whole design as it travels: its large networks are such that the worker may know already. */
+export interface SentWholeAsk extends GridSize {
+  readonly design: Omit<Design, "parts"> & {
+    readonly parts: readonly (Omit<Design["parts"][number], "shape"> & { readonly shape: Shape | Moved })[];
+  };
+}
 
 export interface Request {
   readonly id: number;

@@ -15,6 +15,12 @@ export interface Moved {
 
 /** A network of fewer points is sent as it is. */
 const FEW = 500;
+
+/** Whether it is a network of which a hand moves only some. */
+export function isLarge(shape: Shape): shape is VertexFrame {
+  return shape.kind === "vertex-frame" && shape.vertices.length >= FEW;
+}
+
 /** So is one of which more than this share was moved. */
 const MOST = 0.25;
 
@@ -23,7 +29,7 @@ export class Sender {
 
   /** What to send for a shape that is to be solved. */
   pack(shape: Shape): Shape | Moved {
-    if (shape.kind !== "vertex-frame" || shape.vertices.length < FEW) return shape;
+    if (!isLarge(shape)) return shape;
     const last = this.#last;
     this.#last = shape;
     return (last && difference(last, shape)) ?? shape;
@@ -38,10 +44,15 @@ export class Sender {
 export class Receiver {
   #last: VertexFrame | null = null;
 
+  /** The network that was sent last. */
+  get last(): VertexFrame | null {
+    return this.#last;
+  }
+
   /** The shape that was meant. Reading a message once more changes nothing. */
   unpack(sent: Shape | Moved): Shape {
     if (sent.kind !== "moved") {
-      if (sent.kind === "vertex-frame" && sent.vertices.length >= FEW) this.#last = sent;
+      if (isLarge(sent)) this.#last = sent;
       return sent;
     }
     const last = this.#last;

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
-import type { Design } from "../document/types";
+import type { Design, VertexFrame } from "../document/types";
 import { boundsOf } from "./bounds";
 
 const { solver, worker } = realSolver({ free: true });
@@ -120,4 +120,86 @@ test("a blend is drawn with its ends while it is a solid, and as a flank between
 test("what cannot be a design is refused with its place", async () => {
   const outcome = await solver.parse('{ "pasu": 1, "parts": [{ "shape": { "kind": "second-order", "r": 7 } }] }');
   expect(outcome).toMatchObject({ state: "refused", refusal: { path: "parts[0].shape.r" } });
+});
+
+/** A sheet of patches with waves. */
+function sheet(rows: number, columns: number): VertexFrame {
+  const across = 2 * columns + 1;
+  const vertices = Array.from({ length: across * (2 * rows + 1) }, (_, place): [number, number, number] => {
+    const [row, column] = [Math.floor(place / across), place % across];
+    return [column, row, Math.sin(column / 9) * Math.cos(row / 7)];
+  });
+  const patches = Array.from({ length: rows * columns }, (_, place) => {
+    const [row, column] = [2 * Math.floor(place / columns), 2 * (place % columns)];
+    const at = (right: number, up: number) => (row + up) * across + column + right;
+    return { frame: [at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1)] as const };
+  });
+  return { kind: "vertex-frame", vertices, patches };
+}
+
+test("of a large network under the hand what moves is sent alone and written over, and nothing else of it is another than in a mesh of its own", async () => {
+  const { solver, worker } = realSolver({ free: true });
+  const desk = solver.desk();
+  const first = sheet(12, 15);
+  const designOf = (shape: VertexFrame): Design => ({ pasu: 1, parts: [{ shape }] });
+  const size = { rows: 97, columns: 169 };
+  const options = { ...size, lines: false, section: null, settle: true };
+  const done = async (shape: VertexFrame, settle: boolean) => {
+    const outcome = await desk.solve({ design: designOf(shape), ids: [7] }, { ...options, settle });
+    if (outcome.state !== "done") throw new Error(JSON.stringify(outcome));
+    return outcome.value;
+  };
+  const before = await done(first, true);
+  const seen: { shape: VertexFrame; bounds: unknown; positions: unknown; normals: unknown }[] = [];
+  let shape = first;
+  let revision = before.parts[0]?.revision ?? 0;
+  for (const [step, vertex] of [400, 401, 0, 400].entries()) {
+    const vertices = [...shape.vertices];
+    vertices[vertex] = [vertex % 31, Math.floor(vertex / 31), 2 + step / 4];
+    shape = { ...shape, vertices };
+    worker.sent.splice(0);
+    const now = await done(shape, false);
+    const [part] = now.parts;
+    expect(worker.last.ask).toMatchObject({ parts: [{ shape: { kind: "moved" } }], whole: null });
+    // The same arrays, of which a part was written over.
+    expect(part?.mesh).toBe(before.parts[0]?.mesh);
+    const [ranges, ...more] = part?.mesh.writes?.since(revision) ?? [];
+    expect(more).toEqual([]);
+    const count = ranges?.reduce((sum, each, place) => sum + (place % 2) * each, 0) ?? 0;
+    expect(count).toBeGreaterThan(0);
+    expect(count).toBeLessThan((part?.mesh.positions.length ?? 0) / 6);
+    revision = part?.revision ?? 0;
+    const { positions = null, normals = null } = part?.mesh ?? {};
+    seen.push({ shape, bounds: now.bounds, positions: positions?.slice(), normals: normals?.slice() });
+  }
+  // When the hand lets go all of it is there: of the network nothing is sent but that it is this one.
+  worker.sent.splice(0);
+  const rest = await done(shape, true);
+  expect(rest.parts[0]?.revision).toBe(revision);
+  expect(rest.fingerprint).not.toBe("");
+  expect(worker.last.ask).toMatchObject({ parts: [], whole: { design: { parts: [{ shape: { kind: "moved" } }] } } });
+  // What is refused leaves no half of a mesh behind.
+  const pinched = {
+    ...shape,
+    vertices: shape.vertices.map((at, place) => (place === 2 ? (shape.vertices[0] ?? at) : at)),
+  };
+  expect((await desk.solve({ design: designOf(pinched), ids: [7] }, { ...options, settle: false })).state).toBe(
+    "refused",
+  );
+  const again = await done({ ...shape }, false);
+  expect(again.parts[0]?.mesh.positions).toEqual(rest.parts[0]?.mesh.positions);
+  // Afterwards, because all solvers of a test share one module.
+  for (const each of seen) {
+    const anew = await solver.mesh(
+      "anew",
+      designOf({ ...each.shape, vertices: [...each.shape.vertices] }),
+      size.rows,
+      size.columns,
+    );
+    if (anew.state !== "done") throw new Error(JSON.stringify(anew));
+    const [part] = anew.value.parts;
+    expect(each.positions).toEqual(part?.mesh.positions);
+    expect(each.normals).toEqual(part?.mesh.normals);
+    expect(each.bounds).toEqual(anew.value.bounds);
+  }
 });

@@ -17,7 +17,7 @@ import { bodyOf, type Grid, isClosed } from "../document/body";
 import { placedNormals } from "../document/placed-normals";
 import { matrixOf, placedAll } from "../document/placement";
 import { SHAPES } from "../document/tables.gen";
-import type { Section as BlendSection, Sent, SentShape, Shape, TwoSided, Wall } from "../document/types";
+import type { Blend, Section as BlendSection, Sent, SentShape, Shape, TwoSided, Wall } from "../document/types";
 import { type GridSize, highestFrequency } from "../document/waves";
 import { boundsOf } from "./bounds";
 import { linesOf, tangentPoints } from "./lines";
@@ -27,18 +27,20 @@ import type {
   PartAsk,
   PartFacts,
   PartLines,
-  PartsAsk,
   Request,
   Section,
   SentAnswers,
   SentMesh,
   SentPart,
+  SentPartAsk,
   SentParts,
+  SentPartsAsk,
+  SentWholeAsk,
   Spare,
 } from "./messages";
-import { Receiver } from "./moved";
+import type { Moved } from "./moved";
 import { reachOf } from "./reach";
-import { evenWare, WARE_SIZE, ware } from "./ware";
+import { WARE_SIZE, ware } from "./ware";
 
 const SECTION_POINTS = 129;
 const TAU = 2 * Math.PI;
@@ -46,16 +48,23 @@ const TAU = 2 * Math.PI;
 /** The last coarse mesh, written over by every next one; it never leaves the worker. */
 let coarse: Partial<Mesh> = {};
 
-const receiver = new Receiver();
+/** What takes shapes of patches is fetched with the module that solves them; until then it is left out. */
+let patchwork: typeof import("./patchwork") | null = null;
+
+export async function fetchPatchwork(): Promise<void> {
+  patchwork ??= await import("./patchwork");
+}
+
+function withPatchwork(): typeof import("./patchwork") {
+  if (patchwork) return patchwork;
+  throw new PasuError("unsupported-shape", "", "", { args: { what: "left-out" } });
+}
 
 export function perform(request: Request): SentAnswers[Ask["kind"]] {
   const { ask } = request;
   switch (ask.kind) {
     case "parts":
-      return solve(
-        { ...ask, parts: ask.parts.map((part) => ({ ...part, shape: receiver.unpack(part.shape) })) },
-        request,
-      );
+      return solve(ask, request);
     case "parse": {
       const design = parse(ask.text);
       return { design, link: linkOf(design) };
@@ -85,18 +94,29 @@ interface Spent {
   coarse: number;
 }
 
-function solve({ parts, whole }: PartsAsk, { known, spares }: Pick<Request, "known" | "spares">): SentParts {
+function solve({ parts, whole }: SentPartsAsk, { known, spares }: Pick<Request, "known" | "spares">): SentParts {
   const begun = now();
   // The document is read as a whole before any of its parts, so that it is refused as a whole.
-  const text = whole && quickly(whole.design as Sent);
+  const text = whole && readable(whole.design);
   const address = text ? linkOf(text) : "";
+  // Of a long text all is asked that there is to be asked before another one is read.
+  const long = whole && typeof text === "string" ? told(text, whole) : null;
   const read = now();
   const spent: Spent = { meshes: 0, coarse: 0 };
   const here = new Set(known);
   const sent = parts.map((part, index) => named(part.place, () => solved(part, spares[index] ?? null, here, spent)));
-  const all = whole && text ? { ...told(text, whole), link: address } : null;
+  const all = whole && text ? { ...(long ?? told(text, whole)), link: address } : null;
   const meshed = read + spent.meshes;
   return { parts: sent, whole: all, times: { begun, meshed, glazed: meshed + spent.coarse, done: now() } };
+}
+
+/** A design as it is read. */
+function readable(design: SentWholeAsk["design"]): Sent | string {
+  return design.parts.some(({ shape }) => isPatchwork(shape)) ? withPatchwork().readable(design) : (design as Sent);
+}
+
+function isPatchwork(shape: Shape | Moved): shape is Moved | Exclude<Shape, TwoSided | Blend> {
+  return shape.kind === "moved" || shape.kind === "vertex-frame" || shape.kind === "octant";
 }
 
 function told(design: Sent | string, { rows, columns }: GridSize) {
@@ -130,13 +150,27 @@ function flankOf(shape: Shape): Sent {
   return { pasu: 1, parts: [{ shape: shape as SentShape, wall: A_WALL }] };
 }
 
-function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
+function solved(part: SentPartAsk, spare: Spare | null, here: Set<string>, spent: Spent): SentPart {
+  return hasTwoEnds(part) ? between(part, spare, here, spent) : withPatchwork().patched(part, here, spent);
+}
+
+/** Whether it goes from one end to another: of blends what is between two closed curves. Any other blend stays a solid, of which making a pot is refused. */
+function hasTwoEnds(part: SentPartAsk): part is PartAsk & { readonly shape: TwoSided | Blend } {
+  const { shape, hollow } = part;
+  if (shape.kind !== "blend") return !isPatchwork(shape);
+  const closed = ({ form }: BlendSection) => form === "disc" || form === "outline";
+  return hollow && closed(shape.start) && closed(shape.end);
+}
+
+/** A surface between two ends. */
+function between(
+  part: PartAsk & { readonly shape: TwoSided | Blend },
+  spare: Spare | null,
+  here: Set<string>,
+  spent: Spent,
+): SentPart {
   const { id, shape } = part;
   const design = part.hollow ? flankOf(shape) : alone(shape);
-  if (shape.kind === "vertex-frame" || shape.kind === "octant" || (shape.kind === "blend" && !hasFlank(part))) {
-    const made = part.mesh && patched(design, part.mesh, here, spent);
-    return { id, mesh: made?.mesh ?? null, told: made?.told ?? null, lines: made?.lines ?? null, section: null };
-  }
   const made = part.mesh && meshed(design, part, part.mesh, spare, here, spent);
   const { mesh: sent = null, told: about = null, grid } = made ?? {};
   return {
@@ -150,12 +184,6 @@ function solved(part: PartAsk, spare: Spare | null, here: Set<string>, spent: Sp
 }
 
 const NO_TANGENTS: PartLines["tangents"] = { at: new Float64Array(), along: new Float64Array() };
-
-/** Whether it is a surface between two closed curves: any other blend stays a solid, of which making a pot is refused. */
-function hasFlank({ shape, hollow }: PartAsk): boolean {
-  const closed = ({ form }: BlendSection) => form === "disc" || form === "outline";
-  return hollow && shape.kind === "blend" && closed(shape.start) && closed(shape.end);
-}
 
 function meshed(
   design: Sent,
@@ -202,41 +230,6 @@ function meshed(
     },
     grid: { positions, rows, columns },
   };
-}
-
-/** Text in place of a design of which reading every number by itself would take longer than solving it. */
-function quickly(design: Sent): Sent | string {
-  const long = design.parts.some(({ shape }) => shape.kind === "vertex-frame" && shape.vertices.length > LONG);
-  return long ? JSON.stringify(design) : design;
-}
-
-/** A network of more points is read as text. */
-const LONG = 500;
-
-/** A network of patches, or what goes round a solid. It has no grid of its own: what goes by rows from foot to rim is not there. */
-function patched(design: Sent, { rows, columns, ware: size }: MeshWanted, here: Set<string>, spent: Spent) {
-  const begun = now();
-  const guess = [...here].at(-1);
-  const made = mesh(quickly(design), { rows, columns, into: guess ? { topology: guess } : {} });
-  const { positions, normals, topology, uvs, indices } = made;
-  spent.meshes += now() - begun;
-  const lattice = uvs && indices && !here.has(topology) ? { uvs, indices } : null;
-  here.add(topology);
-  const texels = evenWare(size);
-  const sent: SentMesh = { positions, normals, topology, ware: { texels, ...size }, lattice };
-  const told: PartFacts = {
-    bounds: boundsOf(positions, positions),
-    reach: reachOf(positions, null),
-    closed: true,
-    body: null,
-  };
-  const lines: PartLines = {
-    iso_u: [],
-    iso_v: [],
-    ends: [new Float32Array(), new Float32Array()],
-    tangents: NO_TANGENTS,
-  };
-  return { mesh: sent, told, lines };
 }
 
 /** Samples per wave, with which every crest and trough is met nearly enough to be counted. */

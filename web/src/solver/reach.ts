@@ -12,9 +12,8 @@ const GOLDEN = Math.PI * (3 - Math.sqrt(5));
 const RUN = 16;
 
 /** The points (xyz, before placement) that are farthest in some direction, each once: in horizontal ones as the part is scaled and turned. */
-export function reachOf(positions: Float32Array, turn: Matrix | null): Float32Array {
+export function reachOf(positions: Float32Array, turn: Matrix | null, boxes = boxesOf(positions)): Float32Array {
   if (positions.length < 3) return new Float32Array();
-  const boxes = boxesOf(positions);
   const found = new Set<number>();
   const m = (i: number) => (turn ?? IDENTITY)[i] as number;
   const add = (x: number, y: number, z: number) => found.add(farthest(positions, boxes, x, y, z));
@@ -42,9 +41,17 @@ export function reachOf(positions: Float32Array, turn: Matrix | null): Float32Ar
 }
 
 /** The least and the greatest coordinates of each run of points: six numbers for each. */
-function boxesOf(positions: Float32Array): Float32Array {
+export function boxesOf(positions: Float32Array): Float32Array {
   const boxes = new Float32Array(6 * Math.ceil(positions.length / (3 * RUN)));
-  for (let box = 0, from = 0; box < boxes.length; box += 6, from += 3 * RUN) {
+  rebox(positions, boxes, 0, positions.length / 3);
+  return boxes;
+}
+
+/** Brings up to date where points are elsewhere: so many from one on. */
+export function rebox(positions: Float32Array, boxes: Float32Array, first: number, count: number): void {
+  const begin = Math.floor(first / RUN);
+  const last = 6 * Math.ceil((first + count) / RUN);
+  for (let box = 6 * begin, from = 3 * RUN * begin; box < last; box += 6, from += 3 * RUN) {
     const end = Math.min(from + 3 * RUN, positions.length);
     for (let axis = 0; axis < 3; axis += 1) {
       let low = Number.POSITIVE_INFINITY;
@@ -58,7 +65,6 @@ function boxesOf(positions: Float32Array): Float32Array {
       boxes[box + 3 + axis] = high;
     }
   }
-  return boxes;
 }
 
 /** Where the first of the points is that are farthest in a direction. */

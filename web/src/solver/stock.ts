@@ -1,6 +1,7 @@
 /** What the page keeps of meshes between two of them: arrays to be written over, and what depends on the grid alone. */
 
 import type { Lattice, PartMesh, SentMesh, Spare, Used } from "./messages";
+import { Written } from "./written";
 
 /** One set is on the stage and one under way; while a third is sent back, the next may be asked for. */
 const SPARES = 3;
@@ -32,7 +33,7 @@ export class Stock {
   }
 
   /** The mesh with its lattice, the very arrays that the last one of this topology had, or that were there when it was asked for. */
-  whole({ lattice, ...surface }: SentMesh, then: Lattices): PartMesh {
+  whole({ lattice, serial, ...surface }: SentMesh, then: Lattices): PartMesh {
     const { topology } = surface;
     const found = this.#lattices.get(topology) ?? lattice ?? then.get(topology);
     if (!found) throw new Error(`the solver sent no lattice for ${topology}`);
@@ -40,6 +41,6 @@ export class Stock {
     this.#lattices.delete(topology);
     this.#lattices.set(topology, found);
     for (const old of [...this.#lattices.keys()].slice(0, -LATTICES)) this.#lattices.delete(old);
-    return { ...surface, ...found };
+    return { ...surface, ...found, ...(serial !== undefined && { writes: new Written() }) };
   }
 }

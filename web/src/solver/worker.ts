@@ -2,6 +2,11 @@
 
 import init, { PasuError, widen } from "pasu/drawing";
 import { serve } from "../worker/serve";
-import { buffersOf, perform } from "./perform";
+import { buffersOf, fetchPatchwork, perform } from "./perform";
 
-serve(self, { init, PasuError, fault: "solver-unusable", widen }, perform, buffersOf);
+/** With the module comes what asks it for shapes that the small one leaves out. */
+const wider = async (source?: string) => {
+  await Promise.all([widen(source), fetchPatchwork()]);
+};
+
+serve(self, { init, PasuError, fault: "solver-unusable", widen: wider }, perform, buffersOf);

@@ -1,9 +1,9 @@
 /** What a person works with on a network: what is picked of it, and how a hand moves that. Fetched with the panel, and kept as long as the page is open. */
 
-import { signal } from "@preact/signals-core";
+import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Doing, Touch, Way } from "../document/network/grasping";
 import type { Axis } from "../document/network/moving";
-import type { Network } from "../document/network/network";
+import { type Network, sizeOf } from "../document/network/network";
 import { NOTHING, type Picks, within } from "../document/network/selection";
 import type { Designer } from "./designer";
 
@@ -14,8 +14,8 @@ export interface Settings {
   /** Whether what is picked is picked beside what is there, as with shift: a finger has none. */
   readonly several: boolean;
   readonly grid: boolean;
-  /** In units of the document. */
-  readonly step: number;
+  /** In units of the document; null where nobody has said another one than the usual one of a network. */
+  readonly step: number | null;
   /** Whether a point goes to another that it is dropped on. */
   readonly meet: boolean;
   readonly mirror: Axis | null;
@@ -30,7 +30,7 @@ const USUAL: Settings = {
   touch: "view",
   several: false,
   grid: false,
-  step: 0.5,
+  step: null,
   meet: false,
   mirror: null,
   magnification: 2,
@@ -81,4 +81,37 @@ export function networkDesk(designer: Designer): NetworkDesk {
   const known = desks.get(designer) ?? new NetworkDesk();
   desks.set(designer, known);
   return known;
+}
+
+/** The step of a grid of which some forty lie across a network, as large or as small as this is in its unit. */
+export function stepOf({ step }: Settings, network: Network): number {
+  return step ?? Number((sizeOf(network) / 20).toPrecision(1));
+}
+
+/** The selected network; null where the selected part is none. */
+export function networkOf(designer: Designer): Network | null {
+  const { design, part } = designer.store;
+  const shape = design.parts[part]?.shape;
+  return shape?.kind === "vertex-frame" ? shape : null;
+}
+
+const framed = new WeakMap<Designer, ReadonlySignal<Network | null>>();
+
+/**
+ * The selected network for whoever shows nothing of where its points are: while these alone are moved it is the one of before, so that nothing is drawn again that stays as it is.
+ */
+export function framedNetwork(designer: Designer): Network | null {
+  const known = framed.get(designer) ?? keptWhileMoved(designer);
+  framed.set(designer, known);
+  return known.value;
+}
+
+function keptWhileMoved(designer: Designer): ReadonlySignal<Network | null> {
+  let last: Network | null = null;
+  return computed(() => {
+    const now = networkOf(designer);
+    const isSame = last && now && last.patches === now.patches && last.vertices.length === now.vertices.length;
+    if (!isSame) last = now;
+    return last;
+  });
 }

@@ -13,7 +13,7 @@ const PATIENCE_UP = 12;
 const MOST_PATIENCE = 400;
 
 /** Where a first drag begins: in the middle, so that it neither stutters nor looks coarse anywhere. */
-const FIRST = 2;
+export const FIRST = 2;
 
 /**
  * The fineness of the grid during gestures, learnt from what changes cost and kept from one gesture to the next. Pixels are

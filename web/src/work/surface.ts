@@ -7,13 +7,14 @@ import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { Desk } from "../solver/desk";
 import type { Used } from "../solver/messages";
+import { isLarge } from "../solver/moved";
 import type { Solved } from "../solver/solved";
 import type { Identified } from "../state/part-ids";
 import type { Store } from "../state/store";
 import { describeAccuracy } from "../words/description";
 import type { Outcome } from "../worker/port";
 import { gridFor } from "./grid";
-import { Pace } from "./pace";
+import { FIRST, Pace } from "./pace";
 import { trace } from "./trace";
 
 /** What is on the stage: the last design that the solver accepted. */
@@ -53,7 +54,7 @@ export class Surface {
   /** How fine the grid is during a gesture. */
   readonly pace = new Pace();
   /** The grid of a design now; measurements put their own here. */
-  grid = (design: Design): GridSize => gridFor(design, this.#store.inGesture ? this.pace.step : 0);
+  grid = (design: Design): GridSize => gridFor(design, this.#store.inGesture ? this.#step(design) : 0);
   readonly #store: Store;
   readonly #desk: Desk;
   readonly #begun = signal(false);
@@ -99,6 +100,12 @@ export class Surface {
   /** How true the picture is, in words; empty while it is not known. */
   get accuracy(): string {
     return this.#accuracy.value;
+  }
+
+  /** How coarse the grid is under the hand. Of a large network only what moves is sampled: it stays as fine as at rest, unless drawing it takes too long. */
+  #step({ parts }: Design): number {
+    const { step } = this.pace;
+    return step <= FIRST && parts.every(({ shape }) => isLarge(shape)) ? 0 : step;
   }
 
   /** Follows the document until what comes back is called. */

@@ -1,11 +1,12 @@
 /** A network: what is picked of it, how a hand moves that, and what is built with it. */
 
+import { computed } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { DOINGS, TOUCHES, WAYS } from "../../document/network/grasping";
-import { AXES, type Axis, middleOf, moved, shiftBy } from "../../document/network/moving";
-import { type Network, sizeOf } from "../../document/network/network";
+import { AXES, type Axis } from "../../document/network/moving";
+import { type Network, patchesRound } from "../../document/network/network";
 import {
   everything,
   NOTHING,
@@ -15,7 +16,6 @@ import {
   withVertices,
 } from "../../document/network/selection";
 import { type Building, bridged, extruded, filled, removed, split } from "../../document/network/topology";
-import type { Triple } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { togglePulling } from "../../state/actions";
 import { changeNetwork } from "../../state/network-actions";
@@ -25,10 +25,11 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
-import { type NetworkDesk, networkDesk } from "../../work/network-desk";
+import { framedNetwork, type NetworkDesk, networkDesk, networkOf, stepOf } from "../../work/network-desk";
 import { openObj, saveObj } from "../../work/network-files";
 import { CommandEvent } from "../command";
 import "./network-patch";
+import "./network-place";
 
 const BUILDS = {
   extrude: (network, picks) => extruded(network, picks.vertices),
@@ -42,10 +43,12 @@ type Build = keyof typeof BUILDS;
 
 @customElement("pasu-network-panel")
 export class PasuNetworkPanel extends DesignerElement {
+  readonly #unit = computed(() => unitOf(this.designer.store.design));
+
   override render() {
-    const { design, part, session } = this.designer.state;
-    const network = design.parts[part]?.shape;
-    if (network?.kind !== "vertex-frame") return nothing;
+    const { session } = this.designer.store;
+    const network = framedNetwork(this.designer);
+    if (!network) return nothing;
     const picks = this.desk.picksOf(network);
     return html`
       <div class="intro">
@@ -59,7 +62,7 @@ export class PasuNetworkPanel extends DesignerElement {
           ${words.onStage}
         </button>
       </div>
-      ${this.picking(network, picks)} ${this.moving(network, picks)}
+      ${this.picking(network, picks)} ${this.moving(network)}
       <section aria-label=${words.build}>
         <h3>${words.build}</h3>
         <div class="acts">
@@ -95,7 +98,7 @@ export class PasuNetworkPanel extends DesignerElement {
         <h3>${words.file}</h3>
         <p class="told">${words.fileAbout}</p>
         <div class="acts">
-          <button class="button outlined" type="button" @click=${() => saveObj(this.designer, network)}>${words.saveObj}</button>
+          <button class="button outlined" type="button" @click=${this.save}>${words.saveObj}</button>
           <button class="button outlined" type="button" @click=${() => void openObj(this.designer)}>${words.openObj}</button>
         </div>
       </section>
@@ -106,11 +109,15 @@ export class PasuNetworkPanel extends DesignerElement {
     return networkDesk(this.designer);
   }
 
+  /** With its points where they are now. */
   private get network(): Network | null {
-    const { design, part } = this.designer.state;
-    const shape = design.parts[part]?.shape;
-    return shape?.kind === "vertex-frame" ? shape : null;
+    return networkOf(this.designer);
   }
+
+  private readonly save = (): void => {
+    const { network } = this;
+    if (network) saveObj(this.designer, network);
+  };
 
   private picking(network: Network, picks: Picks) {
     const { vertices, patches } = picks;
@@ -161,33 +168,26 @@ export class PasuNetworkPanel extends DesignerElement {
     </section>`;
   }
 
-  private cell(
-    label: string,
-    value: number,
-    step: number,
-    set: (value: number, gesture: boolean) => void,
-    unit = "",
-    help = "",
-  ) {
-    return html`<span class="cell" title=${help || nothing}
+  private cell(label: string, value: number, step: number, set: (value: number) => void) {
+    return html`<span class="cell"
       ><span aria-hidden="true">${label}</span
       ><pasu-number
         compact
         .label=${label}
-        .unit=${unit}
         .value=${value}
         .step=${step}
-        @number-change=${(event: NumberChangeEvent) => set(event.value, event.gesture)}
+        @number-change=${(event: NumberChangeEvent) => set(event.value)}
         @number-done=${() => this.designer.store.endGesture()}
         @number-cancel=${() => this.designer.store.cancelGesture()}
       ></pasu-number
     ></span>`;
   }
 
-  private moving(network: Network, picks: Picks) {
+  private moving(network: Network) {
     const { desk } = this;
-    const { motion, way, touch, grid, step, meet, mirror } = desk.settings;
-    const unit = unitOf(this.designer.store.design);
+    const { motion, way, touch, grid, meet, mirror } = desk.settings;
+    const step = stepOf(desk.settings, network);
+    const unit = this.#unit.value;
     const named = <T extends string>(all: readonly T[], names: Readonly<Record<T, string>>) =>
       all.map((value) => ({ value, label: names[value] }));
     return html`<section aria-label=${words.move}>
@@ -204,7 +204,7 @@ export class PasuNetworkPanel extends DesignerElement {
           .label=${words.gridStep}
           .unit=${unit}
           .value=${step}
-          .step=${0.1}
+          .step=${Number((step / 5).toPrecision(1))}
           @number-change=${({ value }: NumberChangeEvent) => value > 0 && desk.set({ step: value })}
         ></pasu-number>
         <label class="check">
@@ -218,39 +218,13 @@ export class PasuNetworkPanel extends DesignerElement {
           ${AXES.map((axis) => html`<option value=${axis} .selected=${axis === mirror}>${words.mirrors[axis]}</option>`)}
         </select>
       </label>
-      ${
-        picks.vertices.size === 0
-          ? nothing
-          : html`<div class="three">
-              ${middleOf(network, picks.vertices).map((value, axis) =>
-                this.cell(
-                  words.place[axis] ?? "",
-                  Number(value.toPrecision(4)) + 0,
-                  Number((sizeOf(network) / 100).toPrecision(1)),
-                  (next, gesture) => this.place(axis, next, gesture),
-                  unit,
-                  words.placeHelp,
-                ),
-              )}
-            </div>`
-      }
+      <pasu-network-place .designer=${this.designer}></pasu-network-place>
     </section>`;
   }
 
   private mirror(event: Event): void {
     const { value } = event.target as HTMLSelectElement;
     this.desk.set({ mirror: AXES.find((axis): axis is Axis => axis === value) ?? null });
-  }
-
-  private place(axis: number, value: number, gesture: boolean): void {
-    const { network, desk } = this;
-    if (!network) return;
-    const { vertices } = desk.picksOf(network);
-    const by = value - (middleOf(network, vertices)[axis] ?? 0);
-    const way = [0, 1, 2].map((each) => (each === axis ? by : 0)) as unknown as Triple;
-    const next = moved(network, vertices, shiftBy(way), desk.settings.mirror);
-    if (next === network && by !== 0) this.designer.notices.say(words.objections.collapsed);
-    this.designer.apply(changeNetwork(this.designer.state, () => next, gesture ? `place ${axis}` : undefined));
   }
 
   private build(build: Build): void {
@@ -321,19 +295,14 @@ export class PasuNetworkPanel extends DesignerElement {
         font-size: 0.92rem;
         text-wrap: pretty;
       }
-      .two,
-      .three {
+      .two {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
         gap: 8px;
       }
-      .three {
-        grid-template-columns: repeat(3, minmax(0, 1fr));
-        padding-top: 10px;
-      }
       .snaps {
         display: grid;
-        grid-template-columns: auto minmax(0, 7rem) auto;
+        grid-template-columns: auto minmax(0, 8rem);
         align-items: center;
         gap: 4px 12px;
         padding: 8px 0;
@@ -374,11 +343,8 @@ function lastOf(all: ReadonlySet<number>): number | undefined {
 
 /** The patches of which a point is picked, with all their points. */
 function patchesOf(network: Network, { vertices }: Picks): Picks {
-  let picks = NOTHING;
-  for (const [patch, { frame }] of network.patches.entries()) {
-    if (frame.some((vertex) => vertices.has(vertex))) picks = { ...picks, patches: new Set([...picks.patches, patch]) };
-  }
-  return { ...picks, vertices: new Set([...picks.patches].flatMap((patch) => network.patches[patch]?.frame ?? [])) };
+  const patches = new Set(patchesRound(network, vertices));
+  return { patches, vertices: new Set([...patches].flatMap((patch) => network.patches[patch]?.frame ?? [])) };
 }
 
 declare global {

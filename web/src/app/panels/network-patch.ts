@@ -18,7 +18,7 @@ import "../../ui/number-field";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
-import { networkDesk } from "../../work/network-desk";
+import { framedNetwork, networkDesk, networkOf } from "../../work/network-desk";
 
 const ONES: Triple = [1, 1, 1];
 const UNIT: Pair = [0, 1];
@@ -34,10 +34,12 @@ export class PasuNetworkPatch extends DesignerElement {
   @state() private apart: ReadonlySet<string> = new Set();
 
   override render() {
-    const { network } = this;
-    if (!network) return nothing;
-    const picked = [...networkDesk(this.designer).picksOf(network).patches];
-    const patch = network.patches[picked[0] ?? -1];
+    const framed = framedNetwork(this.designer);
+    if (!framed) return nothing;
+    const picked = [...networkDesk(this.designer).picksOf(framed).patches];
+    const patch = framed.patches[picked[0] ?? -1];
+    // How far a force moves the surface goes by where the points are.
+    const network = patch?.forces?.length ? (this.network ?? framed) : framed;
     return html`
       <details open>
         <summary><h3>${words.surface}</h3><span>${words.surfaceHelp}</span></summary>
@@ -50,7 +52,7 @@ export class PasuNetworkPatch extends DesignerElement {
               ${(patch.forces ?? []).map((force, index) => this.force(network, picked[0] ?? 0, patch, force, index))}
               ${(patch.forces ?? []).length > 0 ? this.reach("strength") : nothing}
               <div class="acts">
-                <button class="button outlined" type="button" ?disabled=${(patch.forces ?? []).length >= MOST} @click=${() => this.add(network, picked[0] ?? 0)}>
+                <button class="button outlined" type="button" ?disabled=${(patch.forces ?? []).length >= MOST} @click=${() => this.add(picked[0] ?? 0)}>
                   ${icon("add")}<span>${words.addForce}</span>
                 </button>
                 <button class="button outlined" type="button" @click=${this.drawRegion}>${words.region}</button>
@@ -62,9 +64,7 @@ export class PasuNetworkPatch extends DesignerElement {
   }
 
   private get network(): Network | null {
-    const { design, part } = this.designer.state;
-    const shape = design.parts[part]?.shape;
-    return shape?.kind === "vertex-frame" ? shape : null;
+    return networkOf(this.designer);
   }
 
   private parameters(patch: Patch) {
@@ -241,9 +241,10 @@ export class PasuNetworkPatch extends DesignerElement {
     return normalOn(network, place, within(u), within(v)) ?? UP;
   }
 
-  private add(network: Network, place: number): void {
-    const patch = network.patches[place];
-    if (!patch) return;
+  private add(place: number): void {
+    const { network } = this;
+    const patch = network?.patches[place];
+    if (!network || !patch) return;
     const normal = normalOn(network, place, 0.5, 0.5) ?? UP;
     const far = PUSH * sizeOf(network);
     const f0 = forceFor(patch, [far * normal[0], far * normal[1], far * normal[2]]);

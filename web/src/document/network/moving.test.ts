@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
+import { frozen } from "../path";
 import { imagesOf, middleOf, moved, onGrid, scaleBy, shiftBy, turnBy } from "./moving";
-import type { Network } from "./network";
+import { type Network, patchesRound } from "./network";
 import { crestOf, forceFor, heightOf, laidAt, pointAt, regionBetween, rimOf, unfolded } from "./sculpting";
 import { pointOn } from "./surface";
 
@@ -105,4 +106,17 @@ test("a region is drawn between two places, and pushes as far as it is told", ()
   const laid = unfolded(face, 5);
   for (const place of rimOf(force, 4)) expect(pointAt(face, laid, place)).not.toBe(null);
   expect(pointAt(face, laid, [9, 9])).toBe(null);
+});
+
+test("the patches round vertices are those that have one of them, and what was moved of a frozen network is frozen", () => {
+  const mug = frozen(structuredClone(model("own-mug")));
+  for (const vertices of [[0], [3, 17, 40], [0, 0, 1], [9999]]) {
+    const expected = mug.patches.flatMap(({ frame }, patch) =>
+      frame.some((each) => vertices.includes(each)) ? [patch] : [],
+    );
+    expect(patchesRound(mug, vertices)).toEqual(expected);
+  }
+  const next = moved(mug, new Set([3]), shiftBy([0.1, 0, 0]));
+  expect(next).not.toBe(mug);
+  expect([next.vertices, ...next.vertices].every(Object.isFrozen)).toBe(true);
 });

@@ -1,7 +1,7 @@
 /** Moving, turning and scaling what is picked of a network: with its mirror image, and to a grid. */
 
 import type { Triple } from "../types";
-import { at, CORNERS, type Network, sizeOf } from "./network";
+import { at, CORNERS, type Network, patchesRound, sizeOf } from "./network";
 import { meanOf, minus, plus } from "./topology";
 
 export type Axis = "x" | "y" | "z";
@@ -101,18 +101,29 @@ export function moved(
     if (image === undefined || image === vertex || picked.has(image)) continue;
     vertices[image] = to.map((value, each) => (each === axis ? -value + 0 : value)) as unknown as Triple;
   }
-  const next = { ...network, vertices };
+  // What is frozen here has not to be looked through by whoever keeps the design.
+  for (const vertex of picked) freeze(vertices, vertex);
+  if (images) for (const vertex of picked) freeze(vertices, images.get(vertex));
+  const next = Object.isFrozen(network.vertices)
+    ? { ...network, vertices: Object.freeze(vertices) }
+    : { ...network, vertices };
   return standsApart(next, new Set([...picked, ...[...picked].flatMap((vertex) => images?.get(vertex) ?? [])]))
     ? next
     : network;
 }
 
+function freeze(vertices: readonly Triple[], vertex: number | undefined): void {
+  const point = vertex === undefined ? undefined : vertices[vertex];
+  if (point) Object.freeze(point);
+}
+
 /** Whether no corners meet of the patches round these vertices: nothing else comes of moving them. */
 function standsApart(network: Network, vertices: ReadonlySet<number>): boolean {
-  const round = network.patches.filter(({ frame }) => frame.some((vertex) => vertices.has(vertex)));
+  const round = patchesRound(network, vertices);
   for (const vertex of vertices) if (!at(network, vertex).every(Number.isFinite)) return false;
-  return round.every(({ frame }) => {
-    const corners = CORNERS.map((place) => at(network, frame[place]));
+  return round.every((patch) => {
+    const frame = network.patches[patch]?.frame;
+    const corners = CORNERS.map((place) => at(network, frame?.[place] ?? 0));
     return corners.every(([x, y, z], one) =>
       corners.every((other, place) => place <= one || other[0] !== x || other[1] !== y || other[2] !== z),
     );

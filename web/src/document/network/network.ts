@@ -64,6 +64,46 @@ export function edgesOf({ patches }: Network): ReadonlyMap<string, Edge> {
   return edges;
 }
 
+/** The patches that have each vertex: those of one begin where `starts` says, and end where those of the next begin. */
+interface Round {
+  readonly starts: Uint32Array;
+  readonly patches: Uint32Array;
+}
+
+const rounds = new WeakMap<Network["patches"], Round>();
+
+function roundOf({ patches }: Network): Round {
+  const before = rounds.get(patches);
+  if (before) return before;
+  let most = 0;
+  for (const { frame } of patches) for (const vertex of frame) most = Math.max(most, vertex);
+  const starts = new Uint32Array(most + 2);
+  for (const { frame } of patches) for (const vertex of frame) starts[vertex + 1] = (starts[vertex + 1] ?? 0) + 1;
+  for (let vertex = 0; vertex <= most; vertex += 1)
+    starts[vertex + 1] = (starts[vertex + 1] ?? 0) + (starts[vertex] ?? 0);
+  const next = starts.slice();
+  const all = new Uint32Array(8 * patches.length);
+  for (const [patch, { frame }] of patches.entries()) {
+    for (const vertex of frame) {
+      all[next[vertex] ?? 0] = patch;
+      next[vertex] = (next[vertex] ?? 0) + 1;
+    }
+  }
+  const found = { starts, patches: all };
+  rounds.set(patches, found);
+  return found;
+}
+
+/** The patches that have one of these vertices, ascending. */
+export function patchesRound(network: Network, vertices: Iterable<number>): readonly number[] {
+  const { starts, patches } = roundOf(network);
+  const found = new Set<number>();
+  for (const vertex of vertices) {
+    for (let place = starts[vertex] ?? 0; place < (starts[vertex + 1] ?? 0); place += 1) found.add(patches[place] ?? 0);
+  }
+  return [...found].sort((a, b) => a - b);
+}
+
 export function isFree(edge: Edge): boolean {
   return edge.sides.length === 1;
 }

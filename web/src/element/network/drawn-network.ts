@@ -1,6 +1,6 @@
 /** The network as it is drawn over the stage: edges, points, middles of patches, regions; those behind the middle fainter. */
 
-import { at, edgesOf, type Frame, type Network, type Side } from "../../document/network/network";
+import { at, edgesOf, type Frame, type Network, patchesRound, type Side } from "../../document/network/network";
 import { crestOf, heightOf, pointAt, pointsAt, rimOf, unfolded } from "../../document/network/sculpting";
 import type { Picks } from "../../document/network/selection";
 import { pointOn } from "../../document/network/surface";
@@ -68,17 +68,21 @@ export interface Parted {
 /** What goes with these vertices; null where the network is small, or so much of it moves that all may be drawn again. */
 export function partedOf(network: Network, vertices: ReadonlySet<number>): Parted | null {
   if (!isMany(network) || vertices.size > network.vertices.length / MOST_MOVED) return null;
+  const patches = new Set(patchesRound(network, vertices));
+  const [sides, numbers] = [sidesOf(network), sidesOfPatches(network)];
   const edges = new Set<number>();
-  let number = 0;
-  for (const { vertices: own } of sidesOf(network)) {
-    if (own.some((vertex) => vertices.has(vertex))) edges.add(number);
-    number += 1;
-  }
-  const patches = new Set<number>();
-  for (const [patch, { frame }] of network.patches.entries()) {
-    if (frame.some((vertex) => vertices.has(vertex))) patches.add(patch);
+  for (const patch of patches) {
+    for (let side = 0; side < 4; side += 1) {
+      const edge = numbers[4 * patch + side] ?? NONE;
+      if (sides[edge]?.vertices.some((vertex) => vertices.has(vertex))) edges.add(edge);
+    }
   }
   return { vertices, edges, patches };
+}
+
+/** The same with what goes with other vertices. */
+export function withParted(network: Network, { vertices }: Parted, others: Iterable<number>): Parted | null {
+  return partedOf(network, new Set([...vertices, ...others]));
 }
 
 /** Among very many patches the points themselves are line enough. */
@@ -123,6 +127,26 @@ function sidesOf(network: Network): readonly Side[] {
   return sides;
 }
 
+const NONE = 0xffffffff;
+
+const numbered = new WeakMap<Network["patches"], Uint32Array>();
+
+/** For each side of each patch the number of its edge among those that are drawn. */
+function sidesOfPatches(network: Network): Uint32Array {
+  const before = numbered.get(network.patches);
+  if (before) return before;
+  const numbers = new Uint32Array(4 * network.patches.length).fill(NONE);
+  if (sidesOf(network).length > 0) {
+    let number = 0;
+    for (const { sides } of edgesOf(network).values()) {
+      for (const { patch, side } of sides) numbers[4 * patch + side] = number;
+      number += 1;
+    }
+  }
+  numbered.set(network.patches, numbers);
+  return numbers;
+}
+
 function curveOf(network: Network, side: Side | undefined): readonly Triple[] {
   const along = side && ALONG[side.side];
   if (!along) return [];
@@ -150,6 +174,8 @@ function middleOf(network: Network, frame: Frame | undefined): Triple {
 export interface Items {
   readonly placed: readonly Placed[];
   readonly middle: number;
+  /** Where each vertex is seen, right and down, not a number where it is not. */
+  readonly spots: Float32Array;
 }
 
 export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple | null, see: See): Items {
@@ -164,13 +190,105 @@ export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple |
     if (depth > far) far = depth;
     all.push({ item, at: point, seen: { x: spot.x, y: spot.y, depth } });
   };
-  for (let index = 0; index < network.vertices.length; index += 1) add({ kind: "vertex", index }, at(network, index));
+  const spots = new Float32Array(2 * network.vertices.length).fill(Number.NaN);
+  for (let index = 0; index < network.vertices.length; index += 1) {
+    const known = all.length;
+    add({ kind: "vertex", index }, at(network, index));
+    const seen = all[known]?.seen;
+    if (seen) spots.set([seen.x, seen.y], 2 * index);
+  }
   for (let index = 0; index < middles.length; index += 1) add({ kind: "patch", index }, middles[index] ?? [0, 0, 0]);
   for (const { item, at: point } of crests(network, picks)) add(item, point);
   if (pivot) add({ kind: "pivot" }, pivot);
   const middle = (near + far) / 2;
   const placed = inSight(all, picks, middle, network.vertices.length);
-  return { placed: network.vertices.length > THRONG ? thinned(placed, picks) : placed, middle };
+  return { placed: network.vertices.length > THRONG ? thinned(placed, picks) : placed, middle, spots };
+}
+
+/** A rectangle of the stage, in whole pixels. */
+export interface Rect {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** What goes with a part of a network is drawn within this; null where nothing of it is seen. */
+export function rectOf(network: Network, { patches }: Parted, spots: Float32Array): Rect | null {
+  let all: Rect | null = null;
+  for (const patch of patches) {
+    let own: Rect | null = null;
+    for (const vertex of network.patches[patch]?.frame ?? []) {
+      const [x, y] = [spots[2 * vertex] ?? Number.NaN, spots[2 * vertex + 1] ?? Number.NaN];
+      if (!Number.isNaN(x + y)) own = around(own, { left: x, top: y, right: x, bottom: y });
+    }
+    if (!own) continue;
+    // The middle of a patch is no further beyond its points than half of what lies between these.
+    const [wide, high] = [HALF + 2 + (own.right - own.left) / 2, HALF + 2 + (own.bottom - own.top) / 2];
+    const { left, top, right, bottom } = own;
+    all = around(all, { left: left - wide, top: top - high, right: right + wide, bottom: bottom + high });
+  }
+  return (
+    all && {
+      left: Math.floor(all.left),
+      top: Math.floor(all.top),
+      right: Math.ceil(all.right),
+      bottom: Math.ceil(all.bottom),
+    }
+  );
+}
+
+/** Both together. */
+export function around(one: Rect | null, other: Rect | null): Rect | null {
+  if (!one || !other) return one ?? other;
+  return {
+    left: Math.min(one.left, other.left),
+    top: Math.min(one.top, other.top),
+    right: Math.max(one.right, other.right),
+    bottom: Math.max(one.bottom, other.bottom),
+  };
+}
+
+/** Where these vertices are seen now. */
+export function respot(network: Network, vertices: Iterable<number>, see: See, spots: Float32Array): void {
+  for (const vertex of vertices) {
+    const spot = see(at(network, vertex));
+    spots.set(spot ? [spot.x, spot.y] : [Number.NaN, Number.NaN], 2 * vertex);
+  }
+}
+
+/** Draws again what of the rest lies in a rectangle. */
+export function redrawWithin(
+  context: CanvasRenderingContext2D,
+  rect: Rect,
+  curves: NetworkCurves,
+  items: Items,
+  picks: Picks,
+  see: See,
+  colours: Colours,
+  parted: Parted,
+): void {
+  const { left, top, right, bottom } = rect;
+  const { spots, placed } = items;
+  context.save();
+  context.beginPath();
+  context.rect(left, top, right - left, bottom - top);
+  context.clip();
+  context.clearRect(left, top, right - left, bottom - top);
+  const sides = sidesOf(curves.network);
+  const within = placed.filter(
+    ({ seen: { x, y } }) => x > left - HALF && x < right + HALF && y > top - HALF && y < bottom + HALF,
+  );
+  const crosses = (edge: number) => {
+    let [least, most, high, low] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const vertex of sides[edge]?.vertices ?? []) {
+      const [x, y] = [spots[2 * vertex] ?? Number.NaN, spots[2 * vertex + 1] ?? Number.NaN];
+      [least, most, high, low] = [Math.min(least, x), Math.max(most, x), Math.min(high, y), Math.max(low, y)];
+    }
+    return !(most < left - 1 || least > right + 1 || low < top - 1 || high > bottom + 1);
+  };
+  drawNetwork(context, curves, within, picks, see, colours, { of: parted, which: "left" }, crosses);
+  context.restore();
 }
 
 /** Those alone that a hand moves. */
@@ -254,13 +372,16 @@ export function drawNetwork(
   see: See,
   colours: Colours,
   parted: { readonly of: Parted; readonly which: "moved" | "left" } | null = null,
+  shows: (edge: number) => boolean = () => true,
 ): void {
   const { network, edges } = curves;
   const trace = tracer(context, see);
   context.lineJoin = "round";
   context.beginPath();
   if (parted?.which === "moved") for (const edge of parted.of.edges) trace(edges[edge] ?? []);
-  else for (let edge = 0; edge < edges.length; edge += 1) if (!parted?.of.edges.has(edge)) trace(edges[edge] ?? []);
+  else
+    for (let edge = 0; edge < edges.length; edge += 1)
+      if (!parted?.of.edges.has(edge) && shows(edge)) trace(edges[edge] ?? []);
   context.strokeStyle = colours.line;
   context.globalAlpha = 0.55;
   context.lineWidth = 1;

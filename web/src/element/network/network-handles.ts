@@ -29,16 +29,18 @@ import { base } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
 import { pull } from "../../words/english/pull";
 import { spokenLength } from "../../words/quantities";
-import { type NetworkDesk, networkDesk } from "../../work/network-desk";
+import { type NetworkDesk, networkDesk, networkOf, stepOf } from "../../work/network-desk";
 import { followed } from "../blend/grip-pull";
 import { DesignerElement } from "../designer-element";
 import { Lent } from "../lent";
 import { acrossView, type Grasp, moving, scaling, towardsEye, turning } from "./dragging";
 import {
+  around,
   type Colours,
   drawHeld,
   drawNetwork,
   type Item,
+  type Items,
   isLeft,
   movedItems,
   NetworkCurves,
@@ -46,7 +48,11 @@ import {
   type Placed,
   partedOf,
   placedItems,
+  rectOf,
+  redrawWithin,
+  respot,
   touched,
+  withParted,
 } from "./drawn-network";
 
 interface Held {
@@ -68,13 +74,13 @@ interface Held {
   moves: boolean;
 }
 
-/** What stays where it is while a hand moves something, as long as it is seen so. */
-interface Rest {
-  readonly held: Held;
+/** Of very many points what is drawn on a canvas of its own, as long as it is seen so: all that is not picked, which is what a hand leaves where it is. */
+interface Rest extends Items {
+  readonly network: Network;
+  readonly picks: Picks;
+  readonly mirror: Axis | null;
   readonly view: string;
   readonly parted: Parted;
-  readonly placed: readonly Placed[];
-  readonly middle: number;
 }
 
 /** Where these are seen, all is. */
@@ -120,6 +126,8 @@ export class PasuNetworkHandles extends DesignerElement {
   private unmoved: Rest | null = null;
   /** What was drawn last. */
   private drawn: { readonly network: Network; readonly picks: Picks; readonly view: string } | null = null;
+  /** Whether all handles are where they are seen. */
+  private laid = false;
   private over: Document | ShadowRoot | null = null;
   private drags = 0;
   /** In CSS pixels; asked for only when it changes, because the page has to be laid out to know it. */
@@ -180,7 +188,7 @@ export class PasuNetworkHandles extends DesignerElement {
 
   override updated(): void {
     // There may be other handles.
-    this.drawn = null;
+    this.laid = false;
     this.follow();
   }
 
@@ -189,9 +197,7 @@ export class PasuNetworkHandles extends DesignerElement {
   }
 
   private get network(): Network | null {
-    const { design, part } = this.designer.state;
-    const shape = design.parts[part]?.shape;
-    return shape?.kind === "vertex-frame" ? shape : null;
+    return networkOf(this.designer);
   }
 
   private handle(item: Item, label: string, picked: boolean) {
@@ -308,7 +314,8 @@ export class PasuNetworkHandles extends DesignerElement {
   }
 
   private grasp(network: Network, picks: Picks, item: Item | null, at: Triple | null, see: See, from: Spot): Grasp {
-    const { way, grid, step } = this.desk.settings;
+    const { settings } = this.desk;
+    const { way, grid } = settings;
     const pivot = middleOf(network, picks.vertices);
     return {
       see,
@@ -316,7 +323,7 @@ export class PasuNetworkHandles extends DesignerElement {
       pivot,
       way: this.wayOf(network, picks, item, way),
       size: sizeOf(network),
-      grid: grid ? step : null,
+      grid: grid ? stepOf(settings, network) : null,
       from,
     };
   }
@@ -548,14 +555,16 @@ export class PasuNetworkHandles extends DesignerElement {
     // A frame of the stage in which nothing of this changed is no reason to draw thousands of points again.
     const drawing = this.held?.moves && !this.held.item;
     const last = this.drawn;
-    if (!drawing && last?.network === network && last.picks === picks && last.view === view) return;
+    if (!drawing && last?.network === network && last.picks === picks && last.view === view) {
+      if (see && !this.laid) this.putHandles(network, see);
+      return;
+    }
     this.drawn = drawing ? null : { network, picks, view };
     const pivot = picks.vertices.size > 1 ? middleOf(network, picks.vertices) : null;
-    const rest = this.restOf(network, see, view);
+    const rest = this.restOf(network, picks, see, view);
     const context = this.cleared(canvas);
     if (see && context && rest && this.curves) {
       const { parted, placed, middle } = rest;
-      this.curves = new NetworkCurves(network, this.curves, parted);
       const moved = movedItems(this.curves, parted, picks, pivot, see, middle);
       this.placed = [...placed, ...moved];
       drawNetwork(context, this.curves, moved, picks, see, this.colours, { of: parted, which: "moved" });
@@ -565,8 +574,10 @@ export class PasuNetworkHandles extends DesignerElement {
       this.placed = placed;
       this.colours = this.coloursNow();
       drawNetwork(context, this.curves, placed, picks, see, this.colours);
-      const { held } = this;
-      const box = held && drawing && !held.begun ? ([held.grasp.from, held.now] as const) : null;
+    }
+    const { held } = this;
+    if (see && context && held && drawing) {
+      const box = held.begun ? null : ([held.grasp.from, held.now] as const);
       drawHeld(context, see, this.colours, box, this.outline(network, see));
     }
     if (see) this.putHandles(network, see);
@@ -603,21 +614,24 @@ export class PasuNetworkHandles extends DesignerElement {
     return context;
   }
 
-  /** What stays where it is while a hand moves some of very many points: drawn once, on a canvas of its own. Null where all is drawn together. */
-  private restOf(network: Network, see: See | null, view: string): Rest | null {
-    const { held, behind } = this;
+  /** What of very many points is not picked: drawn once, on a canvas of its own, and again where something else is picked or was moved. Null where all is drawn together. */
+  private restOf(network: Network, picks: Picks, see: See | null, view: string): Rest | null {
+    const { behind } = this;
     const before = this.unmoved;
-    const moves = held?.moves && held.item && held.item.kind !== "crest" && network.patches === held.network.patches;
-    if (held && moves && see && behind) {
-      if (before?.held === held && before.view === view) return before;
-      const parted = partedOf(held.network, withImages(held.network, held.picks.vertices, this.desk.settings.mirror));
-      if (parted && this.curves?.network.patches === held.network.patches) {
-        const { placed, middle } = placedItems(this.curves, held.picks, null, see);
-        const left = placed.filter((each) => isLeft(parted, each));
-        const context = this.cleared(behind);
-        if (context)
-          drawNetwork(context, this.curves, left, held.picks, see, this.colours, { of: parted, which: "left" });
-        this.unmoved = { held, view, parted, placed: left, middle };
+    const { mirror } = this.desk.settings;
+    if (see && behind) {
+      const same = before?.picks === picks && before.mirror === mirror && before.network.patches === network.patches;
+      const parted = same ? before.parted : partedOf(network, withImages(network, pickedOf(network, picks), mirror));
+      if (parted) {
+        const next = before && this.restAfter(before, parted, network, see, view);
+        this.unmoved = {
+          ...(next ?? this.restAnew(behind, parted, network, picks, see)),
+          network,
+          picks,
+          mirror,
+          view,
+          parted,
+        };
         return this.unmoved;
       }
     }
@@ -626,7 +640,47 @@ export class PasuNetworkHandles extends DesignerElement {
     return null;
   }
 
+  private restAnew(behind: HTMLCanvasElement, parted: Parted, network: Network, picks: Picks, see: See): Items {
+    this.curves = this.curves?.network === network ? this.curves : new NetworkCurves(network);
+    this.colours = this.coloursNow();
+    const items = placedItems(this.curves, picks, null, see);
+    const placed = items.placed.filter((each) => isLeft(parted, each));
+    const context = this.cleared(behind);
+    if (context) drawNetwork(context, this.curves, placed, picks, see, this.colours, { of: parted, which: "left" });
+    return { ...items, placed };
+  }
+
+  /** The same after points were moved, or others were picked; null where it is seen from elsewhere, or too much is different. */
+  private restAfter(before: Rest, parted: Parted, network: Network, see: See, view: string): Items | null {
+    const { curves, behind } = this;
+    const { spots, middle } = before;
+    if (before.view !== view || before.network.patches !== network.patches || !curves || !behind) return null;
+    const elsewhere = movedSince(before.network, network);
+    const isAlike = parted === before.parted;
+    const touched = partedOf(network, elsewhere);
+    if (!touched) return null;
+    const stays = isAlike && [...elsewhere].every((vertex) => parted.vertices.has(vertex));
+    // Where it was, and where it is.
+    const all = stays ? null : withParted(network, before.parted, [...elsewhere, ...parted.vertices]);
+    if (!stays && !all) return null;
+    const was = all && rectOf(network, all, spots);
+    if (elsewhere.size > 0) this.curves = new NetworkCurves(network, curves, touched);
+    respot(network, elsewhere, see, spots);
+    if (!all) return { spots, middle, placed: before.placed };
+    const picks = this.desk.picksOf(network);
+    const again = movedItems(this.curves ?? curves, all, picks, null, see, middle);
+    const placed = [...before.placed.filter((each) => isLeft(all, each)), ...again]
+      .filter((each) => isLeft(parted, each))
+      .sort((one, other) => one.seen.depth - other.seen.depth);
+    const items = { spots, middle, placed };
+    const rect = around(was, rectOf(network, all, spots));
+    const context = behind.getContext("2d");
+    if (rect && context) redrawWithin(context, rect, this.curves ?? curves, items, picks, see, this.colours, parted);
+    return items;
+  }
+
   private putHandles(network: Network, see: See): void {
+    this.laid = true;
     for (const handle of this.renderRoot.querySelectorAll<HTMLElement>("[data-item]")) {
       const spot = this.spotOf(handle.dataset.item ?? "", network, see);
       if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
@@ -693,6 +747,20 @@ export class PasuNetworkHandles extends DesignerElement {
       }
     `,
   ];
+}
+
+/** The vertices that are picked, and those of picked patches. */
+function pickedOf(network: Network, { vertices, patches }: Picks): ReadonlySet<number> {
+  if (patches.size === 0) return vertices;
+  return new Set([...vertices, ...[...patches].flatMap((patch) => network.patches[patch]?.frame ?? [])]);
+}
+
+/** Of two networks with the same patches the vertices that are elsewhere. */
+function movedSince({ vertices: before }: Network, { vertices: after }: Network): ReadonlySet<number> {
+  const moved = new Set<number>();
+  if (before === after) return moved;
+  for (let vertex = 0; vertex < after.length; vertex += 1) if (before[vertex] !== after[vertex]) moved.add(vertex);
+  return moved;
 }
 
 /** Vertices with their images in a mirror, which move too. */

@@ -20,6 +20,8 @@ export class Buffer {
   private made: { readonly gl: WebGL2RenderingContext; readonly handle: WebGLBuffer } | null = null;
   private length = -1;
   private stale = true;
+  /** Of values that are otherwise there, those that were written over: pairs of the first and how many. */
+  private written: Uint32Array[] = [];
 
   constructor(
     private values: Numbers,
@@ -35,6 +37,11 @@ export class Buffer {
     this.stale = true;
   }
 
+  /** Values of these vertices were written over in the owner's array: pairs of the first and how many. */
+  wrote(ranges: Uint32Array): void {
+    if (!this.stale) this.written.push(ranges);
+  }
+
   /** How many vertices, instances or indices it has. */
   get count(): number {
     return this.values.length / this.options.size;
@@ -42,18 +49,26 @@ export class Buffer {
 
   /** The buffer, filled. Leaves no vertex array bound when something had to be done. */
   ready({ gl }: Device): WebGLBuffer {
-    if (this.made && !this.stale) return this.made.handle;
-    const { values } = this;
+    if (this.made && !this.stale && this.written.length === 0) return this.made.handle;
+    const { values, written, options } = this;
     const target = values instanceof Uint32Array ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
     // Indices would be bound to whatever vertex array is.
     gl.bindVertexArray(null);
     this.made ??= { gl, handle: gl.createBuffer() };
     const { handle } = this.made;
     gl.bindBuffer(target, handle);
-    if (this.length === values.byteLength) gl.bufferSubData(target, 0, values);
-    else gl.bufferData(target, values, this.options.dynamic ? gl.DYNAMIC_DRAW : gl.STATIC_DRAW);
+    if (this.made && !this.stale) {
+      for (const ranges of written) {
+        for (const [first, end] of together(ranges)) {
+          const from = options.size * first;
+          gl.bufferSubData(target, from * values.BYTES_PER_ELEMENT, values, from, options.size * end - from);
+        }
+      }
+    } else if (this.length === values.byteLength) gl.bufferSubData(target, 0, values);
+    else gl.bufferData(target, values, options.dynamic ? gl.DYNAMIC_DRAW : gl.STATIC_DRAW);
     this.length = values.byteLength;
     this.stale = false;
+    this.written = [];
     return handle;
   }
 
@@ -63,4 +78,19 @@ export class Buffer {
     this.length = -1;
     this.stale = true;
   }
+}
+
+/** To send so many vertices takes no longer than another call. */
+const GAP = 1500;
+
+/** Ranges, of which those that lie close together are one: what is between them is there already, and the same. */
+function together(ranges: Uint32Array): readonly (readonly [first: number, end: number])[] {
+  const all: [number, number][] = [];
+  for (let pair = 0; pair < ranges.length; pair += 2) {
+    const [first, count] = [ranges[pair] ?? 0, ranges[pair + 1] ?? 0];
+    const last = all.at(-1);
+    if (last && first - last[1] <= GAP) last[1] = first + count;
+    else all.push([first, first + count]);
+  }
+  return all;
 }

@@ -1,0 +1,80 @@
+/** Where the middle of what is picked of a network is, to be typed; it alone of the panel is drawn again while a hand moves points. */
+
+import { css, html, nothing } from "lit";
+import { customElement } from "lit/decorators.js";
+import { unitOf } from "../../document/look";
+import { middleOf, moved, shiftBy } from "../../document/network/moving";
+import { sizeOf } from "../../document/network/network";
+import type { Triple } from "../../document/types";
+import { DesignerElement } from "../../element/designer-element";
+import { changeNetwork } from "../../state/network-actions";
+import { cells } from "../../ui/cells";
+import "../../ui/number-field";
+import type { NumberChangeEvent } from "../../ui/number-field";
+import { base, fields } from "../../ui/styles";
+import { networks as words } from "../../words/english/networks";
+import { networkDesk, networkOf } from "../../work/network-desk";
+
+@customElement("pasu-network-place")
+export class PasuNetworkPlace extends DesignerElement {
+  override render() {
+    const network = networkOf(this.designer);
+    const vertices = network && networkDesk(this.designer).picksOf(network).vertices;
+    if (!network || !vertices || vertices.size === 0) return nothing;
+    const unit = unitOf(this.designer.store.design);
+    const step = Number((sizeOf(network) / 100).toPrecision(1));
+    return html`<div class="three">
+      ${middleOf(network, vertices).map(
+        (value, axis) => html`<span class="cell" title=${words.placeHelp}
+          ><span aria-hidden="true">${words.place[axis] ?? ""}</span
+          ><pasu-number
+            compact
+            .label=${words.place[axis] ?? ""}
+            .unit=${unit}
+            .value=${Number(value.toPrecision(4)) + 0}
+            .step=${step}
+            @number-change=${(event: NumberChangeEvent) => this.place(axis, event.value, event.gesture)}
+            @number-done=${() => this.designer.store.endGesture()}
+            @number-cancel=${() => this.designer.store.cancelGesture()}
+          ></pasu-number
+        ></span>`,
+      )}
+    </div>`;
+  }
+
+  private place(axis: number, value: number, gesture: boolean): void {
+    const { designer } = this;
+    const network = networkOf(designer);
+    if (!network) return;
+    const desk = networkDesk(designer);
+    const { vertices } = desk.picksOf(network);
+    const by = value - (middleOf(network, vertices)[axis] ?? 0);
+    const way = [0, 1, 2].map((each) => (each === axis ? by : 0)) as unknown as Triple;
+    const next = moved(network, vertices, shiftBy(way), desk.settings.mirror);
+    if (next === network && by !== 0) designer.notices.say(words.objections.collapsed);
+    designer.apply(changeNetwork(designer.state, () => next, gesture ? `place ${axis}` : undefined));
+  }
+
+  static override readonly styles = [
+    base,
+    fields,
+    cells,
+    css`
+      :host {
+        display: block;
+      }
+      .three {
+        display: grid;
+        grid-template-columns: repeat(3, minmax(0, 1fr));
+        gap: 8px;
+        padding-top: 10px;
+      }
+    `,
+  ];
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "pasu-network-place": PasuNetworkPlace;
+  }
+}
