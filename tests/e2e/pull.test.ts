@@ -13,6 +13,8 @@ import { PSEUDO, unmarked } from "../support/words.ts";
 const here = stay();
 const BOTTLE = "#1/rings";
 const VASE = "#1/second-order";
+/** It stands on a narrow foot. */
+const TOPPLING = "#1/rings?r=1.2,4,1.6,2&z=0,12,16,20";
 
 test("a ring is pulled by the mouse, in one step of undo, and Escape takes back what was not meant", async () => {
   const pot = await here.enter({ link: BOTTLE });
@@ -280,6 +282,35 @@ test("what is pulled keeps its wall and its water", async () => {
   await pot.fingerprintOtherThan(before);
   await fineWall(pot);
   await expect.poll(() => water.innerText()).not.toBe(volume);
+});
+
+test("that a pot falls over is said beside the hand that holds it, whatever panel is open", async () => {
+  const pot = await here.enter({ link: TOPPLING });
+  await pot.fingerprint();
+  await pot.makePot();
+  await pot.tab("Shape");
+  await takeUp(pot);
+  const fault = pot.page.locator("pasu-pull-bar .fault");
+  const bar = await pot.page.locator("pasu-pull-bar").boundingBox();
+  const spot = await spotOf(ring(pot, 2));
+  const far = await onStage(pot, 0.97, 0.5);
+  const falls = /^It falls over/;
+  const held = async () => {
+    await expect.poll(() => fault.innerText()).toMatch(falls);
+    expect(await findings(pot)).toEqual([]);
+    // The picture makes no room for it: nothing moves under the hand.
+    expect(await pot.page.locator("pasu-pull-bar").boundingBox()).toEqual(bar);
+    await pot.page.mouse.move(spot.x, spot.y);
+    await expect.poll(() => fault.innerText()).not.toMatch(falls);
+    await pot.page.mouse.move(far.x, spot.y);
+    await expect.poll(() => fault.innerText()).toMatch(falls);
+  };
+  await dragFrom(pot, spot, { x: far.x - spot.x, y: 0 }, { held });
+  await pot.page.locator('pasu-app[data-state="ready"]').waitFor();
+  await expect.poll(() => fault.innerText()).toMatch(falls);
+  // Whoever puts the tool down is not told any more.
+  await pot.button("Pull").click();
+  await fault.waitFor({ state: "detached" });
 });
 
 test("what cannot be made is said while the hand still holds it, and taken back as soon as it can", async () => {

@@ -135,7 +135,13 @@ fn front_end(report: &mut Report, workspace: &Workspace) {
     report.tests("library in Node", node_count, || {
         let mut tests = Command::new("node");
         tests
-            .args(["--test", "--test-reporter=tap", "tests/package/", "tests/bench/agreement.test.mjs"])
+            .args([
+                "--test",
+                "--test-concurrency=2",
+                "--test-reporter=tap",
+                "tests/package/",
+                "tests/bench/agreement.test.mjs",
+            ])
             .current_dir(workspace.root());
         Ok(tests)
     });

@@ -18,6 +18,10 @@ export type Severity = "error" | "warning" | "note" | "good";
 export interface Sentence {
   readonly severity: Severity;
   readonly text: string;
+  /** The same in a few words, where it has many. */
+  readonly brief?: string;
+  /** Whether it only says where a printer needs support: the pot can be made all the same. */
+  readonly support?: true;
 }
 
 /** Steeper than this, printed layers hang in the air. */
@@ -74,16 +78,13 @@ function worstFirst(a: Sentence, b: Sentence): number {
 export function checked(report: Report, measures: Measures | null, outline: Outline, unit: Unit): readonly Sentence[] {
   const sentences = report.findings
     .filter(({ code }) => !MEASURED.includes(code))
-    .map((finding) => ({
-      severity: finding.severity,
-      text: named(
-        measures,
-        finding.part,
-        finding.code === THINNED
-          ? thinnedWords(finding, report, outline, unit)
-          : (fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)),
-      ),
-    }));
+    .map((finding) => {
+      const { severity, part } = finding;
+      const of = (text: string) => named(measures, part, text);
+      const thinned = thinnedWords(finding, report, outline, unit);
+      if (thinned) return { severity, text: of(thinned.text), brief: of(thinned.brief) };
+      return { severity, text: of(fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)) };
+    });
   const closed: Sentence = {
     severity: "good",
     text: said.closed,
@@ -134,13 +135,18 @@ function together({ args }: Finding, _unit: Unit, measures: Measures | null): st
   return say(isolated(partName(other, name)));
 }
 
-/** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for." */
-function thinnedWords(finding: Finding, { meshes }: Report, outline: Outline, unit: Unit): string {
-  const { part, at } = finding;
+/** "The wall is thinned to 0.12 cm at the shoulder, where it bends too tightly: 3 % of it is thinner than asked for."; null for another finding, or where it is not known how thin. */
+function thinnedWords(
+  { code, part, at }: Finding,
+  { meshes }: Report,
+  outline: Outline,
+  unit: Unit,
+): { readonly text: string; readonly brief: string } | null {
   const mesh = meshes.find((each) => each.part === part);
-  if (!mesh?.thinnest || !at) return findingWords({ ...finding, at: null }, outline, unit);
+  if (code !== THINNED || !mesh?.thinnest || !at) return null;
   const share = quantities.percent(formatNumber(Math.max(0.1, 100 * mesh.thinned), 2));
-  return said.thinnedTo(lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline), share);
+  const [thin, where] = [lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline)];
+  return { text: said.thinnedTo(thin, where, share), brief: said.thinnedBrief(thin, where) };
 }
 
 function measured(measures: Measures, outline: Outline, unit: Unit, findings: readonly Finding[]): readonly Sentence[] {
@@ -151,7 +157,7 @@ function measured(measures: Measures, outline: Outline, unit: Unit, findings: re
 /** What is said of each part, with its name where there are several. */
 function inParts(measures: Measures, words: (part: PartMeasures) => readonly Sentence[]): readonly Sentence[] {
   return measures.parts.flatMap((part) =>
-    words(part).map(({ severity, text }) => ({ severity, text: named(measures, part.part, text) })),
+    words(part).map((sentence) => ({ ...sentence, text: named(measures, part.part, sentence.text) })),
   );
 }
 
@@ -218,6 +224,7 @@ function overhangs(
     return hanging.map(({ degrees, place }) => ({
       severity: "warning",
       text: said.overhang(degreesWords(degrees), place),
+      support: true,
     }));
   }
   const [nowhere, somewhere] = hasCeiling

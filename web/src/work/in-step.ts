@@ -234,7 +234,8 @@ function whole(piece: Piece<Quick>, { bounds }: Solved): Piece<Quick> {
   return { ...piece, value: { ...value, solid: { ...value.solid, bounds: around(value.solid.bounds, bounds) } } };
 }
 
-function timer(run: () => void, milliseconds: number): () => void {
+/** The clock of the browser. */
+export function timer(run: () => void, milliseconds: number): () => void {
   const id = setTimeout(run, milliseconds);
   return () => clearTimeout(id);
 }

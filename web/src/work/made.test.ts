@@ -5,7 +5,7 @@ import { type Workbench, workbench } from "../../testing/workbench";
 import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
 import type { Ask } from "../maker/messages";
-import { selectTab, toggleOverlay } from "../state/actions";
+import { selectTab, toggleOverlay, togglePulling } from "../state/actions";
 import { setFill, setMap } from "../state/wall-actions";
 import { Made } from "./made";
 
@@ -229,4 +229,102 @@ test("whether parts fit together is judged by another maker, which nothing else 
   await judging.finish();
   expect(made.constraints).toMatchObject({ of: store.design, value: { isKept: false } });
   leave();
+});
+
+/** The bench with a judge, and a clock that is over when the test says so. */
+async function heldStill(design: Design) {
+  const there = await workbench(design);
+  const { store, surface, maker, making } = there;
+  const { maker: judge, worker: judging } = realMaker();
+  const clocks = new Set<() => void>();
+  const later = (run: () => void) => {
+    clocks.add(run);
+    return () => clocks.delete(run);
+  };
+  const made = new Made(store, surface, maker, later, judge);
+  made.connect();
+  await making.finish();
+  /** The hand holds still. */
+  const wait = () => {
+    for (const run of [...clocks]) {
+      clocks.delete(run);
+      run();
+    }
+  };
+  const pull = async (height: number) => {
+    store.apply({ design: tall(POT, height), undo: "merge", key: "height" });
+    await making.finish();
+    await there.solved();
+    await making.finish();
+  };
+  const judged = () => judging.sent.splice(0).map(({ ask }) => ask.kind);
+  return { ...there, judge, judging, judged, made, wait, pull };
+}
+
+test("whether a pot can be made is found out while a hand holds it still, by the judge, and once", async () => {
+  const { judged, judging, made, making, pull, rests, store, wait } = await heldStill(POT);
+  store.apply(selectTab("measures"));
+  await making.finish();
+  await pull(21);
+  expect(judged()).toEqual([]);
+  expect(made.isOfNow(made.report)).toBe(false);
+  wait();
+  await judging.finish();
+  expect(judged()).toEqual(["measure", "check"]);
+  expect(store.inGesture).toBe(true);
+  expect(made.report).toMatchObject({ of: store.design, value: { ok: true } });
+  expect(made.measures.value?.height.value).toBeCloseTo(21);
+  // The hand lets go of the same pot: its fine picture is asked for, and nothing else.
+  making.sent.splice(0);
+  store.endGesture();
+  await making.finish();
+  await rests();
+  await making.finish();
+  expect(making.sent.map(({ ask }) => ask.kind)).toEqual(["quick", "solid"]);
+  expect(judged()).toEqual([]);
+  expect(made.isOfNow(made.report)).toBe(true);
+});
+
+test("a hand that moves on takes back what was to be found out", async () => {
+  const { judge, judging, judged, made, making, pull, store, wait } = await heldStill(POT);
+  store.apply(selectTab("measures"));
+  await making.finish();
+  await pull(21);
+  wait();
+  expect(judge.busy).toBe(true);
+  await pull(22);
+  expect(judge.busy).toBe(false);
+  expect(made.isOfNow(made.measures)).toBe(false);
+  judged();
+  wait();
+  await judging.finish();
+  expect(judged()).toEqual(["measure", "check"]);
+  expect(made.measures).toMatchObject({ of: store.design, problem: null });
+  expect(made.measures.value?.height.value).toBeCloseTo(22);
+});
+
+test("a hand that pulls is told whatever panel is open, and nobody else is", async () => {
+  const { judged, judging, made, making, pull, rests, store, wait } = await heldStill(POT);
+  await pull(21);
+  wait();
+  await judging.finish();
+  expect(judged()).toEqual([]);
+  store.endGesture();
+  await making.finish();
+  await rests();
+  await making.finish();
+  expect(made.report.value).toBeNull();
+  store.apply(togglePulling(store.state));
+  await making.finish();
+  expect(made.report.value?.ok).toBe(true);
+  await pull(22);
+  wait();
+  await judging.finish();
+  expect(judged()).toEqual(["measure", "check"]);
+  expect(made.report).toMatchObject({ of: store.design, value: { ok: true } });
+  store.endGesture();
+  await making.finish();
+  await rests();
+  store.apply(togglePulling(store.state));
+  expect(made.report.value).toBeNull();
 });

@@ -1,10 +1,10 @@
 /**
  * What is made of the design besides its picture: the pot with its wall, its measures, the verdict of the checks, colour maps
  * and water. It follows the document and its surface, asks the maker once the design rests (or when nothing but a wall changes), and only
- * for what somebody looks at.
+ * for what somebody looks at. Whether it can be made is also found out while a hand holds it still.
  */
 
-import { batch, effect, type Signal, signal } from "@preact/signals-core";
+import { batch, computed, effect, type Signal, signal } from "@preact/signals-core";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
 import type { Constraints, Design, MapName, Measures, Report } from "../document/types";
@@ -15,7 +15,7 @@ import type { Answers, Ask, Filled, Kind, Lined, Painted, Quick, Solid } from ".
 import { longest } from "../solver/solved";
 import type { Store } from "../state/store";
 import { holdsText } from "../words/measures";
-import { InStep, type Later } from "./in-step";
+import { InStep, type Later, timer } from "./in-step";
 import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Surface } from "./surface";
 
@@ -29,11 +29,17 @@ const FINE = 1 / 700;
 /** Of these, what is made of an earlier change is better to look at than what was there before. */
 const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
 
+/** The hand holds still when what it holds has stood on the stage for so many milliseconds. */
+const STILL_MS = 400;
+
 type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Made {
   readonly maker: MakerClient;
-  /** Another, which judges whether parts fit together: of hundreds that may take long, and nothing else is to wait for it. */
+  /**
+   * Another, which judges whether parts fit together: of hundreds that may take long, and nothing else is to wait for it. What a hand holds
+   * still it judges as a whole, so that the wall under the hand never waits.
+   */
   readonly judge: MakerClient;
   /** What keeps the wall on the screen while the shape is dragged. */
   readonly inStep: InStep;
@@ -48,13 +54,22 @@ export class Made {
     lining: signal<Piece<Lined>>(NOTHING),
     water: signal<Piece<Filled>>(NOTHING),
   };
-  /** What is asked for, so that it is asked once. */
-  readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string }>();
+  /** What is asked for and of whom, so that it is asked once. */
+  readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
+  readonly #later: Later;
+  /** What is under the hand in a gesture, once it is on the stage. */
+  readonly #held = computed(() => {
+    const { design, inGesture } = this.#store;
+    return inGesture && this.#surface.shown?.design === design ? design : null;
+  });
+  /** The same where the hand holds still. */
+  readonly #still = signal<Design | null>(null);
 
-  /** `later` is the clock by which a surface waits for its wall. One maker may be both. */
-  constructor(store: Store, surface: Surface, maker: MakerClient, later?: Later, judge = maker) {
+  /** `later` is the clock by which a surface waits for its wall, and a hand holds still. One maker may be both. */
+  constructor(store: Store, surface: Surface, maker: MakerClient, later: Later = timer, judge = maker) {
     this.#store = store;
     this.#surface = surface;
+    this.#later = later;
     this.maker = maker;
     this.judge = judge;
     this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
@@ -63,9 +78,9 @@ export class Made {
   /** Follows the document and its surface until what comes back is called. */
   connect(): () => void {
     this.#surface.accompany(this.inStep);
-    const leave = effect(() => this.#follow());
+    const leaving = [effect(() => this.#hold()), effect(() => this.#follow())];
     return () => {
-      leave();
+      for (const leave of leaving) leave();
       this.#surface.accompany(null);
       this.#rest();
     };
@@ -146,34 +161,50 @@ export class Made {
     return this.measures.value && waterRange(this.measures.value);
   }
 
+  /** Finds out that the hand holds still. */
+  #hold(): () => void {
+    const held = this.#held.value;
+    this.#still.value = null;
+    if (!held) return () => {};
+    return this.#later(() => {
+      this.#still.value = held;
+    }, STILL_MS);
+  }
+
   #follow(): void {
     const { design, session } = this.#store;
     const { shown } = this.#surface;
     const rests = shown?.settled === true && shown.design === design;
+    const still = this.#still.value === design;
     const { of } = this.solid;
     const same = of !== null && sameSurface(of.parts, design.parts);
     const rewalled = same && of !== design;
     const walled = design.parts.some((part) => part.wall !== undefined);
-    if (rests || rewalled) {
-      this.#draw(walled ? design : null, rests && of === design);
+    // A hand on the pot is told at once what it does to it.
+    const pulled = walled && session.pulling;
+    if (rests || rewalled) this.#draw(walled ? design : null, rests && of === design);
+    if (rests || rewalled || still) {
       const labelled = walled && session.overlays.axes;
       const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
-      this.#want("measure", looked ? { kind: "measure", design, product: "pot", fill: null } : null, "");
+      const measured = looked || pulled;
+      this.#want("measure", measured ? { kind: "measure", design, product: "pot", fill: null } : null, "");
     }
-    if (rests) {
+    if (rests || still) {
       // Beside the wall's numbers only what would help a wall that is refused, and what of one was fitted.
       const fits = design.parts.some(({ wall }) => wall?.foot || wall?.drain);
       const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
-      const checked = walled && (session.tab === "measures" || helped);
+      const checked = walled && (session.tab === "measures" || helped || pulled);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
       this.#want("constraints", design.parts.length > 1 ? { kind: "constraints", design } : null, "");
+    }
+    if (rests) {
       const { map } = session;
       const { rows, columns } = this.#surface.grid(design);
       this.#want("paint", map ? { kind: "paint", design, map, rows, columns } : null, `${map} ${rows} ${columns}`);
       this.#line(design, map, rows, columns);
     }
-    if (this.#store.inGesture && !rests && !same) this.#rest();
-    else this.#pour();
+    if (!this.#store.inGesture || rests || same) this.#pour();
+    else if (!still) this.#rest();
   }
 
   /** A wall within the surface hides what the map shows of it: behind it lies the lining. What leans is known of every face by its normal. */
@@ -191,10 +222,10 @@ export class Made {
 
   /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
   #rest(): void {
-    const names = [...this.#asked.keys()];
-    for (const maker of new Set([this.maker, this.judge]))
-      maker.cancel(...names.filter((name) => this.#makerOf(name) === maker));
+    const asked = [...this.#asked];
     this.#asked.clear();
+    for (const maker of new Set([this.maker, this.judge]))
+      maker.cancel(...asked.filter(([, ask]) => ask.maker === maker).map(([name]) => name));
   }
 
   /** Coarsely at once, and finely once that is there and the hand rests. */
@@ -234,34 +265,34 @@ export class Made {
     if (!ask) {
       if (asked) {
         this.#asked.delete(name);
-        this.#makerOf(name).cancel(name);
+        asked.maker.cancel(name);
       }
       if (this.#pieces[name].value !== NOTHING) this.#put(name, NOTHING);
       return;
     }
     const { design }: DesignAsk = ask;
     if (asked ? asked.of === design && asked.key === key : this.#has(name, design, key)) return;
-    const mine = { of: design, key };
+    const mine = { of: design, key, maker: this.#makerOf(name, design) };
+    if (asked && asked.maker !== mine.maker) asked.maker.cancel(name);
     this.#asked.set(name, mine);
-    void this.#makerOf(name)
-      .ask<Kind>(ask)
-      .then((outcome) => {
-        const asked = this.#asked.get(name);
-        if (asked === mine) this.#asked.delete(name);
-        if (outcome.state === "superseded") return;
-        const done = outcome.state === "done";
-        if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
-        this.#put(name, {
-          value: done ? (outcome.value as Answers[K]) : null,
-          of: design,
-          problem: done ? null : outcome.refusal,
-          key,
-        });
+    void mine.maker.ask<Kind>(ask).then((outcome) => {
+      const asked = this.#asked.get(name);
+      if (asked === mine) this.#asked.delete(name);
+      if (outcome.state === "superseded") return;
+      const done = outcome.state === "done";
+      if (asked !== mine && !(asked && done && SHOWN_LATE.includes(name))) return;
+      this.#put(name, {
+        value: done ? (outcome.value as Answers[K]) : null,
+        of: design,
+        problem: done ? null : outcome.refusal,
+        key,
       });
+    });
   }
 
-  #makerOf(name: Shown): MakerClient {
-    return name === "constraints" ? this.judge : this.maker;
+  #makerOf(name: Shown, design: Design): MakerClient {
+    const held = this.#still.peek() === design && (name === "check" || name === "measure");
+    return held || name === "constraints" ? this.judge : this.maker;
   }
 
   #has(name: Shown, design: Design, key: string): boolean {

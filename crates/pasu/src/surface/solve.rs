@@ -52,10 +52,48 @@ impl Span {
     }
 }
 
-/// A beam that was factored, and the equation that it is of.
-struct Known {
-    equation: (Order, [u64; 4], Free),
-    beam: Arc<Beam>,
+/// What was factored for one component: `y` nearly always, and `z` often, have the same equations.
+#[derive(Default)]
+struct Known(Vec<(Alike, Beams)>);
+
+/// What makes the beams of two components the same, mode by mode.
+#[derive(PartialEq)]
+struct Alike {
+    order: Order,
+    weights: [u64; 3],
+    free: Free,
+}
+
+/// The beams of one equation, in the order of their `n`, which is that of most documents.
+type Beams = Vec<(f64, Arc<Beam>)>;
+
+impl Known {
+    /// Those of the equation of this component.
+    fn of(&mut self, component: &Component) -> &mut Beams {
+        let &Component { order, s, t, w, free, .. } = component;
+        let alike = Alike { order, weights: [s, t, w].map(f64::to_bits), free };
+        let index = self.0.iter().position(|(known, _)| *known == alike).unwrap_or_else(|| {
+            self.0.push((alike, Vec::with_capacity(component.modes.len())));
+            self.0.len() - 1
+        });
+        &mut self.0[index].1
+    }
+}
+
+/// The beam of the mode `n`, made by `make` where it is not among those known.
+fn known(
+    beams: &mut Beams,
+    n: f64,
+    make: impl FnOnce() -> core::result::Result<Beam, Broken>,
+) -> core::result::Result<Arc<Beam>, Broken> {
+    match beams.binary_search_by(|(known, _)| known.total_cmp(&n)) {
+        Ok(index) => Ok(Arc::clone(&beams[index].1)),
+        Err(index) => {
+            let beam = Arc::new(make()?);
+            beams.insert(index, (n, Arc::clone(&beam)));
+            Ok(beam)
+        }
+    }
 }
 
 impl<'a> From<&'a Datum> for Held<'a> {
@@ -89,22 +127,14 @@ impl Surface {
         #[cfg(test)]
         SOLVED.set(SOLVED.get() + 1);
         let bays = Arc::new(Bays::between(&shape.rings));
-        // What was factored for one component: y nearly always, and z often, have the same equations.
-        let mut known: Vec<Known> = Vec::with_capacity(shape.x.modes.len());
+        let mut all = Known::default();
         let mut component = |axis: Axis, component: &Component| {
             let Component { order, s, t, w, free, .. } = *component;
+            let beams = all.of(component);
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let equation = (order, [s, t, w, mode.n].map(f64::to_bits), free);
-                let beam = match known.iter().find(|known| known.equation == equation) {
-                    Some(known) => Ok(Arc::clone(&known.beam)),
-                    None => Beam::new(order, [s, t, w], k, &bays, free).map(|beam| {
-                        let beam = Arc::new(beam);
-                        known.push(Known { equation, beam: Arc::clone(&beam) });
-                        beam
-                    }),
-                };
+                let beam = known(beams, mode.n, || Beam::new(order, [s, t, w], k, &bays, free));
                 let solved = beam.and_then(|beam| {
                     let cos = beam.solve(&Held::from(&mode.cos))?;
                     let sin = beam.solve(&Held::from(&mode.sin))?;
@@ -119,12 +149,19 @@ impl Surface {
         };
         let mut components =
             [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
-        let mut distinct = Vec::with_capacity(4);
-        for term in components.iter_mut().flatten() {
-            term.column = distinct.iter().position(|n| *n == term.n).unwrap_or_else(|| {
-                distinct.push(term.n);
-                distinct.len() - 1
-            });
+        let mut distinct = Vec::with_capacity(components[0].len());
+        for component in &mut components {
+            // Components have the same modes nearly always: where one is, the next is behind it.
+            let mut next = 0;
+            for term in component {
+                let is_next = distinct.get(next) == Some(&term.n);
+                let known = if is_next { Some(next) } else { distinct.iter().position(|n| *n == term.n) };
+                term.column = known.unwrap_or_else(|| {
+                    distinct.push(term.n);
+                    distinct.len() - 1
+                });
+                next = term.column + 1;
+            }
         }
         let whole = distinct.iter().filter(|n| 0.0 <= **n && **n <= MOST_MULTIPLES as f64 && **n == n.trunc());
         // What draws the first pot measures nothing, and has to be small.

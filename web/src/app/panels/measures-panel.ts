@@ -14,12 +14,11 @@ import { hiddenNote } from "../hidden-note";
 import { sentenceStyles, sentences } from "../sentences";
 import { remedies, remedyStyles } from "./remedies";
 import "./water-control";
-import { withoutPairs, withScene } from "../../words/constraints";
 import { measures } from "../../words/english/measures";
 import { page } from "../../words/english/page";
 import { type Group, type Line, measureGroups } from "../../words/measures";
 import { refusalWords } from "../../words/refusals";
-import { verdict } from "../../words/report";
+import { verdictNow } from "../../work/verdict";
 
 @customElement("pasu-measures")
 export class PasuMeasures extends DesignerElement {
@@ -42,35 +41,14 @@ export class PasuMeasures extends DesignerElement {
 
   private canBeMade() {
     const { designer } = this;
-    const { made, state: now, surface } = designer;
+    const { state: now } = designer;
     if (!now.design.parts.some((part) => part.wall)) {
       return html`<p class="lead">${measures.isSurface}</p>`;
     }
-    // Nothing is said of the pot before this one.
-    const pieces = made ? [made.solid, made.report, made.measures, made.constraints] : [];
-    const problem = pieces.find((piece) => piece.problem && made?.isOfNow(piece))?.problem;
-    const outline = surface.shown?.solved.facts?.outline ?? [];
-    const known = made?.isOfNow(made.measures) && made.isOfNow(made.report) ? made : null;
-    // A scene is not said to be good before that is known of its parts together.
-    const scene = now.design.parts.length > 1 && made?.isOfNow(made.constraints) ? made.constraints.value : null;
-    const report = known?.report.value ?? null;
-    const own = verdict(
-      known?.measures.value ?? null,
-      report && scene ? withoutPairs(report, scene) : report,
-      outline,
-      unitOf(now.design),
-    );
-    const together = scene && own.length > 0 ? withScene(own, scene, now.design) : [];
-    const found = now.design.parts.length === 1 ? own : together;
+    const found = verdictNow(designer);
     return html`<section aria-labelledby="made">
       <h3 id="made">${measures.canBeMade}</h3>
-      ${
-        problem
-          ? sentences([{ severity: "error", text: refusalWords(problem, now.design) }])
-          : found.length > 0
-            ? sentences(found)
-            : html`<p class="wait" role="status">${page.checking}</p>`
-      }
+      ${found.length > 0 ? sentences(found) : html`<p class="wait" role="status">${page.checking}</p>`}
       ${remedies(designer)}
     </section>`;
   }

@@ -15,6 +15,7 @@ import { page } from "../../words/english/page";
 import { pull as words } from "../../words/english/pull";
 import { whyWords } from "../../words/refusals";
 import type { Pull } from "../../work/pull";
+import { verdictNow } from "../../work/verdict";
 import { DesignerElement } from "../designer-element";
 
 /** A point that stays so far behind, as a share of the pot, is seen to. */
@@ -57,6 +58,7 @@ export class PasuPullBar extends DesignerElement {
     const { refusal } = pull.followed;
     const offered = this.stuck !== null;
     const note = refusal ? whyWords(refusal) : pull.followed.spilt ? words.spilt : offered ? words.behind : "";
+    const { fault } = this;
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
         ${choices(words.way, "way", WAYS, brush.way, words.ways, words.wayHelp, (way) => this.change({ way }))}
@@ -64,7 +66,7 @@ export class PasuPullBar extends DesignerElement {
         ${whole ? this.locks(shape) : this.detail(brush)}
         ${shape && takesRings(shape) ? this.ringLocks(shape) : nothing}
       </div>
-      <div class="note" ?hidden=${note === ""}>
+      <div class=${note === "" ? "note silent" : "note"}>
         <p role="status">${this.cannot === "" ? note : this.cannot}</p>
         ${
           offered && this.cannot === ""
@@ -77,7 +79,19 @@ export class PasuPullBar extends DesignerElement {
             : nothing
         }
       </div>
+      <div class=${fault === "" ? "fault silent" : "fault"}>
+        ${fault === "" ? nothing : icon("warn")}
+        <p role="status">${fault}</p>
+      </div>
     `;
+  }
+
+  /** The worst of what stands in the way of making the pot as it is under the hand. */
+  private get fault(): string {
+    const found = verdictNow(this.designer).find(
+      ({ severity, support }) => severity === "error" || (severity === "warning" && !support),
+    );
+    return found?.brief ?? found?.text ?? "";
   }
 
   /** The pot under the bar stays clear of it. */
@@ -261,7 +275,8 @@ export class PasuPullBar extends DesignerElement {
         text-align: center;
         font-variant-numeric: tabular-nums;
       }
-      .note {
+      .note,
+      .fault {
         display: flex;
         align-items: center;
         gap: 8px;
@@ -271,8 +286,23 @@ export class PasuPullBar extends DesignerElement {
         background: var(--sheet);
         font-size: 0.88rem;
       }
-      .note[hidden] {
-        display: none;
+      /* Below what the picture makes room for: it comes and goes under the hand, and nothing may move then. */
+      .fault {
+        position: absolute;
+        top: calc(100% + 6px);
+        width: fit-content;
+        padding: 7px 11px;
+        text-wrap: pretty;
+      }
+      /* It stays where it is, for those who listen: what appears with its words is not read. */
+      .silent {
+        position: absolute;
+        padding: 0;
+        background: none;
+      }
+      .fault .icon {
+        flex: none;
+        color: var(--warn);
       }
       .note .button {
         flex: none;

@@ -21,6 +21,8 @@ export const report = phrases("report", {
   ofPart: (name: string, sentence: string) => `${name}: ${sentence}`,
   thinnedTo: (thinnest: string, place: string, share: string) =>
     `The wall is thinned to ${thinnest} ${place}, where the pot bends more tightly or comes closer to itself than the wall is thick: ${share} of it is thinner than asked for.`,
+  /** The same where there is little room. */
+  thinnedBrief: (thinnest: string, place: string) => `The wall is thinned to ${thinnest} ${place}.`,
   thinned: (thinnest: string, place: string, asked: string) =>
     `The wall is thinned to ${thinnest} ${place}, where the pot bends too tightly for ${asked}.`,
   tooThin: (thin: string, place: string) =>
