@@ -836,7 +836,7 @@ test("a scene that is asked again is known by what it says, and never by being t
       "0,1,0,1 0,1,0,1 1,0",
       "0,0 0",
       "0,1,0,1 0,1,0,1",
-      "not-finite ray.origin[2] | unknown-field more",
+      "not-finite ray.origin[2] | unknown-field ray.more",
       "not-finite parts[1].place.shift[0] | not-finite parts[1].place.shift[0]",
       ...Array(4).fill("wrong-type parts[1].place.shift[0] | wrong-type parts[1].place.shift[0]"),
       "0,1,0,1",

@@ -49,9 +49,10 @@ fn designs() -> Vec<String> {
         let shape = json!({ "kind": "octant", "exponents": exponents });
         designs.push(json!({ "pasu": 1, "parts": [{ "shape": shape, "place": place }] }));
     }
+    let joints = json!({ "z": { "label": "Lift", "limits": [-1, 2], "glued": true }, "turn": { "limits": [-1, 1], "axis": [1, 1, 0] } });
     let (one, other) = (designs[0]["parts"][0].clone(), designs[3]["parts"][0].clone());
     designs.push(json!({ "pasu": 1, "title": "Two", "unit": "in", "parts": [
-        { "name": "a", "shape": one["shape"], "look": { "glaze": "celadon", "clay": "black" } },
+        { "name": "a", "shape": one["shape"], "look": { "glaze": "celadon", "clay": "black" }, "joints": joints },
         { "name": "b", "shape": other["shape"], "object": 1, "place": place, "wall": walls[0] },
     ] }));
     let hostile = read(HOSTILE).into_iter().map(|case| case["input"].clone()).filter(|input| !input.is_string());

@@ -26,6 +26,8 @@ export interface Part {
   readonly wall?: Wall;
   /** Its clay and glaze. */
   readonly look?: Look;
+  /** By which numbers of its placement it can be moved. */
+  readonly joints?: Joints;
 }
 
 /** The unit of length. */
@@ -429,6 +431,30 @@ export type GlazeName = "celadon" | "tenmoku" | "cobalt" | "tin-white" | "shino"
 /** A clay body. */
 export type ClayName = "stoneware" | "porcelain" | "terracotta" | "black";
 
+/** By which numbers of its placement a part can be moved. */
+export interface Joints {
+  /** Of the shift along x. */
+  readonly x?: Joint;
+  /** Of the shift along y. */
+  readonly y?: Joint;
+  /** Of the shift along z. */
+  readonly z?: Joint;
+  /** Of the turn about an axis of the scene through where the origin of the shape stands. */
+  readonly turn?: Joint;
+}
+
+/** How far one number of a placement goes. */
+export interface Joint {
+  /** What it is called: at most 200 characters of plain text. */
+  readonly label?: string;
+  /** From where to where it goes: coordinates of the shift, or radians, of which no more than a whole turn either way. The placement may have a number outside them. */
+  readonly limits: readonly [number, number];
+  /** The axis that a turn is about, in the coordinates of the scene; upright when left out. Only a turn has one. */
+  readonly axis?: readonly [number, number, number];
+  /** Whether all that is glued to the part goes along; false when left out. */
+  readonly glued?: boolean;
+}
+
 /** A scene as a tree of its unions. */
 export interface Tree {
   /** The version of the format. */
@@ -456,6 +482,8 @@ export interface TreeLeaf {
   readonly wall?: Wall;
   /** Its clay and glaze. */
   readonly look?: Look;
+  /** By which numbers of its placement it can be moved, in the coordinates of the scene. */
+  readonly joints?: Joints;
   /** Where it stands, seen from the first member of the union that it is in; of the root, where the whole stands. */
   readonly place?: Motion;
 }

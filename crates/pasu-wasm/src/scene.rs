@@ -30,7 +30,7 @@ pub fn compare(before: &JsValue, after: &JsValue) -> Result<JsValue, JsValue> {
 /// When the source is not a design, or one of its parts cannot be solved; when the ray is none.
 #[wasm_bindgen]
 pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
-    let picked = || source::solution(source)?.pick(source::argument(ray, "ray")?);
+    let picked = || source::solution(source)?.pick(source::named(ray, "ray")?);
     plain_object(&picked().map_err(|error| thrown(&error))?)
 }
 
@@ -40,7 +40,7 @@ pub fn pick(source: &JsValue, ray: &JsValue) -> Result<JsValue, JsValue> {
 /// When the source is not a design, or one of its parts cannot be solved; when the point is none.
 #[wasm_bindgen]
 pub fn at(source: &JsValue, point: &JsValue) -> Result<JsValue, JsValue> {
-    let held = || source::solution(source)?.at(source::argument(point, "point")?);
+    let held = || source::solution(source)?.at(source::named(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
 }
 
@@ -57,7 +57,7 @@ pub fn mark_last(mark: f64) {
 #[wasm_bindgen(js_name = pickAgain)]
 pub fn pick_again(mark: f64, ray: &JsValue) -> Result<JsValue, JsValue> {
     let Some(solution) = last::marked(mark) else { return Ok(JsValue::UNDEFINED) };
-    let picked = || solution.pick(source::argument(ray, "ray")?);
+    let picked = || solution.pick(source::named(ray, "ray")?);
     plain_object(&picked().map_err(|error| thrown(&error))?)
 }
 
@@ -68,7 +68,7 @@ pub fn pick_again(mark: f64, ray: &JsValue) -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = atAgain)]
 pub fn at_again(mark: f64, point: &JsValue) -> Result<JsValue, JsValue> {
     let Some(solution) = last::marked(mark) else { return Ok(JsValue::UNDEFINED) };
-    let held = || solution.at(source::argument(point, "point")?);
+    let held = || solution.at(source::named(point, "point")?);
     plain_object(&held().map_err(|error| thrown(&error))?)
 }
 

@@ -31,6 +31,15 @@ pub(crate) fn solution(source: &JsValue) -> Result<Rc<Solution>> {
     }
 }
 
+/// Reads an argument that is no design and no options: every path begins with what it is called.
+pub(crate) fn named<T: DeserializeOwned>(value: &JsValue, name: &str) -> Result<T> {
+    pasu::read(Plain(value.clone())).map_err(|error| {
+        let point = if error.path().is_empty() || error.path().starts_with('[') { "" } else { "." };
+        let path = format!("{name}{point}{}", error.path());
+        error.at(path)
+    })
+}
+
 /// Reads an argument that is no design; `path` is what it is called.
 pub(crate) fn argument<T: DeserializeOwned>(value: &JsValue, path: &str) -> Result<T> {
     pasu::read(Plain(value.clone())).map_err(|error| if error.path().is_empty() { error.at(path) } else { error })

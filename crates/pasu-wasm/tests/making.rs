@@ -208,10 +208,24 @@ fn what_is_where_is_told() {
     let report = constraints(&scene, &JsValue::UNDEFINED).expect("a report");
     assert_eq!((at(&report, "isKept"), at(&report, "breaches.0.code")), (JsValue::FALSE, "interference".into()));
     expect(pick(&scene, &js(r#"{ "origin": [0, 0, 0], "direction": [0, 0, 0] }"#)), "out-of-range", "ray.direction");
-    expect(pick(&scene, &js(r#"{ "origin": [0, 0, 0] }"#)), "missing-field", "direction");
+    expect(pick(&scene, &js(r#"{ "origin": [0, 0, 0] }"#)), "missing-field", "ray.direction");
     let nowhere = js_sys::Array::of3(&0.into(), &f64::NAN.into(), &0.into());
     expect(pasu_wasm::at(&scene, &nowhere), "not-finite", "point[1]");
     expect(constraints(&scene, &js(r#"{ "slack": -1 }"#)), "out-of-range", "slack");
+}
+
+/// It was `more`, as if the design had such a field.
+#[wasm_bindgen_test]
+fn what_is_wrong_in_a_ray_or_a_point_is_found_there() {
+    let scene =
+        JsValue::from(r##"{ "pasu": 1, "parts": [{ "shape": { "kind": "octant", "exponents": [2, 2, 2] } }] }"##);
+    let ray = |fields: &str| pick(&scene, &js(fields));
+    expect(ray(r#"{ "origin": [0, 0, 0], "direction": [0, 0, 1], "more": 1 }"#), "unknown-field", "ray.more");
+    expect(ray(r#"{ "origin": [0, 0], "direction": [0, 0, 1] }"#), "wrong-type", "ray.origin");
+    expect(ray(r#"{ "origin": [0, 0, "up"], "direction": [0, 0, 1] }"#), "wrong-type", "ray.origin[2]");
+    expect(ray("3"), "wrong-type", "ray");
+    expect(pasu_wasm::at(&scene, &js(r#"[0, 0, "up"]"#)), "wrong-type", "point[2]");
+    expect(pasu_wasm::at(&scene, &js("[0, 0]")), "wrong-type", "point");
 }
 
 #[wasm_bindgen_test]

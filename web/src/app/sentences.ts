@@ -38,6 +38,10 @@ export const sentenceStyles = css`
     gap: 9px;
     text-wrap: pretty;
   }
+  .sentences li > span {
+    min-width: 0;
+    overflow-wrap: anywhere;
+  }
   .sentences .icon {
     width: 1.125rem;
     height: 1.125rem;

@@ -7,7 +7,7 @@ export type Axis = 0 | 1 | 2;
 export const AXES: readonly Axis[] = [0, 1, 2];
 
 /** The real part first. */
-type Quaternion = readonly [w: number, x: number, y: number, z: number];
+export type Quaternion = readonly [w: number, x: number, y: number, z: number];
 
 /** Digits that a document keeps. */
 const DIGITS = 12;
@@ -110,7 +110,7 @@ function standing([w, x, y, z]: Quaternion): Pick<WholePlacement, "axis" | "angl
   return { axis, angle: way * 2 * Math.atan2(Math.sign(w) * length, Math.abs(w)) };
 }
 
-function quaternion(axis: Triple, angle: number): Quaternion {
+export function quaternion(axis: Triple, angle: number): Quaternion {
   const length = Math.hypot(...axis);
   if (length === 0) return [1, 0, 0, 0];
   // Half a turn is exact.
@@ -119,7 +119,7 @@ function quaternion(axis: Triple, angle: number): Quaternion {
 }
 
 /** The rotation `b`, then `a`. */
-function times(a: Quaternion, b: Quaternion): Quaternion {
+export function times(a: Quaternion, b: Quaternion): Quaternion {
   return [
     a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
     a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],

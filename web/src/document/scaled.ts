@@ -12,6 +12,7 @@ import type {
   Blend,
   Component,
   Design,
+  Joints,
   Mode,
   Part,
   Placement,
@@ -42,11 +43,13 @@ export function inUnit(design: Design, unit: Unit): Design {
 }
 
 function partBy(part: Part, factor: number, walls: Walls): Part {
-  const { shape, place, wall } = part;
+  const { shape, place, wall, joints } = part;
   // An octant has no length of its own: it is as large as its placement makes it.
-  if (shape.kind === "octant") return { ...part, place: grownBy(place ?? {}, factor) };
+  const reach = joints && { joints: jointsBy(joints, factor) };
+  if (shape.kind === "octant") return { ...part, ...reach, place: grownBy(place ?? {}, factor) };
   return {
     ...part,
+    ...reach,
     shape: shapeBy(shape, factor),
     ...(place && { place: placeBy(place, factor) }),
     ...(wall && walls === "scale" && { wall: wallBy(wall, factor) }),
@@ -164,6 +167,15 @@ function grownBy(place: Placement, factor: number): Placement {
 
 function placeBy(place: Placement, factor: number): Placement {
   return place.shift ? { ...place, shift: all(place.shift, factor) } : place;
+}
+
+/** Turns are no lengths. */
+function jointsBy(joints: Joints, factor: number): Joints {
+  const along = Object.entries(joints).map(([name, joint]) => [
+    name,
+    name === "turn" ? joint : { ...joint, limits: all(joint.limits, factor) },
+  ]);
+  return Object.fromEntries(along);
 }
 
 function wallBy(wall: Wall, factor: number): Wall {

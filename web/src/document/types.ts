@@ -57,6 +57,9 @@ export type Levels = pasu.Levels;
 export type Wall = Frozen<pasu.Wall>;
 
 export type Placement = Frozen<pasu.Placement>;
+/** By which numbers of its placement a part can be moved. */
+export type Joints = Frozen<pasu.Joints>;
+export type Joint = Frozen<pasu.Joint>;
 export type Look = Frozen<pasu.Look>;
 export type Colour = `#${string}`;
 /** A name or a colour of one's own. */

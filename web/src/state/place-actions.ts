@@ -1,5 +1,6 @@
 /** What a person can do to where parts stand. */
 
+import { carried } from "../document/joints";
 import { setPath } from "../document/path";
 import { UNMOVED, type WholePlacement } from "../document/placement";
 import type { PartId } from "./part-ids";
@@ -17,14 +18,16 @@ export function changePlace(state: State, edit: (place: WholePlacement) => Whole
   return key === undefined ? { design, undo: "step" } : { design, undo: "merge", key: `place:${key}` };
 }
 
-/** Puts parts where they are told to stand, all as one change. What a hand goes on changing is one step with `key`. */
+/** Puts parts where they are told to stand, all as one change: the limits of their joints go along. What a hand goes on changing is one step with `key`. */
 export function placeParts(state: State, places: ReadonlyMap<PartId, WholePlacement>, key?: string): Change {
   let { design } = state;
   for (const [id, after] of places) {
     const at = state.ids.indexOf(id);
     const part = design.parts[at];
-    if (!part || same({ ...UNMOVED, ...part.place }, after)) continue;
+    const before = { ...UNMOVED, ...part?.place };
+    if (!part || same(before, after)) continue;
     design = setPath(design, ["parts", at, "place"], same(after, UNMOVED) ? undefined : after);
+    if (part.joints) design = setPath(design, ["parts", at, "joints"], carried(part.joints, before, after));
   }
   if (design === state.design) return { undo: "none" };
   return key === undefined ? { design, undo: "step" } : { design, undo: "merge", key: `place:${key}` };

@@ -1,5 +1,6 @@
 /** What a person can do to the parts of a design as a whole: pure functions from a state to the change that they ask for. */
 
+import { carried } from "../document/joints";
 import { sum } from "../document/moving";
 import { setPath } from "../document/path";
 import { UNMOVED, type WholePlacement } from "../document/placement";
@@ -108,11 +109,14 @@ export function copyParts(
     };
     for (const place of places) {
       const { name, ...rest } = design.parts[place] as Part;
+      const before = { ...UNMOVED, ...rest.place };
+      const after = to(before);
       all.push({
         ...rest,
         ...(name !== undefined && { name: freeName(all, name) }),
         object: objectFor(objectOf(rest)),
-        place: briefly(to({ ...UNMOVED, ...rest.place }), rest.place),
+        place: briefly(after, rest.place),
+        ...(rest.joints && { joints: carried(rest.joints, before, after) }),
       });
     }
   }
@@ -136,7 +140,12 @@ export function addParts(state: State, parts: readonly Part[], by: Triple): Chan
     const [x, y, z] = place?.shift ?? [0, 0, 0];
     const shift: Triple = [x + by[0], y + by[1], z + by[2]];
     const kept = name === undefined || names.has(name) ? {} : { name };
-    return { ...rest, ...kept, object: object + objectOf(rest), place: { ...place, shift } };
+    const [before, after] = [
+      { ...UNMOVED, ...place },
+      { ...UNMOVED, ...place, shift },
+    ];
+    const joints = rest.joints && { joints: carried(rest.joints, before, after) };
+    return { ...rest, ...kept, ...joints, object: object + objectOf(rest), place: { ...place, shift } };
   });
   const more = freshIds(parts.length, fresh);
   return {

@@ -18,6 +18,7 @@ import type { freeing } from "./english/freeing";
 import type { gallery } from "./english/gallery";
 import type { handling } from "./english/handling";
 import type { help } from "./english/help";
+import type { joints } from "./english/joints";
 import type { link } from "./english/link";
 import type { look } from "./english/look";
 import type { making } from "./english/making";
@@ -64,6 +65,7 @@ export interface Catalogue {
   readonly gallery: typeof gallery;
   readonly handling: typeof handling;
   readonly help: typeof help;
+  readonly joints: typeof joints;
   readonly link: typeof link;
   readonly look: typeof look;
   readonly making: typeof making;

@@ -12,6 +12,7 @@ mod document;
 mod family;
 mod fields;
 mod handles;
+mod joint;
 mod label;
 mod limits;
 mod link;
@@ -63,6 +64,7 @@ pub use document::Design;
 pub use family::{BloorWilson, FourthOrder, MixedOrder, SecondOrder};
 pub(crate) use fields::Dimension;
 pub use handles::{End, Handle, HandleId, Handles, Restraint, Step};
+pub use joint::{Joint, Joints};
 pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 #[cfg(feature = "patchwork")]

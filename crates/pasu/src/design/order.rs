@@ -5,6 +5,7 @@
 use core::cmp::Ordering;
 
 use super::document::Design;
+use super::joint::Joints;
 use super::look::Look;
 use super::part::Part;
 use super::shape::KINDS;
@@ -13,7 +14,7 @@ use super::text;
 impl Design {
     /// The same scene with its parts in the order of links, and its objects numbered 0, 1, 2 as they first appear there.
     ///
-    /// Parts stand in the order of their kinds in the format, those of one kind in the order of their documents without name and object, as texts, and those that are equal but for their names in the order of these. However the parts of a scene were ordered and its objects numbered, this is the same design, which is what
+    /// Parts stand in the order of their kinds in the format, those of one kind in the order of their documents without name, object and joints, as texts, and those that are equal but for these in the order of their names, and then of their joints. However the parts of a scene were ordered and its objects numbered, this is the same design, which is what
     /// [`Design::link`] writes.
     ///
     /// ```
@@ -42,12 +43,17 @@ impl Design {
         self.with_parts(parts.collect())
     }
 
-    /// The numbers of the parts in the order of links, or in the order that there would be if no part had a name.
+    /// The numbers of the parts in the order of links, or in the order that there would be if no part had a name or joints.
     pub(crate) fn arranged(&self, with_names: bool) -> Vec<usize> {
         let parts = self.parts();
         let keys: Vec<Key> = parts.iter().map(|part| Key::of(part, true)).collect();
         let name = |index: usize| parts[index].name.as_ref().filter(|_| with_names);
-        let compared = |a: usize, b: usize| keys[a].cmp(&keys[b]).then_with(|| name(a).cmp(&name(b)));
+        let joints = |index: usize| match parts[index].joints == Joints::default() || !with_names {
+            true => String::new(),
+            false => text::write(&Part { object: 0, ..parts[index].clone() }),
+        };
+        let named = |a: usize, b: usize| name(a).cmp(&name(b)).then_with(|| joints(a).cmp(&joints(b)));
+        let compared = |a: usize, b: usize| keys[a].cmp(&keys[b]).then_with(|| named(a, b));
         // Equal parts of different objects are told apart by what else is in these. Objects of equal parts may stand for each other.
         let mut objects: Vec<(u32, Vec<usize>)> = Vec::new();
         for index in sorted(parts.len(), &compared) {
@@ -86,7 +92,7 @@ fn sorted(n: usize, compared: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     order
 }
 
-/// What parts are put in order by: the place of their kind in the format, then the document without name and object.
+/// What parts are put in order by: the place of their kind in the format, then the document without name, object and joints.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Key {
     kind: Option<usize>,
@@ -97,7 +103,7 @@ impl Key {
     /// Of a part with its look or without.
     pub(crate) fn of(part: &Part, with_look: bool) -> Key {
         let look = if with_look { part.look } else { Look::default() };
-        let document = text::write(&Part { name: None, object: 0, look, ..part.clone() });
+        let document = text::write(&Part { name: None, object: 0, look, joints: Joints::default(), ..part.clone() });
         Key { kind: KINDS.iter().position(|kind| kind.name == part.shape.kind()), document }
     }
 }

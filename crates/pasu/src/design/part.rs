@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::joint::Joints;
 use super::label;
 use super::look::Look;
 use super::placement::Placement;
@@ -32,6 +33,9 @@ pub struct Part {
     /// Its clay and glaze.
     #[serde(deserialize_with = "or_default", skip_serializing_if = "is_default")]
     pub look: Look,
+    /// By which numbers of its placement it can be moved.
+    #[serde(deserialize_with = "or_default", skip_serializing_if = "is_default")]
+    pub joints: Joints,
 }
 
 impl Part {
@@ -40,7 +44,8 @@ impl Part {
     pub(crate) fn canonical(self) -> Result<Self> {
         let shape = self.shape.canonical().map_err(|error| error.inside_field("shape"))?;
         let place = self.place.canonical().map_err(|error| error.inside_field("place"))?;
+        let joints = self.joints.canonical().map_err(|error| error.inside_field("joints"))?;
         let (shape, place) = shape.standing(&self.place, place);
-        Ok(Part { shape, place, wall: self.wall.map(Wall::canonical), look: self.look.canonical(), ..self })
+        Ok(Part { shape, place, wall: self.wall.map(Wall::canonical), look: self.look.canonical(), joints, ..self })
     }
 }

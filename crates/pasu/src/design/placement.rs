@@ -246,7 +246,7 @@ const UPRIGHT: [f64; 3] = [0.0, 0.0, 1.0];
 ///
 /// An axis that is such a vector already stays as it is. Divided by its length again it could change in its last place,
 /// and canonical form would not be its own canonical form.
-fn direction(axis: [f64; 3]) -> Option<[f64; 3]> {
+pub(super) fn direction(axis: [f64; 3]) -> Option<[f64; 3]> {
     let near = axis.map(rounded_in_unit);
     // Half a unit of the last place of each component changes the length of a unit vector by no more than this.
     let slack = near.iter().fold(1e-15, |slack, c| slack + 0.5e-12 * c.abs());

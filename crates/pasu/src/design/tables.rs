@@ -34,6 +34,29 @@ pub(super) const PART: &[Entry] = &[
     optional("place", "Placement", "Where it stands."),
     optional("wall", "Wall", "The wall that makes its surface a pot."),
     optional("look", "Look", "Its clay and glaze."),
+    optional("joints", "Joints", "By which numbers of its placement it can be moved."),
+];
+
+pub(super) const JOINTS: &[Entry] = &[
+    optional("x", "Joint", "Of the shift along x."),
+    optional("y", "Joint", "Of the shift along y."),
+    optional("z", "Joint", "Of the shift along z."),
+    optional("turn", "Joint", "Of the turn about an axis of the scene through where the origin of the shape stands."),
+];
+
+pub(super) const JOINT: &[Entry] = &[
+    optional("label", "string", "What it is called: at most 200 characters of plain text."),
+    required(
+        "limits",
+        "readonly [number, number]",
+        "From where to where it goes: coordinates of the shift, or radians, of which no more than a whole turn either way. The placement may have a number outside them.",
+    ),
+    optional(
+        "axis",
+        "readonly [number, number, number]",
+        "The axis that a turn is about, in the coordinates of the scene; upright when left out. Only a turn has one.",
+    ),
+    optional("glued", "boolean", "Whether all that is glued to the part goes along; false when left out."),
 ];
 
 /// A scene as a tree.
@@ -54,6 +77,7 @@ pub(super) const LEAF: &[Entry] = &[
     ),
     optional("wall", "Wall", "The wall that makes its surface a pot."),
     optional("look", "Look", "Its clay and glaze."),
+    optional("joints", "Joints", "By which numbers of its placement it can be moved, in the coordinates of the scene."),
     optional("place", "Motion", PLACE),
 ];
 

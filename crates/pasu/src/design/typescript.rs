@@ -8,7 +8,7 @@ use super::look::{Clay, Glaze};
 use super::motion::Motion;
 use super::placement::Placement;
 use super::shape::KINDS;
-use super::tables::{CONNECTED, DESIGN, LEAF, LOOK, PART, TREE, UNCONNECTED, WALL};
+use super::tables::{CONNECTED, DESIGN, JOINT, JOINTS, LEAF, LOOK, PART, TREE, UNCONNECTED, WALL};
 use super::unit::Unit;
 use super::wall::{RimForm, Side};
 use crate::answer::Answer;
@@ -37,6 +37,8 @@ pub fn typescript() -> String {
     interface(&mut text, "Look", "What a part is made of and covered with.", LOOK);
     union(&mut text, "GlazeName", "A glaze.", Glaze::NAMES);
     union(&mut text, "ClayName", "A clay body.", Clay::NAMES);
+    interface(&mut text, "Joints", "By which numbers of its placement a part can be moved.", JOINTS);
+    interface(&mut text, "Joint", "How far one number of a placement goes.", JOINT);
     interface(&mut text, "Tree", "A scene as a tree of its unions.", TREE);
     let nodes = ["TreeLeaf", "ConnectedUnion", "UnconnectedUnion"].map(str::to_owned);
     alternatives(&mut text, "TreeNode", "A solid or a union of solids.", &nodes);
@@ -96,6 +98,8 @@ mod tests {
         check::<Part>(PART, None);
         check::<Wall>(WALL, None);
         check::<Look>(LOOK, None);
+        check::<Joints>(JOINTS, None);
+        check::<Joint>(JOINT, None);
         check::<BoundaryValue>(&BOUNDARY_VALUE[1..], None);
         check::<Ring>(RING, None);
         check::<Rings>(&RINGS_KIND[1..], None);

@@ -119,6 +119,13 @@ impl Term {
         let t = if self.et < 0.0 { [greatest.t, least.t] } else { [least.t, greatest.t] };
         [self.of(Logarithms { s: s[0], t: t[0], d: greatest.d }), self.of(Logarithms { s: s[1], t: t[1], d: least.d })]
     }
+
+    /// The greatest alone, to the bit.
+    fn greatest(self, least: Logarithms, greatest: Logarithms) -> f64 {
+        let s = if self.es < 0.0 { least.s } else { greatest.s };
+        let t = if self.et < 0.0 { least.t } else { greatest.t };
+        self.of(Logarithms { s, t, d: least.d })
+    }
 }
 
 impl Climb {
@@ -216,13 +223,13 @@ impl Climb {
 
     /// The same of the rising one between two places on one side of a half.
     fn bounds(&self, [(s, t), (later, left)]: [(f64, f64); 2]) -> [f64; 3] {
-        let (low, high) = (self.logarithms(s, t), self.logarithms(later, left));
+        let (low, high) = (shares(s, t), shares(later, left));
         let Climb { k, l, .. } = *self;
-        let least = Logarithms { s: low.s, t: high.t, d: log_sum(k * low.s, l * high.t) };
-        let greatest = Logarithms { s: high.s, t: low.t, d: log_sum(k * high.s, l * low.t) };
+        let bound = |s: f64, t: f64| Logarithms { s, t, d: log_sum(k * s, l * t) };
+        let (least, greatest) = (bound(low[0], high[1]), bound(high[0], low[1]));
         let (one, other) = (k * t + l * s, k * left + l * later);
         let w = [one.min(other), one.max(other)];
-        let [_, first] = self.slope().range(least, greatest);
+        let first = self.slope().greatest(least, greatest);
         let is_near_0 = later <= 0.5;
         let (up, down) = self.bends(is_near_0);
         let sum = |terms: [Term; 3], is_squared: bool| {
@@ -236,7 +243,7 @@ impl Climb {
             sum
         };
         let (up, down) = (sum(up, !is_near_0), sum(down, is_near_0));
-        [self.value_at(high.s, high.t), w[1] * first, (up[1] - down[0]).max(down[1] - up[0])]
+        [self.value_at(high[0], high[1]), w[1] * first, (up[1] - down[0]).max(down[1] - up[0])]
     }
 }
 

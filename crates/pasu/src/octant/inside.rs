@@ -36,12 +36,17 @@ pub(super) fn misses_box(exponents: [f64; 3], low: DVec3, high: DVec3) -> bool {
 /// The exponent of a convex octant that holds all of one with a lesser exponent: a coordinate is 1 at most, and its power falls as the exponent rises. Of 1 itself what is furthest in a direction may be a whole side.
 const CONVEX: f64 = 1.02;
 
-/// Halvings of the number by which the furthest place in a direction is found. A bound holds after any.
-const TURNS: usize = 22;
+/// Steps towards the number by which the furthest place in a direction is found: few are needed, and a bound holds after any.
+const STEPS: usize = 30;
+
+/// From how near to 1 the sum of the powers is taken for 1: what the bound is wrong by is the square of that.
+const ENOUGH: f64 = 1e-8;
 
 /// How far an octant reaches in a direction at most, with a place of the least convex octant about it that is all but as far.
 ///
 /// Where `d x` is to be largest with `sum x^a <= 1`, it is `m + sum (d x - m x^a)` at most, whatever `m > 0` is, with each `x` from 0 to 1 where its own term is largest; and no more than that where `sum x^a` is 1 (Lagrange's dual).
+///
+/// With `t = log m` the powers are `exp(p (l - t))`, where `l = log(d / a)` and `p = a / (a - 1)`, and the logarithm of their sum is convex and falls. From the largest `l` on, where the sum is 1 or more, Newton's steps towards the place at which it is 1 never go too far.
 pub(super) fn reach(exponents: [f64; 3], direction: DVec3) -> (f64, DVec3) {
     let d = direction.max(DVec3::ZERO).to_array();
     let most = d.iter().sum::<f64>();
@@ -49,26 +54,27 @@ pub(super) fn reach(exponents: [f64; 3], direction: DVec3) -> (f64, DVec3) {
         return (0.0, DVec3::ZERO);
     }
     let a = exponents.map(|exponent| exponent.max(CONVEX));
-    let furthest =
-        |m: f64| -> [f64; 3] { core::array::from_fn(|i| libm::pow(d[i] / (m * a[i]), 1.0 / (a[i] - 1.0)).min(1.0)) };
-    let powers = |x: &[f64; 3]| -> [f64; 3] { core::array::from_fn(|i| libm::pow(x[i], a[i])) };
-    // The largest power is a third or more, and its coordinate below 1: of exponents up to 50 that is within 150 times.
-    let high = libm::log(most);
-    let (mut low, mut high) = (high - 6.0, high);
-    let mut best = (most, DVec3::from_array(d.map(|d| if d > 0.0 { 1.0 } else { 0.0 })));
-    for _ in 0..TURNS {
-        let middle: f64 = 0.5 * (low + high);
-        let m = libm::exp(middle);
-        let x = furthest(m);
-        let powers = powers(&x);
-        let sum: f64 = powers.iter().sum();
-        let bound = m + (0..3).map(|i| d[i] * x[i] - m * powers[i]).sum::<f64>();
-        if bound <= best.0 {
-            best = (bound, DVec3::from_array(x));
+    let logarithms: [f64; 3] = core::array::from_fn(|i| libm::log(d[i] / (most * a[i])));
+    let rates = a.map(|a| a / (a - 1.0));
+    let mut t = logarithms.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    for _ in 0..STEPS {
+        let (mut sum, mut fall) = (0.0, 0.0);
+        for i in 0..3 {
+            let power = libm::exp(rates[i] * (logarithms[i] - t));
+            sum += power;
+            fall += rates[i] * power;
         }
-        if sum > 1.0 { low = middle } else { high = middle }
+        if !(sum > 1.0 + ENOUGH) {
+            break;
+        }
+        t += libm::log(sum) * sum / fall;
     }
-    (best.0 * (1.0 + ROUNDING), best.1)
+    let m = most * libm::exp(t);
+    let x: [f64; 3] = core::array::from_fn(|i| libm::exp((logarithms[i] - t) / (a[i] - 1.0)).min(1.0));
+    let bound = m + (0..3).map(|i| d[i] * x[i] - m * libm::pow(x[i], a[i])).sum::<f64>();
+    let corner = || DVec3::from_array(d.map(|d| if d > 0.0 { 1.0 } else { 0.0 }));
+    let (bound, at) = if bound <= most { (bound, DVec3::from_array(x)) } else { (most, corner()) };
+    (bound * (1.0 + ROUNDING), at)
 }
 
 /// A place of an octant near to a point: the coordinates that are negative made 0, and all of them less by the share that is beyond the curved side.

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::node::{Content, Leaf, Node};
-use crate::design::{Look, Motion, Shape, Wall, written};
+use crate::design::{Joints, Look, Motion, Shape, Wall, written};
 use crate::error::{Code, Error, Result};
 
 /// How deep unions may nest. A union takes any number of members, so that no tree has to be deep.
@@ -20,6 +20,7 @@ pub(super) struct Branch {
     scale: Option<[f64; 3]>,
     wall: Option<Wall>,
     look: Option<Look>,
+    joints: Option<Joints>,
     connected: Option<Vec<Branch>>,
     unconnected: Option<Vec<Branch>>,
     #[serde(deserialize_with = "written::or_default")]
@@ -44,7 +45,7 @@ impl Branch {
 
     /// The node, where it may stand. Values are read to a limited depth, and so is this.
     fn node(self, standing: Standing, n_leaves: &mut usize) -> Result<Node> {
-        let Branch { name, shape, scale, wall, look, connected, unconnected, place } = self;
+        let Branch { name, shape, scale, wall, look, joints, connected, unconnected, place } = self;
         if standing.is_first && place != Motion::default() {
             let message = "the first member of a union stands where the union does: expected no place, found one";
             return Err(Error::new(Code::OutOfRange, "place", message));
@@ -61,7 +62,8 @@ impl Branch {
                         format!("expected at most {} leaves in a tree; this one exceeds them", written::PARTS);
                     return Err(Error::new(Code::TooLarge, "", message).with("greatest", written::PARTS));
                 }
-                let leaf = Leaf { name, shape, scale: scale.unwrap_or([1.0; 3]), wall, look: look.unwrap_or_default() };
+                let (scale, look) = (scale.unwrap_or([1.0; 3]), look.unwrap_or_default());
+                let leaf = Leaf { name, shape, scale, wall, look, joints: joints.unwrap_or_default() };
                 return Ok(Node { content: Content::Leaf(Box::new(leaf)), place });
             }
             (None, Some(members), None) => (members, true),
@@ -75,8 +77,13 @@ impl Branch {
                 return Err(Error::new(Code::Duplicate, "", message));
             }
         };
-        let of_leaves =
-            [("name", name.is_some()), ("scale", scale.is_some()), ("wall", wall.is_some()), ("look", look.is_some())];
+        let of_leaves = [
+            ("name", name.is_some()),
+            ("scale", scale.is_some()),
+            ("wall", wall.is_some()),
+            ("look", look.is_some()),
+            ("joints", joints.is_some()),
+        ];
         if let Some((field, _)) = of_leaves.into_iter().find(|(_, is_given)| *is_given) {
             let message = format!("only leaves have a {field}: expected none of a union");
             return Err(Error::new(Code::UnknownField, field, message).with("found", field));

@@ -54,6 +54,7 @@ impl Leaves {
                     place: place.placing(leaf.scale),
                     wall: leaf.wall,
                     look: leaf.look,
+                    joints: leaf.joints.clone(),
                 });
                 return Ok(());
             }

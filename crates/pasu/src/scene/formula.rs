@@ -15,6 +15,9 @@ const HALVINGS: usize = 12;
 /// Steps towards the nearest place of the difference of two octants.
 const STEPS: usize = 40;
 
+/// How often one goes from an octant to the other to find where both are.
+const TURNS: usize = 6;
+
 /// What is found of how far two are apart is this part of it, where it is sought as well as can be.
 const WELL: f64 = 0.98;
 
@@ -120,9 +123,17 @@ impl Space {
 
     /// Places of the border of an octant, far from each other; none of what is no octant.
     pub(super) fn places_by_formula(&self) -> impl Iterator<Item = DVec3> {
-        let origin = self.octant().map(|_| DVec3::ZERO);
-        let curved = self.octant().into_iter().flat_map(|octant| SHARES.map(|shares| octant.shared(shares)));
-        origin.into_iter().chain(curved).map(|at| self.placed_point(at))
+        let places = self.places.get_or_init(|| {
+            let origin = self.octant().map(|_| DVec3::ZERO);
+            let curved = self.octant().into_iter().flat_map(|octant| SHARES.map(|shares| octant.shared(shares)));
+            origin.into_iter().chain(curved).map(|at| self.placed_point(at)).collect()
+        });
+        places.iter().copied()
+    }
+
+    /// How far places of an octant are in a direction, as seen from the origin of all: it reaches no less.
+    fn at_least(&self, direction: DVec3) -> f64 {
+        self.places_by_formula().map(|at| at.dot(direction)).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// How far an octant reaches in a direction at most, as seen from the origin of all, and where about it.
@@ -137,10 +148,23 @@ impl Space {
         Some(self.furthest(self.octant()?, direction).0)
     }
 
-    /// A place of an octant that is no further than this from a point.
-    fn place_near(&self, at: DVec3, distance: f64) -> Option<DVec3> {
-        let place = self.placed_point(self.octant()?.place_near(self.own(at)));
-        ((place - at).length() <= distance).then_some(place)
+    /// A place of an octant near to a point.
+    fn place_near(&self, at: DVec3) -> Option<DVec3> {
+        Some(self.placed_point(self.octant()?.place_near(self.own(at))))
+    }
+
+    /// Where a place of this octant and one of another are no further from each other than this, sought from a point on by going from one to the other.
+    fn near_both(&self, other: &Space, from: DVec3, distance: f64) -> Option<DVec3> {
+        let mut at = from;
+        for _ in 0..TURNS {
+            let one = self.place_near(at)?;
+            let another = other.place_near(one)?;
+            if (one - another).length() <= distance {
+                return Some(0.5 * one + 0.5 * another);
+            }
+            at = another;
+        }
+        None
     }
 
     /// The directions across the sides of an octant, of both signs: a plane between it and what touches it is often across one.
@@ -152,7 +176,14 @@ impl Space {
 
     /// A place at which two octants come as near as the slack, with a plane between them that neither passes by more, across a side of one. `None` also where there may be one, and of what is no octant.
     pub(super) fn contact_by_formula(&self, other: &Space, slack: f64) -> Option<DVec3> {
+        let far = |space: &Space| space.bounds.low.abs().max(space.bounds.high.abs()).max_element();
+        // Rounding adds far less to a place.
+        let clear = slack + 1e-12 * far(self).max(far(other));
         let is_between = |direction: DVec3| {
+            // Few are, and of the others it costs little to say so.
+            if self.at_least(direction) + other.at_least(-direction) > clear {
+                return false;
+            }
             let [one, another] = [self.reach_by_formula(direction), other.reach_by_formula(-direction)];
             one.zip(another).is_some_and(|(one, another)| one + another <= slack)
         };
@@ -161,10 +192,12 @@ impl Space {
         let common =
             Bounds { low: self.bounds.low.max(other.bounds.low), high: self.bounds.high.min(other.bounds.high) };
         let places = core::iter::once(common.middle()).chain(self.places_by_formula()).chain(other.places_by_formula());
-        places.into_iter().find_map(|at| {
-            let [one, another] = [self.place_near(at, 0.5 * slack)?, other.place_near(at, 0.5 * slack)?];
-            Some(0.5 * one + 0.5 * another)
-        })
+        // Where edges are rounded little both may come so near beside an end of that box alone.
+        let corners = (0..8).map(|i| {
+            let is_high = [0, 1, 2].map(|axis| i >> axis & 1 == 1);
+            DVec3::select(glam::BVec3::from_array(is_high), common.high, common.low)
+        });
+        places.chain(corners).find_map(|at| self.near_both(other, at, slack))
     }
 
     /// How far two octants are apart at least, where that is more than `slack`; as well as it can be found if `is_well`. `None` also of what may be apart, and of what is no octant. The second number is how many steps it took.

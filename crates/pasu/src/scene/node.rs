@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::design::{Look, Motion, Shape, Wall, written};
+use crate::design::{Joints, Look, Motion, Shape, Wall, written};
 
 /// A leaf or a union, with where it stands.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -53,6 +53,9 @@ pub struct Leaf {
     /// Its clay and glaze.
     #[serde(skip_serializing_if = "written::is_default")]
     pub look: Look,
+    /// By which numbers of its placement it can be moved, in the coordinates of the scene.
+    #[serde(skip_serializing_if = "written::is_default")]
+    pub joints: Joints,
 }
 
 fn is_as_it_is(scale: &[f64; 3]) -> bool {

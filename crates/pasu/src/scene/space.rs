@@ -40,6 +40,8 @@ pub(super) struct Space {
     pub(super) bounds: Bounds,
     tiles: OnceLock<Tiles>,
     core: OnceLock<Option<DVec3>>,
+    /// Places of the border of an octant, far from each other.
+    pub(super) places: OnceLock<Vec<DVec3>>,
 }
 
 /// Tiles with the tree of their boxes.
@@ -80,6 +82,7 @@ impl Space {
             bounds: Bounds::NOTHING,
             tiles: OnceLock::new(),
             core: OnceLock::new(),
+            places: OnceLock::new(),
         };
         space.bounds = match space.inverse {
             Some(_) => {

@@ -86,8 +86,8 @@ pub fn tree(design: &Design) -> Tree {
 impl Node {
     /// A part as a leaf that stands where it does.
     fn of(part: &Part) -> Node {
-        let Part { name, object: _, shape, place, wall, look } = part.clone();
-        let leaf = Leaf { name, shape, scale: place.scale, wall, look };
+        let Part { name, object: _, shape, place, wall, look, joints } = part.clone();
+        let leaf = Leaf { name, shape, scale: place.scale, wall, look, joints };
         Node { content: Content::Leaf(Box::new(leaf)), place: Motion::of(&place) }
     }
 }

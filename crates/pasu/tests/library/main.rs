@@ -20,6 +20,7 @@ mod handles;
 mod hostile;
 mod interface;
 mod joined;
+mod joints;
 mod links;
 mod looks;
 mod measure;

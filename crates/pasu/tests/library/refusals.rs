@@ -365,7 +365,7 @@ fn documents() {
 
     // Foreign names in paths and messages stay short.
     let (given, short) = (with_part(&format!("\"a {}\": 1", "b".repeat(60))), format!("\"a {}…\"", "b".repeat(38)));
-    let message = format!("unknown field {short}; expected one of name, object, shape, place, wall, look");
+    let message = format!("unknown field {short}; expected one of name, object, shape, place, wall, look, joints");
     check(Design::parse(&given), &given, ("unknown-field", &format!("parts[0][{short}]"), &message));
 }
 

@@ -200,6 +200,12 @@ export class PasuConstraints extends DesignerElement {
         text-wrap: pretty;
         cursor: pointer;
       }
+      /* Names may be long, and of one word. */
+      .told > span,
+      .mends .button {
+        min-width: 0;
+        overflow-wrap: anywhere;
+      }
       .told:hover {
         background: var(--well);
       }

@@ -31,6 +31,7 @@ import { hiddenNote } from "../hidden-note";
 import "./arrange-card";
 import "./constraints-card";
 import "./glue-matrix";
+import "./joints-card";
 
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
@@ -122,6 +123,7 @@ export class PasuParts extends DesignerElement {
         ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
       </div>
       <p class="problem" id="taken" role="status"></p>
+      <pasu-joints .designer=${this.designer}></pasu-joints>
       <pasu-constraints .designer=${this.designer}></pasu-constraints>
       ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
       ${this.arrange()}

@@ -1,22 +1,30 @@
 /** Where the selected part stands, by numbers: its scale, its turn and its shift. */
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { type JointName, jointValue, limitsAbout, UPRIGHT } from "../../document/joints";
 import { unitOf } from "../../document/look";
+import { round } from "../../document/moving";
 import { pathText } from "../../document/path";
 import { UNMOVED, type WholePlacement } from "../../document/placement";
 import type { Triple } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
+import { changeJoint } from "../../state/joint-actions";
 import { changePlace } from "../../state/place-actions";
+import { objectOf } from "../../state/scene-actions";
 import { cells } from "../../ui/cells";
+import { icon } from "../../ui/icons";
 import "../../ui/number-field";
+import "./joints-card";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, disclosure } from "../../ui/styles";
+import { joints } from "../../words/english/joints";
 import { placing as words } from "../../words/english/placing";
 import { whyWords } from "../../words/refusals";
 
 const HALF_TURN = 180;
 const AXES = [0, 1, 2] as const;
+const SHIFTS = ["x", "y", "z"] as const;
 /** How far beyond what was opened a slider goes. */
 const BEYOND = 2;
 
@@ -33,6 +41,8 @@ interface Ask {
   readonly range: readonly [number, number];
   readonly step: number;
   readonly with: (place: WholePlacement, value: number) => WholePlacement;
+  /** The joint by which it can be a slider of the scene. */
+  readonly joint?: JointName;
 }
 
 @customElement("pasu-place")
@@ -76,6 +86,7 @@ export class PasuPlace extends DesignerElement {
         range: [-HALF_TURN, HALF_TURN],
         step: 1,
         with: (now, value) => ({ ...now, angle: (value / HALF_TURN) * Math.PI }),
+        joint: "turn",
       })}
       <div class="axis">
         ${AXES.map(
@@ -111,6 +122,7 @@ export class PasuPlace extends DesignerElement {
           range: [-far, far],
           step: 0.1,
           with: (now, value) => withTriple(now, "shift", axis, value),
+          joint: SHIFTS[axis],
         }),
       )}
       <button
@@ -122,6 +134,7 @@ export class PasuPlace extends DesignerElement {
       >
         ${words.reset}
       </button>
+      ${design.parts.length === 1 ? html`<pasu-joints .designer=${this.designer}></pasu-joints>` : nothing}
     </details>`;
   }
 
@@ -129,7 +142,7 @@ export class PasuPlace extends DesignerElement {
     const { designer } = this;
     const set = (value: number, gesture: boolean) =>
       designer.apply(changePlace(designer.state, (now) => ask.with(now, value), gesture ? ask.key : undefined));
-    return html`<pasu-number
+    const number = html`<pasu-number
       data-field="place-${ask.key}"
       .label=${ask.label}
       .help=${ask.help}
@@ -147,6 +160,43 @@ export class PasuPlace extends DesignerElement {
       @number-cancel=${() => designer.store.cancelGesture()}
       @number-reset=${(_: NumberResetEvent) => set(ask.opened, false)}
     ></pasu-number>`;
+    return ask.joint === undefined
+      ? number
+      : html`<div class="jointed">${number}${this.joint(ask.joint, ask.label)}</div>`;
+  }
+
+  /** Makes the number a slider of the scene, or no longer. */
+  private joint(name: JointName, label: string) {
+    const { designer } = this;
+    const { design, ids, part: at } = designer.state;
+    const [part, id] = [design.parts[at], ids[at]];
+    if (!part || id === undefined) return nothing;
+    const has = part.joints?.[name] !== undefined;
+    const toggle = () => {
+      if (has) return designer.apply(changeJoint(designer.state, id, name, null));
+      const place: WholePlacement = { ...UNMOVED, ...part.place };
+      const axis = place.angle === 0 ? UPRIGHT : place.axis;
+      const turn = { axis, limits: [0, 0] as const };
+      const now = jointValue(part, name, turn);
+      const members = design.parts.filter((one) => objectOf(one) === objectOf(part)).length;
+      // What is glued goes along where that is not simply everything.
+      const glued = members > 1 && members < design.parts.length;
+      const width = designer.surface.shown?.solved.facts?.width ?? 1;
+      const limits = limitsAbout(name, round(now), Number(width.toPrecision(1)));
+      const joint = { ...(name === "turn" && { axis }), limits, ...(glued && { glued }) };
+      return designer.apply(changeJoint(designer.state, id, name, joint));
+    };
+    return html`<button
+      class="button bare toggle"
+      type="button"
+      data-joint=${name}
+      aria-pressed=${has ? "true" : "false"}
+      aria-label=${joints.toggle(label)}
+      title=${joints.toggle(label)}
+      @click=${toggle}
+    >
+      ${icon("slider")}
+    </button>`;
   }
 
   /** The solver's objection to this very number. */
@@ -169,6 +219,15 @@ export class PasuPlace extends DesignerElement {
       details {
         border-top: 1px solid var(--line);
         padding: 4px 0 12px;
+      }
+      .jointed {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: start;
+        gap: 4px;
+      }
+      .toggle[aria-pressed="true"] {
+        color: var(--accent);
       }
       .axis {
         display: grid;

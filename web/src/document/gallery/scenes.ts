@@ -14,6 +14,9 @@ const GAP = 0.02;
 /** How high a lid is. */
 const LID = 3.3;
 
+/** How far it can be lifted. */
+const RISE = 8;
+
 type Standing = Pick<Placement, "scale" | "shift">;
 
 function found<Id extends string>(all: readonly Exhibit<Id>[], id: Id): Exhibit<Id> {
@@ -29,13 +32,14 @@ function form(id: (typeof FORMS)[number]["id"], place: Standing, own: Look = {})
 }
 
 /** A lid for a mouth of so large a radius, the knob uppermost: it is thrown as a bowl, and turned over. */
-function lid(radius: number, thickness: number, look: Look, [x, y, z]: Triple): Part {
+function lid(label: string, radius: number, thickness: number, look: Look, [x, y, z]: Triple): Part {
   const radii = [1.35, 0.95, 1.7, 0.65 * radius, radius - 0.1, radius];
   return {
     shape: ringed(radii, [0, 0.9, 1.5, 2.1, 2.7, LID], { a: 0.5 }),
     wall: { thickness, base: 0.5, rim: "flat" },
     look,
     place: { axis: [1, 0, 0], angle: -Math.PI, shift: [x, y, z + LID + GAP] },
+    joints: { z: { label, limits: [z + LID + GAP, z + LID + GAP + RISE] } },
   };
 }
 
@@ -71,12 +75,12 @@ const cup = (x: number, y: number): Part =>
   form("form-cup", { scale: [0.75, 0.75, 0.75], shift: [x, y, 0] }, { glaze: "celadon" });
 
 export const SCENES = exhibits([
-  { id: "own-lidded-jar", ...separate([form("form-jar", {}), lid(5.2, 0.4, SHINO, [0, 0, 18.4])]) },
+  { id: "own-lidded-jar", ...separate([form("form-jar", {}), lid("Lift the lid", 5.2, 0.4, SHINO, [0, 0, 18.4])]) },
   {
     id: "own-tea-set",
     ...separate([
       form("form-teapot", {}),
-      lid(3.7, 0.3, TERRACOTTA, [0, 0, 10.9]),
+      lid("Lift the lid", 3.7, 0.3, TERRACOTTA, [0, 0, 10.9]),
       cup(-11.5, -7),
       cup(-4, -12.5),
       cup(4.5, -12.5),

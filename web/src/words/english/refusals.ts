@@ -14,7 +14,15 @@ export const refusals = phrases("refusals", {
   of: (subject: string, sentence: string) => `${subject.charAt(0).toUpperCase()}${subject.slice(1)}: ${sentence}`,
   /** From the large to the small: a part, a number of it. */
   within: (subjects: readonly string[]) => subjects.join(", "),
-  fields: { title: "Title", unit: "Unit", name: "Name", place: "Place", wall: "Wall", look: "Glaze and clay" },
+  fields: {
+    title: "Title",
+    unit: "Unit",
+    name: "Name",
+    place: "Place",
+    joints: "Slider",
+    wall: "Wall",
+    look: "Glaze and clay",
+  },
   /** A field that has no name but its own in the document. */
   field: (name: string) => `“${name}”`,
   /** Of free boundary data. */

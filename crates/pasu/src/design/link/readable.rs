@@ -4,6 +4,7 @@ use super::damage::damaged;
 use super::wrapping::encoded;
 use crate::design::described::Spelling;
 use crate::design::document::Design;
+use crate::design::joint::Joints;
 use crate::design::limits::VERSION;
 use crate::design::look::{Choice, Named, is_hexadecimal};
 use crate::design::number::shortest;
@@ -26,8 +27,8 @@ const LOOK: [&str; 4] = [GLAZE, INSIDE, LINE, CLAY];
 
 /// What follows `1/`; `None` when the design is more than one part of a named family.
 pub(super) fn write(design: &Design) -> Option<String> {
-    let [Part { name: None, object: 0, shape, place, wall: None, look }] = design.parts() else { return None };
-    if *place != Placement::default() {
+    let [Part { name: None, object: 0, shape, place, wall: None, look, joints }] = design.parts() else { return None };
+    if *place != Placement::default() || *joints != Joints::default() {
         return None;
     }
     let mut query = shape.link()?;

@@ -282,6 +282,7 @@ fn part() -> impl Strategy<Value = Vec<Entry>> {
         ("place", place.prop_map(Value::Record).boxed()),
         ("wall", wall.boxed()),
         ("look", look.prop_map(Value::Record).boxed()),
+        ("joints", joints().boxed()),
     ]);
     // Often nothing but the shape, which is what readable links are for.
     let optional = prop_oneof![Just(Vec::new()), optional];
@@ -289,6 +290,31 @@ fn part() -> impl Strategy<Value = Vec<Entry>> {
         fields.push(entry("shape", shape));
         fields
     })
+}
+
+/// Joints within the limits of the format, often none.
+fn joints() -> impl Strategy<Value = Value> {
+    let joint = |limits: BoxedStrategy<[f64; 2]>, axis: BoxedStrategy<Vec<(String, Value)>>| {
+        let beside = some_of(vec![("label", label().boxed()), ("glued", any::<bool>().prop_map(Value::Bool).boxed())]);
+        (limits, axis, beside).prop_map(|(limits, axis, mut fields)| {
+            fields.push(entry("limits", numbers(limits)));
+            fields.extend(axis);
+            Value::Record(fields)
+        })
+    };
+    let shift = || {
+        joint(
+            (-9.0..9.0f64, 0.001..9.0f64).prop_map(|(least, far)| [least, least + far]).boxed(),
+            Just(Vec::new()).boxed(),
+        )
+    };
+    let axis = [-2.0..2.0f64, -2.0..2.0f64, 0.1..2.0f64].prop_map(numbers);
+    let turn = joint(
+        (-6.2..0.0f64, 0.001..6.2f64).prop_map(|(least, most)| [least, most]).boxed(),
+        some_of(vec![("axis", axis.boxed())]).boxed(),
+    );
+    some_of(vec![("x", shift().boxed()), ("y", shift().boxed()), ("z", shift().boxed()), ("turn", turn.boxed())])
+        .prop_map(Value::Record)
 }
 
 /// A whole document that the format allows.
