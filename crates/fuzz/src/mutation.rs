@@ -110,7 +110,7 @@ const WORDS: [&str; 38] = [
 ];
 
 /// Fields of the format.
-const FIELDS: [&str; 47] = [
+const FIELDS: [&str; 51] = [
     "vertices",
     "patches",
     "frame",

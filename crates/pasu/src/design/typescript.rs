@@ -77,7 +77,8 @@ mod tests {
         RINGS_KIND, SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
     };
     use crate::design::{
-        Blend, Force, FramePatch, Harmonic, Look, Octant, Part, Section, Value, VertexFrame, Wall, reader,
+        Blend, Force, FramePatch, Harmonic, Joint, Joints, Look, Octant, Part, Section, Value, VertexFrame, Wall,
+        reader,
     };
 
     /// The fields that a type is read from, as its refusal of another says.
