@@ -8,7 +8,7 @@ import { unitOf } from "../../document/look";
 import { ownAxis, round } from "../../document/moving";
 import { pathText } from "../../document/path";
 import { UNMOVED } from "../../document/placement";
-import type { Joint, Triple } from "../../document/types";
+import type { Joint, Refusal, Triple } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import { formatNumber } from "../../number";
 import { changeJoint, type Jointed, movedBy, moveJoint } from "../../state/joint-actions";
@@ -205,7 +205,8 @@ export class PasuJoints extends DesignerElement {
   private problem({ place, name }: Jointed, at: 0 | 1): string {
     const { problem } = this.designer.surface;
     if (!problem) return "";
-    return pathText(["parts", place, "joints", name, "limits", at]) === problem.path ? whyWords(problem) : "";
+    if (pathText(["parts", place, "joints", name, "limits", at]) !== problem.path) return "";
+    return whyWords(name === "turn" ? inDegrees(problem) : problem);
   }
 
   static override readonly styles = [
@@ -277,6 +278,13 @@ export class PasuJoints extends DesignerElement {
 export function scaleOf(name: JointName) {
   const factor = name === "turn" ? DEGREE : 1;
   return { out: (value: number) => Number((value / factor).toPrecision(9)), in: (value: number) => value * factor };
+}
+
+/** What is wrong with an angle, as a person reads it. */
+function inDegrees(problem: Refusal): Refusal {
+  const { out } = scaleOf("turn");
+  const told = ([key, value]: readonly [string, unknown]) => [key, typeof value === "number" ? out(value) : value];
+  return { ...problem, args: Object.fromEntries(Object.entries(problem.args ?? {}).map(told)) };
 }
 
 function stepOf(name: JointName, range: number): number {
