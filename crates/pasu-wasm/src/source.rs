@@ -32,6 +32,7 @@ pub(crate) fn solution(source: &JsValue) -> Result<Rc<Solution>> {
 }
 
 /// Reads an argument that is no design and no options: every path begins with what it is called.
+#[cfg(feature = "making")]
 pub(crate) fn named<T: DeserializeOwned>(value: &JsValue, name: &str) -> Result<T> {
     pasu::read(Plain(value.clone())).map_err(|error| {
         let point = if error.path().is_empty() || error.path().starts_with('[') { "" } else { "." };

@@ -40,12 +40,14 @@ impl de::Error for Error {
     }
 
     fn invalid_length(found: usize, expected: &dyn Expected) -> Self {
-        let error = refused(Code::TooLarge, &expected, &found).with("found", found);
-        // "at most 500 parts"
+        // "at most 500 parts", where another number, as of coordinates, is another type.
         let words = expected.to_string();
-        let most = words.strip_prefix("at most ").and_then(|rest| rest.split(' ').next());
+        let Some(most) = words.strip_prefix("at most ") else {
+            return refused(Code::WrongType, &expected, &found).with("found", found);
+        };
+        let error = refused(Code::TooLarge, &expected, &found).with("found", found);
         // Not as a double: reading these takes 15 kB of every module.
-        match most.and_then(|most| most.parse::<usize>().ok()) {
+        match most.split(' ').next().and_then(|most| most.parse::<usize>().ok()) {
             Some(most) => error.with("greatest", most),
             None => error,
         }
