@@ -1,0 +1,94 @@
+// How far a scene of 200 parts is behind the pointer that moves one of them, in the built designer on a slow machine, and what the page's thread does for one movement.
+
+import type { Browser } from "playwright-core";
+import { test } from "vitest";
+import { launch } from "../support/browser.ts";
+import { movements, slowDown, watchDrags } from "../support/drag.ts";
+import { grip, takeParts } from "../support/placing.ts";
+import { ISOLATED, serve } from "../support/server.ts";
+import { type Visit, visit } from "../support/visit.ts";
+import { busyWhile } from "./busy.ts";
+import { QUICK, record } from "./rows.ts";
+
+/** Pots one way and the other: 200. */
+const [ROWS, COLUMNS] = [10, 20];
+const SLOWER = 6;
+const DRAGS = QUICK ? 2 : 5;
+const STEPS = QUICK ? 10 : 40;
+const STEP = 1;
+
+/** Pots on a table, every other one with a wall. */
+function table() {
+  const wall = { thickness: 0.4, base: 0.5 };
+  const parts = Array.from({ length: ROWS * COLUMNS }, (_, at) => ({
+    shape: { kind: "second-order", r: [8, 0, 5, 0], height: 14 + (at % 7) },
+    ...(at % 2 === 0 && { wall }),
+    object: at,
+    place: { shift: [24 * (at % COLUMNS), 24 * Math.floor(at / COLUMNS), 0] },
+  }));
+  return { pasu: 1, title: "Table", parts };
+}
+
+test("scene", { timeout: 600_000 }, async () => {
+  const site = await serve(undefined, 0, () => ISOLATED);
+  const browser = await launch();
+  try {
+    const pot = await opened(browser, site.url, SLOWER, watchDrags);
+    for (let turn = 0; turn < DRAGS; turn += 1) await dragged(pot);
+    const behind = (await movements(pot)).map((each) => each.behind);
+    await slowDown(pot, 1);
+    await pot.leave();
+    // As with networks the thread's processor time is taken, and multiplied, of a page that counts no frames.
+    const uncounted = await opened(browser, site.url, 1);
+    const busy: number[] = [];
+    for (let turn = 0; turn < DRAGS; turn += 1)
+      busy.push(...(await busyWhile(browser, () => dragged(uncounted))).map((each) => SLOWER * each));
+    await uncounted.leave();
+    record({
+      group: `behind the pointer, one of ${ROWS * COLUMNS} parts`,
+      unit: "frames",
+      tail: true,
+      rows: [{ name: `on a processor ${SLOWER} times slower`, samples: behind, median_at_most: 2 }],
+    });
+    record({
+      group: `one of ${ROWS * COLUMNS} parts under the hand, the page's thread ${SLOWER} times slower`,
+      unit: "ms",
+      tail: true,
+      rows: [{ name: "the page's thread, for one movement", samples: busy }],
+    });
+  } finally {
+    await browser.close();
+    await site.close();
+  }
+});
+
+/** The table on a page whose thread is slow, with the handles of its first part. */
+async function opened(browser: Browser, url: string, slower: number, watch?: (pot: Visit) => Promise<void>) {
+  // What the software that stands in for a GPU draws is not the point here: a small stage.
+  const pot = await visit(browser, url, {
+    viewport: { width: 860, height: 480 },
+    before: async (there) => watch?.(there),
+  });
+  const first = await pot.fingerprint();
+  await pot.dropFile("table.json", JSON.stringify(table()));
+  await pot.fingerprintOtherThan(first);
+  await takeParts(pot);
+  if (slower > 1) await slowDown(pot, slower);
+  return pot;
+}
+
+/** Moves the selected part along the table and takes that back. */
+async function dragged(pot: Visit): Promise<void> {
+  const { page } = pot;
+  const before = await pot.fingerprint();
+  const box = await grip(pot, "free").boundingBox();
+  if (!box) throw new Error("the handle cannot be seen");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= STEPS; step += 1) await page.mouse.move(x + step * STEP, y);
+  await page.mouse.up();
+  await pot.fingerprintOtherThan(before);
+  await pot.undo();
+  await pot.shows(before);
+}
