@@ -16,7 +16,7 @@ interface Traced {
 }
 
 /** For each movement of the pointer in between the processor time of the page's thread, in milliseconds, until the next; without waiting for what draws. */
-export async function busyWhile(browser: Browser, act: () => Promise<void>): Promise<readonly number[]> {
+async function busyWhile(browser: Browser, act: () => Promise<void>): Promise<readonly number[]> {
   const session = await browser.newBrowserCDPSession();
   const events: Traced[] = [];
   session.on("Tracing.dataCollected", ({ value }) => events.push(...(value as unknown as Traced[])));
@@ -47,4 +47,19 @@ export async function busyWhile(browser: Browser, act: () => Promise<void>): Pro
     const to = starts[index + 1] ?? from;
     return spent("ThreadControllerImpl::RunTask", from, to) - spent("ImplementationBase::WaitForCmd", from, to);
   });
+}
+
+/**
+ * For each movement of so many drags what the page's thread would take for it if it were so many times slower, in milliseconds. The page is to be one that counts no frames: to count them keeps it making them, which is work that no page of a
+ * person has. What slows a thread down goes by the clock, and on a busy machine slows it down more than it should: so its processor time is taken, and multiplied.
+ */
+export async function busyOfDrags(
+  browser: Browser,
+  drags: number,
+  slower: number,
+  drag: () => Promise<void>,
+): Promise<readonly number[]> {
+  const busy: number[] = [];
+  for (let turn = 0; turn < drags; turn += 1) busy.push(...(await busyWhile(browser, drag)));
+  return busy.map((each) => slower * each);
 }

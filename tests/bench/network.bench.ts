@@ -7,7 +7,7 @@ import { movements, slowDown, watchDrags } from "../support/drag.ts";
 import { ISOLATED, serve } from "../support/server.ts";
 import { sheet } from "../support/sheet.ts";
 import { type Visit, visit } from "../support/visit.ts";
-import { busyWhile } from "./busy.ts";
+import { busyOfDrags } from "./busy.ts";
 import { QUICK, record } from "./rows.ts";
 
 /** Patches one way and the other: 2,000. */
@@ -34,11 +34,8 @@ test("network", { timeout: 600_000 }, async () => {
     const { late, solved } = await times(pot);
     await slowDown(pot, 1);
     await pot.leave();
-    // Counting frames keeps the page making them, which is work that no page of a person has. What slows a thread down goes by the clock, and on a busy machine slows it down more than it should: so its processor time is taken, and multiplied.
     const uncounted = await opened(browser, site.url, 1);
-    const busy: number[] = [];
-    for (let turn = 0; turn < DRAGS; turn += 1)
-      busy.push(...(await busyWhile(browser, () => dragged(uncounted))).map((each) => SLOWER * each));
+    const busy = await busyOfDrags(browser, DRAGS, SLOWER, () => dragged(uncounted));
     await uncounted.leave();
     record({
       group: `behind the pointer, a point of ${ROWS * COLUMNS} patches`,

@@ -7,7 +7,7 @@ import { movements, slowDown, watchDrags } from "../support/drag.ts";
 import { grip, takeParts } from "../support/placing.ts";
 import { ISOLATED, serve } from "../support/server.ts";
 import { type Visit, visit } from "../support/visit.ts";
-import { busyWhile } from "./busy.ts";
+import { busyOfDrags } from "./busy.ts";
 import { QUICK, record } from "./rows.ts";
 
 /** Pots one way and the other: 200. */
@@ -38,11 +38,8 @@ test("scene", { timeout: 600_000 }, async () => {
     const behind = (await movements(pot)).map((each) => each.behind);
     await slowDown(pot, 1);
     await pot.leave();
-    // As with networks the thread's processor time is taken, and multiplied, of a page that counts no frames.
     const uncounted = await opened(browser, site.url, 1);
-    const busy: number[] = [];
-    for (let turn = 0; turn < DRAGS; turn += 1)
-      busy.push(...(await busyWhile(browser, () => dragged(uncounted))).map((each) => SLOWER * each));
+    const busy = await busyOfDrags(browser, DRAGS, SLOWER, () => dragged(uncounted));
     await uncounted.leave();
     record({
       group: `behind the pointer, one of ${ROWS * COLUMNS} parts`,

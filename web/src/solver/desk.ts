@@ -97,7 +97,7 @@ export class Desk {
       const wanted = meshWanted(design, part, options);
       const there = isOf(kept, part) && this.#serves(kept, part, options, wanted);
       const section =
-        !isPatchwork(part.shape) && options.section === place && !(kept?.shape === part.shape && kept.section);
+        !isWithoutSection(part.shape) && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
       const has = kept && sameGrid(kept.grid, wanted) ? kept.serial : undefined;
       return [askOf(part, id, place, there ? null : { ...wanted, ...(has !== undefined && { has }) }, section)];
@@ -196,7 +196,7 @@ function stillTold(before: PartFacts, now: PartFacts): PartFacts {
 }
 
 /** What has no foot and no rim: there is no section through it. */
-function isPatchwork({ kind }: Shape): boolean {
+function isWithoutSection({ kind }: Shape): boolean {
   return kind === "vertex-frame" || kind === "blend" || kind === "octant";
 }
 

@@ -39,7 +39,10 @@ export class Buffer {
 
   /** Values of these vertices were written over in the owner's array: pairs of the first and how many. */
   wrote(ranges: Uint32Array): void {
-    if (!this.stale) this.written.push(ranges);
+    if (this.stale) return;
+    this.written.push(ranges);
+    // What nobody looks at is not drawn meanwhile.
+    if (this.written.length > MOST_WRITTEN) this.stale = true;
   }
 
   /** How many vertices, instances or indices it has. */
@@ -79,6 +82,9 @@ export class Buffer {
     this.stale = true;
   }
 }
+
+/** Who was written over more often since it was drawn is sent as a whole. */
+const MOST_WRITTEN = 64;
 
 /** To send so many vertices takes no longer than another call. */
 const GAP = 1500;
