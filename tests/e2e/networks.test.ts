@@ -3,6 +3,7 @@
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { fineWall } from "../support/drag.ts";
+import { countDrawn, drawn } from "../support/drawn.ts";
 import { overhang, unreachable } from "../support/reach.ts";
 import { sheet } from "../support/sheet.ts";
 import { atRest } from "../support/sight.ts";
@@ -587,6 +588,49 @@ test("a large network that is dragged, undone and dragged again is drawn as one 
   await pot.page.locator("pasu-network-handles canvas").last().waitFor();
   // Some pixels at the rims of points may be blended in another order.
   await expect.poll(async () => await overlay(pot)).toBeLessThan(60);
+  await pot.leave();
+});
+
+test("a hand on a large network has its points and their numbers drawn, and nothing else of the page", async () => {
+  const pot = await here.enter({});
+  const first = await pot.fingerprint();
+  const large = sheet(20, 25);
+  await pot.dropFile("sheet.json", JSON.stringify(large));
+  const plain = await pot.fingerprintOtherThan(first);
+  await pot.button("Points on the stage").click();
+  await pot.page.locator("pasu-network-handles canvas").last().waitFor();
+  await countDrawn(pot);
+  const box = await pot.page.locator("pasu-network-handles").boundingBox();
+  const [x, y] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2 + 80];
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  // With the first movements the point is picked, and the bar says that there is something to undo.
+  await pot.page.mouse.move(x, y - 12, { steps: 6 });
+  await pot.page.locator("pasu-network-place pasu-number").first().waitFor();
+  await drawn(pot);
+  await pot.page.mouse.move(x, y - 40, { steps: 12 });
+  const during = await drawn(pot);
+  expect(during).toContain("pasu-network-handles");
+  const ours = ["pasu-network-handles", "pasu-network-place", "pasu-number"];
+  expect(during.filter((name) => !ours.includes(name))).toEqual([]);
+  await pot.page.mouse.up();
+  await pot.fingerprintOtherThan(plain);
+  // The numbers say where what was moved came to rest: the mean of its points.
+  const fields = pot.page.locator("pasu-network-place").getByRole("spinbutton");
+  const told = await fields.evaluateAll((all) => all.map((each) => Number(each.ariaValueNow)));
+  const were = (large as { parts: { shape: { vertices: number[][] } }[] }).parts[0]?.shape.vertices ?? [];
+  const moved = (
+    await pot.page.evaluate(() => {
+      interface Page {
+        designer: { store: { design: { parts: { shape: { vertices: number[][] } }[] } } };
+      }
+      const { designer } = document.querySelector("pasu-app") as unknown as Page;
+      return designer.store.design.parts[0]?.shape.vertices ?? [];
+    })
+  ).filter((point, at) => point.some((each, axis) => Math.abs(each - (were[at]?.[axis] ?? 0)) > 1e-6));
+  expect(moved.length).toBeGreaterThan(0);
+  const mean = [0, 1, 2].map((axis) => moved.reduce((sum, point) => sum + (point[axis] ?? 0), 0) / moved.length);
+  expect(told).toEqual(mean.map((each) => Number(each.toPrecision(4)) + 0));
   await pot.leave();
 });
 

@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { countDrawn, drawn } from "../support/drawn.ts";
 import { countQuestions, grip, questions, seenPart, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
 import { stay } from "../support/stay.ts";
@@ -73,6 +74,27 @@ test("a handle moves the part along its axis, one drag is one step, and costs no
   await undone(pot);
   await pot.history("Redo").click();
   await pot.shows(moved);
+});
+
+test("a hand on a part draws neither the stage nor the bar over it, nor the numbers of its shape", async () => {
+  const pot = await three();
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  await countDrawn(pot);
+  const { x, y } = await spotOf(grip(pot, "move-x"));
+  await pot.page.mouse.move(x, y);
+  await pot.page.mouse.down();
+  // With the first movements the bar says that there is something to undo.
+  await pot.page.mouse.move(x + 10, y, { steps: 5 });
+  await pot.page.locator("pasu-place-handles output:not([hidden])").waitFor();
+  await drawn(pot);
+  await pot.page.mouse.move(x + 40, y, { steps: 10 });
+  const during = await drawn(pot);
+  expect(during).toContain("pasu-place-handles");
+  const others = ["pasu-app", "pasu-stage", "pasu-place-bar", "pasu-panel", "pasu-parameters", "a new canvas"];
+  expect(during.filter((name) => others.includes(name))).toEqual([]);
+  await pot.page.mouse.up();
+  await pot.leave();
 });
 
 test("Escape takes a drag back, and what follows it does nothing", async () => {

@@ -116,7 +116,7 @@ export class PasuPanel extends DesignerElement {
 
   private placing() {
     if (!this.#isPlaced.value) return nothing;
-    void import("./panels/place-card");
+    this.fetch("pasu-place", () => import("./panels/place-card"));
     return html`<pasu-place .designer=${this.designer}></pasu-place>`;
   }
 

@@ -4,6 +4,7 @@ import { effect } from "@preact/signals-core";
 import { LitElement } from "lit";
 import { property } from "lit/decorators.js";
 import { type Path, pathText } from "../document/path";
+import { page } from "../words/english/page";
 import { whyWords } from "../words/refusals";
 import type { Designer } from "../work/designer";
 
@@ -42,12 +43,17 @@ export abstract class DesignerElement extends LitElement {
     else leave();
   }
 
+  /** Fetches what draws an element, unless it is there: asking for a module again walks through all that this one takes. */
+  protected fetch(element: string, module: () => Promise<unknown>): void {
+    if (!customElements.get(element)) module().catch(() => this.designer.notices.say(page.unfetched));
+  }
+
   /** The solver's objection, where it names one of these places in the selected part's shape. */
   protected problemAt(...paths: readonly Path[]): string {
-    const { state, surface } = this.designer;
+    const { store, surface } = this.designer;
     const { problem } = surface;
     if (!problem) return "";
-    const named = paths.some((path) => pathText(["parts", state.part, "shape", ...path]) === problem.path);
+    const named = paths.some((path) => pathText(["parts", store.part, "shape", ...path]) === problem.path);
     return named ? whyWords(problem) : "";
   }
 

@@ -1,6 +1,6 @@
 /** The stage in the page: loads the renderer beside the solver, gives it what was solved, and passes the keyboard on. */
 
-import { effect } from "@preact/signals-core";
+import { computed, effect, signal, untracked } from "@preact/signals-core";
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, query, state } from "lit/decorators.js";
 import { unitOf } from "../document/look";
@@ -56,7 +56,7 @@ export class PasuStage extends DesignerElement {
   private hiding: readonly PartId[] = [];
   private within: PartId | null = null;
   private compared: Compared | null = null;
-  private made: StageMade | null = null;
+  readonly #made = signal<StageMade | null>(null);
   private making = false;
   private leave: (() => void)[] = [];
   private hinting = false;
@@ -67,11 +67,25 @@ export class PasuStage extends DesignerElement {
   private readonly furniture = new ResizeObserver(() => this.furnish());
   /** What the still picture is of. */
   private pictured: { readonly shown: Shown | null; readonly hidden: readonly PartId[] } = { shown: null, hidden: [] };
+  // Apart from what else changes of the design and of what is shown of it, so that a drag draws nothing of this again.
+  readonly #kind = computed(() => {
+    const { design, part } = this.designer.store;
+    return design.parts[part]?.shape.kind;
+  });
+  readonly #within = computed(() => insidePart(this.designer.store));
+  readonly #unit = computed(() => unitOf(this.designer.store.design));
+  readonly #several = computed(() => this.designer.store.design.parts.length > 1);
+  readonly #waits = computed(() => this.designer.surface.shown === null && this.designer.surface.problem === null);
 
   override connectedCallback(): void {
     super.connectedCallback();
     // A new surface goes to the stage before the page writes about it.
-    this.leave = [effect(() => this.display()), effect(() => void this.hint())];
+    this.leave = [
+      effect(() => this.display()),
+      effect(() => this.measure()),
+      effect(() => this.#made.value?.update()),
+      effect(() => void this.hint()),
+    ];
     this.addEventListener("under-asked", this.underAsked as EventListener);
     if (this.hasUpdated) void this.holder.open();
   }
@@ -86,8 +100,8 @@ export class PasuStage extends DesignerElement {
   private forget(): void {
     this.resizes.disconnect();
     this.furniture.disconnect();
-    this.made?.dispose();
-    this.made = null;
+    this.#made.peek()?.dispose();
+    this.#made.value = null;
     this.making = false;
     this.drawn = null;
     this.compared = null;
@@ -193,20 +207,20 @@ export class PasuStage extends DesignerElement {
     const { pulling, placing } = designer.store.session;
     if (!(pulling || placing) || !stage || this.holder.mode !== "live") return nothing;
     if (placing) {
-      import("./place/place-handles").catch(() => designer.notices.say(page.unfetched));
+      this.fetch("pasu-place-handles", () => import("./place/place-handles"));
       return html`<pasu-place-handles .designer=${designer} .stage=${stage}></pasu-place-handles
         ><pasu-place-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-place-bar>`;
     }
-    const kind = designer.state.design.parts[designer.state.part]?.shape.kind;
+    const kind = this.#kind.value;
     if (kind === "vertex-frame") {
-      import("./network/network-handles").catch(() => designer.notices.say(page.unfetched));
+      this.fetch("pasu-network-handles", () => import("./network/network-handles"));
       return html`<pasu-network-handles .designer=${designer} .stage=${stage}></pasu-network-handles>`;
     }
     if (kind === "blend") {
-      import("./blend/section-handles").catch(() => designer.notices.say(page.unfetched));
+      this.fetch("pasu-section-handles", () => import("./blend/section-handles"));
       return html`<pasu-section-handles .designer=${designer} .stage=${stage}></pasu-section-handles>`;
     }
-    import("./pull/pull-layer").catch(() => designer.notices.say(page.unfetched));
+    this.fetch("pasu-pull", () => import("./pull/pull-layer"));
     return html`<pasu-pull .designer=${designer} .stage=${stage}></pasu-pull
       ><pasu-pull-bar .designer=${designer} @bar-shown=${() => this.furnish()}></pasu-pull-bar>`;
   }
@@ -214,9 +228,9 @@ export class PasuStage extends DesignerElement {
   /** What is seen within a blend, fetched when somebody first looks. */
   private inside() {
     const { designer, stage } = this;
-    const part = insidePart(designer.state);
+    const part = this.#within.value;
     if (part === null || !stage || this.holder.mode !== "live") return nothing;
-    import("./blend/inside-layer").catch(() => designer.notices.say(page.unfetched));
+    this.fetch("pasu-inside-layer", () => import("./blend/inside-layer"));
     return html`<pasu-inside-layer .designer=${designer} .stage=${stage} .within=${part}></pasu-inside-layer>`;
   }
 
@@ -224,7 +238,7 @@ export class PasuStage extends DesignerElement {
   private witness() {
     const { designer, stage } = this;
     if (!designer.witness.shown || !stage || this.holder.mode !== "live") return nothing;
-    import("./witness/witness-layer").catch(() => designer.notices.say(page.unfetched));
+    this.fetch("pasu-witness", () => import("./witness/witness-layer"));
     return html`<pasu-witness .designer=${designer} .stage=${stage}></pasu-witness>`;
   }
 
@@ -232,7 +246,7 @@ export class PasuStage extends DesignerElement {
   private contrast() {
     const { designer, stage } = this;
     if (!designer.contrast.there || !stage || this.holder.mode !== "live") return nothing;
-    import("./contrast/contrast-layer").catch(() => designer.notices.say(page.unfetched));
+    this.fetch("pasu-contrast", () => import("./contrast/contrast-layer"));
     return html`<pasu-contrast .designer=${designer} .stage=${stage}></pasu-contrast>`;
   }
 
@@ -244,7 +258,7 @@ export class PasuStage extends DesignerElement {
   private beneath() {
     const { designer, stage, under } = this;
     if (!under || !stage || this.holder.mode !== "live") return nothing;
-    import("./under/under-list").catch(() => designer.notices.say(page.unfetched));
+    this.fetch("pasu-under", () => import("./under/under-list"));
     const close = () => {
       this.under = null;
       this.host.focus({ preventScroll: true });
@@ -271,15 +285,13 @@ export class PasuStage extends DesignerElement {
       case "still":
         return html`<p class="note" role="status">${page.still}</p>`;
       case "live":
-        return this.designer.surface.shown === null && this.designer.surface.problem === null
-          ? html`<div class="wheel" aria-hidden="true"></div>`
-          : nothing;
+        return this.#waits.value ? html`<div class="wheel" aria-hidden="true"></div>` : nothing;
     }
   }
 
   override updated(_changed: PropertyValues): void {
     const { designer, stage } = this;
-    const { design, session } = designer.store;
+    const { session } = designer.store;
     const comparison = designer.comparison.shown;
     if (this.still) {
       this.resizes.observe(this.still);
@@ -290,14 +302,17 @@ export class PasuStage extends DesignerElement {
     }
     if (!stage) return;
     stage.theme(this.theme());
-    stage.lengths(LENGTH_LABELS[unitOf(design)]);
-    this.display();
-    stage.measure(designer.extents);
+    stage.lengths(LENGTH_LABELS[this.#unit.value]);
+    // These follow the pot by themselves; here is the stage that they have to have first.
+    untracked(() => {
+      this.display();
+      this.measure();
+      this.#made.value?.update();
+    });
     stage.overlays(session.overlays);
     // Of a pot of one part there is nothing to tell apart.
-    stage.select(design.parts.length > 1 && session.selection.length > 0 ? selectedIds(designer.store) : []);
+    stage.select(this.#several.value && session.selection.length > 0 ? selectedIds(designer.store) : []);
     if (designer.made && !this.making) void this.make(stage);
-    this.made?.update();
     if (comparison !== this.compared) {
       this.compared = comparison;
       if (comparison) void import("./stage-captions");
@@ -311,8 +326,7 @@ export class PasuStage extends DesignerElement {
     try {
       const { StageMade } = await import("./stage-made");
       if (stage !== this.stage) return;
-      this.made = new StageMade(this.designer, stage, this);
-      this.requestUpdate();
+      this.#made.value = new StageMade(this.designer, stage, this);
     } catch {
       this.designer.notices.say(page.unfetched);
     }
@@ -322,7 +336,7 @@ export class PasuStage extends DesignerElement {
     const { designer, stage } = this;
     const { shown } = designer.surface;
     const { hidden } = designer.store.session;
-    const within = insidePart(designer.state);
+    const within = this.#within.value;
     if (!stage || !shown || (shown === this.drawn && hidden === this.hiding && within === this.within)) return;
     const another = shown !== this.drawn;
     this.drawn = shown;
@@ -331,15 +345,21 @@ export class PasuStage extends DesignerElement {
     const absent = within === null ? hidden : [...hidden, within];
     designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, absent)));
     if (!another) {
-      this.made?.update();
+      this.#made.peek()?.update();
       return;
     }
     trace("shown", shown.change);
     if (shown.solved.lines) stage.lines(shown.solved.lines);
     stage.measure(designer.extents);
     // A wall of the design before, which is larger or smaller, must not stand in the view that is fitted.
-    this.made?.update();
+    this.#made.peek()?.update();
     this.frame(shown, stage);
+  }
+
+  /** What the dimension lines say. */
+  private measure(): void {
+    const { extents } = this.designer;
+    this.stage?.measure(extents);
   }
 
   /** Draws the curves whose numbers somebody points at. What they are is worked out by code that is fetched when somebody first does. */

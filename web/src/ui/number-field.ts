@@ -168,8 +168,10 @@ export class PasuNumber extends LitElement {
   }
 
   override updated(): void {
+    // What only a slider shows would have the browser find the styles of the field again.
+    if (!this.slider) return;
     // The browser cuts a value off at the ends that it has at the time: the ends come first, and every time.
-    if (this.slider) this.slider.value = String(this.value);
+    this.slider.value = String(this.value);
     const { low, high } = this.range;
     const share = (this.value - low) / (high - low);
     const fill = Number.isFinite(share) ? Math.min(1, Math.max(0, share)) : 0;

@@ -1,5 +1,6 @@
 /** What a hand on whole parts needs to know of them: where they are and how large, as far as the solver has told. */
 
+import { computed, type ReadonlySignal } from "@preact/signals-core";
 import type { Box } from "../document/box";
 import { boxAround, handy, longestOf, roundStep, tableUnder } from "../document/boxes";
 import { matrixOf, placedAll, type WholePlacement } from "../document/placement";
@@ -30,20 +31,27 @@ export interface Held extends Omit<Manner, "box"> {
   readonly places: ReadonlyMap<PartId, WholePlacement>;
 }
 
-/** Null where nothing is selected that may be moved, and where it is not known yet. */
-export function mannerOf({ state, surface }: Pick<Designer, "state" | "surface">): Manner | null {
+const manners = new WeakMap<Pick<Designer, "state" | "surface">, ReadonlySignal<Manner | null>>();
+
+/** Null where nothing is selected that may be moved, and where it is not known yet. All who ask are answered from one look at the scene. */
+export function mannerOf(designer: Pick<Designer, "state" | "surface">): Manner | null {
+  const known = manners.get(designer) ?? computed(() => lookedAt(designer));
+  manners.set(designer, known);
+  return known.value;
+}
+
+function lookedAt({ state, surface }: Pick<Designer, "state" | "surface">): Manner | null {
   const parts = surface.shown?.solved.parts ?? [];
-  const loose = looseIds(state);
-  const held = parts.filter(({ id }) => loose.includes(id));
+  const loose = new Set(looseIds(state));
+  const held = parts.filter(({ id }) => loose.has(id));
   const boxes = held.flatMap(({ box }) => box ?? []);
   const box = boxAround(boxes);
   const all = boxAround(parts.flatMap((part) => part.box ?? []));
   if (!box || !all) return null;
-  const middles = middlesOf({ state, surface });
-  const cores = held.flatMap(({ id }) => [middles.get(id) ?? []].filter((each) => each.length > 0));
+  const cores = [...middlesOf({ state, surface }, loose).values()];
   const size = longestOf(all);
   const middle = [0, 1, 2].map((i) => cores.reduce((sum, core) => sum + (core[i] as number), 0) / cores.length);
-  const others = parts.filter(({ id }) => !loose.includes(id)).flatMap((part) => part.box ?? []);
+  const others = parts.filter(({ id }) => !loose.has(id)).flatMap((part) => part.box ?? []);
   return {
     // The digits of rounding of sums are none of the pot's.
     pivot: handy(middle as unknown as Triple, size * 1e-6),
@@ -65,11 +73,15 @@ function coreOf(kind: string | undefined, bounds: Bounds | null): Triple {
   return ROUND.includes(kind) ? [0, 0, z] : [x, y, z];
 }
 
-/** The middle of every part where it stands: of what goes round an axis a point of that. */
-export function middlesOf({ state, surface }: Pick<Designer, "state" | "surface">): ReadonlyMap<PartId, Triple> {
+/** The middle of every part where it stands, or of some: of what goes round an axis a point of that. */
+export function middlesOf(
+  { state, surface }: Pick<Designer, "state" | "surface">,
+  some: ReadonlySet<PartId> | null = null,
+): ReadonlyMap<PartId, Triple> {
   const { shown } = surface;
   return new Map(
     (shown?.solved.parts ?? []).flatMap(({ id, own }, place) => {
+      if (some && !some.has(id)) return [];
       const core = coreOf(shown?.design.parts[place]?.shape.kind, own);
       const matrix = matrixOf(standingOf(state, id));
       return matrix ? [[id, [...placedAll(matrix, core)] as unknown as Triple] as const] : [];

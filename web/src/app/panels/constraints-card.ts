@@ -5,7 +5,7 @@ import { customElement, state } from "lit/decorators.js";
 import { type Mend, mendsOf, toldOf } from "../../document/breaches";
 import { unitOf } from "../../document/look";
 import type { Breach, Constraints, Design } from "../../document/types";
-import { DesignerElement } from "../../element/designer-element";
+import { UnhurriedElement } from "../../element/unhurried";
 import { deleteParts, glueTogether, splitOff } from "../../state/scene-actions";
 import { selectParts } from "../../state/seen-actions";
 import { icon } from "../../ui/icons";
@@ -24,7 +24,7 @@ const FEW = 5;
 const DIGITS = 3;
 
 @customElement("pasu-constraints")
-export class PasuConstraints extends DesignerElement {
+export class PasuConstraints extends UnhurriedElement {
   @state() private all = false;
   /** What is being mended. */
   @state() private mending: Breach | null = null;

@@ -6,7 +6,7 @@ import { unitOf } from "../../document/look";
 import { middleOf, moved, shiftBy } from "../../document/network/moving";
 import { sizeOf } from "../../document/network/network";
 import type { Triple } from "../../document/types";
-import { DesignerElement } from "../../element/designer-element";
+import { UnhurriedElement } from "../../element/unhurried";
 import { changeNetwork } from "../../state/network-actions";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
@@ -16,13 +16,17 @@ import { networks as words } from "../../words/english/networks";
 import { networkDesk, networkOf } from "../../work/network-desk";
 
 @customElement("pasu-network-place")
-export class PasuNetworkPlace extends DesignerElement {
+export class PasuNetworkPlace extends UnhurriedElement {
+  private step: number | null = null;
+
   override render() {
     const network = networkOf(this.designer);
     const vertices = network && networkDesk(this.designer).picksOf(network).vertices;
     if (!network || !vertices || vertices.size === 0) return nothing;
     const unit = unitOf(this.designer.store.design);
-    const step = Number((sizeOf(network) / 100).toPrecision(1));
+    // What keys step by is nothing that a hand on the stage looks for: of thousands of points the size is found again once it rests.
+    if (this.step === null || !this.designer.store.inGesture)
+      this.step = Number((sizeOf(network) / 100).toPrecision(1));
     return html`<div class="three">
       ${middleOf(network, vertices).map(
         (value, axis) => html`<span class="cell" title=${words.placeHelp}
@@ -32,7 +36,7 @@ export class PasuNetworkPlace extends DesignerElement {
             .label=${words.place[axis] ?? ""}
             .unit=${unit}
             .value=${Number(value.toPrecision(4)) + 0}
-            .step=${step}
+            .step=${this.step}
             @number-change=${(event: NumberChangeEvent) => this.place(axis, event.value, event.gesture)}
             @number-done=${() => this.designer.store.endGesture()}
             @number-cancel=${() => this.designer.store.cancelGesture()}

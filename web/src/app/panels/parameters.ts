@@ -1,5 +1,6 @@
 /** The parameters of the selected part, made from its family's schema and grouped as a potter thinks. */
 
+import { computed, type ReadonlySignal } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
@@ -38,37 +39,48 @@ export class PasuParameters extends DesignerElement {
   @state() private freeing = false;
   /** Whether it is about to become patches. */
   @state() private weaving = false;
+  /** What has cards of its own draws these again, and none of this. */
+  readonly #kind = computed(() => this.#shape.value?.kind);
+  /** The same while the part alone is moved. */
+  readonly #shape: ReadonlySignal<Shape | undefined> = computed(() => {
+    const { design, part } = this.designer.store;
+    return design.parts[part]?.shape;
+  });
+  readonly #opened = computed(() => this.designer.origin.design.parts[this.designer.store.part]?.shape);
+  readonly #isOpen = computed(() => this.designer.surface.shown?.solved.facts?.closed === false);
+  readonly #unit = computed(() => unitOf(this.designer.store.design));
 
   override render() {
-    const { state } = this.designer;
-    const part = state.design.parts[state.part];
-    if (!part) return nothing;
-    const family = familyOf(part.shape.kind);
-    if (part.shape.kind === "rings") {
-      void import("./ring-cards");
+    const kind = this.#kind.value;
+    if (kind === undefined) return nothing;
+    if (kind === "rings") {
+      this.fetch("pasu-ring-cards", () => import("./ring-cards"));
       return html`<pasu-ring-cards .designer=${this.designer}></pasu-ring-cards>${this.patching()}`;
     }
-    if (part.shape.kind === "vertex-frame") {
-      void import("./network-panel");
+    if (kind === "vertex-frame") {
+      this.fetch("pasu-network-panel", () => import("./network-panel"));
       return html`<pasu-network-panel .designer=${this.designer}></pasu-network-panel>`;
     }
-    if (part.shape.kind === "octant") {
-      void import("./octant-panel");
+    if (kind === "octant") {
+      this.fetch("pasu-octant", () => import("./octant-panel"));
       return html`<pasu-octant .designer=${this.designer}></pasu-octant>`;
     }
-    if (part.shape.kind === "blend") {
-      void import("./blend-cards");
+    if (kind === "blend") {
+      this.fetch("pasu-blend-cards", () => import("./blend-cards"));
       return html`<pasu-blend-cards .designer=${this.designer}></pasu-blend-cards>`;
     }
+    const shape = this.#shape.value;
+    if (!shape) return nothing;
+    const family = familyOf(kind);
     if (!family) {
-      void import("./modes-table");
-      const ringed = part.shape.kind === "boundary-value" && (part.shape.rings ?? []).length > 0;
-      if (ringed) void import("./written-rings");
+      this.fetch("pasu-modes", () => import("./modes-table"));
+      const ringed = shape.kind === "boundary-value" && (shape.rings ?? []).length > 0;
+      if (ringed) this.fetch("pasu-written-rings", () => import("./written-rings"));
       return html`${this.offer()}${ringed ? html`<pasu-written-rings .designer=${this.designer}></pasu-written-rings>` : nothing}<pasu-modes .designer=${this.designer}></pasu-modes>`;
     }
     return html`
       ${this.groups ? nothing : this.intro(family)}
-      ${this.groups ? nothing : this.openNote(part.shape)}
+      ${this.groups ? nothing : this.openNote(shape)}
       ${(this.groups ?? GROUPS).map((group) => {
         const rows = rowsOf(family, group);
         if (rows.length === 0) return nothing;
@@ -77,7 +89,7 @@ export class PasuParameters extends DesignerElement {
           ${repeat(
             rows,
             (row) => `${family.kind} ${row.id}`,
-            (row) => this.row(family, row, part.shape),
+            (row) => this.row(family, row, shape),
           )}
         </details>`;
       })}
@@ -138,13 +150,13 @@ export class PasuParameters extends DesignerElement {
   };
 
   private intro(family: Family) {
-    const { state } = this.designer;
+    const { session } = this.designer.store;
     return html`<div class="intro">
         <p>${parameters.kinds[family.kind]} <span>${parameters.sources[family.kind]}</span></p>
         <button
           class="button outlined"
           type="button"
-          aria-pressed=${state.session.explain ? "true" : "false"}
+          aria-pressed=${session.explain ? "true" : "false"}
           @click=${() => this.designer.apply(toggleExplain(this.designer.state))}
         >
           ${parameters.explain}
@@ -153,7 +165,7 @@ export class PasuParameters extends DesignerElement {
   }
 
   private openNote(shape: Shape) {
-    if (this.designer.surface.shown?.solved.facts?.closed !== false) return nothing;
+    if (!this.#isOpen.value) return nothing;
     const why = shape.kind === "bloor-wilson" ? parameters.opensByDints : parameters.opensByPetals;
     return html`<p class="notice" role="note">${why}</p>`;
   }
@@ -199,7 +211,7 @@ export class PasuParameters extends DesignerElement {
       .label=${name}
       .qualifier=${qualifier}
       .symbol=${symbol}
-      .unit=${isLength ? unitOf(designer.store.design) : ""}
+      .unit=${isLength ? this.#unit.value : ""}
       .help=${help}
       .problem=${this.problemAt(...fields.map(({ path }) => path))}
       .value=${fieldValue(shape, field)}
@@ -220,8 +232,7 @@ export class PasuParameters extends DesignerElement {
   }
 
   private originOf(shape: Shape): Shape {
-    const { origin, state } = this.designer;
-    const opened = origin.design.parts[state.part]?.shape;
+    const opened = this.#opened.value;
     return opened?.kind === shape.kind ? opened : shape;
   }
 

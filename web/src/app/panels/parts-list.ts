@@ -4,7 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement, query } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { Part } from "../../document/types";
-import { DesignerElement } from "../../element/designer-element";
+import { UnhurriedElement } from "../../element/unhurried";
 import { listed } from "../../language";
 import type { PartId } from "../../state/part-ids";
 import {
@@ -37,7 +37,7 @@ import "./joints-card";
 const ASIDE = 1.1;
 
 @customElement("pasu-parts")
-export class PasuParts extends DesignerElement {
+export class PasuParts extends UnhurriedElement {
   @query("[role=listbox]") private readonly list!: HTMLElement;
   @query("input") private readonly name!: HTMLInputElement;
   /** The part that was brought into view last. */

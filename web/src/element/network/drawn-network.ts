@@ -403,26 +403,31 @@ const LARGE = 0.75;
 /** Half of a stamp, in CSS pixels. */
 const HALF = 6;
 
+/** What is drawn in some colours: a canvas of its own takes longer to have than a movement may. */
+const stamped = new WeakMap<Colours, Map<string, HTMLCanvasElement | null>>();
+
 /** Among many points each is one of few pictures, drawn once and put down thousands of times. */
 class Stamps {
   readonly #context: CanvasRenderingContext2D;
   readonly #picks: Picks;
   readonly #colours: Colours;
   readonly #ratio: number;
-  readonly #made = new Map<string, HTMLCanvasElement | null>();
+  readonly #made: Map<string, HTMLCanvasElement | null>;
 
   constructor(context: CanvasRenderingContext2D, picks: Picks, colours: Colours) {
     this.#context = context;
     this.#picks = picks;
     this.#colours = colours;
     this.#ratio = context.getTransform().a;
+    this.#made = stamped.get(colours) ?? new Map();
+    stamped.set(colours, this.#made);
   }
 
   /** Says whether it could. */
   put({ item, seen, at: point, front }: Placed): boolean {
     if (item.kind !== "vertex" && item.kind !== "patch") return false;
     const isPicked = (item.kind === "vertex" ? this.#picks.vertices : this.#picks.patches).has(item.index);
-    const key = `${item.kind} ${isPicked} ${front}`;
+    const key = `${this.#ratio} ${item.kind} ${isPicked} ${front}`;
     let stamp = this.#made.get(key);
     if (stamp === undefined) {
       stamp = this.#stamp({ item, at: point, front, seen: { x: HALF, y: HALF, depth: 0 } });

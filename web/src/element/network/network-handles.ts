@@ -597,7 +597,11 @@ export class PasuNetworkHandles extends DesignerElement {
   private coloursNow(): Colours {
     const style = getComputedStyle(this);
     const colour = (name: string) => style.getPropertyValue(name).trim();
-    return { line: colour("--ink"), picked: colour("--accent"), ground: colour("--sheet") };
+    const [line, picked, ground] = [colour("--ink"), colour("--accent"), colour("--sheet")];
+    // The same ones as before, as long as they are: what was drawn in them is kept with them.
+    const { colours } = this;
+    if (colours.line === line && colours.picked === picked && colours.ground === ground) return colours;
+    return { line, picked, ground };
   }
 
   /** The canvas as large as it is seen, and empty. */

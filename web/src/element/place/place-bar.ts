@@ -1,5 +1,6 @@
 /** The small bar over the stage while whole parts are moved: what a hand does with them, and whether in steps. */
 
+import { computed } from "@preact/signals-core";
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
@@ -18,12 +19,16 @@ import { toTable } from "./motion";
 
 @customElement("pasu-place-bar")
 export class PasuPlaceBar extends DesignerElement {
+  // Apart from where parts are, so that a drag does not draw the bar, nor has the page laid out to know what is under it.
+  readonly #unit = computed(() => unitOf(this.designer.store.design));
+  readonly #loose = computed(() => looseIds(this.designer.store).length);
+  readonly #step = computed(() => mannerOf(this.designer)?.step ?? null);
+
   override render() {
     const { designer } = this;
-    const { session, design } = designer.state;
-    const loose = looseIds(designer.state);
-    const manner = mannerOf(designer);
-    const step = lengthWords(manner?.step ?? 1, unitOf(design));
+    const { session } = designer.store;
+    const loose = this.#loose.value;
+    const step = lengthWords(this.#step.value ?? 1, this.#unit.value);
     return html`
       <div class="bar" role="group" aria-label=${words.tool}>
         ${segments(words.way, "way", HANDLINGS, session.handling, words.ways, null, (way) => designer.apply(setHandling(way)))}
@@ -39,13 +44,13 @@ export class PasuPlaceBar extends DesignerElement {
           class="button"
           type="button"
           title=${words.toTableHelp}
-          ?disabled=${loose.length === 0 || !manner}
+          ?disabled=${loose === 0 || this.#step.value === null}
           @click=${this.toTable}
         >
           ${words.toTable}
         </button>
       </div>
-      <p class="note" role="status" ?hidden=${loose.length > 0}>${loose.length > 0 ? "" : words.locked}</p>
+      <p class="note" role="status" ?hidden=${loose > 0}>${loose > 0 ? "" : words.locked}</p>
     `;
   }
 

@@ -1,0 +1,50 @@
+import { signal } from "@preact/signals-core";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { BETWEEN, Unhurried } from "./unhurried";
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+function hand(holds: boolean) {
+  const held = signal(holds);
+  return {
+    held,
+    store: {
+      get inGesture() {
+        return held.value;
+      },
+    },
+  };
+}
+
+test("at rest every change is drawn at once", async () => {
+  const { store } = hand(false);
+  const unhurried = new Unhurried();
+  await unhurried.turn(store);
+  await unhurried.turn(store);
+  expect(vi.getTimerCount()).toBe(0);
+});
+
+test("under the hand the first is drawn at once, and the next one a while later", async () => {
+  const { store } = hand(true);
+  const unhurried = new Unhurried();
+  await unhurried.turn(store);
+  const drawn = vi.fn();
+  void unhurried.turn(store).then(drawn);
+  await vi.advanceTimersByTimeAsync(BETWEEN - 1);
+  expect(drawn).not.toHaveBeenCalled();
+  await vi.advanceTimersByTimeAsync(1);
+  expect(drawn).toHaveBeenCalledOnce();
+});
+
+test("what waits is drawn as soon as the hand lets go, and leaves no timer behind", async () => {
+  const { held, store } = hand(true);
+  const unhurried = new Unhurried();
+  await unhurried.turn(store);
+  const drawn = vi.fn();
+  void unhurried.turn(store).then(drawn);
+  held.value = false;
+  await vi.advanceTimersByTimeAsync(0);
+  expect(drawn).toHaveBeenCalledOnce();
+  expect(vi.getTimerCount()).toBe(0);
+});

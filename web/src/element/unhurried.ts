@@ -1,0 +1,43 @@
+/** The base of what is only read while a hand moves something on the stage: it draws itself again ten times a second then, and not with every movement. */
+
+import { effect } from "@preact/signals-core";
+import type { Store } from "../state/store";
+import { DesignerElement } from "./designer-element";
+
+/** Between two drawings under the hand, in milliseconds: digits that change faster are read by nobody. */
+export const BETWEEN = 100;
+
+export class Unhurried {
+  #last = Number.NEGATIVE_INFINITY;
+
+  /** Comes when it is time to draw: at once at rest, under the hand a while after the drawing before, and there as soon as the hand lets go. */
+  async turn(store: Pick<Store, "inGesture">): Promise<void> {
+    const left = this.#last + BETWEEN - performance.now();
+    if (left > 0 && store.inGesture) await restOr(store, left);
+    this.#last = performance.now();
+  }
+}
+
+async function restOr(store: Pick<Store, "inGesture">, most: number): Promise<void> {
+  let leave = () => {};
+  await new Promise<void>((resolve) => {
+    const timer = setTimeout(resolve, most);
+    leave = effect(() => {
+      if (store.inGesture) return;
+      clearTimeout(timer);
+      resolve();
+    });
+  });
+  leave();
+}
+
+export abstract class UnhurriedElement extends DesignerElement {
+  readonly #unhurried = new Unhurried();
+
+  protected override async scheduleUpdate(): Promise<void> {
+    // What somebody types into, or steps with keys, goes on from what it shows.
+    // What is fetched late is given the designer with its first drawing.
+    if (this.hasUpdated && !this.shadowRoot?.activeElement) await this.#unhurried.turn(this.designer.store);
+    super.scheduleUpdate();
+  }
+}
