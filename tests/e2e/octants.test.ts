@@ -57,7 +57,7 @@ test("an octant is as large as its placement, and is turned and moved by numbers
 
 test("a part among others is placed by numbers too", async () => {
   const { pot, shown: star } = await begun("own-octant-star");
-  expect(await pot.page.locator("pasu-parts [role=option]").count()).toBe(8);
+  await expect.poll(() => pot.page.locator("pasu-parts [role=option]").count()).toBe(8);
   await pot.type("Moved along x", "5");
   const apart = await pot.fingerprintOtherThan(star);
   await pot.undo();
@@ -77,7 +77,7 @@ test("what is chosen in New may join what stands there, to its right and on the 
   await pot.page.locator('pasu-new button[data-exhibit="form-cup"]').click();
   await pot.page.locator("pasu-new").waitFor({ state: "detached" });
   const both = await pot.fingerprintOtherThan(jar);
-  expect(await pot.page.locator("pasu-parts [role=option]").count()).toBe(2);
+  await expect.poll(() => pot.page.locator("pasu-parts [role=option]").count()).toBe(2);
   expect(await pot.page.locator("pasu-parts [aria-selected=true] > span:first-child").innerText()).toBe("Part 2");
   // Nothing of one is within the other, and nothing hangs in the air.
   await pot.tab("Measures");
