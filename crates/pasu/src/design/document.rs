@@ -36,8 +36,26 @@ use crate::error::{Code, Error, Result};
 /// );
 /// # Ok::<(), pasu::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct Design(Document);
+#[derive(Debug, Clone)]
+pub struct Design(Document, Extent);
+
+/// Equal documents are equal designs.
+impl PartialEq for Design {
+    fn eq(&self, other: &Design) -> bool {
+        self.0 == other.0
+    }
+}
+
+/// How it is known that a document is not too long, so that a point that moves does not have all of it written.
+#[derive(Debug, Clone, Copy)]
+enum Extent {
+    /// Nobody has looked since.
+    Unknown,
+    /// It is short enough with the longest numbers that there are, and so with any.
+    Bounded,
+    /// As long as it was written, in bytes, and so many of them are of networks.
+    Written { length: usize, networks: usize },
+}
 
 /// The fields of a document.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -87,7 +105,7 @@ impl Design {
     pub(crate) fn from_value(value: &Value) -> Result<Design> {
         check_version(value)?;
         let document: Document = reader::read(value)?;
-        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+        Document { parts: canonical(document.parts)?, ..document }.within_limit()
     }
 
     /// The same design with another shape of one of its parts.
@@ -97,7 +115,7 @@ impl Design {
     pub(crate) fn with_shape(&self, part: usize, shape: Shape) -> Result<Design> {
         let mut document = self.0.clone();
         document.parts[part].shape = shape;
-        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+        Document { parts: canonical(document.parts)?, ..document }.within_limit()
     }
 
     /// The same design with points of a network elsewhere: each by its number with where it is. Only these are looked at, which of thousands is what a hand has time for.
@@ -128,6 +146,8 @@ impl Design {
             return Err(Error::new(Code::UnsupportedShape, format!("parts[{part}].shape"), message));
         };
         let n = network.vertices.len();
+        // What moves alone is written: of a hundred thousand patches all of it is some twenty megabytes.
+        let mut extent = self.1;
         for (number, at) in points {
             let path = format!("parts[{part}].shape.vertices[{number}]");
             let Some(point) = network.vertices.get_mut(*number) else {
@@ -139,21 +159,34 @@ impl Design {
                 let message = format!("expected a number, found {}", plain(at[axis]));
                 return Err(Error::new(Code::NotFinite, format!("{path}[{axis}]"), message));
             }
-            *point = at.map(rounded);
+            let to = at.map(rounded);
+            if let Extent::Written { length, networks } = &mut extent {
+                let (before, after) = (text::write(&*point).len(), text::write(&to).len());
+                *length = *length + after - before;
+                *networks = *networks + after - before;
+            }
+            *point = to;
         }
-        Design(document).within_limit()
+        match extent {
+            Extent::Unknown => document.within_limit(),
+            Extent::Bounded => Ok(Design(document, extent)),
+            Extent::Written { length, networks } => {
+                not_too_long(length, networks)?;
+                Ok(Design(document, extent))
+            }
+        }
     }
 
     /// The same design with a part in another place.
     pub(crate) fn placed(&self, part: usize, place: Placement) -> Result<Design> {
         let mut document = self.0.clone();
         document.parts[part].place = place;
-        Design(Document { parts: canonical(document.parts)?, ..document }).within_limit()
+        Document { parts: canonical(document.parts)?, ..document }.within_limit()
     }
 
     /// The same design with its parts in another way.
     pub(super) fn with_parts(&self, parts: Vec<Part>) -> Design {
-        Design(Document { parts, ..self.0.clone() })
+        Design(Document { parts, ..self.0.clone() }, Extent::Unknown)
     }
 
     /// The design of these parts, of which there are no more than may be.
@@ -162,33 +195,7 @@ impl Design {
     /// As [`Design::read`].
     #[cfg(feature = "patchwork")]
     pub(crate) fn of_parts(title: Option<String>, unit: Unit, parts: Vec<Part>) -> Result<Design> {
-        Design(Document { pasu: VERSION, title, unit, parts: canonical(parts)? }).within_limit()
-    }
-
-    /// Refuses a design whose document is too long, as a whole or without its networks: what these cost is in proportion to their length, and of other shapes a megabyte says more than anybody waits for.
-    fn within_limit(self) -> Result<Design> {
-        // Nearly every design is shorter by far, which is known without writing its numbers.
-        if text::longest(&self.0) <= LINK_BYTES {
-            return Ok(self);
-        }
-        let length = self.to_json().len();
-        if length > LINK_BYTES {
-            let lengths = self.0.parts.iter().map(|part| match part.shape {
-                #[cfg(feature = "patchwork")]
-                Shape::VertexFrame(_) => text::write(&part.shape).len(),
-                _ => 0,
-            });
-            let of_networks: usize = lengths.sum();
-            let beside = if of_networks > 0 { " beside networks of patches" } else { "" };
-            for (found, most, what) in [(length - of_networks, LINK_BYTES, beside), (length, BYTES, "")] {
-                if found > most {
-                    let message = format!("expected a design of at most {most} bytes of JSON{what}, found {found}");
-                    let error = Error::new(Code::TooLarge, "", message);
-                    return Err(error.with("greatest", most as f64).with("found", found as f64));
-                }
-            }
-        }
-        Ok(self)
+        Document { pasu: VERSION, title, unit, parts: canonical(parts)? }.within_limit()
     }
 
     /// The canonical document, on one line.
@@ -236,6 +243,38 @@ impl Design {
     pub fn parts(&self) -> &[Part] {
         &self.0.parts
     }
+}
+
+impl Document {
+    /// Refuses a design whose document is too long.
+    fn within_limit(self) -> Result<Design> {
+        // Nearly every design is shorter by far, which is known without writing its numbers.
+        if text::longest(&self) <= LINK_BYTES {
+            return Ok(Design(self, Extent::Bounded));
+        }
+        let length = text::write(&self).len();
+        let lengths = self.parts.iter().map(|part| match part.shape {
+            #[cfg(feature = "patchwork")]
+            Shape::VertexFrame(_) => text::write(&part.shape).len(),
+            _ => 0,
+        });
+        let networks: usize = lengths.sum();
+        not_too_long(length, networks)?;
+        Ok(Design(self, Extent::Written { length, networks }))
+    }
+}
+
+/// Refuses a document of so many bytes, as a whole or without its networks: what these cost is in proportion to their length, and of other shapes a megabyte says more than anybody waits for.
+fn not_too_long(length: usize, networks: usize) -> Result<()> {
+    let beside = if networks > 0 { " beside networks of patches" } else { "" };
+    for (found, most, what) in [(length - networks, LINK_BYTES, beside), (length, BYTES, "")] {
+        if found > most {
+            let message = format!("expected a design of at most {most} bytes of JSON{what}, found {found}");
+            let error = Error::new(Code::TooLarge, "", message);
+            return Err(error.with("greatest", most as f64).with("found", found as f64));
+        }
+    }
+    Ok(())
 }
 
 /// As the canonical document.
@@ -320,5 +359,50 @@ pub(crate) fn without_null(value: &Value) -> Result<()> {
             fields.try_for_each(|(name, value)| without_null(value).map_err(|error| error.inside_field(name)))
         }
         Value::Bool(_) | Value::Number(_) | Value::Text(_) => Ok(()),
+    }
+}
+
+#[cfg(all(test, feature = "patchwork"))]
+mod tests {
+    use super::*;
+
+    /// A design of one patch and of so many points that nothing uses.
+    fn points(n: usize) -> Design {
+        let points: Vec<_> = (0..n).map(|i| format!("[{}.123456789,{i},0.1]", i as f64)).collect();
+        let text = format!(
+            r#"{{"pasu":1,"parts":[{{"shape":{{"kind":"vertex-frame","vertices":[[0,0,0],[1,0,0],[2,0,0],[2,1,0],[2,2,0],[1,2,0],[0,2,0],[0,1,0]{}{}],"patches":[{{"frame":[0,1,2,3,4,5,6,7]}}]}}}}]}}"#,
+            if n > 0 { "," } else { "" },
+            points.join(",")
+        );
+        Design::parse(&text).unwrap()
+    }
+
+    #[test]
+    fn a_moved_point_leaves_known_how_long_the_document_is() {
+        let mut design = points(16_000);
+        let moves = [(3, [2.5, -1.0 / 3.0, 1e-7]), (9_000, [0.0, 1e21, -0.0]), (3, [2.0, 1.0, 0.0]), (9_000, [0.1; 3])];
+        for (number, at) in moves {
+            design = design.with_points(0, &[(number, at), (number + 1, [7.0; 3]), (number, at)]).unwrap();
+            let Extent::Written { length, networks } = design.1 else { panic!("{:?}", design.1) };
+            assert_eq!((length, networks), (design.to_json().len(), text::write(&design.0.parts[0].shape).len()));
+        }
+    }
+
+    #[test]
+    fn of_a_short_document_nothing_has_to_be_written_to_move_a_point() {
+        let design = points(0).with_points(0, &[(4, [1.0 / 3.0; 3])]).unwrap();
+        assert!(matches!(design.1, Extent::Bounded));
+    }
+
+    #[test]
+    fn a_point_that_makes_the_document_too_long_is_refused() {
+        let Design(document, _) = points(0);
+        let full = Design(document, Extent::Written { length: BYTES, networks: BYTES - 100 });
+        assert!(full.with_points(0, &[(4, [3.0, 2.0, 0.0])]).is_ok());
+        let refused = full.with_points(0, &[(4, [3.5, 2.0, 0.0])]).unwrap_err();
+        assert_eq!(refused.code(), Code::TooLarge);
+        // One point takes the room that another one gives.
+        let long = full.with_points(0, &[(4, [3.0, 2.0, 0.0]), (4, [33.0, 2.0, 0.0]), (4, [3.0, 2.0, 0.0])]);
+        assert!(long.is_ok());
     }
 }
