@@ -5,6 +5,7 @@ import { type Browser, chromium } from "playwright-core";
 
 /** Where a test run by hand looks when PASU_BROWSER is not set. */
 const USUAL = [
+  "/usr/bin/chromium-headless-shell",
   "/usr/bin/chromium",
   "/usr/bin/chromium-browser",
   "/usr/bin/google-chrome",
