@@ -36,3 +36,11 @@ export async function launch({ webgl = true, flags = [] }: LaunchOptions = {}): 
     args: [...QUIET, webgl ? "--enable-unsafe-swiftshader" : "--disable-3d-apis", ...flags],
   });
 }
+
+let running: Promise<Browser> | undefined;
+
+/** The one browser of this process, with nothing said. It is found running by the next file of tests, and ends with the process. */
+export async function shared(): Promise<Browser> {
+  if (!(await running)?.isConnected()) running = launch();
+  return await (running as Promise<Browser>);
+}
