@@ -17,7 +17,14 @@ export default defineConfig({
     projects: [
       {
         extends: true,
-        test: { name: "together", include: ["tests/e2e/**/*.test.ts"], exclude: ALONE, sequence: { groupOrder: 0 } },
+        // Files share what they import, and a browser: to start one, and to draw in it for the first time, takes as long as a test.
+        test: {
+          name: "together",
+          include: ["tests/e2e/**/*.test.ts"],
+          exclude: ALONE,
+          isolate: false,
+          sequence: { groupOrder: 0 },
+        },
       },
       {
         extends: true,

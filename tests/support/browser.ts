@@ -5,6 +5,7 @@ import { type Browser, chromium } from "playwright-core";
 
 /** Where a test run by hand looks when PASU_BROWSER is not set. */
 const USUAL = [
+  "/usr/bin/chromium-headless-shell",
   "/usr/bin/chromium",
   "/usr/bin/chromium-browser",
   "/usr/bin/google-chrome",
@@ -34,4 +35,12 @@ export async function launch({ webgl = true, flags = [] }: LaunchOptions = {}): 
     ...(executablePath === undefined ? {} : { executablePath }),
     args: [...QUIET, webgl ? "--enable-unsafe-swiftshader" : "--disable-3d-apis", ...flags],
   });
+}
+
+let running: Promise<Browser> | undefined;
+
+/** The one browser of this process, with nothing said. It is found running by the next file of tests, and ends with the process. */
+export async function shared(): Promise<Browser> {
+  if (!(await running)?.isConnected()) running = launch();
+  return await (running as Promise<Browser>);
 }

@@ -1,8 +1,8 @@
-// What every file of browser tests begins with: one site and one browser for the file, and visits that end with their test.
+// What every file of browser tests begins with: a site, a browser, and visits that end with their test.
 
 import type { Browser } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
-import { launch } from "./browser.ts";
+import { launch, shared } from "./browser.ts";
 import { type Site, serve } from "./server.ts";
 import { QUICK, type Visit, type VisitOptions, visit } from "./visit.ts";
 
@@ -13,17 +13,18 @@ export interface Stay {
   enter(options?: VisitOptions): Promise<Visit>;
 }
 
-/** `options` are those of {@link launch}, `usual` those of visits: where nothing is said neither the picture nor the copy of the site for later can be looked at. */
+/** `options` are those of {@link launch}; where there are none the browser is that of the files before. `usual` are those of visits: where nothing is said neither the picture nor the copy of the site for later can be looked at. */
 export function stay(options: Parameters<typeof launch>[0] = {}, usual: VisitOptions = QUICK): Stay {
   let site: Site | undefined;
   let browser: Browser | undefined;
+  const isShared = Object.keys(options).length === 0;
   let visits: Visit[] = [];
   const present = <T>(thing: T | undefined): T => {
     if (thing === undefined) throw new Error("the site and the browser start with the first test");
     return thing;
   };
   beforeAll(async () => {
-    [site, browser] = await Promise.all([serve(), launch(options)]);
+    [site, browser] = await Promise.all([serve(), isShared ? shared() : launch(options)]);
   });
   afterEach(async () => {
     const ended = visits;
@@ -33,7 +34,7 @@ export function stay(options: Parameters<typeof launch>[0] = {}, usual: VisitOpt
     expect(present(site).missing.splice(0)).toEqual([]);
   });
   afterAll(async () => {
-    await browser?.close();
+    if (!isShared) await browser?.close();
     await site?.close();
   });
   return {

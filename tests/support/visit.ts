@@ -40,6 +40,9 @@ export const CLEAR: VisitOptions = {
 /** For tests that look at neither the picture nor the copy of the site for later: the stage is not painted, and no copy is made, as in a private window. */
 export const QUICK: VisitOptions = { ...COARSE, painted: false, serviceWorkers: "block" };
 
+/** How many texels a pot's shadow is wide and high, as `web/src/render/ground.ts` has it. */
+const SHADOW = 96;
+
 /** Longer than anything takes on a busy machine, measuring a wall that had to be thinned all round among it; then the gesture that failed is named, not the test as a whole. */
 const PATIENCE = 120_000;
 
@@ -130,16 +133,17 @@ export class Visit {
 
   /**
    * Has the stage's frames drawn to the last call, and leaves out what the graphics card would do then; to be called before the page opens. What is drawn at another size than
-   * the canvas's is painted all the same: pictures for files, thumbnails, the shadow, and the pixel that tells which part was clicked on.
+   * the canvas's is painted all the same, but for its shadow: pictures for files, thumbnails, and the pixel that tells which part was clicked on.
    */
   async leaveUnpainted(): Promise<void> {
-    await this.context.addInitScript(() => {
+    await this.context.addInitScript((shadow) => {
       Object.assign(globalThis, { pasuUnpainted: true });
       const { prototype } = WebGL2RenderingContext;
       const { viewport } = prototype;
       let frame = false;
       prototype.viewport = function (x, y, width, height) {
-        frame = width === this.canvas.width && height === this.canvas.height;
+        frame =
+          (width === this.canvas.width && height === this.canvas.height) || (width === shadow && height === shadow);
         viewport.call(this, x, y, width, height);
       };
       for (const name of ["drawElements", "drawArrays", "drawArraysInstanced"] as const) {
@@ -148,7 +152,7 @@ export class Visit {
           if (!frame) draw.apply(this, given);
         };
       }
-    });
+    }, SHADOW);
   }
 
   private offline = false;

@@ -11,7 +11,11 @@ use crate::{command, debian, node};
 /// The variable that names a browser to use.
 pub(crate) const VARIABLE: &str = "PASU_BROWSER";
 
-const NAMES: [&str; 7] = [
+/// Chromium without windows: the same engine and the same pages, which open in half the time because no browser is built round each.
+const SHELL: &str = "chromium-headless-shell";
+
+const NAMES: [&str; 8] = [
+    SHELL,
     "chromium",
     "chromium-browser",
     "google-chrome",
@@ -44,10 +48,12 @@ pub(crate) fn ensure(workspace: &Workspace) -> Result<PathBuf> {
         return Ok(found);
     }
     if debian::is_at_hand() {
-        match (debian::install("chromium"), installed()) {
-            (Ok(()), Some(found)) => return Ok(found),
-            (Err(error), _) => eprintln!("that did not work: {error:#}"),
-            (Ok(()), None) => eprintln!("that did not bring a browser"),
+        for package in [SHELL, "chromium"] {
+            match (debian::install(package), installed()) {
+                (Ok(()), Some(found)) => return Ok(found),
+                (Err(error), _) => eprintln!("that did not work: {error:#}"),
+                (Ok(()), None) => eprintln!("that did not bring a browser"),
+            }
         }
     }
     eprintln!("installing Playwright's chromium");
