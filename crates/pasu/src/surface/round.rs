@@ -68,7 +68,7 @@ mod tests {
         assert_eq!(round(r#"{ "kind": "octant", "exponents": [2, 2, 2] }"#), None);
         let blend = |rx: f64, form: &str| {
             format!(
-                r#"{{ "kind": "blend", "start": {{ "form": "{form}", "radius": [{rx}, 1], "z": 0 }}, "end": {{ "form": "{form}", "radius": [2, 2], "z": 3 }} }}"#
+                r#"{{ "kind": "blend", "start": {{ "form": "{form}", "radius": [{rx}, 1], "z": 0, "taper": 0, "dz": 2 }}, "end": {{ "form": "{form}", "radius": [2, 2], "z": 3, "taper": 0, "dz": 2 }} }}"#
             )
         };
         assert_eq!(round(&blend(1.0, "disc")), Some((0.0, 1)));
