@@ -3,6 +3,8 @@
 //! Sines vanish on the border, so that on every side each term is a product of two functions of one parameter. A disc in a square has infinite derivatives at both ends of its `u`; the skin runs over `u = (1 - cos pi s) / 2`
 //! instead, in which everything there is smooth.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::function::Function;
@@ -23,15 +25,17 @@ pub(super) struct Skin {
     pub(super) patches: Vec<Box<dyn Patch>>,
     /// For each patch whether `X_u x X_v` points where the volume is not, if the volume is not inside out.
     pub(super) is_outward: Vec<bool>,
+    /// The surface of the second patch, where it is that between two caps.
+    pub(super) flank: Option<Arc<Surface>>,
 }
 
 /// What runs round from one closed section to the other, between two caps.
 #[derive(Debug)]
-struct Flank(Surface);
+struct Flank(Arc<Surface>);
 
 impl Patch for Flank {
     fn jet(&self, u: f64, v: f64) -> SurfaceJet {
-        Patch::jet(&self.0, u, v)
+        Patch::jet(&*self.0, u, v)
     }
 
     fn row(&self, u: f64) -> Box<dyn Row + '_> {
@@ -123,9 +127,11 @@ impl Skin {
             cap(volume, end, false).between([Side::Pole, met, Side::Joined, Side::Joined])
         });
         let [start, end] = caps;
+        let flank = Arc::new(flank);
         Skin {
-            patches: vec![Box::new(start), Box::new(Flank(flank)), Box::new(end)],
+            patches: vec![Box::new(start), Box::new(Flank(Arc::clone(&flank))), Box::new(end)],
             is_outward: vec![false, false, true],
+            flank: Some(flank),
         }
     }
 
@@ -171,7 +177,7 @@ impl Skin {
             let sheet = sheets[*face].clone().between(sides);
             Box::new(sheet) as Box<dyn Patch>
         });
-        Skin { patches: patches.collect(), is_outward }
+        Skin { patches: patches.collect(), is_outward, flank: None }
     }
 }
 

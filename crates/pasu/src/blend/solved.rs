@@ -112,6 +112,14 @@ impl Blended {
             Border::Vessel(surface) => Some(surface),
         }
     }
+
+    /// What runs round from one closed section to the other, of a vessel all of it, and of a solid its second patch, between two level caps; `None` of sections that are not closed.
+    pub(crate) fn flank(&self) -> Option<&Surface> {
+        match &self.border {
+            Border::Solid(skin) => skin.flank.as_deref(),
+            Border::Vessel(surface) => Some(surface),
+        }
+    }
 }
 
 impl Skin {

@@ -77,6 +77,22 @@ impl Border {
         matches!(self, Border::Patch { .. })
     }
 
+    /// The places along `u` between which it is smooth, ends included; of a face, which has none, both ends.
+    pub(super) fn knots(&self) -> Vec<f64> {
+        match self {
+            Border::Patch { placed, patch, .. } => placed.solved().patch(*patch).breaks()[0].with_ends(),
+            Border::Face { .. } => vec![0.0, 1.0],
+        }
+    }
+
+    /// Whether it is known to be straight along `u`, whatever `v` is.
+    pub(super) fn is_straight(&self) -> bool {
+        match self {
+            Border::Patch { .. } => false,
+            Border::Face { pot, face } => pot.faces()[*face].is_straight(),
+        }
+    }
+
     /// What it is of a wall.
     pub(super) fn kind(&self) -> Option<FaceKind> {
         match self {

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::breach::{Breach, Constraints};
+use super::budget::Budget;
 use super::judged::{Judged, Known};
-use super::meeting::{Budget, Meeting, Task};
+use super::meeting::{Meeting, Task};
 use super::scenery::Scenery;
 use super::space::Space;
 use crate::design::{Design, Part, plain};
@@ -31,7 +32,7 @@ const MOST_NAMED: usize = 4;
 /// Whether a scene keeps the three constraints of ASB88 (J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, 1988): (1) no two discrete objects share points, (2) the parts of one object hang together, (3) no part is wholly inside another.
 ///
 /// `slack` is a length in the unit of the design; where there is none, the power of two below a millionth of the size of the scene. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
-/// both is further from each other than it, and are *in contact* where they come as near and a plane lies between them that neither passes by more than the slack. Contact connects, and is no interference. What is none of these within the limit
+/// both is further from each other than it, and are *in contact* where they come as near and a plane lies between them that neither passes by more than the slack, or, of bodies of revolution about one axis, no place of one is deeper in the other than that. Contact connects, and is no interference. What is none of these within the limit
 /// of work is said to be undecided.
 ///
 /// A part without a wall that is an open surface has no inside: it may be in a solid, and be connected, but holds nothing and interferes with no other such.

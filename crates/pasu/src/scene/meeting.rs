@@ -9,9 +9,10 @@ use std::collections::BinaryHeap;
 use glam::DVec3;
 
 use super::boxes::Within;
-use super::space::{Space, TILE};
+use super::budget::Budget;
+use super::coaxial::{Coaxial, Question};
+use super::space::Space;
 use super::tile::Tile;
-use crate::watch;
 
 /// The most pairs of tiles that are held against each other for two parts at first: most need fewer, and no few pairs of parts are to take what all have,
 const FIRST_PAIRS: u64 = 150;
@@ -42,27 +43,6 @@ const MOST_REACHING: usize = 4000;
 
 /// Directions between the normals of two surfaces that touch, of which one may be that of the plane between them.
 const BETWEEN: u8 = 8;
-
-/// What is left to be done for a scene, in pairs of tiles.
-pub(super) struct Budget {
-    pub(super) left: u64,
-    /// Whether something was asked for that was not there.
-    pub(super) is_out: bool,
-}
-
-impl Budget {
-    pub(super) fn new(units: u64) -> Budget {
-        Budget { left: units, is_out: false }
-    }
-
-    fn take(&mut self, units: u64) -> bool {
-        watch::work(TILE * units);
-        let is_there = self.left >= units && !watch::is_stopped();
-        self.left = self.left.saturating_sub(units);
-        self.is_out |= !is_there;
-        is_there
-    }
-}
 
 #[cfg(test)]
 std::thread_local! {
@@ -98,7 +78,7 @@ impl Task {
 pub(super) enum Meeting {
     /// They are further from each other than the slack: by this at least.
     Apart { least: f64 },
-    /// They come as near as the slack there, and a plane is between them that neither passes by more.
+    /// They come as near as the slack there, and a plane is between them that neither passes by more, or nothing of one is deeper in the other.
     Contact { at: DVec3 },
     /// This place belongs to one and is so deep in the other at least, which is more than the slack; for each whether a place of its own was found.
     Through { at: DVec3, depth: f64, is_own: [bool; 2] },
@@ -148,6 +128,7 @@ struct Pair<'a> {
     slack: f64,
     /// Whether one place where they touch is all that is sought: then the smallest of those that are as near are looked at first, and else the largest, so that all of where they touch is seen before any of it closely.
     is_touch_enough: bool,
+    is_distance_sought: bool,
     n_left: u64,
     /// Whether there was more to be held against each other than was allowed.
     is_cut: bool,
@@ -175,6 +156,7 @@ impl Space {
             parts: [self, other],
             slack,
             is_touch_enough,
+            is_distance_sought,
             n_left: most_pairs,
             is_cut: false,
             n_asked: 0,
@@ -209,7 +191,7 @@ impl Space {
             }
         }
         // It may be all of one.
-        let meeting = pair.borders(known, budget);
+        let meeting = pair.round(known, budget).unwrap_or_else(|| pair.borders(known, budget));
         (meeting, pair.is_cut)
     }
 
@@ -315,6 +297,25 @@ impl Space {
 }
 
 impl Pair<'_> {
+    /// What can be told of bodies of revolution about one axis; `known` as for [`Pair::borders`].
+    fn round(&mut self, known: Option<Meeting>, budget: &mut Budget) -> Option<Meeting> {
+        let [one, other] = self.parts;
+        let question = Question {
+            slack: self.slack,
+            is_touch_enough: self.is_touch_enough || known.is_some(),
+            is_distance_sought: self.is_distance_sought,
+            most: self.n_left,
+        };
+        let (found, is_cut) = one.coaxial(other, question, budget);
+        self.is_cut |= is_cut;
+        Some(match found? {
+            Coaxial::Apart { least } => self.apart(least, known),
+            Coaxial::Touch { at, is_contact: true } => Meeting::Contact { at },
+            Coaxial::Touch { at, is_contact: false } => known.unwrap_or(Meeting::Undecided { touch: Some(at) }),
+            Coaxial::Deep { at, depth } => self.through((at, depth), budget),
+        })
+    }
+
     /// Holds the borders against each other; `known` is what is known beforehand, but for whether one part is wholly within the other.
     fn borders(&mut self, known: Option<Meeting>, budget: &mut Budget) -> Meeting {
         let undecided = |pair: &Self| known.unwrap_or(Meeting::Undecided { touch: pair.touch });

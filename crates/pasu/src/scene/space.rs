@@ -8,6 +8,7 @@ use glam::{DMat3, DVec3};
 use super::border::Border;
 use super::bounds::Bounds;
 use super::boxes::Boxes;
+use super::meridian::Meridian;
 use super::tile::Tile;
 use crate::error::{Code, Error, Result};
 use crate::octant::Supersphere;
@@ -42,6 +43,7 @@ pub(super) struct Space {
     core: OnceLock<Option<DVec3>>,
     /// Places of the border of an octant, far from each other.
     pub(super) places: OnceLock<Vec<DVec3>>,
+    meridian: OnceLock<Option<Box<Meridian>>>,
 }
 
 /// Tiles with the tree of their boxes.
@@ -83,6 +85,7 @@ impl Space {
             tiles: OnceLock::new(),
             core: OnceLock::new(),
             places: OnceLock::new(),
+            meridian: OnceLock::new(),
         };
         space.bounds = match space.inverse {
             Some(_) => {
@@ -155,6 +158,12 @@ impl Space {
             let bounds: Vec<Bounds> = all.iter().map(Tile::bounds).collect();
             Tiles { boxes: Boxes::new(&bounds), all }
         })
+    }
+
+    /// The profile of which it is the turned image; `None` of what is no body of revolution.
+    pub(super) fn meridian(&self) -> Option<&Meridian> {
+        let of = || Meridian::of(&self.borders, &self.placed, self.bounds.middle(), self.size()).map(Box::new);
+        self.meridian.get_or_init(of).as_deref()
     }
 
     /// A point well inside; `None` of what has no inside, or none that was found.

@@ -13,7 +13,7 @@ use crate::octant::Supersphere;
 use crate::patch::Patch;
 #[cfg(test)]
 use crate::patch::Side;
-use crate::surface::Surface;
+use crate::surface::{Round, Surface};
 
 /// The closed form of a shape: patches, whatever its kind. A new kind of shape is one more variant.
 #[derive(Debug)]
@@ -165,6 +165,16 @@ impl Solved {
             Solved::TwoSided(surface) => Some(&**surface),
             #[cfg(feature = "patchwork")]
             Solved::Blend(blend) => blend.vessel().map(|surface| surface as &dyn Patch),
+            _ => None,
+        }
+    }
+
+    /// How round it is, whatever wall it carries: of a surface between two ends, and of a blend between two discs, whose other two patches are then level discs up to the ends of its second one.
+    pub(crate) fn round(&self) -> Option<Round> {
+        match self {
+            Solved::TwoSided(surface) => surface.round(),
+            #[cfg(feature = "patchwork")]
+            Solved::Blend(blend) => blend.flank()?.round(),
             _ => None,
         }
     }

@@ -7,6 +7,7 @@ mod ends;
 mod orientation;
 mod patch;
 mod recent;
+mod round;
 mod row;
 mod row_table;
 mod solve;
@@ -19,6 +20,7 @@ pub(crate) use circle::{MOST_MULTIPLES, most_of_many, multiples, of_turns};
 pub(crate) use circumference::{Circumference, RowSuprema};
 pub(crate) use curves::Curves;
 pub(crate) use orientation::{is_outward, points_outward};
+pub(crate) use round::Round;
 pub(crate) use row::{Row, Sums};
 pub(crate) use row_table::RowTable;
 #[cfg(test)]

@@ -1,0 +1,347 @@
+//! How bodies of revolution about one axis meet, against polygons through many places of their profiles.
+
+use glam::{DQuat, DVec2, DVec3};
+use pasu::{Breach, Design, Face, Pot, Product, Severity, constraints};
+use serde_json::{Value, json};
+
+use crate::support::design;
+use crate::support::networks::Dice;
+
+/// How many random pairs are judged.
+fn pairs() -> usize {
+    std::env::var("PAIRS").ok().and_then(|text| text.parse().ok()).unwrap_or(60)
+}
+
+fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
+    least + (greatest - least) * (0.5 + 0.5 * dice.number())
+}
+
+fn one_of<T: Copy>(dice: &mut Dice, all: &[T]) -> T {
+    all[(between(dice, 0.0, all.len() as f64) as usize).min(all.len() - 1)]
+}
+
+fn rings(radii: &[f64], heights: &[f64]) -> Value {
+    let height = heights[heights.len() - 1];
+    let all: Vec<Value> = radii
+        .iter()
+        .zip(heights)
+        .map(|(r, z)| json!({ "u": z / height, "r": { "mean": r }, "z": { "mean": z } }))
+        .collect();
+    json!({ "kind": "rings", "rings": all })
+}
+
+/// All but a cone: straight to 1e-6.
+fn cone(low: f64, high: f64, height: f64) -> Value {
+    json!({ "kind": "second-order", "r": [low, 0, high, 0], "t": [0, 0], "n": [1, 2], "height": height, "s": [1e-7, 1e-7] })
+}
+
+/// Where a scene stands: scaled, then turned, then moved.
+struct Stand {
+    scale: f64,
+    turn: DQuat,
+    shift: DVec3,
+}
+
+impl Stand {
+    fn upright() -> Stand {
+        Stand { scale: 1.0, turn: DQuat::IDENTITY, shift: DVec3::ZERO }
+    }
+
+    /// A part that stands at a height on the axis, upside down or not.
+    fn place(&self, height: f64, is_upside_down: bool) -> Value {
+        let own = if is_upside_down { DQuat::from_rotation_x(std::f64::consts::PI) } else { DQuat::IDENTITY };
+        let (axis, angle) = (self.turn * own).to_axis_angle();
+        let shift = self.shift + self.turn * DVec3::new(0.0, 0.0, self.scale * height);
+        json!({ "scale": [self.scale, self.scale, self.scale], "axis": axis.to_array(), "angle": angle, "shift": shift.to_array() })
+    }
+}
+
+struct Piece {
+    shape: Value,
+    wall: Value,
+    height: f64,
+    is_upside_down: bool,
+}
+
+fn scene(pieces: &[Piece], stand: &Stand) -> Design {
+    let part = |(object, piece): (usize, &Piece)| {
+        let mut wall = piece.wall.clone();
+        for field in ["thickness", "base", "drain"] {
+            if let Some(length) = wall.get(field).and_then(Value::as_f64) {
+                wall[field] = json!(length * stand.scale);
+            }
+        }
+        json!({ "object": object, "shape": piece.shape, "wall": wall, "place": stand.place(piece.height, piece.is_upside_down) })
+    };
+    let parts: Vec<Value> = pieces.iter().enumerate().map(part).collect();
+    design(&json!({ "pasu": 1, "parts": parts }).to_string())
+}
+
+/// Places of the profile of a part, in order, about an axis.
+fn profile(design: &Design, part: usize, origin: DVec3, axis: DVec3) -> Vec<DVec2> {
+    const N: usize = 350;
+    let pot = Pot::new(design, part, Product::Pot).unwrap();
+    let mut all = Vec::new();
+    for face in pot.faces() {
+        for i in 0..N {
+            let from = face.jet(i as f64 / N as f64, 0.7).position - origin;
+            let z = from.dot(axis);
+            all.push(DVec2::new((from - axis * z).length(), z));
+        }
+    }
+    let last = pot.faces().last().unwrap().jet(1.0, 0.7).position - origin;
+    all.push(DVec2::new((last - axis * last.dot(axis)).length(), last.dot(axis)));
+    all
+}
+
+fn distance(at: DVec2, polygon: &[DVec2]) -> f64 {
+    let mut best = f64::INFINITY;
+    for (i, a) in polygon.iter().enumerate() {
+        let b = polygon[(i + 1) % polygon.len()];
+        if a.x <= 1e-12 && b.x <= 1e-12 {
+            continue;
+        }
+        if (at.y - a.y.max(b.y)).max(a.y.min(b.y) - at.y) > best {
+            continue;
+        }
+        let along = b - *a;
+        let square = along.length_squared();
+        let share = if square > 0.0 { ((at - *a).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+        best = best.min((*a + along * share - at).length());
+    }
+    best
+}
+
+fn is_inside(at: DVec2, polygon: &[DVec2]) -> bool {
+    let mut is_in = false;
+    for (i, a) in polygon.iter().enumerate() {
+        let b = polygon[(i + 1) % polygon.len()];
+        if (a.y <= at.y) != (b.y <= at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y) {
+            is_in = !is_in;
+        }
+    }
+    is_in
+}
+
+/// How near two profiles come, and how deep a place of one is in the other at most, of the places that there are of them.
+fn met(one: &[DVec2], other: &[DVec2]) -> (f64, f64) {
+    let (mut near, mut deep) = (f64::INFINITY, 0.0f64);
+    for (of, against) in [(one, other), (other, one)] {
+        for at in of {
+            let away = distance(*at, against);
+            near = near.min(away);
+            if away > deep && is_inside(*at, against) {
+                deep = away;
+            }
+        }
+    }
+    (near, deep)
+}
+
+/// Two bodies about one axis, made to come near to each other.
+fn random(dice: &mut Dice, gap: f64) -> [Piece; 2] {
+    let (height, thickness) = (between(dice, 3.0, 9.0), between(dice, 0.15, 0.4));
+    let rim = one_of(dice, &["flat", "rounded"]);
+    let wall = |side: &str| json!({ "thickness": thickness, "base": thickness, "rim": rim, "side": side });
+    let piece = |shape: Value, side: &str, height: f64, is_upside_down: bool| Piece {
+        shape,
+        wall: wall(side),
+        height,
+        is_upside_down,
+    };
+    let top = between(dice, 1.5, 3.0);
+    match between(dice, 0.0, 5.0) as usize {
+        // A lid over a rim, rim on rim or nearly so.
+        0 => {
+            let jar = rings(
+                &[top * between(dice, 0.6, 1.2), top * between(dice, 0.8, 1.4), top],
+                &[0.0, 0.5 * height, height],
+            );
+            let lid =
+                rings(&[0.4 * top, top * between(dice, 0.6, 1.1), top * between(dice, 0.98, 1.02)], &[0.0, 0.6, 1.2]);
+            let reach = if rim == "rounded" { thickness } else { 0.0 };
+            [
+                piece(jar, "inside", 0.0, false),
+                piece(lid, "inside", height + 1.2 + gap + reach * between(dice, 0.0, 1.2), true),
+            ]
+        }
+        // A cap round a neck: its lining along the outside, its base on the rim or above it.
+        1 => {
+            let lean = between(dice, -0.2, 0.3);
+            let jar = cone(top + lean * height, top, height);
+            let cap = cone(top + gap, top + gap + lean * 0.3 * height, 0.3 * height);
+            let above = one_of(dice, &[0.0, 0.1, 1.0]) * 0.3 + gap.max(0.0);
+            let reach = if rim == "rounded" { 0.5 * thickness } else { 0.0 };
+            [piece(jar, "inside", 0.0, false), piece(cap, "outside", height + above + reach, true)]
+        }
+        // A plug in a neck, cone in cone.
+        2 => {
+            let low = top * between(dice, 0.4, 1.0);
+            let at = |share: f64| low + (top - low) * share - gap;
+            let [from, to] = [between(dice, 0.3, 0.6), between(dice, 0.8, 1.2)];
+            [
+                piece(cone(low, top, height), "outside", 0.0, false),
+                piece(cone(at(from), at(to), (to - from) * height), "inside", from * height, false),
+            ]
+        }
+        // Something round in a neck.
+        3 => {
+            let low = top * between(dice, 0.5, 0.9);
+            let r = 0.5 * (low + top);
+            let plug = rings(&[0.4 * r, 0.85 * r, r, 0.8 * r], &[0.0, 0.3 * r, r, 1.7 * r]);
+            [
+                piece(cone(low, top, height), "outside", 0.0, false),
+                piece(plug, "inside", height * between(dice, -0.1, 0.9), false),
+            ]
+        }
+        // The same pots in each other, or one on the other.
+        _ => {
+            let pot = cone(top, top * between(dice, 1.0, 1.4), height);
+            let stacked = one_of(dice, &[thickness, 0.5 * height, height]);
+            [piece(pot.clone(), "inside", 0.0, false), piece(pot, "inside", stacked + gap, false)]
+        }
+    }
+}
+
+fn codes(found: &[Breach]) -> Vec<&'static str> {
+    found.iter().map(|breach| breach.code).collect()
+}
+
+/// No verdict is wrong, by the size of the polygons' own error, and nearly all are told.
+#[test]
+fn bodies_about_one_axis_meet_as_their_profiles_do() {
+    let mut dice = Dice(53);
+    let mut counts = std::collections::BTreeMap::<&str, usize>::new();
+    for round in 0..pairs() {
+        let gap = one_of(&mut dice, &[0.02, 1e-3, 1e-5, 0.0, 0.0, 0.0, -1e-5, -1e-3]);
+        let pieces = random(&mut dice, gap);
+        let stand = match round % 3 {
+            0 => Stand::upright(),
+            _ => Stand {
+                scale: 10f64.powf(if round % 3 == 1 { 0.0 } else { between(&mut dice, -4.0, 5.0) }),
+                turn: DQuat::from_axis_angle(
+                    DVec3::new(dice.number(), dice.number(), dice.number()).normalize_or(DVec3::X),
+                    between(&mut dice, -3.0, 3.0),
+                ),
+                shift: DVec3::new(dice.number(), dice.number(), dice.number()) * between(&mut dice, 0.0, 5.0),
+            },
+        };
+        let stand = Stand { shift: stand.shift * stand.scale, ..stand };
+        let design = scene(&pieces, &stand);
+        let report = constraints(&design, None).unwrap();
+        let found = &report.breaches;
+        let axis = stand.turn * DVec3::Z;
+        let [one, other] = [0, 1].map(|part| profile(&design, part, stand.shift, axis));
+        let (near, deep) = met(&one, &other);
+        // What the polygons are off: chords of arcs and of bent walls.
+        let off = 2.4e-5 * stand.scale + 1e-9;
+        let slack = report.slack;
+        let told =
+            format!("{round}: gap {gap} near {near:e} deep {deep:e} slack {slack:e} {found:?}\n{}", design.to_json());
+        let code = match codes(found)[..] {
+            [] => {
+                assert!(near > slack - off && deep <= off, "{told}");
+                "apart"
+            }
+            ["contact"] => {
+                assert!(near <= slack + off && deep <= slack + off, "{told}");
+                assert_eq!(found[0].severity, Severity::Note);
+                "contact"
+            }
+            ["interference"] => {
+                let breach = &found[0];
+                assert!(deep > slack - off, "{told}");
+                // The witness is a place of both: in one, as deep as is said, and of the other's border or inside.
+                let from = DVec3::from_array(breach.at.unwrap()) - stand.shift;
+                let at = DVec2::new((from - axis * from.dot(axis)).length(), from.dot(axis));
+                let depths = [&one, &other].map(|polygon| {
+                    let away = distance(at, polygon);
+                    if is_inside(at, polygon) { away } else { -away }
+                });
+                let depth = breach.distance.unwrap();
+                assert!(
+                    depths[0].max(depths[1]) >= depth - off && depths[0].min(depths[1]) >= -off,
+                    "{depths:?} {told}"
+                );
+                assert!(depth > slack, "{told}");
+                "interference"
+            }
+            ["undecided-interference"] => {
+                println!("{told}");
+                "undecided"
+            }
+            _ => panic!("{told}"),
+        };
+        *counts.entry(code).or_default() += 1;
+    }
+    println!("{counts:?}");
+    let n = |code: &str| counts.get(code).copied().unwrap_or(0);
+    assert!(["apart", "contact", "interference"].into_iter().all(|code| 60 * n(code) >= pairs()), "{counts:?}");
+    assert!(30 * n("undecided") <= pairs(), "{counts:?}");
+}
+
+fn pot(object: u32, shape: Value, thickness: f64, rim: &str, place: Value) -> Value {
+    json!({ "object": object, "shape": shape, "wall": { "thickness": thickness, "base": thickness, "rim": rim }, "place": place })
+}
+
+fn upside_down(height: f64) -> Value {
+    json!({ "axis": [1, 0, 0], "angle": std::f64::consts::PI, "shift": [0, 0, height] })
+}
+
+fn cylinder(radius: f64, height: f64) -> Value {
+    json!({ "kind": "second-order", "r": [radius, 0, radius, 0], "t": [0, 0], "n": [1, 2], "height": height })
+}
+
+/// A cap over a cylinder, which it touches along all of its neck and on its rim, has no plane between them: that nothing of one is deep in the other is what makes it a contact.
+#[test]
+fn a_cap_that_touches_all_along_a_neck_is_in_contact() {
+    let with = |gap: f64, above: f64, object: u32| {
+        let parts = [
+            pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
+            // Its lining is 2 + gap from the axis, and its ceiling on the rim.
+            pot(object, cylinder(2.3 + gap, 1.5), 0.3, "flat", upside_down(5.3 + above)),
+        ];
+        design(&json!({ "pasu": 1, "parts": parts }).to_string())
+    };
+    let told = |gap: f64, above: f64| codes(&constraints(&with(gap, above, 1), None).unwrap().breaches);
+    assert_eq!(told(0.0, 0.0), ["contact"]);
+    assert_eq!(told(0.0, 0.5), ["contact"]);
+    assert_eq!(told(1e-9, 1e-9), ["contact"]);
+    assert_eq!(told(-1e-8, 0.5), ["contact"]);
+    for gap in [0.02, 1e-3, 1e-4, 2e-5] {
+        assert_eq!(told(gap, 0.5), Vec::<&str>::new(), "{gap}");
+        assert_eq!(told(gap, gap), Vec::<&str>::new(), "{gap}");
+        assert_eq!(told(-gap, 0.5), ["interference"], "{gap}");
+        assert_eq!(told(gap, -gap), ["interference"], "{gap}");
+    }
+    // Glued they are connected where they touch, and else not.
+    let glued = |gap: f64| constraints(&with(gap, 0.5, 0), None).unwrap().breaches;
+    assert!(glued(0.0).iter().all(|breach| breach.code != "not-connected"));
+    let loose = glued(0.02);
+    assert_eq!(codes(&loose), ["not-connected"]);
+    let away = loose[0].distance.unwrap();
+    assert!(away > 0.018 && away <= 0.02 + 1e-9, "{away}");
+}
+
+/// What is not about the same axis, or not round, is none of this: it is told as before.
+#[test]
+fn what_is_aside_of_the_axis_is_not_taken_for_coaxial() {
+    let aside = |x: f64| {
+        let parts = [
+            pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
+            pot(1, cylinder(1.6, 5.0), 0.2, "flat", json!({ "shift": [x, 0, 1] })),
+        ];
+        codes(&constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap().breaches)
+    };
+    assert_eq!(aside(0.0), Vec::<&str>::new());
+    // 0.1 all round.
+    let is_met = |codes: &[&str]| [["interference"], ["undecided-interference"]].iter().any(|told| codes == told);
+    assert!(is_met(&aside(0.2)), "{:?}", aside(0.2));
+    let petals = json!({ "kind": "second-order", "r": [1.6, 0.2, 1.6, 0.2], "t": [0, 0], "n": [1, 5], "height": 5 });
+    let parts = [
+        pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
+        pot(1, petals, 0.2, "flat", json!({ "shift": [0, 0, 1] })),
+    ];
+    let found = constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap();
+    assert!(is_met(&codes(&found.breaches)), "{found:?}");
+}
