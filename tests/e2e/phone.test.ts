@@ -63,6 +63,14 @@ test("fingers change the pot, and a swipe that scrolls past a slider does not", 
   await pot.shows(before);
   expect(await pot.history("Undo").isDisabled()).toBe(true);
   await slider.scrollIntoViewIfNeeded();
+  // The panel glides on after a swipe, and a tap would do no more than stop it.
+  const glided = () =>
+    pot.page.locator("pasu-panel .body").evaluate(async (body) => {
+      const { scrollTop } = body;
+      for (let frame = 0; frame < 10; frame++) await new Promise(requestAnimationFrame);
+      return Math.abs(body.scrollTop - scrollTop);
+    });
+  await expect.poll(glided).toBe(0);
   const there = await place();
   await pot.page.touchscreen.tap(there.x, there.y);
   await pot.fingerprintOtherThan(before);
