@@ -35,7 +35,8 @@ test("scene", { timeout: 600_000 }, async () => {
   try {
     const pot = await opened(browser, site.url, SLOWER, watchDrags);
     for (let turn = 0; turn < DRAGS; turn += 1) await dragged(pot);
-    const behind = (await movements(pot)).map((each) => each.behind);
+    const moved = await movements(pot);
+    const behind = moved.map((each) => each.behind);
     await slowDown(pot, 1);
     await pot.leave();
     const uncounted = await opened(browser, site.url, 1);
@@ -46,6 +47,12 @@ test("scene", { timeout: 600_000 }, async () => {
       unit: "frames",
       tail: true,
       rows: [{ name: `on a processor ${SLOWER} times slower`, samples: behind, median_at_most: 2 }],
+    });
+    record({
+      group: `from the pointer to the picture, one of ${ROWS * COLUMNS} parts`,
+      unit: "ms",
+      tail: true,
+      rows: [{ name: `on a processor ${SLOWER} times slower`, samples: moved.map((each) => each.after) }],
     });
     record({
       group: `one of ${ROWS * COLUMNS} parts under the hand, the page's thread ${SLOWER} times slower`,

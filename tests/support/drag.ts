@@ -10,13 +10,23 @@ export interface Movement {
   readonly behind: number;
   /** Frames of the stage in between, which showed older changes. */
   readonly older: number;
+  /** Milliseconds from the event to when that frame was drawn: while the page's thread is busy there are no frames to be counted. */
+  readonly after: number;
 }
 
 interface Watched {
   pasuTrace(moment: string, change: number): void;
   /** The wall on the stage, frame by frame: how it was made, and nothing where there is none. */
   pasuWalls: string[];
-  pasuMovements: { change: number; frame: number; drawn: number; behind: number | null; older: number }[];
+  pasuMovements: {
+    change: number;
+    frame: number;
+    drawn: number;
+    at: number;
+    behind: number | null;
+    older: number;
+    after: number;
+  }[];
 }
 
 /** Counts frames from now on; to be called before the page opens. */
@@ -34,17 +44,17 @@ export async function watchDrags(pot: Visit): Promise<void> {
       requestAnimationFrame(count);
     };
     requestAnimationFrame(count);
-    let moved: { readonly frame: number; readonly drawn: number } | null = null;
+    let moved: { readonly frame: number; readonly drawn: number; readonly at: number } | null = null;
     addEventListener(
       "pointermove",
       () => {
-        moved = { frame, drawn };
+        moved = { frame, drawn, at: performance.now() };
       },
       { capture: true },
     );
     watched.pasuTrace = (moment, change) => {
       if (moment === "asked" && moved !== null) {
-        watched.pasuMovements.push({ change, ...moved, behind: null, older: 0 });
+        watched.pasuMovements.push({ change, ...moved, behind: null, older: 0, after: 0 });
         moved = null;
       }
       if (moment !== "drawn") return;
@@ -54,6 +64,7 @@ export async function watchDrags(pot: Visit): Promise<void> {
         // The frame right after the event is the first that could show it: it is not between.
         each.behind = Math.max(0, frame - each.frame - 1);
         each.older = drawn - each.drawn;
+        each.after = performance.now() - each.at;
       }
       drawn += 1;
     };
@@ -65,7 +76,7 @@ export async function movements(pot: Visit): Promise<readonly Movement[]> {
   return await pot.page.evaluate(() =>
     (globalThis as unknown as Watched).pasuMovements
       .splice(0)
-      .flatMap(({ change, behind, older }) => (behind === null ? [] : [{ change, behind, older }])),
+      .flatMap(({ change, behind, older, after }) => (behind === null ? [] : [{ change, behind, older, after }])),
   );
 }
 
