@@ -3,6 +3,7 @@
 // Nothing here waits for a time. A gesture is over when the page says so (`data-state`, `data-fingerprint` on <pasu-app>).
 
 import type { Browser, BrowserContext, BrowserContextOptions, Download, Locator, Page } from "playwright-core";
+import { TEXELS } from "../../web/src/render/ground.ts";
 
 interface GridSize {
   readonly rows: number;
@@ -39,9 +40,6 @@ export const CLEAR: VisitOptions = {
 
 /** For tests that look at neither the picture nor the copy of the site for later: the stage is not painted, and no copy is made, as in a private window. */
 export const QUICK: VisitOptions = { ...COARSE, painted: false, serviceWorkers: "block" };
-
-/** How many texels a pot's shadow is wide and high, as `web/src/render/ground.ts` has it. */
-const SHADOW = 96;
 
 /** Longer than anything takes on a busy machine, measuring a wall that had to be thinned all round among it; then the gesture that failed is named, not the test as a whole. */
 const PATIENCE = 120_000;
@@ -152,7 +150,7 @@ export class Visit {
           if (!frame) draw.apply(this, given);
         };
       }
-    }, SHADOW);
+    }, TEXELS);
   }
 
   private offline = false;

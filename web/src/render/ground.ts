@@ -10,7 +10,7 @@ import type { Pot } from "./pot";
 import type { Studio } from "./studio";
 
 /** Texels along an edge of the shadow texture: shadows are soft, more would not be seen. */
-const TEXELS = 96;
+export const TEXELS = 96;
 
 /** Half the side of the table's shadowed square, in units of what stands on it. */
 const REACH = 2.4;

@@ -2,12 +2,12 @@
 //!
 //! What is the same all round is decided in the half plane through the axis, where both are profiles: a place of one is as far from the other in space as its `(|w|, z)` is from the profile. A gap along a whole circle, for which pairs of tiles are many, is one between two curves.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DVec2, DVec3};
 
 use super::budget::{Budget, Steps};
+use super::open::Open;
 use super::section::Section;
 use super::shallow::{Shallow, shallow};
 use super::space::Space;
@@ -39,34 +39,6 @@ pub(super) struct Question {
     pub(super) is_distance_sought: bool,
     /// The most work, in pairs of tiles.
     pub(super) most: u64,
-}
-
-/// Two stretches that are to be held against each other.
-struct Open {
-    least: f64,
-    size: f64,
-    of: [usize; 2],
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    /// The nearest first, and of those that are as near the smallest: what touches is soon known to.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least).then(other.size.total_cmp(&self.size))
-    }
 }
 
 /// Where the borders of two come nearest.
@@ -145,14 +117,14 @@ fn met(sections: &mut [Section; 2], off: f64, question: Question, steps: &mut St
     Some((found, Some(at)))
 }
 
-/// Where two come nearest: the pair of stretches that may be nearest first.
+/// Where two come nearest: the pair of stretches that may be nearest first, and of those that may be as near the smallest, so that what touches is soon known to.
 fn nearest(sections: &mut [Section; 2], off: f64, question: Question, steps: &mut Steps) -> Option<Near> {
     let slack = question.slack;
     let of = [sections[0].root(), sections[1].root()];
-    let mut open = BinaryHeap::from([Open { least: 0.0, size: f64::INFINITY, of }]);
+    let mut open = BinaryHeap::from([Open { least: 0.0, rank: f64::NEG_INFINITY, of }]);
     // No two are further from each other than this.
     let mut most = f64::INFINITY;
-    while let Some(Open { least, size, of }) = open.pop() {
+    while let Some(Open { least, of, .. }) = open.pop() {
         steps.take(1)?;
         if least - off > slack && (!question.is_distance_sought || least >= WELL * most) {
             return Some(Near::Apart(least - off));
@@ -165,7 +137,7 @@ fn nearest(sections: &mut [Section; 2], off: f64, question: Question, steps: &mu
                 return Some(Near::Touch(0.5 * p + 0.5 * q));
             }
             most = most.min(further);
-            if size <= 0.25 * slack && least - off <= slack {
+            if both.iter().all(|stretch| stretch.size() <= 0.25 * slack) && least - off <= slack {
                 return Some(Near::Unknown);
             }
         }
@@ -187,7 +159,7 @@ fn nearest(sections: &mut [Section; 2], off: f64, question: Question, steps: &mu
                 _ => both[0].away(&both[1]),
             };
             let size = both[0].size().max(both[1].size());
-            open.push(Open { least: away.max(least), size, of: next });
+            open.push(Open { least: away.max(least), rank: -size, of: next });
         }
     }
     Some(Near::Unknown)

@@ -3,7 +3,6 @@
 //! Tiles of one are held against tiles of the other, the pair that may be nearest first. A pair is no nearer than its triangles are, less what the border is from them; where the nearest is further than the slack, all of both are. Meanwhile places
 //! of either surface are asked how deep they are in the other.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
@@ -11,6 +10,7 @@ use glam::DVec3;
 use super::boxes::Within;
 use super::budget::Budget;
 use super::coaxial::{Coaxial, Question};
+use super::open::Open;
 use super::space::Space;
 use super::tile::Tile;
 
@@ -88,38 +88,10 @@ pub(super) enum Meeting {
     Undecided { touch: Option<DVec3> },
 }
 
-/// Two things that are to be held against each other.
-struct Open {
-    least: f64,
-    rank: f64,
-    of: [Item; 2],
-}
-
 #[derive(Clone)]
 enum Item {
     Node(u32),
     Tile(Box<Tile>),
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    /// The nearest first, and of those that are as near the one that comes first.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least).then(self.rank.total_cmp(&other.rank))
-    }
 }
 
 /// What is being found of two parts.
@@ -260,16 +232,16 @@ impl Space {
             farthest.dot(direction)
         };
         let mut open = BinaryHeap::new();
-        let push = |open: &mut BinaryHeap<Open>, most: f64, item: Item| {
+        let push = |open: &mut BinaryHeap<Open<Item>>, most: f64, item: Item| {
             // The furthest first.
-            open.push(Open { least: -most, rank: 0.0, of: [item.clone(), item] });
+            open.push(Open { least: -most, rank: 0.0, of: item });
         };
         if let Some(root) = tiles.boxes.root() {
             push(&mut open, of_node(root), Item::Node(root));
         }
         let mut reached = f64::NEG_INFINITY;
         for _ in 0..MOST_REACHING {
-            let Some(Open { least, of: [item, _], .. }) = open.pop() else { break };
+            let Some(Open { least, of: item, .. }) = open.pop() else { break };
             let most = -least;
             if most <= reached + enough || !budget.take(1) {
                 return most;
@@ -385,7 +357,7 @@ impl Pair<'_> {
         known.unwrap_or(Meeting::Apart { least })
     }
 
-    fn open(&self, of: [Item; 2], least: f64) -> Open {
+    fn open(&self, of: [Item; 2], least: f64) -> Open<[Item; 2]> {
         let bounds = |part: usize| match &of[part] {
             Item::Node(node) => self.parts[part].tiles().boxes.bounds(*node),
             Item::Tile(tile) => tile.bounds(),
@@ -403,7 +375,7 @@ impl Pair<'_> {
     }
 
     /// Takes apart the larger of two things.
-    fn halve(&self, pair: Open, open: &mut BinaryHeap<Open>) {
+    fn halve(&self, pair: Open<[Item; 2]>, open: &mut BinaryHeap<Open<[Item; 2]>>) {
         let size = |part: usize| match &pair.of[part] {
             Item::Node(node) => self.parts[part].tiles().boxes.bounds(*node).size(),
             Item::Tile(tile) => tile.size(),

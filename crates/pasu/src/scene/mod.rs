@@ -21,6 +21,7 @@ mod meeting;
 mod meridian;
 mod nearest;
 mod node;
+mod open;
 mod pick;
 mod scenery;
 mod section;

@@ -1,12 +1,12 @@
 //! The place of the border of a part that is nearest to a point.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DMat2, DVec2, DVec3};
 
 use super::border::Jet;
 use super::boxes::Within;
+use super::open::Open;
 use super::space::{Space, TILE};
 use super::tile::Tile;
 use crate::watch;
@@ -34,35 +34,10 @@ pub(super) struct Nearest {
     pub(super) n_looked_at: u64,
 }
 
-/// What is still to be looked at, the nearest first.
-struct Open {
-    least: f64,
-    what: What,
-}
-
+/// What is still to be looked at.
 enum What {
     Node(u32),
     Tile(Box<Tile>),
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least)
-    }
 }
 
 impl Space {
@@ -99,9 +74,9 @@ impl Space {
         }
         let tiles = self.tiles();
         let mut open = BinaryHeap::new();
-        open.extend(tiles.boxes.root().map(|root| Open { least: 0.0, what: What::Node(root) }));
+        open.extend(tiles.boxes.root().map(|root| Open { least: 0.0, rank: 0.0, of: What::Node(root) }));
         let mut n_left = MOST;
-        while let Some(Open { least, what }) = open.pop() {
+        while let Some(Open { least, of, .. }) = open.pop() {
             best.least = least.min(best.distance);
             let is_told = enough > 0.0 && (least > enough || best.distance <= enough);
             if least >= best.distance - ENOUGH * self.size() || is_told || n_left == 0 || watch::is_stopped() {
@@ -124,16 +99,16 @@ impl Space {
                     // Where the distance has one lowest place, all of the tile is as near as what is found at most.
                     let least = least.max(self.least_if_convex(&tile, at, &jet, point));
                     if least < best.distance {
-                        open.push(Open { least, what: What::Tile(Box::new(tile)) });
+                        open.push(Open { least, rank: 0.0, of: What::Tile(Box::new(tile)) });
                     }
                 }
             };
-            match what {
+            match of {
                 What::Node(node) => match tiles.boxes.within(node) {
                     Within::Thing(tile) => look(tiles.all[tile]),
                     Within::Halves(halves) => open.extend(halves.map(|half| {
                         let away = tiles.boxes.bounds(half).distance_to(point);
-                        Open { least: away.max(least), what: What::Node(half) }
+                        Open { least: away.max(least), rank: 0.0, of: What::Node(half) }
                     })),
                 },
                 What::Tile(tile) => {

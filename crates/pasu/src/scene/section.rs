@@ -1,6 +1,5 @@
 //! The section of a body of revolution with the half plane of two such bodies, cut as finely as it is asked for.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DVec2, DVec3};
@@ -8,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::border::Border;
 use super::budget::Steps;
 use super::meridian::{Joint, Meridian};
+use super::open::Open;
 use super::segment::Segment;
 use super::space::Space;
 use super::stroke::Stroke;
@@ -85,32 +85,6 @@ pub(super) struct Section<'a> {
     /// For each stroke with which the meridian begins the number of its stretch.
     first: Vec<usize>,
     corners: Vec<Option<Option<Corner>>>,
-}
-
-/// Something to be looked at, what may be nearest first.
-struct Open {
-    least: f64,
-    stretch: usize,
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least)
-    }
 }
 
 impl<'a> Section<'a> {
@@ -223,9 +197,9 @@ impl<'a> Section<'a> {
     pub(super) fn reach(&mut self, upwards: bool, enough: f64, steps: &mut Steps) -> Option<f64> {
         let sign = if upwards { 1.0 } else { -1.0 };
         let most = |stretch: &Stretch| if upwards { stretch.high.y } else { -stretch.low.y };
-        let mut open = BinaryHeap::from([Open { least: -most(self.stretch(self.root)), stretch: self.root }]);
+        let mut open = BinaryHeap::from([Open { least: -most(self.stretch(self.root)), rank: 0.0, of: self.root }]);
         let mut reached = f64::NEG_INFINITY;
-        while let Some(Open { least, stretch }) = open.pop() {
+        while let Some(Open { least, of: stretch, .. }) = open.pop() {
             steps.take(1)?;
             if let Some(stroke) = self.stretch(stretch).stroke {
                 reached = stroke.chord.0.into_iter().fold(reached, |most, end| most.max(sign * end.y));
@@ -234,7 +208,7 @@ impl<'a> Section<'a> {
                 return Some(sign * -least);
             }
             for half in self.halves(stretch, steps)?? {
-                open.push(Open { least: -most(self.stretch(half)), stretch: half });
+                open.push(Open { least: -most(self.stretch(half)), rank: 0.0, of: half });
             }
         }
         None
@@ -330,9 +304,9 @@ impl<'a> Section<'a> {
     /// How far a place is from the section at least, as well as it can be told, if that is more than `enough`; the outer `None` where work is at its end.
     fn least(&mut self, at: DVec2, enough: f64, steps: &mut Steps) -> Option<Option<f64>> {
         let point = Segment([at; 2]);
-        let mut open = BinaryHeap::from([Open { least: 0.0, stretch: self.root }]);
+        let mut open = BinaryHeap::from([Open { least: 0.0, rank: 0.0, of: self.root }]);
         let mut nearest = f64::INFINITY;
-        while let Some(Open { least, stretch }) = open.pop() {
+        while let Some(Open { least, of: stretch, .. }) = open.pop() {
             steps.take(1)?;
             if least >= WELL * nearest || nearest <= enough {
                 return Some((least > enough).then_some(least));
@@ -347,7 +321,7 @@ impl<'a> Section<'a> {
                     Some(stroke) => stroke.chord.distance(&point) - stroke.deviation,
                     None => apart([next.low, next.high], [at, at]),
                 };
-                open.push(Open { least: away.max(least), stretch: half });
+                open.push(Open { least: away.max(least), rank: 0.0, of: half });
             }
         }
         Some(None)

@@ -345,3 +345,34 @@ fn what_is_aside_of_the_axis_is_not_taken_for_coaxial() {
     let found = constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap();
     assert!(is_met(&codes(&found.breaches)), "{found:?}");
 }
+
+/// Foot rings and drains are of the profile, a surface without an inside may stand in a solid's hollow but not in its wall, and a pot all of which is in a plug is within it.
+#[test]
+fn feet_drains_bare_surfaces_and_what_is_within_are_told() {
+    let told = |parts: [Value; 2]| {
+        codes(&constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap().breaches)
+    };
+    let jar = |wall: Value| json!({ "object": 0, "shape": cylinder(2.0, 5.0), "wall": wall });
+    let pin = |radius: f64, z: f64| pot(1, cylinder(radius, 2.0), 0.05, "flat", json!({ "shift": [0, 0, z] }));
+    // A hole 0.4 from the axis, and a hollow 0.3 high beneath the base, 1.6 from it.
+    let with_drain = || jar(json!({ "thickness": 0.3, "base": 0.3, "drain": 0.8 }));
+    let with_foot = || jar(json!({ "thickness": 0.3, "base": 0.3, "foot": [0.4, 0.3] }));
+    assert_eq!(told([with_drain(), pin(0.399, -1.0)]), Vec::<&str>::new());
+    assert_eq!(told([with_drain(), pin(0.401, -1.0)]), ["interference"]);
+    assert_eq!(told([with_foot(), pin(1.599, -1.71)]), Vec::<&str>::new());
+    assert_eq!(told([with_foot(), pin(1.599, -1.69)]), ["interference"]);
+    assert_eq!(told([with_foot(), pin(1.601, -1.71)]), ["interference"]);
+    let bare = |radius: f64| json!({ "object": 1, "shape": cylinder(radius, 2.0), "place": { "shift": [0, 0, 1] } });
+    let plain = || jar(json!({ "thickness": 0.3, "base": 0.3 }));
+    assert_eq!(told([plain(), bare(1.699)]), Vec::<&str>::new());
+    // All of it is in the clay then.
+    assert_eq!(told([plain(), bare(1.701)]), ["interference", "within"]);
+    let disc = |z: f64| json!({ "form": "disc", "radius": [3, 3], "z": z, "taper": 0, "dz": 4 });
+    let plug = json!({ "object": 0, "shape": { "kind": "blend", "start": disc(0.0), "end": disc(4.0) } });
+    // Its waist is 0.1374 from the axis.
+    assert_eq!(told([plug.clone(), pin(0.137, 1.0)]), ["interference", "within"]);
+    assert_eq!(told([plug.clone(), pin(0.138, 1.0)]), ["interference"]);
+    assert_eq!(told([plug.clone(), pin(1.0, 4.001)]), Vec::<&str>::new());
+    assert_eq!(told([plug.clone(), pin(1.0, 4.0)]), ["contact"]);
+    assert_eq!(told([plug, pin(1.0, 3.999)]), ["interference"]);
+}
