@@ -4,9 +4,9 @@ import { expect, test } from "vitest";
 import { fineWall } from "../support/drag.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { COARSE, SHARP } from "../support/visit.ts";
+import { SHARP } from "../support/visit.ts";
 
-const here = stay({}, COARSE);
+const here = stay();
 
 test("nothing jumps when the hand lets go", async ({ annotate }) => {
   for (const [link, name] of [
