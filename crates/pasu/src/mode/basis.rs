@@ -3,7 +3,6 @@
 use super::order::Order;
 use super::pair::Pair;
 use super::rate::Rate;
-use super::roots::squared_roots;
 use super::slow::Slow;
 use super::unsolvable::Unsolvable;
 
@@ -35,15 +34,15 @@ pub(super) enum Basis {
 }
 
 impl Basis {
-    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`, the largest rate of which is known.
-    pub(super) fn of(order: Order, b: f64, c: f64, rate: f64) -> Self {
+    /// The basis for `q'' - b q` or `q'''' - b q'' + c q`, the largest rate and the squared roots of which are known.
+    pub(super) fn of(order: Order, [b, c]: [f64; 2], rate: f64, roots: Option<(f64, f64)>) -> Self {
         match order {
             Order::Second => Basis::Single(Rate::new(b)),
             Order::Fourth if rate <= SERIES_RATE => Basis::Slow(Slow::new(b, c, rate)),
             Order::Fourth => {
                 let sigma_squared = 0.25 * (b + 2.0 * c.max(0.0).sqrt());
                 let delta_squared = 0.25 * (b - 2.0 * c.max(0.0).sqrt());
-                match squared_roots(b, c) {
+                match roots {
                     Some((z1, z2)) if c <= 0.0 || Self::are_apart(sigma_squared, delta_squared) => {
                         Basis::Separate(Rate::new(z1), Rate::new(z2))
                     }

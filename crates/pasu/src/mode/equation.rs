@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::order::Order;
 use super::pair::Pair;
-use super::roots::{largest_rate, swing};
+use super::roots::{largest_rate, rate_of, roots, swing};
 use super::unsolvable::Unsolvable;
 
 /// The operator of one mode divided by `s`: `q'' - b q` for order 2 (`c` is 0), `q'''' - b q'' + c q` for order 4,
@@ -38,17 +38,36 @@ impl Equation {
     /// ```
     pub fn new(order: Order, s: f64, t: f64, w: f64, k: f64) -> Result<Self, Unsolvable> {
         let [b, c] = Self::coefficients(order, s, t, w, k)?;
-        Self::of_coefficients(order, s, b, c, largest_rate(order, b, c))
+        let roots = roots(order, b, c);
+        Self::of_coefficients(order, s, [b, c], rate_of(roots, c), roots)
     }
 
-    /// The operator with these coefficients and this largest rate on an interval of this length, as an equation on [0, 1]: the rates grow shorter with it.
-    pub(super) fn on(order: Order, s: f64, [b, c]: [f64; 2], rate: f64, length: f64) -> Result<Self, Unsolvable> {
+    /// The operator with these coefficients, this largest rate and these [`roots`] on an interval of this length, as an equation on [0, 1]: the rates grow shorter with it.
+    pub(super) fn on(
+        order: Order,
+        s: f64,
+        [b, c]: [f64; 2],
+        rate: f64,
+        all: Option<(f64, f64)>,
+        length: f64,
+    ) -> Result<Self, Unsolvable> {
+        if length == 1.0 {
+            return Self::of_coefficients(order, s, [b, c], rate, all);
+        }
         let square = length * length;
-        Self::of_coefficients(order, s, b * square, c * (square * square), rate * length)
+        let [b, c] = [b * square, c * (square * square)];
+        Self::of_coefficients(order, s, [b, c], rate * length, roots(order, b, c))
     }
 
-    fn of_coefficients(order: Order, s: f64, b: f64, c: f64, rate: f64) -> Result<Self, Unsolvable> {
-        let basis = Basis::of(order, b, c, rate);
+    #[inline(never)]
+    fn of_coefficients(
+        order: Order,
+        s: f64,
+        [b, c]: [f64; 2],
+        rate: f64,
+        roots: Option<(f64, f64)>,
+    ) -> Result<Self, Unsolvable> {
+        let basis = Basis::of(order, [b, c], rate, roots);
         let halves = basis.halves();
         basis.check(&halves)?;
         Ok(Equation { order, s, b, c, basis, halves })

@@ -6,12 +6,22 @@ use super::order::Order;
 
 /// The size of the fastest rate, `max |r|` over the roots of `r^2 - b` (order 2) or `r^4 - b r^2 + c` (order 4).
 pub(super) fn largest_rate(order: Order, b: f64, c: f64) -> f64 {
+    rate_of(roots(order, b, c), c)
+}
+
+/// The squares of the roots where they are real, the larger in size first; of order 2 the one and 0.
+pub(super) fn roots(order: Order, b: f64, c: f64) -> Option<(f64, f64)> {
     match order {
-        Order::Second => b.abs().sqrt(),
-        Order::Fourth => match squared_roots(b, c) {
-            Some((z, _)) => z.abs().sqrt(),
-            None => c.sqrt().sqrt(),
-        },
+        Order::Second => Some((b, 0.0)),
+        Order::Fourth => squared_roots(b, c),
+    }
+}
+
+/// As [`largest_rate`], of what [`roots`] found.
+pub(super) fn rate_of(roots: Option<(f64, f64)>, c: f64) -> f64 {
+    match roots {
+        Some((z, _)) => z.abs().sqrt(),
+        None => c.sqrt().sqrt(),
     }
 }
 
