@@ -252,6 +252,11 @@ impl Beam {
             .collect()
     }
 
+    /// The number of the bay at `u`.
+    fn bay_at(&self, u: f64) -> usize {
+        self.joints.as_ref().map_or(0, |joints| joints.bays.at(u))
+    }
+
     fn bays(&self) -> &Bays {
         self.joints.as_ref().map_or_else(|| &*WHOLE, |joints| &joints.bays)
     }
@@ -278,7 +283,7 @@ impl Beam {
 
     /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
     pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_in(self.bays().at(u), of, u)
+        self.jets_in(self.bay_at(u), of, u)
     }
 
     /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
@@ -288,23 +293,24 @@ impl Beam {
         u: f64,
         [low, high]: [f64; 2],
     ) -> [[f64; N]; M] {
-        let index = self.bays().at(u.min(high.next_down()).max(low));
+        let index = self.bay_at(u.min(high.next_down()).max(low));
         let x = self.bays().bays.get(index).map_or(0.0, |bay| bay.beyond(u));
         self.jets_of(index, of, x)
     }
 
     fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        let x = self.bays().bays.get(index).map_or(0.0, |bay| bay.within(u));
+        let x = match &self.joints {
+            None => u.clamp(0.0, 1.0),
+            Some(joints) => joints.bays.bays.get(index).map_or(0.0, |bay| bay.within(u)),
+        };
         self.jets_of(index, of, x)
     }
 
     fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
-        let Some(bay) = self.bays().bays.get(index) else { return [[0.0; N]; M] };
-        let equation = self.equation_of(bay);
+        let bay = self.joints.as_ref().and_then(|joints| joints.bays.bays.get(index));
+        let equation = bay.map_or(&self.equation, |bay| self.equation_of(bay));
         let mut jets = equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
-        if self.is_single() {
-            return jets;
-        }
+        let Some(bay) = bay else { return jets };
         for (jet, deflection) in jets.iter_mut().zip(of) {
             bay.lengthen(jet);
             let end = [0.0, 1.0].into_iter().position(|end| x == end);
