@@ -184,8 +184,8 @@ export class Made {
     // A hand on the pot is told at once what it does to it.
     const pulled = walled && session.pulling;
     // A wall that was only moved is there to be looked at until the fine one is.
-    const carried = value !== null && of !== null && areCarried(of.parts, design.parts);
-    if (rests || rewalled) this.#draw(walled ? design : null, rests && (of === design || carried));
+    const there = () => of === design || (value !== null && of !== null && areCarried(of.parts, design.parts));
+    if (rests || rewalled) this.#draw(walled ? design : null, rests && there());
     if (rests || rewalled || still) {
       const labelled = walled && session.overlays.axes;
       const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;

@@ -3,6 +3,7 @@ import { beforeEach, expect, test } from "vitest";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
 import { moved, rowOf, taller, withPart } from "../../testing/row";
+import { stripOf } from "../../testing/strip";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
 import { selectTab, toggleOverlay } from "../state/actions";
@@ -198,4 +199,40 @@ test("with twenty parts a slider asks for one of them, and a part that moves und
   expect(parts()).toEqual([[]]);
   expect(surface.settled?.design).toBe(store.design);
   expect(surface.status).toBe("ready");
+});
+
+test("of a large network what a hand moved last is shown before its link is made, and nothing is sampled for that", async () => {
+  const strip = stripOf(120);
+  store.apply({ design: strip, undo: "step" });
+  await begun();
+  expect(surface.settled?.design).toBe(strip);
+  const asked = () =>
+    worker.sent
+      .splice(0)
+      .map(({ ask }) =>
+        ask.kind === "parts" ? [ask.parts.filter(({ mesh }) => mesh).length, ask.whole !== null] : [],
+      );
+  asked();
+  const lift = (z: number) =>
+    store.apply({
+      design: setPath(store.design, ["parts", 0, "shape", "vertices", 4], [1, 1, z]),
+      undo: "merge",
+      key: "hand",
+    });
+  // The last movement waits for the one before it when the hand lets go.
+  lift(0.1);
+  lift(0.2);
+  store.endGesture();
+  await worker.answer();
+  await worker.answer();
+  expect(surface.shown).toMatchObject({ design: store.design, settled: false });
+  expect(surface.status).toBe("solving");
+  await worker.finish();
+  expect(surface.settled?.solved.link).not.toBe("");
+  expect(surface.status).toBe("ready");
+  expect(asked()).toEqual([
+    [1, false],
+    [1, false],
+    [0, true],
+  ]);
 });

@@ -160,8 +160,11 @@ export class Surface {
       asked.lines >= wanted.lines &&
       (wanted.section === null || asked.section === wanted.section);
     if (enough || this.#companion?.waits(() => this.#again())) return;
-    this.#asked = wanted;
-    this.#solve(wanted);
+    // Of a large network link and fingerprint take longer than all that a hand moved: that is shown first.
+    const shown = this.#shown.peek()?.design === wanted.design;
+    const settle = wanted.settle && (shown || !wanted.design.parts.some(({ shape }) => isLarge(shape)));
+    this.#asked = { ...wanted, settle };
+    this.#solve(this.#asked);
   }
 
   /** What had to wait may have become something else meanwhile. */
@@ -195,6 +198,7 @@ export class Surface {
         this.#travelled = false;
         this.#problem.value = null;
         if (settle) this.#status.value = "ready";
+        else this.#again();
       });
     });
   }
