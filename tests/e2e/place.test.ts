@@ -124,6 +124,10 @@ test("a hand on a part draws neither the stage nor the bar over it, nor the numb
   const pot = await three();
   await choose(pot, "Lid");
   await takeParts(pot);
+  await judged(pot);
+  // That it is found out again whether parts fit together moves nothing of the panel.
+  const below = async () => (await pot.page.locator("pasu-arrange").boundingBox())?.y;
+  const panel = await below();
   await countDrawn(pot);
   const { x, y } = await spotOf(grip(pot, "move-x"));
   await pot.page.mouse.move(x, y);
@@ -132,12 +136,26 @@ test("a hand on a part draws neither the stage nor the bar over it, nor the numb
   await pot.page.mouse.move(x + 10, y, { steps: 5 });
   await pot.page.locator("pasu-place-handles output:not([hidden])").waitFor();
   await drawn(pot);
+  const lines = await pot.page.locator("pasu-place-handles").evaluateHandle(({ shadowRoot }) => {
+    const found = { lines: 0 };
+    const count = (all: readonly MutationRecord[]) => {
+      found.lines += all.length;
+    };
+    if (shadowRoot) new MutationObserver(count).observe(shadowRoot, { subtree: true, attributeFilter: ["d"] });
+    return found;
+  });
   await pot.page.mouse.move(x + 40, y, { steps: 10 });
   const during = await drawn(pot);
+  // Each of the three lines once with each movement, and perhaps once more when the camera has come after.
+  expect((await lines.jsonValue()).lines).toBeLessThanOrEqual(33);
+  expect(await pot.page.locator("pasu-constraints [aria-busy=true]").count()).toBe(1);
+  expect(await below()).toBe(panel);
   expect(during).toContain("pasu-place-handles");
   const others = ["pasu-app", "pasu-stage", "pasu-place-bar", "pasu-panel", "pasu-parameters", "a new canvas"];
   expect(during.filter((name) => others.includes(name))).toEqual([]);
   await pot.page.mouse.up();
+  await judged(pot);
+  await expect.poll(below).toBe(panel);
   await pot.leave();
 });
 
