@@ -3,14 +3,14 @@
 import { motionsBetween } from "../document/carried";
 import { looksOf, unitOf } from "../document/look";
 import { mapOf, scaleOf } from "../document/maps";
-import type { Design, MapName } from "../document/types";
+import type { Design, MapName, Triple } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
 import { Made as Drawing, type Hold } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
-import { around, type Bounds, grownAlike } from "../solver/bounds";
+import { around, type Bounds } from "../solver/bounds";
 import { type Solved, verticesOf } from "../solver/solved";
 import type { Designer } from "../work/designer";
 import type { Made } from "../work/made";
@@ -114,6 +114,20 @@ export class StageMade {
       this.#drawing.paint(fits ? next : undefined);
     } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
   }
+}
+
+/** What goes beyond `now` as `all` did beyond `then`, on each side by itself. */
+function grownAlike(now: Bounds | null, then: Bounds | null, all: Bounds | null): Bounds | null {
+  if (!now || !then || !all) return all ?? now;
+  const each = (of: (axis: 0 | 1 | 2) => number): Triple => [of(0), of(1), of(2)];
+  const min = each((axis) => now.min[axis] + (all.min[axis] - then.min[axis]));
+  const max = each((axis) => now.max[axis] + (all.max[axis] - then.max[axis]));
+  return {
+    min,
+    max,
+    centre: each((axis) => (min[axis] + max[axis]) / 2),
+    radius: now.radius + (all.radius - then.radius),
+  };
 }
 
 /** The thickness at the rim and how much the pot holds, where each can be seen. */

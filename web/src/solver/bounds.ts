@@ -25,20 +25,6 @@ export function around(a: Bounds | null, b: Bounds | null): Bounds | null {
   return { min, max, centre, radius: Math.max(reach(a), reach(b)) };
 }
 
-/** What goes beyond `now` as `all` did beyond `then`, on each side by itself. */
-export function grownAlike(now: Bounds | null, then: Bounds | null, all: Bounds | null): Bounds | null {
-  if (!now || !then || !all) return all ?? now;
-  const each = (of: (axis: 0 | 1 | 2) => number): Triple => [of(0), of(1), of(2)];
-  const min = each((axis) => now.min[axis] + (all.min[axis] - then.min[axis]));
-  const max = each((axis) => now.max[axis] + (all.max[axis] - then.max[axis]));
-  return {
-    min,
-    max,
-    centre: each((axis) => (min[axis] + max[axis]) / 2),
-    radius: now.radius + (all.radius - then.radius),
-  };
-}
-
 /** A part where it stands: what it fills before placement, and after it. */
 export interface Standing {
   readonly matrix: Matrix;
