@@ -284,7 +284,8 @@ export class Made implements Guest {
       const moved = this.moved.get(part);
       const own = moved !== undefined || (look.line > 0 && !this.mapped);
       const uniforms = moved ?? (own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID);
-      if (last?.material === material && !own && last.range && last.range[0] + last.range[1] === start) {
+      const on = last?.material === material && last.uniforms === uniforms;
+      if (on && last.range && last.range[0] + last.range[1] === start) {
         last.range = [last.range[0], last.range[1] + count];
       } else {
         const range: [number, number] = [start, count];
