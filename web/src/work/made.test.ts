@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { JAR, POT, tall, WALL } from "../../testing/jar";
 import { realMaker } from "../../testing/real-maker";
 import { type Workbench, workbench } from "../../testing/workbench";
+import type { Extents } from "../document/extents";
 import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
 import type { Ask } from "../maker/messages";
@@ -334,11 +335,16 @@ const shifted = (design: Design, x: number): Design => setPath(design, ["parts",
 test("a wall goes along with a part that is only moved: nothing is made under the hand, and the fine wall at once at rest", async () => {
   const { asked, made, making, rests, solved, store, surface } = await potted();
   const wall = made.solid;
+  const extents = () => made.extentsOf(store.design, surface.shown?.solved.facts?.extents as Extents);
+  const before = extents();
   for (const x of [1, 2, 3]) {
     store.apply({ design: shifted(POT, x), undo: "merge", key: "hand" });
     await solved();
     // The picture waits for nothing.
     expect(surface.shown?.design).toBe(store.design);
+    // It is as high and as wide with its wall as it was.
+    expect(extents().height).toBeCloseTo(before.height, 9);
+    expect(extents().greatest.width).toBeCloseTo(before.greatest.width, 5);
   }
   expect(asked()).toEqual([]);
   expect(made.solid).toBe(wall);

@@ -57,6 +57,8 @@ export class Made {
   };
   /** What is asked for and of whom, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
+  /** How high and wide a wall is, and what it was made on. */
+  #beneath: { readonly all: Extents; readonly drawn: Extents } | null = null;
   readonly #later: Later;
   /** What is under the hand in a gesture, once it is on the stage. */
   readonly #held = computed(() => {
@@ -120,8 +122,8 @@ export class Made {
 
   /** How high and wide a design is whose surface was `drawn` so: with its wall, if it has one, and as it was measured, if that is known. */
   extentsOf(design: Design, drawn: Extents): Extents {
-    const { solid, measures } = this;
-    const extents = (solid.of === design ? solid.value?.extents : null) ?? drawn;
+    const { measures } = this;
+    const extents = this.#walled(design, drawn) ?? drawn;
     const measured = measures.of === design ? measures.value : null;
     if (!measured) return extents;
     const { height, width } = measured;
@@ -130,6 +132,29 @@ export class Made {
       height: height.value,
       greatest: { ...extents.greatest, width: width.greatest.value },
       least: { ...extents.least, width: width.least.value },
+    };
+  }
+
+  /** The same with its wall; of one whose wall went along what it is beyond its surface as it was where the wall was made. Null without one. */
+  #walled(design: Design, drawn: Extents): Extents | null {
+    const { value, of } = this.solid;
+    const all = value?.extents;
+    if (!all || !of) return null;
+    if (of === design) {
+      this.#beneath = { all, drawn };
+      return all;
+    }
+    if (this.#beneath?.all !== all || !areCarried(of.parts, design.parts)) return null;
+    const { drawn: then } = this.#beneath;
+    const span = (name: "greatest" | "least") => {
+      const [wall, was, now] = [all[name], then[name], drawn[name]];
+      return { ...now, low: now.low + (wall.low - was.low), width: now.width + (wall.width - was.width) };
+    };
+    return {
+      bottom: drawn.bottom + (all.bottom - then.bottom),
+      height: drawn.height + (all.height - then.height),
+      greatest: span("greatest"),
+      least: span("least"),
     };
   }
 
