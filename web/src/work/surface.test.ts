@@ -1,5 +1,6 @@
 import { effect } from "@preact/signals-core";
 import { beforeEach, expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
 import { moved, rowOf, taller, withPart } from "../../testing/row";
@@ -233,6 +234,28 @@ test("of a large network what a hand moved last is shown before its link is made
   expect(asked()).toEqual([
     [1, false],
     [1, false],
+    [0, true],
+  ]);
+});
+
+test("parts that were only moved are shown before their link is made, and so is undo", async () => {
+  store.apply({ design: rowOf(3), undo: "step" });
+  await begun();
+  const first = store.design;
+  worker.sent.splice(0);
+  store.apply({ design: withPart(first, 1, moved({ shift: [9, 1, 0] })), undo: "merge", key: "move" });
+  store.endGesture();
+  await settled();
+  expect(surface.shown).toMatchObject({ design: store.design, settled: false });
+  await worker.finish();
+  expect(surface.settled?.design).toBe(store.design);
+  store.undo();
+  await settled();
+  expect(surface.shown).toMatchObject({ design: first, settled: false, travelled: true });
+  await worker.finish();
+  expect(surface.settled).toMatchObject({ design: first, travelled: true });
+  expect(worker.sent.map(({ ask }) => ask.kind === "parts" && [ask.parts.length, ask.whole !== null])).toEqual([
+    [0, true],
     [0, true],
   ]);
 });

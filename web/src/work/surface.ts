@@ -2,7 +2,7 @@
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
 import { unitOf } from "../document/look";
-import type { Design, Refusal } from "../document/types";
+import type { Design, Part, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { Desk } from "../solver/desk";
@@ -160,9 +160,12 @@ export class Surface {
       asked.lines >= wanted.lines &&
       (wanted.section === null || asked.section === wanted.section);
     if (enough || this.#companion?.waits(() => this.#again())) return;
-    // Of a large network link and fingerprint take longer than all that a hand moved: that is shown first.
-    const shown = this.#shown.peek()?.design === wanted.design;
-    const settle = wanted.settle && (shown || !wanted.design.parts.some(({ shape }) => isLarge(shape)));
+    // Link and fingerprint take longer than parts that were only moved, and points of a large network: these are shown first.
+    const { parts: before = [] } = this.#shown.peek()?.design ?? {};
+    const { parts } = wanted.design;
+    const quick = ({ shape }: Part, at: number) => isLarge(shape) || shape === before[at]?.shape;
+    const another = ({ shape, place }: Part, at: number) => shape !== before[at]?.shape || place !== before[at]?.place;
+    const settle = wanted.settle && !(parts.every(quick) && parts.some(another));
     this.#asked = { ...wanted, settle };
     this.#solve(this.#asked);
   }
