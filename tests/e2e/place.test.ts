@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
+import { fineWall, walls, watchDrags } from "../support/drag.ts";
 import { countDrawn, drawn } from "../support/drawn.ts";
 import { countQuestions, grip, questions, seenPart, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
@@ -38,12 +39,16 @@ const choose = (pot: Visit, name: string) =>
 const handling = (pot: Visit, name: string) =>
   pot.page.locator("pasu-place-bar").getByRole("radio", { name, exact: true }).check({ force: true });
 
+/** Whether its parts fit together has been found out: nothing is asked any more unless somebody does something. */
+const judged = (pot: Visit) => pot.page.locator("pasu-constraints .reports").waitFor({ state: "attached" });
+
 test("a handle moves the part along its axis, one drag is one step, and costs no solving", async () => {
   const pot = await three({ before: countQuestions });
   await choose(pot, "Lid");
   await takeParts(pot);
   const handle = grip(pot, "move-x");
   const from = await spotOf(handle);
+  await judged(pot);
   await questions(pot);
   let during: Readonly<Record<string, number>> = {};
   const scene = await pot.fingerprint();
@@ -76,10 +81,53 @@ test("a handle moves the part along its axis, one drag is one step, and costs no
   await pot.shows(moved);
 });
 
+test("walls go along with parts that are moved: none is made under the hand, and all stay on the stage", async () => {
+  const pot = await here.enter({
+    before: async (there) => {
+      await countQuestions(there);
+      await watchDrags(there);
+    },
+  });
+  const first = await pot.fingerprint();
+  const parts = SCENE.parts.map((each) => ({ ...each, wall: { thickness: 0.08, base: 0.1 } }));
+  await pot.dropFile("walled.json", JSON.stringify({ ...SCENE, parts }));
+  await pot.fingerprintOtherThan(first);
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  await fineWall(pot);
+  await judged(pot);
+  for (const name of ["move-x", "free"]) {
+    const from = await spotOf(grip(pot, name));
+    await walls(pot);
+    await questions(pot);
+    let during: Readonly<Record<string, number>> = {};
+    const scene = await pot.fingerprint();
+    const held = async () => {
+      during = await questions(pot);
+      await pot.page.locator("pasu-place-handles output:not([hidden])").waitFor();
+    };
+    await dragFrom(pot, from, { x: 40, y: 0 }, { held });
+    expect(during).toEqual({});
+    await pot.fingerprintOtherThan(scene);
+    const seen = await walls(pot);
+    expect(seen.length).toBeGreaterThan(0);
+    expect([...new Set(seen)]).toEqual(["fine"]);
+    // At rest it is made as it is there, and once.
+    await judged(pot);
+    await expect.poll(async () => (await questions(pot)).solid ?? 0).toBe(1);
+    await fineWall(pot);
+  }
+  await pot.leave();
+});
+
 test("a hand on a part draws neither the stage nor the bar over it, nor the numbers of its shape", async () => {
   const pot = await three();
   await choose(pot, "Lid");
   await takeParts(pot);
+  await judged(pot);
+  // That it is found out again whether parts fit together moves nothing of the panel.
+  const below = async () => (await pot.page.locator("pasu-arrange").boundingBox())?.y;
+  const panel = await below();
   await countDrawn(pot);
   const { x, y } = await spotOf(grip(pot, "move-x"));
   await pot.page.mouse.move(x, y);
@@ -88,12 +136,26 @@ test("a hand on a part draws neither the stage nor the bar over it, nor the numb
   await pot.page.mouse.move(x + 10, y, { steps: 5 });
   await pot.page.locator("pasu-place-handles output:not([hidden])").waitFor();
   await drawn(pot);
+  const lines = await pot.page.locator("pasu-place-handles").evaluateHandle(({ shadowRoot }) => {
+    const found = { lines: 0 };
+    const count = (all: readonly MutationRecord[]) => {
+      found.lines += all.length;
+    };
+    if (shadowRoot) new MutationObserver(count).observe(shadowRoot, { subtree: true, attributeFilter: ["d"] });
+    return found;
+  });
   await pot.page.mouse.move(x + 40, y, { steps: 10 });
   const during = await drawn(pot);
+  // Each of the three lines once with each movement, and perhaps once more when the camera has come after.
+  expect((await lines.jsonValue()).lines).toBeLessThanOrEqual(33);
+  expect(await pot.page.locator("pasu-constraints [aria-busy=true]").count()).toBe(1);
+  expect(await below()).toBe(panel);
   expect(during).toContain("pasu-place-handles");
   const others = ["pasu-app", "pasu-stage", "pasu-place-bar", "pasu-panel", "pasu-parameters", "a new canvas"];
   expect(during.filter((name) => others.includes(name))).toEqual([]);
   await pot.page.mouse.up();
+  await judged(pot);
+  await expect.poll(below).toBe(panel);
   await pot.leave();
 });
 

@@ -12,6 +12,7 @@ import { registerOffline } from "./sw/register";
 import { choose } from "./words/languages";
 import { Designer } from "./work/designer";
 import { saveBlob } from "./work/files";
+import { whenIdle } from "./work/idle";
 import { claimTab } from "./work/tab-lock";
 
 const choosing = choose(new URLSearchParams(location.search).get("lang"), navigator.languages);
@@ -34,6 +35,7 @@ function start(): void {
         // Some browsers refuse after a hundred changes in half a minute: the next gesture writes the address again.
       }
     },
+    whenIdle,
     download: saveBlob,
   });
   designer.connect();

@@ -46,6 +46,12 @@ export class Page implements Surroundings {
     this.hash = link === "" ? "" : `#${link}`;
     this.written += 1;
   };
+  /** What waits until the page is idle; at once where a test does not hold it. */
+  waiting: (() => void)[] | null = null;
+  readonly whenIdle = (run: () => void) => {
+    if (this.waiting) this.waiting.push(run);
+    else run();
+  };
   readonly download = (file: Blob, name: string) => {
     this.files.push({ name, text: file.text() });
   };

@@ -1,15 +1,17 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
 
+import { motionsBetween } from "../document/carried";
 import { looksOf, unitOf } from "../document/look";
 import { mapOf, scaleOf } from "../document/maps";
-import type { MapName } from "../document/types";
+import type { Design, MapName, Triple } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { Solid } from "../maker/messages";
 import { Made as Drawing, type Hold } from "../render/made/made";
 import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
-import { verticesOf } from "../solver/solved";
+import { around, type Bounds } from "../solver/bounds";
+import { type Solved, verticesOf } from "../solver/solved";
 import type { Designer } from "../work/designer";
 import type { Made } from "../work/made";
 import type { Piece } from "../work/piece";
@@ -27,6 +29,8 @@ export class StageMade {
   /** The meshes that colours are of. */
   #meshes: readonly unknown[] = [];
   #last: readonly unknown[] = [];
+  /** What a wall was made on, and what that filled. */
+  #beneath: { readonly value: Solid | null; readonly bounds: Bounds | null } = { value: null, bounds: null };
 
   /** The handle of the water is put into the shadow of `host`. */
   constructor(designer: Designer, stage: Stage, host: HTMLElement) {
@@ -56,20 +60,36 @@ export class StageMade {
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
-    this.#show(made, fits(solid) ? solid : null, shown);
+    this.#show(made, shown);
     this.#drawing.cut(overlays.cut);
     this.#drawing.pour(fits(water) ? water.value : null, fill === null ? null : made.level);
     this.#paint(made, shown, map);
     this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);
   }
 
-  /** What was shown before is written over by what is made under the hand. */
-  #show({ inStep, solid }: Made, wall: Piece<Solid> | null, { design }: Shown): void {
-    const before = this.#drawing.show(wall?.value ?? null, looksOf(design));
+  /** What was shown before is written over by what is made under the hand. Walls go along with parts that are only moved. */
+  #show({ inStep, solid }: Made, { design, solved }: Shown): void {
+    const { value, of } = solid;
+    const motions = value && of ? motionsBetween(of.parts, design.parts) : [];
+    const wall = motions.some((motion) => motion !== null) ? solid : null;
+    const before = this.#drawing.show(
+      wall?.value ?? null,
+      looksOf(design),
+      motions,
+      this.#extent(solid, design, solved),
+    );
     if (before && before !== solid.value) inStep.recycle(before);
     // For whoever watches from outside.
     if (wall?.value) this.#host.dataset.wall = wall.key;
     else delete this.#host.dataset.wall;
+  }
+
+  /** What the pot fills with its wall: of one that was moved what its surface fills, and beyond that what it filled before. */
+  #extent({ value, of }: Piece<Solid>, design: Design, { bounds }: Solved): Bounds | null {
+    if (!value) return null;
+    if (of === design) this.#beneath = { value, bounds };
+    const { value: known, bounds: then } = this.#beneath;
+    return known === value ? grownAlike(bounds, then, value.bounds) : around(value.bounds, bounds);
   }
 
   #paint({ painted, lining, solid }: Made, shown: Shown, map: MapName | null): void {
@@ -94,6 +114,20 @@ export class StageMade {
       this.#drawing.paint(fits ? next : undefined);
     } else if (another || painted.of !== shown.design) this.#drawing.paint(undefined);
   }
+}
+
+/** What goes beyond `now` as `all` did beyond `then`, on each side by itself. */
+function grownAlike(now: Bounds | null, then: Bounds | null, all: Bounds | null): Bounds | null {
+  if (!now || !then || !all) return all ?? now;
+  const each = (of: (axis: 0 | 1 | 2) => number): Triple => [of(0), of(1), of(2)];
+  const min = each((axis) => now.min[axis] + (all.min[axis] - then.min[axis]));
+  const max = each((axis) => now.max[axis] + (all.max[axis] - then.max[axis]));
+  return {
+    min,
+    max,
+    centre: each((axis) => (min[axis] + max[axis]) / 2),
+    radius: now.radius + (all.radius - then.radius),
+  };
 }
 
 /** The thickness at the rim and how much the pot holds, where each can be seen. */

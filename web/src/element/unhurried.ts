@@ -9,9 +9,13 @@ export const BETWEEN = 100;
 
 export class Unhurried {
   #last = Number.NEGATIVE_INFINITY;
+  #held = false;
 
-  /** Comes when it is time to draw: at once at rest, under the hand a while after the drawing before, and there as soon as the hand lets go. */
+  /** Comes when it is time to draw: at once at rest, under the hand a while after it began or after the drawing before, and there as soon as the hand lets go. */
   async turn(store: Pick<Store, "inGesture">): Promise<void> {
+    // What a hand does first is seen before it is told.
+    if (store.inGesture && !this.#held) this.#last = performance.now();
+    this.#held = store.inGesture;
     const left = this.#last + BETWEEN - performance.now();
     if (left > 0 && store.inGesture) await restOr(store, left);
     this.#last = performance.now();

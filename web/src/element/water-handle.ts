@@ -20,7 +20,8 @@ export class PasuWaterHandle extends DesignerElement {
   /** Moves it to where the water is; away at null. */
   hold(hold: Hold | null): void {
     this.held = hold;
-    this.hidden = hold === null;
+    // With every frame: what is away already is not touched.
+    if (this.hidden !== (hold === null)) this.hidden = hold === null;
     if (hold) this.style.setProperty("transform", `translate(${hold.x.toFixed(1)}px, ${hold.y.toFixed(1)}px)`);
   }
 

@@ -68,7 +68,8 @@ export class PotPart {
   /** The same part at another time. */
   update({ revision, mesh, matrix, span }: StagePart, lattice: Lattice): void {
     this.span.value = span;
-    this.drawable.mirrored = place(this.placing, matrix);
+    // Of hundreds of parts that stand where they stood nothing is worked out again.
+    if (matrix !== this.placing.model.value) this.drawable.mirrored = place(this.placing, matrix);
     if (revision === this.revision) return;
     const writes = mesh.positions === this.positions.array ? (mesh.writes?.since(this.revision) ?? null) : null;
     this.revision = revision;

@@ -63,6 +63,8 @@ export interface Desktop {
 export class Desk {
   readonly #solver: Desktop;
   #kept = new Map<PartId, Kept>();
+  /** Parts that were found to stand as they are told to. */
+  #stood: readonly Part[] = [];
   /** What is known of the design that was last at rest. */
   #rest: { readonly asked: WholeAsk; readonly whole: Whole } | null = null;
 
@@ -94,8 +96,12 @@ export class Desk {
     const parts = design.parts.flatMap((part, place): PartAsk[] => {
       const id = ids[place] as PartId;
       const kept = this.#kept.get(id);
+      const known = isOf(kept, part);
+      // Under the hand a mesh of the very shape will do, however fine: of hundreds of parts that nobody touches no more is asked.
+      const does = known && !options.settle && (!options.lines || kept.lines !== null);
+      if (does && options.section !== place) return [];
       const wanted = meshWanted(design, part, options);
-      const there = isOf(kept, part) && this.#serves(kept, part, options, wanted);
+      const there = known && this.#serves(kept, part, options, wanted);
       const section =
         !isWithoutSection(part.shape) && options.section === place && !(kept?.shape === part.shape && kept.section);
       if (there && !section) return [];
@@ -103,7 +109,8 @@ export class Desk {
       return [askOf(part, id, place, there ? null : { ...wanted, ...(has !== undefined && { has }) }, section)];
     });
     // What cannot stand as it is told to is for the solver to refuse, under the hand too.
-    const stands = design.parts.every(({ place }) => matrixOf(place) !== null);
+    const stands = design.parts.every(({ place }, at) => place === this.#stood[at]?.place || matrixOf(place) !== null);
+    if (stands) this.#stood = design.parts;
     const whole = options.settle || !stands ? wholeOf(design, options) : null;
     const known = whole !== null && this.#knows(whole);
     if (parts.length === 0 && (whole === null || known)) return null;

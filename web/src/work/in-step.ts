@@ -4,6 +4,7 @@
  * and its wall follows once the hand holds still.
  */
 
+import { areCarried } from "../document/carried";
 import type { Design } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
@@ -116,7 +117,10 @@ export class InStep implements Companion {
     }
     const walled = design.parts.some(({ wall }) => wall !== undefined);
     if (!walled || !shown) return false;
-    return began !== null || !sameSurface(shown.design.parts, design.parts);
+    if (began !== null) return true;
+    // A part that is only moved takes its wall along. Water would have to be poured anew.
+    const [before, now] = [shown.design.parts, design.parts];
+    return !sameSurface(before, now) && !(this.#store.session.fill === null && areCarried(before, now));
   }
 
   async #together(pair: object, design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> {

@@ -1,5 +1,6 @@
 import { expect, test, vi } from "vitest";
 import { JAR, tall } from "../../testing/jar";
+import { rowOf } from "../../testing/row";
 import { Page } from "../../testing/surroundings";
 import { workbench } from "../../testing/workbench";
 import { setPath } from "../document/path";
@@ -191,4 +192,38 @@ test("a design that is too large for an address says so, and is kept as a file t
   store.undo();
   await rests();
   expect(page.hash).toContain("h1=21");
+});
+
+test("what is long to write waits until the page has nothing else to do, and only the latest is written", async () => {
+  const { change, page, rests, store, surface } = await bench();
+  await change(21);
+  const before = page.hash;
+  page.waiting = [];
+  const long = (title: string) => ({ ...rowOf(400), title });
+  store.apply({ design: long("Earlier"), undo: "step" });
+  await rests();
+  store.apply({ design: long("Latest"), undo: "step" });
+  await rests();
+  const link = surface.settled?.solved.link ?? "";
+  expect(link.length).toBeGreaterThan(1024);
+  expect(page.hash).toBe(before);
+  expect(readWork(page.shelf, TAB)?.text).not.toContain("Latest");
+  // A hand that moves on meanwhile takes nothing of it away.
+  store.apply({ design: long("Under the hand"), undo: "merge", key: "title" });
+  const written = page.written;
+  for (const run of page.waiting.splice(0)) run();
+  expect(page.hash).toBe(`#${link}`);
+  expect(page.written).toBe(written + 1);
+  expect(readWork(page.shelf, TAB)).toMatchObject({ link, unsaved: true });
+  // What is short is written at once, and what still waited is not written over it.
+  store.endGesture();
+  await rests();
+  store.apply({ design: tall(JAR, 22), undo: "step" });
+  await rests();
+  const waited = page.waiting.splice(0);
+  expect(waited.length).toBeGreaterThan(0);
+  const now = page.hash;
+  expect(now).toContain("h1=22");
+  for (const run of waited) run();
+  expect(page.hash).toBe(now);
 });

@@ -27,9 +27,14 @@ export interface Surroundings {
   readonly fragment: () => string;
   /** Nothing is left of the one before where the link is empty. */
   readonly writeFragment: (link: string) => void;
+  /** Runs something once the page has nothing else to do, or is about to be left. */
+  readonly whenIdle: (run: () => void) => void;
   /** Hands a file to the person. */
   readonly download: (file: Blob, name: string) => void;
 }
+
+/** A longer link, and the document that it is of, take longer to be written than a movement of a hand may wait. */
+const LONG = 1024;
 
 export class Keeper {
   readonly #store: Store;
@@ -46,6 +51,8 @@ export class Keeper {
   #held: () => boolean = () => false;
   #keptSettings: Session;
   #kept: Shown | null = null;
+  /** What was last to be written down. */
+  #due: Shown | null = null;
   #warned = false;
   #toldTooLarge = false;
   #lastWritten = "";
@@ -173,8 +180,8 @@ export class Keeper {
   }
 
   /** Writes the link of what is on the stage into the address; of what has none, nothing. */
-  writeAddress(): void {
-    const link = this.#surface.shown?.solved.link ?? "";
+  writeAddress(shown = this.#surface.shown): void {
+    const link = shown?.solved.link ?? "";
     if (link === "" && !this.tooLargeForLink) return;
     this.#lastWritten = link === "" ? "" : `#${link}`;
     this.#around.writeFragment(link);
@@ -189,19 +196,27 @@ export class Keeper {
   #follow(shown: Shown): void {
     this.#kept = shown;
     if (this.#surface.settled !== shown) return;
-    this.#keep();
+    this.#due = shown;
+    const long = shown.solved.link === "" || shown.solved.link.length > LONG;
+    for (const write of [() => this.#keep(shown), () => this.#address(shown)]) {
+      // Each by itself: in between a hand may move on.
+      if (long) this.#around.whenIdle(() => this.#due === shown && write());
+      else write();
+    }
     if (!this.tooLargeForLink) this.#toldTooLarge = false;
     else if (!this.#toldTooLarge) {
       this.#toldTooLarge = true;
       this.sayTooLarge();
     }
+  }
+
+  #address(shown: Shown): void {
     const written = this.#store.canUndo || this.#store.canRedo || this.#around.fragment() !== "";
-    if (written && !this.#held()) this.writeAddress();
+    if (written && !this.#held()) this.writeAddress(shown);
   }
 
   /** Keeps the last design that the solver accepted, so that what is restored can always be shown. */
-  #keep(): void {
-    const { shown } = this.#surface;
+  #keep(shown = this.#surface.shown): void {
     if (!shown?.settled) return;
     const text = JSON.stringify(shown.design);
     const unsaved = shown.design !== this.#saved.peek();

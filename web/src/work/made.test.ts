@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { JAR, POT, tall, WALL } from "../../testing/jar";
 import { realMaker } from "../../testing/real-maker";
 import { type Workbench, workbench } from "../../testing/workbench";
+import type { Extents } from "../document/extents";
 import { setPath } from "../document/path";
 import type { Design, Wall } from "../document/types";
 import type { Ask } from "../maker/messages";
@@ -327,4 +328,53 @@ test("a hand that pulls is told whatever panel is open, and nobody else is", asy
   await rests();
   store.apply(togglePulling(store.state));
   expect(made.report.value).toBeNull();
+});
+
+const shifted = (design: Design, x: number): Design => setPath(design, ["parts", 0, "place"], { shift: [x, 0, 0] });
+
+test("a wall goes along with a part that is only moved: nothing is made under the hand, and the fine wall at once at rest", async () => {
+  const { asked, made, making, rests, solved, store, surface } = await potted();
+  const wall = made.solid;
+  const extents = () => made.extentsOf(store.design, surface.shown?.solved.facts?.extents as Extents);
+  const before = extents();
+  for (const x of [1, 2, 3]) {
+    store.apply({ design: shifted(POT, x), undo: "merge", key: "hand" });
+    await solved();
+    // The picture waits for nothing.
+    expect(surface.shown?.design).toBe(store.design);
+    // It is as high and as wide with its wall as it was.
+    expect(extents().height).toBeCloseTo(before.height, 9);
+    expect(extents().greatest.width).toBeCloseTo(before.greatest.width, 5);
+  }
+  expect(asked()).toEqual([]);
+  expect(made.solid).toBe(wall);
+  store.endGesture();
+  await rests();
+  expect(asked()).toMatchObject([{ kind: "solid", fine: true, design: store.design }]);
+  expect(made.solid).toBe(wall);
+  await making.finish();
+  expect(made.solid).toMatchObject({ of: store.design, key: "fine" });
+});
+
+test("a wall that is still to come when a part is moved is made for all that", async () => {
+  const { made, making, solved, store } = await bench(POT);
+  store.apply({ design: shifted(POT, 1), undo: "merge", key: "hand" });
+  await solved();
+  await making.answer();
+  expect(made.solid).toMatchObject({ of: POT, key: "coarse" });
+});
+
+test("a pot that is scaled is made anew under the hand, and one with water in it that is moved", async () => {
+  const larger = setPath(POT, ["parts", 0, "place"], { scale: [2, 2, 2] });
+  for (const [design, fill] of [
+    [larger, null],
+    [shifted(POT, 1), 0.5],
+  ] as const) {
+    const { kinds, solved, store } = await potted();
+    store.apply({ session: { fill }, undo: "none" });
+    kinds();
+    store.apply({ design, undo: "merge", key: "hand" });
+    await solved();
+    expect(kinds()).toContain("quick");
+  }
 });

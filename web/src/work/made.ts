@@ -5,6 +5,7 @@
  */
 
 import { batch, computed, effect, type Signal, signal } from "@preact/signals-core";
+import { areCarried } from "../document/carried";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
 import type { Constraints, Design, MapName, Measures, Report } from "../document/types";
@@ -56,6 +57,8 @@ export class Made {
   };
   /** What is asked for and of whom, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
+  /** How high and wide a wall is, and what it was made on. */
+  #beneath: { readonly all: Extents; readonly drawn: Extents } | null = null;
   readonly #later: Later;
   /** What is under the hand in a gesture, once it is on the stage. */
   readonly #held = computed(() => {
@@ -119,8 +122,8 @@ export class Made {
 
   /** How high and wide a design is whose surface was `drawn` so: with its wall, if it has one, and as it was measured, if that is known. */
   extentsOf(design: Design, drawn: Extents): Extents {
-    const { solid, measures } = this;
-    const extents = (solid.of === design ? solid.value?.extents : null) ?? drawn;
+    const { measures } = this;
+    const extents = this.#walled(design, drawn) ?? drawn;
     const measured = measures.of === design ? measures.value : null;
     if (!measured) return extents;
     const { height, width } = measured;
@@ -129,6 +132,29 @@ export class Made {
       height: height.value,
       greatest: { ...extents.greatest, width: width.greatest.value },
       least: { ...extents.least, width: width.least.value },
+    };
+  }
+
+  /** The same with its wall; of one whose wall went along what it is beyond its surface as it was where the wall was made. Null without one. */
+  #walled(design: Design, drawn: Extents): Extents | null {
+    const { value, of } = this.solid;
+    const all = value?.extents;
+    if (!all || !of) return null;
+    if (of === design) {
+      this.#beneath = { all, drawn };
+      return all;
+    }
+    if (this.#beneath?.all !== all || !areCarried(of.parts, design.parts)) return null;
+    const { drawn: then } = this.#beneath;
+    const span = (name: "greatest" | "least") => {
+      const [wall, was, now] = [all[name], then[name], drawn[name]];
+      return { ...now, low: now.low + (wall.low - was.low), width: now.width + (wall.width - was.width) };
+    };
+    return {
+      bottom: drawn.bottom + (all.bottom - then.bottom),
+      height: drawn.height + (all.height - then.height),
+      greatest: span("greatest"),
+      least: span("least"),
     };
   }
 
@@ -176,13 +202,15 @@ export class Made {
     const { shown } = this.#surface;
     const rests = shown?.settled === true && shown.design === design;
     const still = this.#still.value === design;
-    const { of } = this.solid;
+    const { of, value } = this.solid;
     const same = of !== null && sameSurface(of.parts, design.parts);
     const rewalled = same && of !== design;
     const walled = design.parts.some((part) => part.wall !== undefined);
     // A hand on the pot is told at once what it does to it.
     const pulled = walled && session.pulling;
-    if (rests || rewalled) this.#draw(walled ? design : null, rests && of === design);
+    // A wall that was only moved is there to be looked at until the fine one is.
+    const there = () => of === design || (value !== null && of !== null && areCarried(of.parts, design.parts));
+    if (rests || rewalled) this.#draw(walled ? design : null, rests && there());
     if (rests || rewalled || still) {
       const labelled = walled && session.overlays.axes;
       const looked = session.tab === "measures" || session.tab === "wall" || session.fill !== null || labelled;
@@ -204,7 +232,7 @@ export class Made {
       this.#line(design, map, rows, columns);
     }
     if (!this.#store.inGesture || rests || same) this.#pour();
-    else if (!still) this.#rest();
+    else if (!still) this.#hush();
   }
 
   /** A wall within the surface hides what the map shows of it: behind it lies the lining. What leans is known of every face by its normal. */
@@ -220,10 +248,17 @@ export class Made {
     this.#want("lining", { kind: "lining", design, map, rows, columns, points: liningOf(value) }, mine);
   }
 
-  /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. */
-  #rest(): void {
-    const asked = [...this.#asked];
-    this.#asked.clear();
+  /** The shape changes under the hand, which needs the machine for itself: what is under way would be of no use by its end. But for a wall that is still to come, and only has to be moved by then. */
+  #hush(): void {
+    const wall = this.#asked.get("solid");
+    const awaited = this.solid.value === null && wall && areCarried(wall.of.parts, this.#store.design.parts);
+    this.#rest(awaited ? "solid" : null);
+  }
+
+  /** Takes back what was asked, but for one thing. */
+  #rest(stays: Shown | null = null): void {
+    const asked = [...this.#asked].filter(([name]) => name !== stays);
+    for (const [name] of asked) this.#asked.delete(name);
     for (const maker of new Set([this.maker, this.judge]))
       maker.cancel(...asked.filter(([, ask]) => ask.maker === maker).map(([name]) => name));
   }

@@ -1,8 +1,10 @@
 import { effect } from "@preact/signals-core";
 import { beforeEach, expect, test } from "vitest";
+import { settled } from "../../testing/held-worker";
 import { JAR, tall } from "../../testing/jar";
 import { realSolver } from "../../testing/real-solver";
 import { moved, rowOf, taller, withPart } from "../../testing/row";
+import { stripOf } from "../../testing/strip";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
 import { selectTab, toggleOverlay } from "../state/actions";
@@ -198,4 +200,62 @@ test("with twenty parts a slider asks for one of them, and a part that moves und
   expect(parts()).toEqual([[]]);
   expect(surface.settled?.design).toBe(store.design);
   expect(surface.status).toBe("ready");
+});
+
+test("of a large network what a hand moved last is shown before its link is made, and nothing is sampled for that", async () => {
+  const strip = stripOf(120);
+  store.apply({ design: strip, undo: "step" });
+  await begun();
+  expect(surface.settled?.design).toBe(strip);
+  const asked = () =>
+    worker.sent
+      .splice(0)
+      .map(({ ask }) =>
+        ask.kind === "parts" ? [ask.parts.filter(({ mesh }) => mesh).length, ask.whole !== null] : [],
+      );
+  asked();
+  const lift = (z: number) =>
+    store.apply({
+      design: setPath(store.design, ["parts", 0, "shape", "vertices", 4], [1, 1, z]),
+      undo: "merge",
+      key: "hand",
+    });
+  // The last movement waits for the one before it when the hand lets go.
+  lift(0.1);
+  lift(0.2);
+  store.endGesture();
+  await worker.answer();
+  await worker.answer();
+  expect(surface.shown).toMatchObject({ design: store.design, settled: false });
+  expect(surface.status).toBe("solving");
+  await worker.finish();
+  expect(surface.settled?.solved.link).not.toBe("");
+  expect(surface.status).toBe("ready");
+  expect(asked()).toEqual([
+    [1, false],
+    [1, false],
+    [0, true],
+  ]);
+});
+
+test("parts that were only moved are shown before their link is made, and so is undo", async () => {
+  store.apply({ design: rowOf(3), undo: "step" });
+  await begun();
+  const first = store.design;
+  worker.sent.splice(0);
+  store.apply({ design: withPart(first, 1, moved({ shift: [9, 1, 0] })), undo: "merge", key: "move" });
+  store.endGesture();
+  await settled();
+  expect(surface.shown).toMatchObject({ design: store.design, settled: false });
+  await worker.finish();
+  expect(surface.settled?.design).toBe(store.design);
+  store.undo();
+  await settled();
+  expect(surface.shown).toMatchObject({ design: first, settled: false, travelled: true });
+  await worker.finish();
+  expect(surface.settled).toMatchObject({ design: first, travelled: true });
+  expect(worker.sent.map(({ ask }) => ask.kind === "parts" && [ask.parts.length, ask.whole !== null])).toEqual([
+    [0, true],
+    [0, true],
+  ]);
 });

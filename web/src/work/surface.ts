@@ -2,7 +2,7 @@
 
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
 import { unitOf } from "../document/look";
-import type { Design, Refusal } from "../document/types";
+import type { Design, Part, Refusal } from "../document/types";
 import type { GridSize } from "../document/waves";
 import type { SolverClient } from "../solver/client";
 import type { Desk } from "../solver/desk";
@@ -160,8 +160,14 @@ export class Surface {
       asked.lines >= wanted.lines &&
       (wanted.section === null || asked.section === wanted.section);
     if (enough || this.#companion?.waits(() => this.#again())) return;
-    this.#asked = wanted;
-    this.#solve(wanted);
+    // Link and fingerprint take longer than parts that were only moved, and points of a large network: these are shown first.
+    const { parts: before = [] } = this.#shown.peek()?.design ?? {};
+    const { parts } = wanted.design;
+    const quick = ({ shape }: Part, at: number) => isLarge(shape) || shape === before[at]?.shape;
+    const another = ({ shape, place }: Part, at: number) => shape !== before[at]?.shape || place !== before[at]?.place;
+    const settle = wanted.settle && !(parts.every(quick) && parts.some(another));
+    this.#asked = { ...wanted, settle };
+    this.#solve(this.#asked);
   }
 
   /** What had to wait may have become something else meanwhile. */
@@ -195,6 +201,7 @@ export class Surface {
         this.#travelled = false;
         this.#problem.value = null;
         if (settle) this.#status.value = "ready";
+        else this.#again();
       });
     });
   }

@@ -29,12 +29,36 @@ export class PasuConstraints extends UnhurriedElement {
   /** What is being mended. */
   @state() private mending: Breach | null = null;
 
-  override render() {
-    const { made, store } = this.designer;
-    const { design } = store;
+  /** How tall it was when it knew: while it does not, what lies below stays where it is, and is neither laid out nor painted again. */
+  private tall = 0;
+  private readonly sized = new ResizeObserver(() => {
+    if (this.known) this.tall = this.getBoundingClientRect().height;
+  });
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.sized.observe(this);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.sized.disconnect();
+  }
+
+  override updated(): void {
+    this.style.setProperty("min-height", this.known ? "" : `${this.tall}px`);
+  }
+
+  /** Nothing is said of the scene before this one. */
+  private get known() {
+    const { made } = this.designer;
     const piece = made?.constraints;
-    // Nothing is said of the scene before this one.
-    const known = piece && made.isOfNow(piece) ? piece : null;
+    return piece && made.isOfNow(piece) && (piece.value || piece.problem) ? piece : null;
+  }
+
+  override render() {
+    const { known } = this;
+    const { design } = this.designer.store;
     return html`<section aria-labelledby="fit" aria-busy=${known ? "false" : "true"}>
       <h4 id="fit">${words.heading}</h4>
       ${

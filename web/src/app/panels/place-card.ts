@@ -8,7 +8,7 @@ import { round } from "../../document/moving";
 import { pathText } from "../../document/path";
 import { UNMOVED, type WholePlacement } from "../../document/placement";
 import type { Triple } from "../../document/types";
-import { DesignerElement } from "../../element/designer-element";
+import { UnhurriedElement } from "../../element/unhurried";
 import { changeJoint } from "../../state/joint-actions";
 import { changePlace } from "../../state/place-actions";
 import { objectOf } from "../../state/scene-actions";
@@ -46,7 +46,7 @@ interface Ask {
 }
 
 @customElement("pasu-place")
-export class PasuPlace extends DesignerElement {
+export class PasuPlace extends UnhurriedElement {
   override render() {
     const { design, part: at } = this.designer.state;
     const part = design.parts[at];

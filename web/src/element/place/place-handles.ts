@@ -57,6 +57,7 @@ export class PasuPlaceHandles extends DesignerElement {
   /** What keys move, from the first press to the last release: the middle stays the same meanwhile. */
   private keyed: Manner | null = null;
   private feeling = 0;
+  private readonly placed = new WeakMap<Element, string>();
   private readonly gesture = new PullGesture({
     take: (at, adds) => this.takePart(at, adds),
     pull: (by, modifier, otherwise) => this.move(by, modifier, otherwise),
@@ -340,10 +341,18 @@ export class PasuPlaceHandles extends DesignerElement {
       const handle = this.renderRoot.querySelector<HTMLElement>(`[data-grip="${nameOf(grip)}"]`);
       if (!handle) continue;
       handle.hidden = !spot;
-      if (spot) handle.style.setProperty("transform", `translate(${spot.x.toFixed(1)}px, ${spot.y.toFixed(1)}px)`);
+      if (spot) this.put(handle, spot);
     }
     const output = this.renderRoot.querySelector("output");
-    output?.style.setProperty("transform", `translate(${middle.x.toFixed(1)}px, ${(middle.y + 24).toFixed(1)}px)`);
+    if (output) this.put(output, { x: middle.x, y: middle.y + 24 });
+  }
+
+  /** What is where it was is not touched: the browser would lay it out again. */
+  private put(element: HTMLElement, { x, y }: Spot): void {
+    const where = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    if (this.placed.get(element) === where) return;
+    this.placed.set(element, where);
+    element.style.setProperty("transform", where);
   }
 
   /** What is held turns and grows about where it was, and its handles go with it where it moves. */
@@ -400,7 +409,8 @@ export class PasuPlaceHandles extends DesignerElement {
     const path = lines
       .map((spots) => spots.map(({ x, y }, at) => `${at === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`).join(""))
       .join("");
-    this.renderRoot.querySelector(`path.${what}[data-line="${name}"]`)?.setAttribute("d", path);
+    const line = this.renderRoot.querySelector(`path.${what}[data-line="${name}"]`);
+    if (line?.getAttribute("d") !== path) line?.setAttribute("d", path);
   }
 
   static override readonly styles = [

@@ -4,13 +4,14 @@ import { Buffer } from "../gl/buffer";
 import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import type { Material, Uniform } from "../gl/material";
+import { IDENTITY, type Matrix } from "../gl/view";
 import { lookKey, type StageLook } from "../glaze";
 import { WHOLE } from "../ground";
 import type { Bounds, Span } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
 import type { Face } from "../picker";
-import { newPlacing } from "../placing";
+import { newPlacing, type Placing, place } from "../placing";
 import type { Coat } from "../pot";
 import type { Guest, Place } from "../stage";
 import { toScene } from "../studio";
@@ -53,6 +54,9 @@ const CORES = { inside: -1, outside: 1, none: 0 } as const;
 const SOLID_PLACING = { ...newPlacing() };
 const SOLID = { ...SOLID_PLACING, span: { value: [0, 1] } };
 
+/** Where the faces of a part are that was moved since they were made. */
+type Moved = { readonly [name in keyof Placing]: Placing[name] } & { readonly span: Uniform<Span> };
+
 const DEFAULT_LOOK: StageLook = { glaze: "celadon", inside: "celadon", line: 0, clay: "stoneware" };
 
 /** What is made of the design: its wall, the water in it, the colours of a map, and the cut that lets one look inside. */
@@ -72,7 +76,13 @@ export class Made implements Guest {
   /** One for every run of faces with the same material. */
   private solids: Drawable[] = [];
   private made: StageSolid | null = null;
+  /** By which each part was moved since; null where its faces are none of it any more. */
+  private motions: readonly (Matrix | null)[] = [];
+  private readonly moved = new Map<number, Moved>();
   private looks: readonly StageLook[] = [];
+  /** Of what the draw calls were made: which looks there are, and what was moved. */
+  private looked = "";
+  private went = "";
   private surface: StageWater | null = null;
   private filled: number | null = null;
   private map: StageMap | null = null;
@@ -93,21 +103,34 @@ export class Made implements Guest {
     const { made, geometry } = this;
     const faces: Face[] = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
-      if (this.place.pot.hides(at(made.groups, g + 2))) continue;
+      const part = at(made.groups, g + 2);
+      if (!this.shows(part)) continue;
       const range = [at(made.groups, g), at(made.groups, g + 1)] as const;
-      faces.push({ geometry, uniforms: SOLID_PLACING, range, part: at(made.groups, g + 2) });
+      faces.push({ geometry, uniforms: this.moved.get(part) ?? SOLID_PLACING, range, part });
     }
     return faces;
   }
 
   coreOf(place: number): number {
-    return this.open ? CORES[this.made?.sides[place] ?? "none"] : 0;
+    return this.open ? CORES[this.sideOf(place) ?? "none"] : 0;
   }
 
-  /** Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. */
-  show(made: StageSolid | null, looks: readonly StageLook[]): StageSolid | null {
+  /**
+   * Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. Faces of parts that were moved since they were made go along by their `motions`; those of a part that has none are
+   * not shown. `extent` is what everything fills then.
+   */
+  show(
+    made: StageSolid | null,
+    looks: readonly StageLook[],
+    motions: readonly (Matrix | null)[] = [],
+    extent: Bounds | null = made?.bounds ?? null,
+  ): StageSolid | null {
     const before = this.made;
+    const [looked, went] = [looks.map(lookKey).join(), motions.map(kindOf).join()];
+    const alike = made === before && looked === this.looked && went === this.went;
+    [this.looked, this.went] = [looked, went];
     this.looks = looks;
+    this.motions = motions;
     if (made !== before) {
       this.made = made;
       this.line(null);
@@ -118,8 +141,11 @@ export class Made implements Guest {
         this.indices.array = made.indices;
       } else this.drop();
     }
-    this.place.pot.extent = made?.bounds ?? null;
-    this.dress();
+    this.place.pot.extent = made && extent;
+    this.move();
+    // Who moves a part has the others as they were.
+    if (alike) this.place.changed();
+    else this.dress();
     return made === before ? null : before;
   }
 
@@ -207,10 +233,30 @@ export class Made implements Guest {
     for (const buffer of [this.positions, this.normals, this.wares, this.indices, this.lining]) buffer?.release();
   }
 
+  /** Where the motions have taken what was moved, with the heights between which its glaze runs. */
+  private move(): void {
+    for (const part of [...this.moved.keys()]) if (!isMoved(this.motions[part])) this.moved.delete(part);
+    for (const [part, motion] of this.motions.entries()) {
+      if (!isMoved(motion)) continue;
+      const moved = this.moved.get(part) ?? { ...newPlacing(), span: { value: [0, 1] } };
+      this.moved.set(part, moved);
+      place(moved, motion);
+      moved.span.value = this.spanOf(part);
+    }
+  }
+
+  /** Whether the faces of a part are seen, by its place in the document. */
+  private shows(part: number): boolean {
+    return this.motions[part] !== null && !this.place.pot.hides(part);
+  }
+
+  private sideOf(part: number): "inside" | "outside" | null {
+    return this.motions[part] === null ? null : (this.made?.sides[part] ?? null);
+  }
+
   private dress(): void {
     const { pot } = this.place;
-    const sides = this.made?.sides ?? [];
-    const coreOf = (part: number) => CORES[sides[part] ?? "none"];
+    const coreOf = (part: number) => CORES[this.sideOf(part) ?? "none"];
     const coat: Coat | null = this.mapped
       ? (_, part) => this.mapMaterial(this.map, this.made ? coreOf(part) : 0)
       : this.open
@@ -226,8 +272,8 @@ export class Made implements Guest {
     const { made, geometry } = this;
     this.solids = [];
     for (let g = 0; made && g < made.groups.length; g += 3) {
-      if (this.place.pot.hides(at(made.groups, g + 2))) continue;
       const part = at(made.groups, g + 2);
+      if (!this.shows(part)) continue;
       const look = this.looks[part] ?? DEFAULT_LOOK;
       const material = this.mapped
         ? this.mapMaterial(this.map?.lean || this.lining ? this.map : null, -1)
@@ -235,9 +281,11 @@ export class Made implements Guest {
       const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
       const last = this.solids.at(-1);
       // Parts that are glazed to the foot need not be told apart.
-      const own = look.line > 0 && !this.mapped;
-      const uniforms = own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID;
-      if (last?.material === material && !own && last.range && last.range[0] + last.range[1] === start) {
+      const moved = this.moved.get(part);
+      const own = moved !== undefined || (look.line > 0 && !this.mapped);
+      const uniforms = moved ?? (own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID);
+      const on = last?.material === material && last.uniforms === uniforms;
+      if (on && last.range && last.range[0] + last.range[1] === start) {
         last.range = [last.range[0], last.range[1] + count];
       } else {
         const range: [number, number] = [start, count];
@@ -247,7 +295,10 @@ export class Made implements Guest {
   }
 
   private spanOf(part: number): Span {
-    return this.made?.outsides[part] ?? this.place.pot.parts[part]?.span.value ?? [0, 1];
+    const outside = this.made?.outsides[part];
+    const lifted = this.motions[part]?.[14] ?? 0;
+    if (outside) return [outside[0] + lifted, outside[1] + lifted];
+    return this.place.pot.parts[part]?.span.value ?? [0, 1];
   }
 
   private glazed(look: StageLook, core: number, solid: boolean): Material {
@@ -293,6 +344,15 @@ export class Made implements Guest {
     const square = Math.hypot(here.x - beside.x, here.y - beside.y) / unit;
     return perUnit > LEAST_RISE * square ? { ...here, perUnit } : null;
   }
+}
+
+/** What becomes of the faces of a part, where they are not where they were made. */
+function kindOf(motion: Matrix | null): string {
+  return motion === null ? "absent" : isMoved(motion) ? "moved" : "";
+}
+
+function isMoved(motion: Matrix | null | undefined): motion is Matrix {
+  return motion ? motion.some((value, i) => value !== IDENTITY[i]) : false;
 }
 
 function newBuffer(size: number): Buffer {
