@@ -8,7 +8,7 @@ import { PHONE, type Visit, type VisitOptions } from "../support/visit.ts";
 
 const here = stay();
 /** Where a person has asked the browser for letters twice as large. */
-const large = stay({ flags: ["--blink-settings=defaultFontSize=32"] });
+const large = stay({ frugal: true, flags: ["--blink-settings=defaultFontSize=32"] });
 
 const SIZES: readonly (readonly [string, VisitOptions, Stay])[] = [
   ["on a phone", { ...PHONE, viewport: { width: 390, height: 844 } }, here],

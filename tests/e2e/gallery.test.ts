@@ -1,6 +1,6 @@
 // The gallery: every exhibit has a picture that was rendered, and opens as what it says.
 //
-// What its time buys: every exhibit is drawn twice at full resolution in software, and its picture is compared with the pot that it opens.
+// What its time buys: every exhibit's picture is drawn in software, and every exhibit is opened.
 
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
@@ -13,7 +13,7 @@ const goldens = JSON.parse(readFileSync(new URL("../goldens/fingerprints.json", 
 >;
 
 test("every exhibit is rendered, and opens as the pot that it shows", { timeout: 240_000 }, async () => {
-  const pot = await here.enter({ link: "#1/second-order?height=9", grid: null });
+  const pot = await here.enter({ link: "#1/second-order?height=9" });
   let shown = await pot.fingerprint();
   await pot.command("Gallery");
   const exhibits = pot.page.locator("pasu-gallery button[data-exhibit]");

@@ -8,7 +8,7 @@ import { DIST } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
 import { COARSE, type Visit } from "../support/visit.ts";
 
-const here = stay({}, COARSE);
+const here = stay({}, { ...COARSE, painted: false });
 
 /** Waits until the copy for later is complete and answers for this page. */
 async function copied(pot: Visit): Promise<void> {

@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { stay } from "../support/stay.ts";
 import { COARSE } from "../support/visit.ts";
 
-const here = stay({}, COARSE);
+const here = stay({}, { ...COARSE, painted: false });
 
 test("a reload brings everything back", async () => {
   const pot = await here.enter({ link: "#1/mixed-order" });

@@ -78,7 +78,7 @@ test("dragging the thickness moves the wall under the hand and is one step", asy
 });
 
 test("what cannot be a pot says why, and the surface stays", async () => {
-  const pot = await here.enter({ ...CLEAR, link: JAR });
+  const pot = await here.enter({ link: JAR });
   await pot.fingerprint();
   await pot.makePot();
   await pot.type("Base", "9");
@@ -180,7 +180,7 @@ test("colours show a map with its legend, and the glaze comes back", async () =>
 });
 
 test("a ring that has no room is fitted, and a button says so in the document", async () => {
-  const pot = await here.enter({ ...CLEAR, link: RINGED });
+  const pot = await here.enter({ link: RINGED });
   await pot.fingerprint();
   await pot.tab("Wall");
   // It is a pot all the same, and the panel says with which ring.

@@ -9,7 +9,7 @@ import { DIST } from "../support/server.ts";
 import { stay } from "../support/stay.ts";
 import { COARSE, type Visit, visit } from "../support/visit.ts";
 
-const here = stay({}, COARSE);
+const here = stay({}, { ...COARSE, painted: false });
 const LINK = "#1/second-order";
 
 /** What is there for other people's pages, which the designer never asks for. */

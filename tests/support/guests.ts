@@ -63,7 +63,7 @@ export interface Count {
   readonly loads: number;
 }
 
-export function town(options: Parameters<typeof launch>[0] = {}): Town {
+export function town(options: Parameters<typeof launch>[0] = { frugal: true }): Town {
   const folders = new Map<string, string>([["modules", MODULES]]);
   const given = new Map<string, { readonly html: string; readonly headers: Readonly<Record<string, string>> }>();
   let site: Site;

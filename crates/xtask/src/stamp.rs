@@ -32,6 +32,11 @@ impl Stamp {
         Ok(Stamp { file: folder.join(name), now: format!("{:016x}", hasher.finish()) })
     }
 
+    /// Where a file of this name can be kept for this checkout alone.
+    pub(crate) fn beside(&self, name: &str) -> PathBuf {
+        self.file.with_file_name(name)
+    }
+
     /// Whether the step succeeded before with the same inputs.
     pub(crate) fn is_fresh(&self) -> bool {
         fs::read_to_string(&self.file).is_ok_and(|then| then == self.now)

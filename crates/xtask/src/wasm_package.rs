@@ -45,6 +45,9 @@ const COPIED: [(&str, &str); 11] = [
     ("LICENSE-APACHE", "LICENSE-APACHE"),
 ];
 
+/// This program's own text, which decides too: it holds the options of every step.
+const OWN_TEXT: &str = "crates/xtask/src/wasm_package.rs";
+
 /// What wasm-opt may assume: the features that rustc compiles for by default, present in every browser since 2022.
 const WASM_OPT: [&str; 10] = [
     "-O3",
@@ -66,8 +69,7 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     let package = workspace.package();
     fs::create_dir_all(&package)?;
 
-    // One after the other in the same folder, where all that they share is compiled once: only the last step, which takes
-    // half a second, is done anew for each.
+    // One after the other in the same folder, where all that they share is compiled once.
     let drawing = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Drawing)?;
     let whole = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Whole)?;
     let scalar = compile(workspace, "pasu-wasm", care, Lanes::Scalar, Content::Whole)?;
@@ -106,8 +108,7 @@ fn step(
     make: impl FnOnce() -> Result<()>,
 ) -> Result<()> {
     let mut inputs: Vec<PathBuf> = inputs.iter().map(|input| input.to_path_buf()).collect();
-    // This program's own text decides too: it holds the options of every step.
-    inputs.push(workspace.root().join("crates/xtask/src/wasm_package.rs"));
+    inputs.push(workspace.root().join(OWN_TEXT));
     let stamp = Stamp::of(workspace, &name.replace(' ', "-"), &format!("{care:?}"), &inputs)?;
     if stamp.is_fresh() && products.iter().all(|product| workspace.package().join(product).is_file()) {
         return Ok(());
@@ -123,7 +124,7 @@ pub(crate) fn build_bench(workspace: &Workspace) -> Result<()> {
     wasm_target::ensure(workspace)?;
     let care = Care::Release;
     let compiled = compile(workspace, "bench-wasm", care, Lanes::Simd, Content::Whole)?;
-    let own_text = workspace.root().join("crates/xtask/src/wasm_package.rs");
+    let own_text = workspace.root().join(OWN_TEXT);
     let stamp = Stamp::of(workspace, "bench-module", &format!("{care:?}"), &[compiled.clone(), own_text])?;
     let folder = workspace.root().join("crates/bench-wasm/pkg");
     if stamp.is_fresh() && folder.join("bench.js").is_file() {
@@ -155,8 +156,35 @@ enum Content {
     Whole,
 }
 
-/// Compiles one crate of bindings and returns the module.
+/// Compiles one crate of bindings and returns the module, unless it was compiled from the same sources before: two modules of one crate are to Cargo each a
+/// change of the other, and optimised as a whole anew.
 fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
+    let name = format!("{package}-{care:?}-{lanes:?}-{content:?}");
+    let crates: &[&str] = if package == "bench-wasm" { &["pasu", "bench"] } else { &["pasu"] };
+    let folders = crates.iter().chain([&package]).map(|name| Path::new("crates").join(name));
+    let sources = folders.flat_map(|folder| [folder.join("src"), folder.join("Cargo.toml")]);
+    let settings = ["Cargo.toml", "Cargo.lock", ".cargo/config.toml", "rust-toolchain.toml", OWN_TEXT];
+    let inputs: Vec<PathBuf> =
+        sources.chain(settings.map(PathBuf::from)).map(|path| workspace.root().join(path)).collect();
+    let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
+    let stamp = Stamp::of(workspace, &format!("{name}-compiled"), &flags, &inputs)?;
+    let kept = stamp.beside(&format!("{name}.wasm"));
+    if stamp.is_fresh() && kept.is_file() {
+        return Ok(kept);
+    }
+    stamp.clear();
+    let compiled = run_rustc(workspace, package, care, lanes, content)?;
+    // The next module of the same crate takes the place of this one.
+    if let Some(folder) = kept.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    fs::copy(&compiled, &kept).with_context(|| format!("cannot copy {}", compiled.display()))?;
+    stamp.save()?;
+    Ok(kept)
+}
+
+/// Compiles one crate of bindings and returns where Cargo puts every module of it.
+fn run_rustc(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, content: Content) -> Result<PathBuf> {
     let mut command = Command::new(cargo());
     // The module alone: for the tests the crate is a library as well, and what is one is not optimised across crates.
     command
@@ -176,13 +204,7 @@ fn compile(workspace: &Workspace, package: &str, care: Care, lanes: Lanes, conte
         command.env("RUSTFLAGS", "-C llvm-args=-inline-threshold=50").arg("--target-dir").arg(&target);
     }
     command::run(&mut command)?;
-    let file = package.replace('-', "_");
-    let compiled = target.join(wasm_target::TRIPLE).join(care.profile()).join(&file).with_extension("wasm");
-    // The next module of the same crate takes the place of this one.
-    let kept = workspace.target().join("xtask/compiled").join(format!("{file}-{care:?}-{lanes:?}-{content:?}.wasm"));
-    fs::create_dir_all(workspace.target().join("xtask/compiled"))?;
-    fs::copy(&compiled, &kept).with_context(|| format!("cannot copy {}", compiled.display()))?;
-    Ok(kept)
+    Ok(target.join(wasm_target::TRIPLE).join(care.profile()).join(package.replace('-', "_")).with_extension("wasm"))
 }
 
 /// A module with its bindings.

@@ -4,7 +4,7 @@
 //! with three diagonals for the rings between two corners. In the language of approximation this is an interpolating L-spline of the operator (M. H. Schultz and R. S. Varga, *L-splines*, 1967); a cubic spline where all rates are 0.
 
 use core::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use super::bays::{Bay, Bays};
 use super::equation::Equation;
@@ -25,10 +25,19 @@ const RESONANCE: f64 = 1e5;
 /// The equation of a mode between each two neighbours among the ends and the rings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Beam {
+    /// In `(u - from) / length`, for the first of the different lengths.
+    equation: Equation,
+    /// What there is besides where there are more bays than one, or slopes to be found. Most beams have none of it: they are the mode problem, and small.
+    joints: Option<Box<Joints>>,
+}
+
+/// A beam beyond its first equation.
+#[derive(Debug, Clone, PartialEq)]
+struct Joints {
     bays: Arc<Bays>,
-    /// In `(u - from) / length`: one for every different length.
-    equations: Vec<Equation>,
-    /// As many; none where nothing is to be found.
+    /// For the other lengths.
+    others: Vec<Equation>,
+    /// One for every length; none where nothing is to be found.
     stiffnesses: Vec<Stiffness>,
     /// Smooth stretches from one corner or end to the next. None where there is nothing to find: no rings and no free ends, or order 2.
     chains: Vec<Chain>,
@@ -53,13 +62,26 @@ pub(crate) struct Held<'a> {
     pub(crate) rings: &'a [f64],
 }
 
-/// `q(u)` of a beam: its solutions bay by bay, none where it is 0.
+/// `q(u)` of a beam: its solutions bay by bay.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Deflection {
-    pieces: Vec<ModeSolution>,
-    /// `q'` at both ends of every bay, where there is more than one: neighbours have the same bits.
+    /// On the first bay, which is the only one of most beams.
+    first: ModeSolution,
+    /// What there is where slopes had to be found, or where there are more bays.
+    rest: Option<Box<Rest>>,
+}
+
+/// A deflection beyond its first bay.
+#[derive(Debug, Clone, PartialEq)]
+struct Rest {
+    /// On the other bays.
+    others: Vec<ModeSolution>,
+    /// `q'` at both ends of every bay: neighbours have the same bits.
     slopes: Vec<[f64; 2]>,
 }
+
+/// One bay from end to end.
+static WHOLE: LazyLock<Bays> = LazyLock::new(|| Bays::between(&[]));
 
 /// What there is of every bay where there is nothing.
 static NOTHING: ModeSolution = ModeSolution::zero();
@@ -85,27 +107,270 @@ impl Beam {
         }
         let [b, c] = coefficients;
         let rate = largest_rate(order, b, c);
-        let mut equations = Vec::with_capacity(bays.lengths.len());
-        for (kind, length) in bays.lengths.iter().enumerate() {
-            equations.push(Equation::on(order, s, coefficients, rate, *length).map_err(|why| {
+        let equation_on = |kind: usize, length: f64| {
+            Equation::on(order, s, coefficients, rate, length).map_err(|why| {
                 let index = bays.bays.iter().position(|bay| bay.kind == kind).unwrap_or_default();
                 Broken { why, between: [index, index + 1] }
-            })?);
+            })
+        };
+        let (length, other_lengths) = bays.lengths.split_first().unwrap_or((&1.0, &[]));
+        let equation = equation_on(0, *length)?;
+        let has_slopes = order == Order::Fourth && (n > 1 || free != Free::default());
+        if n == 1 && !has_slopes {
+            return Ok(Beam { equation, joints: None });
         }
-        let mut beam = Beam { bays: Arc::clone(bays), equations, stiffnesses: Vec::new(), chains: Vec::new() };
-        if order == Order::Fourth && (n > 1 || free != Free::default()) {
-            beam.stiffnesses = beam.equations.iter().map(Stiffness::of).collect();
+        let others = other_lengths.iter().zip(1..).map(|(length, kind)| equation_on(kind, *length));
+        let others = others.collect::<Result<Vec<Equation>, _>>()?;
+        let mut joints = Joints { bays: Arc::clone(bays), others, stiffnesses: Vec::new(), chains: Vec::new() };
+        if has_slopes {
+            joints.stiffnesses = [&equation].into_iter().chain(&joints.others).map(Stiffness::of).collect();
             let can_swing = swing(order, b, c) > 0.0;
             let (mut first, mut starts_free) = (0, free.start);
             for corner in &bays.corners {
-                beam.add_chain(first..*corner, [starts_free, true], can_swing)?;
+                joints.add_chain(first..*corner, [starts_free, true], can_swing)?;
                 (first, starts_free) = (*corner, true);
             }
-            beam.add_chain(first..n, [starts_free, free.end], can_swing)?;
+            joints.add_chain(first..n, [starts_free, free.end], can_swing)?;
         }
-        Ok(beam)
+        Ok(Beam { equation, joints: Some(Box::new(joints)) })
     }
 
+    /// What it takes up under what is given.
+    ///
+    /// # Errors
+    /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.
+    #[inline(never)]
+    pub(crate) fn solve(&self, held: &Held) -> Result<Deflection, Broken> {
+        let Held { ends, rings } = *held;
+        if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
+            return Ok(Deflection::default());
+        }
+        if self.is_single() {
+            let first = self.equation.solve(&ends).map_err(|why| Broken { why, between: [0, 1] })?;
+            return Ok(Deflection { first, rest: None });
+        }
+        let bays = &self.bays().bays[..];
+        let n = bays.len();
+        let mut values = Vec::with_capacity(n + 1);
+        values.push(ends.start);
+        values.extend((0..n - 1).map(|index| rings.get(index).copied().unwrap_or(0.0)));
+        values.push(ends.end);
+        let forces: Vec<Vec<f64>> = match ends.force {
+            [] => Vec::new(),
+            force => bays.iter().map(|bay| self.force(bay, force)).collect(),
+        };
+        let force = |index: usize| forces.get(index).map_or(&[][..], Vec::as_slice);
+        let mut slopes = vec![[0.0; 2]; n];
+        slopes[0][0] = ends.start_u;
+        slopes[n - 1][1] = ends.end_u;
+        if let Some(joints) = &self.joints {
+            for chain in &joints.chains {
+                self.find_slopes(joints, chain, &values, &forces, &mut slopes);
+            }
+        }
+        let mut first = ModeSolution::zero();
+        let mut others = Vec::with_capacity(n - 1);
+        for (index, bay) in bays.iter().enumerate() {
+            let [start_u, end_u] = slopes[index].map(|slope| slope * bay.length);
+            let data = ModeData { start: values[index], end: values[index + 1], start_u, end_u, force: force(index) };
+            let broken = |why| Broken { why, between: [index, index + 1] };
+            let piece = self.equation_of(bay).solve(&data).map_err(broken)?;
+            if index == 0 {
+                first = piece;
+            } else {
+                others.push(piece);
+            }
+        }
+        Ok(Deflection { first, rest: Some(Box::new(Rest { others, slopes })) })
+    }
+
+    /// Slopes for which `q''` is continuous between the bays of a chain and 0 at free ends. Those given stand at the outer ends already.
+    #[inline(never)]
+    fn find_slopes(
+        &self,
+        joints: &Joints,
+        chain: &Chain,
+        values: &[f64],
+        forces: &[Vec<f64>],
+        slopes: &mut [[f64; 2]],
+    ) {
+        let n = chain.bays.len();
+        let (first, slopes) = (chain.bays.start, &mut slopes[chain.bays.clone()]);
+        let given = [slopes[0][0], slopes[n - 1][1]];
+        let known = |end: usize| if chain.is_free[end] { 0.0 } else { given[end] };
+        // What would bend a beam whose unknown slopes are 0.
+        let mut unbalanced = vec![0.0; n + 1];
+        for (index, bay) in joints.bays.bays[chain.bays.clone()].iter().enumerate() {
+            let particular = match forces.get(first + index) {
+                Some(force) => force::particular(self.equation_of(bay), force),
+                None => Vec::new(),
+            };
+            let [[p0, p0_u, p0_uu], [p1, p1_u, p1_uu]] = [0.0, 1.0].map(|x| series::jet::<3>(&particular, x));
+            let start_u = if index == 0 { known(0) * bay.length } else { 0.0 };
+            let end_u = if index + 1 == n { known(1) * bay.length } else { 0.0 };
+            let by_values = [values[first + index] - p0, values[first + index + 1] - p1];
+            let [start, end] =
+                joints.stiffnesses[bay.kind].second_derivatives(by_values, [start_u - p0_u, end_u - p1_u]);
+            let square = bay.length * bay.length;
+            unbalanced[index] += (start + p0_uu) / square;
+            unbalanced[index + 1] -= (end + p1_uu) / square;
+        }
+        let unknown = usize::from(!chain.is_free[0])..n + 1 - usize::from(!chain.is_free[1]);
+        chain.factors.solve(&mut unbalanced[unknown.clone()]);
+        for index in unknown {
+            if index < n {
+                slopes[index][0] = unbalanced[index];
+            }
+            if index > 0 {
+                slopes[index - 1][1] = unbalanced[index];
+            }
+        }
+    }
+
+    /// A force on the whole beam as what acts on the equation of a bay.
+    #[inline(never)]
+    fn force(&self, bay: &Bay, force: &[f64]) -> Vec<f64> {
+        let square = bay.length * bay.length;
+        let mut scale = match self.equation_of(bay).order {
+            Order::Second => square,
+            Order::Fourth => square * square,
+        };
+        series::about(force, bay.from)
+            .into_iter()
+            .map(|coefficient| {
+                let scaled = coefficient * scale;
+                scale *= bay.length;
+                scaled
+            })
+            .collect()
+    }
+
+    fn bays(&self) -> &Bays {
+        self.joints.as_ref().map_or_else(|| &*WHOLE, |joints| &joints.bays)
+    }
+
+    /// Whether it is a mode problem from end to end, with no slope to be found.
+    fn is_single(&self) -> bool {
+        self.joints.is_none()
+    }
+
+    /// The equation where it is the same from end to end.
+    fn single(&self) -> Option<&Equation> {
+        (self.bays().bays.len() == 1).then_some(&self.equation)
+    }
+
+    fn equation_of(&self, bay: &Bay) -> &Equation {
+        let other = bay.kind.checked_sub(1).zip(self.joints.as_ref());
+        other.and_then(|(kind, joints)| joints.others.get(kind)).unwrap_or(&self.equation)
+    }
+
+    /// Whether every ring is a corner, as those of order 2 are.
+    pub(crate) fn has_corners(&self) -> bool {
+        self.joints.as_ref().is_some_and(|joints| joints.chains.is_empty())
+    }
+
+    /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
+    pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
+        self.jets_in(self.bays().at(u), of, u)
+    }
+
+    /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
+    pub(crate) fn jets_along<const N: usize, const M: usize>(
+        &self,
+        of: [&Deflection; M],
+        u: f64,
+        [low, high]: [f64; 2],
+    ) -> [[f64; N]; M] {
+        let index = self.bays().at(u.min(high.next_down()).max(low));
+        let x = self.bays().bays.get(index).map_or(0.0, |bay| bay.beyond(u));
+        self.jets_of(index, of, x)
+    }
+
+    fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
+        let x = self.bays().bays.get(index).map_or(0.0, |bay| bay.within(u));
+        self.jets_of(index, of, x)
+    }
+
+    fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
+        let Some(bay) = self.bays().bays.get(index) else { return [[0.0; N]; M] };
+        let equation = self.equation_of(bay);
+        let mut jets = equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
+        if self.is_single() {
+            return jets;
+        }
+        for (jet, deflection) in jets.iter_mut().zip(of) {
+            bay.lengthen(jet);
+            let end = [0.0, 1.0].into_iter().position(|end| x == end);
+            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), equation.order) {
+                *slope = deflection.slopes(index)[end];
+            }
+        }
+        jets
+    }
+
+    /// Bounds of `|q|` and its derivatives up to order `N - 1` on all of `[from, to]`, a part of [0, 1], for several deflections. At a ring they are those of the side on which the rest of it lies.
+    pub(crate) fn suprema<const N: usize, const M: usize>(
+        &self,
+        of: [&Deflection; M],
+        from: f64,
+        to: f64,
+    ) -> [[f64; N]; M] {
+        let known = |bound: f64| if bound.is_nan() { f64::INFINITY } else { bound };
+        // One bay is the whole: nothing is longer or shorter there, and no other is larger. Most surfaces are asked so, hundreds of times for a mesh.
+        if let Some(equation) = self.single() {
+            let pieces = of.map(|deflection| deflection.piece(0));
+            return equation.suprema::<N, M>(pieces, from, to).map(|bounds| bounds.map(known));
+        }
+        let mut suprema = [[0.0f64; N]; M];
+        let first = self.bays().at(from);
+        let among = self.bays().bays.iter().enumerate().skip(first);
+        let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
+        for (index, bay) in among {
+            let pieces = of.map(|deflection| deflection.piece(index));
+            let mut here = self.equation_of(bay).suprema::<N, M>(pieces, bay.within(from), bay.within(to));
+            for (most, here) in suprema.iter_mut().zip(&mut here) {
+                bay.lengthen(here);
+                for (most, here) in most.iter_mut().zip(here) {
+                    *most = most.max(known(*here));
+                }
+            }
+        }
+        suprema
+    }
+
+    /// The size of the fastest rate, as [`Equation::largest_rate`].
+    pub(crate) fn largest_rate(&self) -> f64 {
+        self.first().map_or(0.0, |(equation, length)| equation.largest_rate() / length)
+    }
+
+    /// The rate of the fastest solution that swings without falling off, as [`Equation::swing`].
+    pub(crate) fn swing(&self) -> f64 {
+        self.first().map_or(0.0, |(equation, length)| equation.swing() / length)
+    }
+
+    fn first(&self) -> Option<(&Equation, f64)> {
+        Some(&self.equation).zip(self.bays().lengths.first().copied())
+    }
+}
+
+impl Beam {
+    /// The half-width of intervals on which few terms of a power series are enough for both, as [`Equation::reach`]. 0 where there are rings: a series ends at each.
+    pub(crate) fn reach(&self, of: [&Deflection; 2]) -> f64 {
+        let Some(equation) = self.single() else { return 0.0 };
+        let [one, other] = of.map(|deflection| equation.reach(deflection.piece(0)));
+        one.min(other)
+    }
+
+    /// The expansions of both about `centre`, as [`Equation::expansions`]; none where [`Beam::reach`] is 0.
+    pub(crate) fn expansions(&self, of: [&Deflection; 2], centre: f64, half: f64) -> [Expansion; 2] {
+        match self.single() {
+            Some(equation) => equation.expansions(of.map(|deflection| deflection.piece(0)), centre, half),
+            None => Default::default(),
+        }
+    }
+}
+
+impl Joints {
     #[inline(never)]
     fn add_chain(&mut self, bays: Range<usize>, is_free: [bool; 2], can_swing: bool) -> Result<(), Broken> {
         let n = bays.len();
@@ -142,220 +407,25 @@ impl Beam {
         self.chains.push(Chain { bays, is_free, factors });
         Ok(())
     }
-
-    /// What it takes up under what is given.
-    ///
-    /// # Errors
-    /// [`Unsolvable::Overflow`] if the solution leaves the range of doubles.
-    #[inline(never)]
-    pub(crate) fn solve(&self, held: &Held) -> Result<Deflection, Broken> {
-        let Held { ends, rings } = *held;
-        if ends.is_zero() && rings.iter().all(|value| *value == 0.0) {
-            return Ok(Deflection::default());
-        }
-        if let ([equation], true) = (&self.equations[..], self.is_single()) {
-            let broken = |why| Broken { why, between: [0, 1] };
-            return Ok(Deflection { pieces: vec![equation.solve(&ends).map_err(broken)?], slopes: Vec::new() });
-        }
-        let bays = &self.bays.bays[..];
-        let n = bays.len();
-        let mut values = Vec::with_capacity(n + 1);
-        values.push(ends.start);
-        values.extend((0..n - 1).map(|index| rings.get(index).copied().unwrap_or(0.0)));
-        values.push(ends.end);
-        let forces: Vec<Vec<f64>> = match ends.force {
-            [] => Vec::new(),
-            force => bays.iter().map(|bay| self.force(bay, force)).collect(),
-        };
-        let force = |index: usize| forces.get(index).map_or(&[][..], Vec::as_slice);
-        let mut slopes = vec![[0.0; 2]; n];
-        slopes[0][0] = ends.start_u;
-        slopes[n - 1][1] = ends.end_u;
-        for chain in &self.chains {
-            self.find_slopes(chain, &values, &forces, &mut slopes);
-        }
-        let mut pieces = Vec::with_capacity(n);
-        for (index, bay) in bays.iter().enumerate() {
-            let [start_u, end_u] = slopes[index].map(|slope| slope * bay.length);
-            let data = ModeData { start: values[index], end: values[index + 1], start_u, end_u, force: force(index) };
-            let broken = |why| Broken { why, between: [index, index + 1] };
-            pieces.push(self.equations[bay.kind].solve(&data).map_err(broken)?);
-        }
-        Ok(Deflection { pieces, slopes })
-    }
-
-    /// Slopes for which `q''` is continuous between the bays of a chain and 0 at free ends. Those given stand at the outer ends already.
-    #[inline(never)]
-    fn find_slopes(&self, chain: &Chain, values: &[f64], forces: &[Vec<f64>], slopes: &mut [[f64; 2]]) {
-        let n = chain.bays.len();
-        let (first, slopes) = (chain.bays.start, &mut slopes[chain.bays.clone()]);
-        let given = [slopes[0][0], slopes[n - 1][1]];
-        let known = |end: usize| if chain.is_free[end] { 0.0 } else { given[end] };
-        // What would bend a beam whose unknown slopes are 0.
-        let mut unbalanced = vec![0.0; n + 1];
-        for (index, bay) in self.bays.bays[chain.bays.clone()].iter().enumerate() {
-            let particular = match forces.get(first + index) {
-                Some(force) => force::particular(&self.equations[bay.kind], force),
-                None => Vec::new(),
-            };
-            let [[p0, p0_u, p0_uu], [p1, p1_u, p1_uu]] = [0.0, 1.0].map(|x| series::jet::<3>(&particular, x));
-            let start_u = if index == 0 { known(0) * bay.length } else { 0.0 };
-            let end_u = if index + 1 == n { known(1) * bay.length } else { 0.0 };
-            let by_values = [values[first + index] - p0, values[first + index + 1] - p1];
-            let [start, end] = self.stiffnesses[bay.kind].second_derivatives(by_values, [start_u - p0_u, end_u - p1_u]);
-            let square = bay.length * bay.length;
-            unbalanced[index] += (start + p0_uu) / square;
-            unbalanced[index + 1] -= (end + p1_uu) / square;
-        }
-        let unknown = usize::from(!chain.is_free[0])..n + 1 - usize::from(!chain.is_free[1]);
-        chain.factors.solve(&mut unbalanced[unknown.clone()]);
-        for index in unknown {
-            if index < n {
-                slopes[index][0] = unbalanced[index];
-            }
-            if index > 0 {
-                slopes[index - 1][1] = unbalanced[index];
-            }
-        }
-    }
-
-    /// A force on the whole beam as what acts on the equation of a bay.
-    #[inline(never)]
-    fn force(&self, bay: &Bay, force: &[f64]) -> Vec<f64> {
-        let square = bay.length * bay.length;
-        let mut scale = match self.equations[bay.kind].order {
-            Order::Second => square,
-            Order::Fourth => square * square,
-        };
-        series::about(force, bay.from)
-            .into_iter()
-            .map(|coefficient| {
-                let scaled = coefficient * scale;
-                scale *= bay.length;
-                scaled
-            })
-            .collect()
-    }
-
-    /// Whether it is a mode problem from end to end, with no slope to be found.
-    fn is_single(&self) -> bool {
-        self.bays.bays.len() == 1 && self.chains.is_empty()
-    }
-
-    /// The equation where it is the same from end to end.
-    fn single(&self) -> Option<&Equation> {
-        self.equations.first().filter(|_| self.bays.bays.len() == 1)
-    }
-
-    /// Whether every ring is a corner, as those of order 2 are.
-    pub(crate) fn has_corners(&self) -> bool {
-        self.bays.bays.len() > 1 && self.chains.is_empty()
-    }
-
-    /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
-    pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_in(self.bays.at(u), of, u)
-    }
-
-    /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
-    pub(crate) fn jets_along<const N: usize, const M: usize>(
-        &self,
-        of: [&Deflection; M],
-        u: f64,
-        [low, high]: [f64; 2],
-    ) -> [[f64; N]; M] {
-        let index = self.bays.at(u.min(high.next_down()).max(low));
-        let x = self.bays.bays.get(index).map_or(0.0, |bay| bay.beyond(u));
-        self.jets_of(index, of, x)
-    }
-
-    fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        let x = self.bays.bays.get(index).map_or(0.0, |bay| bay.within(u));
-        self.jets_of(index, of, x)
-    }
-
-    fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
-        let Some(bay) = self.bays.bays.get(index) else { return [[0.0; N]; M] };
-        let equation = &self.equations[bay.kind];
-        let mut jets = equation.jets::<N, M>(of.map(|deflection| deflection.piece(index)), x);
-        if self.is_single() {
-            return jets;
-        }
-        for (jet, deflection) in jets.iter_mut().zip(of) {
-            bay.lengthen(jet);
-            let end = [0.0, 1.0].into_iter().position(|end| x == end);
-            if let (Some(end), Some(slope), Order::Fourth) = (end, jet.get_mut(1), equation.order) {
-                *slope = deflection.slopes.get(index).map_or(0.0, |slopes| slopes[end]);
-            }
-        }
-        jets
-    }
-
-    /// Bounds of `|q|` and its derivatives up to order `N - 1` on all of `[from, to]`, a part of [0, 1], for several deflections. At a ring they are those of the side on which the rest of it lies.
-    pub(crate) fn suprema<const N: usize, const M: usize>(
-        &self,
-        of: [&Deflection; M],
-        from: f64,
-        to: f64,
-    ) -> [[f64; N]; M] {
-        let mut suprema = [[0.0f64; N]; M];
-        let first = self.bays.at(from);
-        let among = self.bays.bays.iter().enumerate().skip(first);
-        let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
-        for (index, bay) in among {
-            let pieces = of.map(|deflection| deflection.piece(index));
-            let mut here = self.equations[bay.kind].suprema::<N, M>(pieces, bay.within(from), bay.within(to));
-            for (most, here) in suprema.iter_mut().zip(&mut here) {
-                bay.lengthen(here);
-                for (most, here) in most.iter_mut().zip(here) {
-                    *most = if here.is_nan() { f64::INFINITY } else { most.max(*here) };
-                }
-            }
-        }
-        suprema
-    }
-
-    /// The size of the fastest rate, as [`Equation::largest_rate`].
-    pub(crate) fn largest_rate(&self) -> f64 {
-        self.first().map_or(0.0, |(equation, length)| equation.largest_rate() / length)
-    }
-
-    /// The rate of the fastest solution that swings without falling off, as [`Equation::swing`].
-    pub(crate) fn swing(&self) -> f64 {
-        self.first().map_or(0.0, |(equation, length)| equation.swing() / length)
-    }
-
-    fn first(&self) -> Option<(&Equation, f64)> {
-        self.equations.first().zip(self.bays.lengths.first().copied())
-    }
-}
-
-impl Beam {
-    /// The half-width of intervals on which few terms of a power series are enough for both, as [`Equation::reach`]. 0 where there are rings: a series ends at each.
-    pub(crate) fn reach(&self, of: [&Deflection; 2]) -> f64 {
-        let Some(equation) = self.single() else { return 0.0 };
-        let [one, other] = of.map(|deflection| equation.reach(deflection.piece(0)));
-        one.min(other)
-    }
-
-    /// The expansions of both about `centre`, as [`Equation::expansions`]; none where [`Beam::reach`] is 0.
-    pub(crate) fn expansions(&self, of: [&Deflection; 2], centre: f64, half: f64) -> [Expansion; 2] {
-        match self.single() {
-            Some(equation) => equation.expansions(of.map(|deflection| deflection.piece(0)), centre, half),
-            None => Default::default(),
-        }
-    }
 }
 
 impl Deflection {
     /// Whether `q` is 0 everywhere.
     pub(crate) fn is_zero(&self) -> bool {
-        self.pieces.iter().all(ModeSolution::is_zero)
+        self.first.is_zero() && self.rest.iter().flat_map(|rest| &rest.others).all(ModeSolution::is_zero)
+    }
+
+    /// `q'` at both ends of this bay, of a beam whose slopes were found.
+    fn slopes(&self, index: usize) -> [f64; 2] {
+        self.rest.as_ref().and_then(|rest| rest.slopes.get(index)).copied().unwrap_or_default()
     }
 
     /// The closed form of this bay.
     fn piece(&self, index: usize) -> &ModeSolution {
-        self.pieces.get(index).unwrap_or(&NOTHING)
+        match index.checked_sub(1) {
+            None => &self.first,
+            Some(index) => self.rest.as_ref().and_then(|rest| rest.others.get(index)).unwrap_or(&NOTHING),
+        }
     }
 }
 

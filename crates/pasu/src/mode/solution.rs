@@ -53,6 +53,12 @@ impl ModeData<'_> {
     }
 }
 
+impl Default for ModeSolution {
+    fn default() -> Self {
+        ModeSolution::zero()
+    }
+}
+
 impl ModeSolution {
     /// The solution that is 0.
     pub(super) const fn zero() -> Self {

@@ -63,6 +63,15 @@ pub(crate) struct Circumference {
     /// Block by block of samples, cosine and sine of each distinct `n`.
     circles: Vec<[Block; 2]>,
     waves: [Vec<Wave>; 3],
+    /// What of the waves of each component is sampled, those that are even in `X_vv` and those that are odd.
+    halves: [[Vec<Half>; 2]; 3],
+}
+
+/// The coefficients of one mode of one component that are not 0, those of `even` or of `odd` in [`Wave`].
+#[derive(Debug)]
+struct Half {
+    column: usize,
+    factors: [f64; 3],
 }
 
 /// One mode of one component.
@@ -119,6 +128,7 @@ impl Circumference {
             is_mirrored: is_closed,
             circles,
             waves: Default::default(),
+            halves: Default::default(),
         }
     }
 
@@ -176,6 +186,13 @@ impl Circumference {
                 wave.even != [0.0; 3] || wave.odd != [0.0; 3]
             });
         }
+        for ([even, odd], waves) in self.halves.iter_mut().zip(&self.waves) {
+            let half = |column: usize, factors: [f64; 3]| (factors != [0.0; 3]).then_some(Half { column, factors });
+            even.clear();
+            even.extend(waves.iter().filter_map(|wave| half(wave.column, wave.even)));
+            odd.clear();
+            odd.extend(waves.iter().filter_map(|wave| half(wave.column, wave.odd)));
+        }
         let sampled = self.sampled();
         core::array::from_fn(|part| {
             let sampled = if sampled[part] > 0.0 { largest[part] * sampled[part].sqrt() * self.margin } else { 0.0 };
@@ -185,39 +202,47 @@ impl Circumference {
 
     /// The largest square of each length at any sample.
     fn sampled(&self) -> [f64; 3] {
+        // Where no component has both halves, lengths at `v` are those at `-v`.
+        let is_mirrored =
+            self.is_mirrored && self.halves.iter().any(|halves| halves.iter().all(|half| !half.is_empty()));
         let mut most = [Block::ZERO; 3];
         for circles in self.circles.chunks_exact(self.distinct.len().max(1)) {
             let (mut here, mut mirrored) = ([Block::ZERO; 3], [Block::ZERO; 3]);
-            for waves in &self.waves {
-                let (mut even, mut odd) = ([Block::ZERO; 3], [Block::ZERO; 3]);
-                for wave in waves {
-                    let Some(&[cos, sin]) = circles.get(wave.column) else { continue };
-                    if wave.even != [0.0; 3] {
-                        even[0] += cos * wave.even[0];
-                        even[1] += sin * wave.even[1];
-                        even[2] += cos * wave.even[2];
-                    }
-                    if wave.odd != [0.0; 3] {
-                        odd[0] += sin * wave.odd[0];
-                        odd[1] += cos * wave.odd[1];
-                        odd[2] += sin * wave.odd[2];
-                    }
-                }
+            for [even, odd] in &self.halves {
+                let even = summed(even, circles, |[cos, sin]| [cos, sin]);
+                let odd = summed(odd, circles, |[cos, sin]| [sin, cos]);
                 for part in 0..3 {
-                    let (sum, difference) = (even[part] + odd[part], even[part] - odd[part]);
+                    let sum = even[part] + odd[part];
                     here[part] += sum * sum;
-                    mirrored[part] += difference * difference;
+                    if is_mirrored {
+                        let difference = even[part] - odd[part];
+                        mirrored[part] += difference * difference;
+                    }
                 }
             }
             for part in 0..3 {
                 most[part] = most[part].max(here[part]);
-                if self.is_mirrored {
+                if is_mirrored {
                     most[part] = most[part].max(mirrored[part]);
                 }
             }
         }
         most.map(|most| most.to_array().into_iter().fold(0.0, f64::max))
     }
+}
+
+/// The three vectors' part of one component that such halves make at a block of samples; `order` puts the one of cosine and sine in front that the outer two are of.
+#[inline(always)]
+fn summed(halves: &[Half], circles: &[[Block; 2]], order: impl Fn([Block; 2]) -> [Block; 2]) -> [Block; 3] {
+    let mut sums = [Block::ZERO; 3];
+    for Half { column, factors } in halves {
+        let Some(circle) = circles.get(*column) else { continue };
+        let [outer, inner] = order(*circle);
+        sums[0] += outer * factors[0];
+        sums[1] += inner * factors[1];
+        sums[2] += outer * factors[2];
+    }
+    sums
 }
 
 impl Wave {

@@ -194,6 +194,10 @@ fn with_ends(curve: &Curve, term: &Term, u: [f64; BLOCK], is_end: [bool; BLOCK],
 
 #[inline(never)]
 fn asked(curve: &Curve, term: &Term, u: [f64; BLOCK]) -> [Block; 2] {
+    // Where one row is asked for it is in every lane.
+    if u.iter().all(|other| *other == u[0]) {
+        return jet(curve, term, u[0]).map(Block::splat);
+    }
     let jets = u.map(|u| jet(curve, term, u));
     [jets.map(|[value, _]| value).into(), jets.map(|[_, slope]| slope).into()]
 }

@@ -52,11 +52,7 @@ impl Span {
     }
 }
 
-/// What was factored for one component: `y` nearly always, and `z` often, have the same equations.
-#[derive(Default)]
-struct Known(Vec<(Alike, Beams)>);
-
-/// What makes the beams of two components the same, mode by mode.
+/// What makes the beams of two components the same, mode by mode: those of `y` nearly always are those of `x`, and often those of `z`.
 #[derive(PartialEq)]
 struct Alike {
     order: Order,
@@ -64,36 +60,19 @@ struct Alike {
     free: Free,
 }
 
-/// The beams of one equation, in the order of their `n`, which is that of most documents.
-type Beams = Vec<(f64, Arc<Beam>)>;
-
-impl Known {
-    /// Those of the equation of this component.
-    fn of(&mut self, component: &Component) -> &mut Beams {
+impl Alike {
+    fn of(component: &Component) -> Self {
         let &Component { order, s, t, w, free, .. } = component;
-        let alike = Alike { order, weights: [s, t, w].map(f64::to_bits), free };
-        let index = self.0.iter().position(|(known, _)| *known == alike).unwrap_or_else(|| {
-            self.0.push((alike, Vec::with_capacity(component.modes.len())));
-            self.0.len() - 1
-        });
-        &mut self.0[index].1
+        Alike { order, weights: [s, t, w].map(f64::to_bits), free }
     }
 }
 
-/// The beam of the mode `n`, made by `make` where it is not among those known.
-fn known(
-    beams: &mut Beams,
-    n: f64,
-    make: impl FnOnce() -> core::result::Result<Beam, Broken>,
-) -> core::result::Result<Arc<Beam>, Broken> {
-    match beams.binary_search_by(|(known, _)| known.total_cmp(&n)) {
-        Ok(index) => Ok(Arc::clone(&beams[index].1)),
-        Err(index) => {
-            let beam = Arc::new(make()?);
-            beams.insert(index, (n, Arc::clone(&beam)));
-            Ok(beam)
-        }
-    }
+/// The beam of the mode `n` among the terms of one component, which is next nearly always.
+fn known(terms: &[Term], next: &mut usize, n: f64) -> Option<Arc<Beam>> {
+    let is_next = terms.get(*next).is_some_and(|term| term.n == n);
+    let index = if is_next { *next } else { terms.iter().position(|term| term.n == n)? };
+    *next = index + 1;
+    Some(Arc::clone(&terms[index].beam))
 }
 
 impl<'a> From<&'a Datum> for Held<'a> {
@@ -127,14 +106,16 @@ impl Surface {
         #[cfg(test)]
         SOLVED.set(SOLVED.get() + 1);
         let bays = Arc::new(Bays::between(&shape.rings));
-        let mut all = Known::default();
-        let mut component = |axis: Axis, component: &Component| {
+        let solve = |axis: Axis, component: &Component, before: &[(&Component, &[Term])]| {
             let Component { order, s, t, w, free, .. } = *component;
-            let beams = all.of(component);
+            let alike = Alike::of(component);
+            let mut before: Vec<(&[Term], usize)> =
+                before.iter().filter(|(other, _)| Alike::of(other) == alike).map(|(_, terms)| (*terms, 0)).collect();
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let beam = known(beams, mode.n, || Beam::new(order, [s, t, w], k, &bays, free));
+                let beam = before.iter_mut().find_map(|(terms, next)| known(terms, next, mode.n));
+                let beam = beam.map_or_else(|| Beam::new(order, [s, t, w], k, &bays, free).map(Arc::new), Ok);
                 let solved = beam.and_then(|beam| {
                     let cos = beam.solve(&Held::from(&mode.cos))?;
                     let sin = beam.solve(&Held::from(&mode.sin))?;
@@ -147,8 +128,10 @@ impl Surface {
             }
             Ok(terms)
         };
-        let mut components =
-            [component(Axis::X, &shape.x)?, component(Axis::Y, &shape.y)?, component(Axis::Z, &shape.z)?];
+        let x = solve(Axis::X, &shape.x, &[])?;
+        let y = solve(Axis::Y, &shape.y, &[(&shape.x, &x)])?;
+        let z = solve(Axis::Z, &shape.z, &[(&shape.x, &x), (&shape.y, &y)])?;
+        let mut components = [x, y, z];
         let mut distinct = Vec::with_capacity(components[0].len());
         for component in &mut components {
             // Components have the same modes nearly always: where one is, the next is behind it.
