@@ -14,6 +14,10 @@ const JAR = "#1/fourth-order";
 const RINGED =
   "#1~eNoljkEOgyAQRe8y65HAiBK4inFBKy1EqwZs2sRw947pZvKSefn_n7D78gankCEfBdxwQol-D-BOmNM6gYNX-oap2fIUMiBkdjphWoVStJawE5p6ZqVoRFj5q9AwxZCe8eDoXnTKIjAOUpC9XL5s5FS4piEprGorwscvy1V7xHSf11B4DVf0BuHmL1MKLQnhsW3_LK0NZ2kyY61j_QHEszf6";
 
+/** A pot with sixteen flutes, of which an offset would have to be thinned. */
+const FLUTED =
+  "#1~eNqVjkEOgjAQRe_y1w2hYl30KsbFiI00YCUMSmLTuzsFjcHEhav2z7x5-RE98Q1WK_kMI8PuI7ih3sFGtD6cYDH4cGao15sJuSglZ-biKMBWChPd3bKVrHcK9VViWWzSISk8PmyZkloUhVlJzG9J9S0xb4leKbZ_9NBSJI8m6ro8HRtft8HxTIvoSOzmkhl7AgVOWTI";
+
 /** The number at the beginning of a text, such as that of “13.1 ml”. */
 const numberOf = (text: string) => Number(text.replaceAll("\u2212", "-").match(/-?[\d.]+/)?.[0]);
 
@@ -195,6 +199,33 @@ test("a ring that has no room is fitted, and a button says so in the document", 
   ]);
   await pot.page.getByText(/^Holds/).waitFor();
   // One step back it is fitted again.
+  await pot.undo();
+  await told.waitFor();
+});
+
+test("a wall that has to be thinned keeps its thickness with a round inside, by one button", async () => {
+  const pot = await here.enter({ ...CLEAR, link: FLUTED });
+  await pot.fingerprint();
+  await pot.tab("Wall");
+  await pot.page.getByText(/^Holds/).waitFor();
+  const told = pot.page.getByText("the wall is thinner than asked for", { exact: false }).first();
+  await told.waitFor();
+  const inside = (name: RegExp) => pot.page.getByRole("radio", { name });
+  expect(await inside(/^Follows the outside/).isChecked()).toBe(true);
+  const offer = pot.page.getByRole("button", { name: /^Make the inside round/ });
+  await offer.click();
+  await offer.waitFor({ state: "detached" });
+  await expect.poll(() => inside(/^Round(?!ed)/).isChecked()).toBe(true);
+  await pot.page.getByText(/^Holds/).waitFor();
+  expect(await told.count()).toBe(0);
+  // One step back it is thinned again.
+  await pot.undo();
+  await told.waitFor();
+  await offer.waitFor();
+  // And by the choice in the panel; how many waves it keeps is a number.
+  await inside(/^Keeps broad waves/).check();
+  expect(await pot.field("Waves inside").inputValue()).toBe("3");
+  await offer.waitFor({ state: "detached" });
   await pot.undo();
   await told.waitFor();
 });

@@ -110,7 +110,7 @@ const WORDS: [&str; 38] = [
 ];
 
 /// Fields of the format.
-const FIELDS: [&str; 51] = [
+const FIELDS: [&str; 53] = [
     "vertices",
     "patches",
     "frame",
@@ -161,6 +161,8 @@ const FIELDS: [&str; 51] = [
     "base",
     "foot",
     "drain",
+    "lining",
+    "waves",
     "scale",
 ];
 

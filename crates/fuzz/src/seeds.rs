@@ -27,6 +27,7 @@ fn designs() -> Vec<String> {
         json!({ "thickness": 0.2, "base": 0.3, "side": "outside", "rim": "rounded" }),
         json!({ "thickness": 0.3, "base": 0.5, "foot": [0.4, 0.3], "drain": 0.8 }),
         json!({ "thickness": 0.1, "base": 0 }),
+        json!({ "thickness": 0.2, "base": 0.3, "lining": { "waves": 2 } }),
     ];
     let place = json!({ "scale": [1, 2, -1], "axis": [1, 1, 0], "angle": 0.3, "shift": [4, 0, -2] });
     let mut designs = Vec::new();

@@ -391,6 +391,12 @@ export interface Placement {
   readonly shift?: readonly [number, number, number];
 }
 
+/** A lining of its own: a surface like the outside with fewer waves round it, so far inside that the wall is nowhere thinner than its thickness. */
+export interface Lining {
+  /** The most waves round it that the inside keeps of those of the outside; 0, for a round one, when left out. A whole number from 0 to 128. */
+  readonly waves?: number;
+}
+
 /** The clay between the surface and the lining, in model units after placement. */
 export interface Wall {
   /** The thickness of the wall along the normal. Greater than 0. */
@@ -405,6 +411,8 @@ export interface Wall {
   readonly foot?: readonly [number, number];
   /** The diameter of a round hole through the base; 0 when left out. Not less than 0. */
   readonly drain?: number;
+  /** An inside that does not follow the outside; where it is left out, it does. */
+  readonly lining?: Lining;
 }
 
 /** Where the clay of a wall goes: inwards, or outwards. */

@@ -68,9 +68,9 @@ pub use blend::{Inside, InsideMap};
 pub use design::read;
 pub use design::{
     Axis, BloorWilson, BoundaryValue, Choice, Clay, Colour, Component, Conversion, Datum, Design, End, FourthOrder,
-    Free, Glaze, Handle, HandleId, Handles, Hoop, Joint, Joints, Look, Loss, MixedOrder, Mode, Named, Order, Part,
-    Placement, Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit, VaseOrder,
-    Wall, Wave,
+    Free, Glaze, Handle, HandleId, Handles, Hoop, Joint, Joints, Lining, Look, Loss, MixedOrder, Mode, Named, Order,
+    Part, Placement, Restraint, RimForm, Ring, Rings, SecondOrder, Series, Shape, Side, Slopes, Span, Step, Unit,
+    VaseOrder, Wall, Wave,
 };
 #[cfg(feature = "patchwork")]
 pub use design::{

@@ -31,9 +31,24 @@ export function setWallNumber(state: State, field: WallField, value: number, ges
 }
 
 export function setSide(state: State, side: "inside" | "outside"): Change {
-  return rewall(state, (wall) => wall && setPath(wall, ["side"], side === DEFAULTS.side ? undefined : side), {
+  // What is laid outwards has the surface itself as its inside.
+  const laid = (wall: Wall) => (side === DEFAULTS.side ? wall : setPath(wall, ["lining"], undefined));
+  return rewall(state, (wall) => wall && setPath(laid(wall), ["side"], side === DEFAULTS.side ? undefined : side), {
     undo: "step",
   });
+}
+
+/** Gives the pot an inside that keeps so many of the waves round it; null has it follow the outside. */
+export function setLining(state: State, waves: number | null, gesture = false): Change {
+  const { part } = state;
+  const lining = waves === null ? undefined : waves === 0 ? {} : { waves };
+  const before = state.design.parts[part]?.wall?.lining;
+  if (before === lining || (before && lining && (before.waves ?? 0) === waves)) return NOTHING;
+  return rewall(
+    state,
+    (wall) => wall && setPath(wall, ["lining"], lining),
+    gesture ? { undo: "merge", key: "wall:lining" } : { undo: "step" },
+  );
 }
 
 export function setRim(state: State, rim: "flat" | "rounded"): Change {

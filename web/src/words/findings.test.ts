@@ -41,6 +41,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "collapsed",
     "left-out",
     "no-foot",
+    "no-lining",
   ],
   "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal"],
   "crosses-itself": [
@@ -69,13 +70,14 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "bends-too-sharply",
     "sharp-ring",
     "ends-in-ring",
+    "lining",
     "crossing",
     "close",
     "sharp-crease",
     "turned-over",
     "uneven",
   ],
-  "out-of-range": ["few-terms"],
+  "out-of-range": ["few-terms", "lining-outside"],
   "too-large": ["triangles", "weights"],
 };
 

@@ -77,7 +77,11 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
   },
   folded: () => making.folded,
   "few-terms": fewTerms,
-  "out-of-range": (refusal) => (textOf(refusal, "what") === "few-terms" ? fewTerms(refusal) : null),
+  "out-of-range": (refusal) => {
+    const what = textOf(refusal, "what");
+    if (what === "lining-outside") return making.liningOutside;
+    return what === "few-terms" ? fewTerms(refusal) : null;
+  },
   "no-opening": () => making.noOpening,
   "unsupported-shape": (refusal) => {
     const said: Readonly<Record<string, string>> = {
@@ -89,6 +93,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       collapsed: making.collapsed,
       "left-out": making.leftOut,
       "no-foot": making.thickness.noFoot,
+      "no-lining": making.noLining,
     };
     return said[textOf(refusal, "what") ?? ""] ?? null;
   },
@@ -118,6 +123,7 @@ function noRoomFor(refusal: Refusal, unit: Unit | null): string | null {
     "bends-too-sharply": () => length("thickness", said.bendsTooSharply),
     "sharp-ring": () => length("thickness", said.sharpRing),
     "ends-in-ring": () => said.endsInRing,
+    lining: () => said.lining,
     crossing: () =>
       refusal.args?.face === refusal.args?.other
         ? ofFace(refusal, "face", said.crossingItself)

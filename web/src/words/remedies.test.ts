@@ -14,6 +14,10 @@ test("a button says what is different and nothing else", () => {
   expect(words({ ...asked, side: "outside" })).toBe("Make it with the clay laid outwards");
 });
 
+test("an inside of its own that is given up follows the outside", () => {
+  expect(words(plain, { ...plain, lining: { waves: 3 } })).toBe("Make it with an inside that follows the outside");
+});
+
 test("what is left out is the same as what is usual", () => {
   expect(words({ ...plain, rim: "flat" }, { ...plain, side: "outside", rim: "rounded" })).toBe(
     "Make it with the clay laid inwards and a flat rim",

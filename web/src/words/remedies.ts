@@ -48,5 +48,6 @@ export function remedyWords(asked: Wall, wall: Wall, unit: Unit): string {
   } else if (asked.foot) changes.push(said.noRing);
   if ((wall.drain ?? 0) !== (asked.drain ?? 0))
     changes.push(wall.drain ? said.drain(length(wall.drain)) : said.noDrain);
+  if (asked.lining && !wall.lining) changes.push(said.follows);
   return said.make(changes);
 }

@@ -17,6 +17,7 @@ mod unseen;
 mod volume;
 
 pub use inside::{Inside, InsideMap};
+pub(crate) use skin::flank_problem;
 pub(crate) use solved::Blended;
 pub(crate) use unseen::Unseen;
 pub(crate) use volume::Volume;

@@ -81,6 +81,11 @@ impl Patch for Flank {
 /// # Errors
 /// What [`Surface::solve`] refuses.
 pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
+    Surface::solve(&flank_problem(blend), path).map_err(|error| error.at(path))
+}
+
+/// What it solves.
+pub(crate) fn flank_problem(blend: &Blend) -> BoundaryValue {
     let [_, b, c] = blend.weights;
     // What the sines of the other methods leave on the border is the cubic.
     let w = if blend.method() == Method::Exact { b } else { 0.0 };
@@ -114,8 +119,7 @@ pub(super) fn flank(blend: &Blend, path: &str) -> Result<Surface> {
     let [start, end] = both;
     let level = Datum { start: start.z, end: end.z, start_u: start.dz, end_u: end.dz, ..Datum::default() };
     let z = component(vec![Mode { n: 0.0, cos: level, sin: Datum::default() }]);
-    let problem = BoundaryValue { span: Span::Length(1.0), rings: Vec::new(), x: across(0), y: across(1), z };
-    Surface::solve(&problem, path).map_err(|error| error.at(path))
+    BoundaryValue { span: Span::Length(1.0), rings: Vec::new(), x: across(0), y: across(1), z }
 }
 
 impl Skin {

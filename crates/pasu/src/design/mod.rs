@@ -90,4 +90,4 @@ pub use unit::Unit;
 pub(crate) use value::Value;
 #[cfg(feature = "patchwork")]
 pub use vertex_frame::{Continuity, Falloff, Force, FramePatch, FrameRule, VertexFrame};
-pub use wall::{RimForm, Side, Wall};
+pub use wall::{Lining, RimForm, Side, Wall};

@@ -45,7 +45,8 @@ impl Part {
         let shape = self.shape.canonical().map_err(|error| error.inside_field("shape"))?;
         let place = self.place.canonical().map_err(|error| error.inside_field("place"))?;
         let joints = self.joints.canonical().map_err(|error| error.inside_field("joints"))?;
+        let wall = self.wall.map(Wall::canonical).transpose().map_err(|error| error.inside_field("wall"))?;
         let (shape, place) = shape.standing(&self.place, place);
-        Ok(Part { shape, place, wall: self.wall.map(Wall::canonical), look: self.look.canonical(), joints, ..self })
+        Ok(Part { shape, place, wall, look: self.look.canonical(), joints, ..self })
     }
 }

@@ -317,7 +317,14 @@ pub(super) const WALL: &[Entry] = &[
         "Width and height of a ring under the base; none when left out. Greater than 0.",
     ),
     optional("drain", "number", "The diameter of a round hole through the base; 0 when left out. Not less than 0."),
+    optional("lining", "Lining", "An inside that does not follow the outside; where it is left out, it does."),
 ];
+
+pub(super) const LINING: &[Entry] = &[optional(
+    "waves",
+    "number",
+    "The most waves round it that the inside keeps of those of the outside; 0, for a round one, when left out. A whole number from 0 to 128.",
+)];
 
 pub(super) const LOOK: &[Entry] = &[
     optional("glaze", "GlazeName | Colour", "What covers the part; celadon when left out."),

@@ -8,7 +8,7 @@ use super::look::{Clay, Glaze};
 use super::motion::Motion;
 use super::placement::Placement;
 use super::shape::KINDS;
-use super::tables::{CONNECTED, DESIGN, JOINT, JOINTS, LEAF, LOOK, PART, TREE, UNCONNECTED, WALL};
+use super::tables::{CONNECTED, DESIGN, JOINT, JOINTS, LEAF, LINING, LOOK, PART, TREE, UNCONNECTED, WALL};
 use super::unit::Unit;
 use super::wall::{RimForm, Side};
 use crate::answer::Answer;
@@ -31,6 +31,12 @@ pub fn typescript() -> String {
         (kind.typescript)(kind.name, &mut text);
     }
     numbers(&mut text, "Placement", "Scaled, then turned, then moved.", None, Placement::FIELDS);
+    interface(
+        &mut text,
+        "Lining",
+        "A lining of its own: a surface like the outside with fewer waves round it, so far inside that the wall is nowhere thinner than its thickness.",
+        LINING,
+    );
     interface(&mut text, "Wall", "The clay between the surface and the lining, in model units after placement.", WALL);
     union(&mut text, "Side", "Where the clay of a wall goes: inwards, or outwards.", Side::NAMES);
     union(&mut text, "RimForm", "How a wall ends at an opening: cut square, or half a circle.", RimForm::NAMES);
@@ -77,8 +83,8 @@ mod tests {
         RINGS_KIND, SECOND, SECTION, SERIES, SLOPES, VERTEX_FRAME, WAVE,
     };
     use crate::design::{
-        Blend, Force, FramePatch, Harmonic, Joint, Joints, Look, Octant, Part, Section, Value, VertexFrame, Wall,
-        reader,
+        Blend, Force, FramePatch, Harmonic, Joint, Joints, Lining, Look, Octant, Part, Section, Value, VertexFrame,
+        Wall, reader,
     };
 
     /// The fields that a type is read from, as its refusal of another says.
@@ -98,6 +104,7 @@ mod tests {
     fn what_is_declared_is_what_is_read() {
         check::<Part>(PART, None);
         check::<Wall>(WALL, None);
+        check::<Lining>(LINING, None);
         check::<Look>(LOOK, None);
         check::<Joints>(JOINTS, None);
         check::<Joint>(JOINT, None);

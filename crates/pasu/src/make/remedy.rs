@@ -58,7 +58,7 @@ fn sought(solution: &Solution, part: usize, making: &Making, scale: f64, error: 
     let placed = solution.workable(part).ok()?;
     let asked = solution.wall(part, making.product).ok()??;
     let field = error.path().strip_prefix(&placed.path("wall."))?;
-    let skin = Arc::new(Skin::new(placed).ok()?);
+    let skin = Arc::new(solution.skin(part, making.product).ok()?);
     let n_triangles = |tolerance| grid(&skin, tolerance, None).map_or(usize::MAX, |grid| grid.n_triangles());
     let (coarse, fine) = (n_triangles(Some(COARSE * skin.size())), n_triangles(making.tolerance));
     let mut left = MOST_TRIED;
@@ -119,9 +119,15 @@ fn tried(wall: &Wall, field: &str) -> Vec<Wall> {
     let scaled = |length: f64, factor: f64| significant(length * factor, DIGITS);
     let plain = Wall { foot: None, drain: 0.0, ..*wall };
     let thinner = |wall: Wall| THINNER.map(|factor| Wall { thickness: scaled(wall.thickness, factor), ..wall });
-    let across =
-        |wall: Wall| Wall { side: if wall.side == Side::Inside { Side::Outside } else { Side::Inside }, ..wall };
+    let across = |wall: Wall| Wall {
+        side: if wall.side == Side::Inside { Side::Outside } else { Side::Inside },
+        lining: None,
+        ..wall
+    };
     let mut tried = Vec::new();
+    if wall.lining.is_some() {
+        tried.push(Wall { lining: None, ..*wall });
+    }
     match field {
         // No other ring would do, or the part would have been made with it.
         "foot" => tried.extend([Wall { foot: None, ..*wall }, across(*wall)]),
@@ -156,6 +162,9 @@ fn words(asked: &Wall, wall: &Wall) -> String {
     if wall.side != asked.side {
         let side = if wall.side == Side::Inside { "inside" } else { "outside" };
         with.push(format!("the clay {side} of the surface"));
+    }
+    if wall.lining.is_none() && asked.lining.is_some() {
+        with.push("an inside that follows the outside".to_owned());
     }
     if wall.thickness != asked.thickness {
         with.push(format!("a wall of {}", short(wall.thickness)));

@@ -147,7 +147,16 @@ impl Taken {
     /// Where derivatives of the surface jump along it.
     fn knots(&self) -> Vec<f64> {
         match &self.surface {
-            Naked::Upright { bare, .. } => bare.knots(),
+            Naked::Upright { bare, .. } => {
+                let lining = self.pot.as_ref().map(Pot::knots_of_lining).unwrap_or_default();
+                let mut knots = bare.knots();
+                if !lining.is_empty() {
+                    knots.extend(lining);
+                    knots.sort_by(f64::total_cmp);
+                    knots.dedup();
+                }
+                knots
+            }
             Naked::Patches { .. } => Vec::new(),
         }
     }

@@ -75,7 +75,7 @@ impl Solution {
         Ok(sight)
     }
 
-    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: it has no wall, or one whose reach is not known beforehand.
+    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: it has no wall, or one whose reach is not known beforehand, as of one with a lining of its own.
     ///
     /// In the frame of the pot's own axis the clay is within the box round its surface, widened by all that its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
     /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
@@ -86,7 +86,7 @@ impl Solution {
     fn reach(&self, index: usize) -> Result<Option<Bounds>> {
         let (_, part) = self.existing(index)?;
         let placed = self.part(index)?;
-        let Some(wall) = part.wall else { return Ok(None) };
+        let Some(wall) = part.wall.filter(|wall| wall.lining.is_none()) else { return Ok(None) };
         if self.has_shell(index, Product::Pot).is_ok_and(|is_shell| is_shell) {
             return Ok(None);
         }

@@ -38,6 +38,11 @@ impl Flank {
         Flank::of(skin, thickness, WallSide::Design, Vec::new())
     }
 
+    /// A surface of its own, without corners. `trimmed` has to be given the same skin.
+    pub(super) fn lining(skin: &Arc<Skin>, thickness: &Arc<Thickness>) -> Flank {
+        Flank::of(skin, thickness, WallSide::Lining, Vec::new())
+    }
+
     /// The surface at a distance from it.
     ///
     /// # Errors

@@ -1,15 +1,18 @@
 //! A placed surface and its wall, as smooth faces.
 
+mod apart;
 mod ball;
 mod crease;
 mod curve;
 mod flank;
 mod frame;
+mod lining;
 mod offset;
 mod outline;
 mod piece;
 mod pot;
 mod product;
+mod samples;
 mod sheet;
 mod skin;
 mod thickness;

@@ -131,8 +131,33 @@ impl Bead {
         Across::Bead { middle, arm, out: self.bulge(v), dmiddle, darm, dout: self.bulge_v(v) }
     }
 
+    /// Whether one of its sides is a surface of its own: then the way across the wall is not along the normal.
+    fn is_lined(&self) -> bool {
+        self.from.is_lining() || self.to.is_lining()
+    }
+
+    /// At right angles to the way across the wall and to its edge, half as long as the wall is thick; how it changes round the rim.
+    fn bulge_across(&self, v: f64) -> [DVec3; 2] {
+        let [from, to] = [&self.from, &self.to].map(|sheet| sheet.skin().second(self.at, v));
+        let (arm, darm) = ((from.position - to.position) * 0.5, (from.dv - to.dv) * 0.5);
+        let (edge, dedge) = ((from.dv + to.dv) * 0.5, (from.dvv + to.dvv) * 0.5);
+        let (c, dc) = (arm.cross(edge), darm.cross(edge) + arm.cross(dedge));
+        let (length, width) = (c.length(), arm.length());
+        if !(length > 0.0 && width > 0.0) {
+            return [DVec3::ZERO; 2];
+        }
+        let unit = c / length;
+        let along = self.from.skin().second(self.at, v).du * (self.at - 0.5);
+        let sign = if unit.dot(along) < 0.0 { -1.0 } else { 1.0 };
+        let dunit = (dc - unit * unit.dot(dc)) / length;
+        [unit * (sign * width), (dunit * width + unit * (arm.dot(darm) / width)) * sign]
+    }
+
     /// The outward conormal times half the thickness.
     fn bulge(&self, v: f64) -> DVec3 {
+        if self.is_lined() {
+            return self.bulge_across(v)[0];
+        }
         let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v).position);
         let jet = self.from.skin().jet(self.at, v);
         let conormal = jet.normal.cross(jet.dv).normalize_or_zero();
@@ -141,6 +166,9 @@ impl Bead {
     }
 
     fn bulge_v(&self, v: f64) -> DVec3 {
+        if self.is_lined() {
+            return self.bulge_across(v)[1];
+        }
         let [from, to] = [&self.from, &self.to].map(|sheet| sheet.jet(self.at, v));
         let skin = self.from.skin();
         let (jet, second) = (skin.jet(self.at, v), skin.second(self.at, v));

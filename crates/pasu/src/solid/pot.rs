@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
 use super::flank::{Flank, Untrimmed};
+use super::lining::Lined;
 use super::outline::Outline;
 use super::piece::{Bead, Form, Piece};
 use super::product::Product;
@@ -57,6 +58,8 @@ pub struct Pot {
     is_ring: bool,
     skin: Arc<Skin>,
     thickness: Arc<Thickness>,
+    /// The inside, where it is a surface of its own.
+    lined: Option<Arc<Lined>>,
     /// By how much the wall is thinned where there is one.
     told: Option<Told>,
     foot_level: f64,
@@ -73,11 +76,18 @@ impl Pot {
 
     /// As [`Pot::of`]; without the closer look unless `is_closely`. It takes five times as long as all else, and without it a wall that would all but fold between the places is thinner than that of the body.
     pub(crate) fn looked_at(skin: &Arc<Skin>, wall: Option<Wall>, is_closely: bool) -> Result<Pot> {
-        let Some(wall) = wall else { return Pot::with(skin, None, Arc::new(Thickness::Even(0.0))) };
+        let Some(wall) = wall else { return Pot::with(skin, None, Arc::new(Thickness::Even(0.0)), None) };
+        if let Some(lining) = wall.lining {
+            watch::go_on()?;
+            let even = Arc::new(Thickness::Even(wall.thickness));
+            let floor = floor_of(skin, &even, &wall);
+            let lined = Lined::of(skin, &wall, lining, floor, is_closely)?;
+            return Pot::with(skin, Some(wall), even, Some(Arc::new(lined)));
+        }
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
         watch::go_on()?;
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
-        let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
+        let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness), None)?;
         let mut starts = pot.starts(sought.columns);
         // What is thicker than the pot is wide is thinned everywhere, however closely it is looked at.
         let closer = CLOSER.into_iter().find(|factor| factor * factor * sought.n_places() <= MOST_PLACES);
@@ -86,14 +96,14 @@ impl Pot {
         {
             let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((closer, &sought)))?;
             sought = closer;
-            pot = Pot::with(skin, Some(wall), Arc::new(thickness))?;
+            pot = Pot::with(skin, Some(wall), Arc::new(thickness), None)?;
             starts = pot.starts(sought.columns);
         }
         watch::go_on()?;
         pot.told = pot.thickness.told(skin, &sought, &starts);
         if pot.told.is_none() && !pot.thickness.is_even() {
             // Thinned only where there is no wall, beneath the floor: then it is as asked for all over.
-            let even = Pot::with(skin, Some(wall), Arc::new(Thickness::Even(wall.thickness)))?;
+            let even = Pot::with(skin, Some(wall), Arc::new(Thickness::Even(wall.thickness)), None)?;
             let is_same = even.starts(sought.columns).iter().zip(&starts).all(|(s, start)| (s - start).abs() <= SAME);
             if is_same {
                 return Ok(even);
@@ -103,14 +113,14 @@ impl Pot {
     }
 
     /// The faces with a wall of a thickness that is known.
-    fn with(skin: &Arc<Skin>, wall: Option<Wall>, thickness: Arc<Thickness>) -> Result<Pot> {
-        let builder = Builder { skin, thickness: &thickness, pieces: Vec::new() };
+    fn with(skin: &Arc<Skin>, wall: Option<Wall>, thickness: Arc<Thickness>, lined: Option<Arc<Lined>>) -> Result<Pot> {
+        let builder = Builder { skin, thickness: &thickness, lined: lined.as_deref(), pieces: Vec::new() };
         let (pieces, is_ring, foot_level) = match wall {
             Some(wall) => builder.pot(&wall)?,
             None => builder.solid()?,
         };
         let (part, skin) = (skin.placed().index(), Arc::clone(skin));
-        Ok(Pot { part, pieces, is_ring, skin, thickness, told: None, foot_level, wall })
+        Ok(Pot { part, pieces, is_ring, skin, thickness, lined, told: None, foot_level, wall })
     }
 
     /// The pot with another ring or drain: the thickness of its wall does not depend on these.
@@ -118,7 +128,7 @@ impl Pot {
     /// # Errors
     /// As [`Pot::new`].
     pub(crate) fn with_foot_of(&self, wall: Wall) -> Result<Pot> {
-        Pot::with(&self.skin, Some(wall), Arc::clone(&self.thickness))
+        Pot::with(&self.skin, Some(wall), Arc::clone(&self.thickness), self.lined.clone())
     }
 
     /// Where the wall begins at even columns: its other side does, not the surface.
@@ -197,8 +207,12 @@ impl Pot {
         self.foot_level
     }
 
-    /// The least and the greatest thickness of the wall; zeros for a solid.
+    /// The least and the greatest thickness of the wall; zeros for a solid. Of a wall with a lining of its own the least is what is proven of all of it.
     pub fn thickness(&self) -> (f64, f64) {
+        if let Some(lined) = &self.lined {
+            let apart = lined.apart();
+            return (if apart.bound > 0.0 { apart.bound } else { apart.least.0 }, apart.greatest.0);
+        }
         match (self.told, self.wall) {
             (Some(told), _) => (told.thinnest.0, told.thickest),
             (None, Some(wall)) => (wall.thickness, wall.thickness),
@@ -224,6 +238,10 @@ impl Pot {
 
     /// How far the least and the greatest thickness and the share that is thinned may be off.
     pub(crate) fn thickness_errors(&self) -> [f64; 3] {
+        if let Some(lined) = &self.lined {
+            let apart = lined.apart();
+            return [apart.least.0 - apart.bound, apart.greatest.1, 0.0];
+        }
         self.told.map_or([0.0; 3], |told| told.errors)
     }
 
@@ -247,7 +265,20 @@ impl Pot {
 
     /// The thickness of the wall where the surface, run through from foot to rim, is at `(s, v)`; 0 for a solid.
     pub(crate) fn thickness_at(&self, s: f64, v: f64) -> f64 {
-        self.thickness.at(s, v)[0]
+        match &self.lined {
+            Some(lined) => lined.distance(self.skin.second(s, v).position),
+            None => self.thickness.at(s, v)[0],
+        }
+    }
+
+    /// Whether its lining is a surface of its own.
+    pub(crate) fn is_lined(&self) -> bool {
+        self.lined.is_some()
+    }
+
+    /// Where derivatives of a lining of its own jump between foot and rim.
+    pub(crate) fn knots_of_lining(&self) -> Vec<f64> {
+        self.lined.as_ref().map(|lined| lined.skin().knots()).unwrap_or_default()
     }
 
     pub(crate) fn skin(&self) -> &Skin {
@@ -283,10 +314,20 @@ impl Solution {
     }
 }
 
+/// The level of the floor of a pot without a ring, above which there is a lining: so one that was fitted moves no lining.
+fn floor_of(skin: &Arc<Skin>, thickness: &Arc<Thickness>, wall: &Wall) -> f64 {
+    if wall.base == 0.0 {
+        return f64::NEG_INFINITY;
+    }
+    let surface = Arc::new(Sheet::whole(skin, thickness, WallSide::Design));
+    Outline::of(&Curve::Start(surface), skin).highest + wall.base
+}
+
 /// What faces are put together from.
 struct Builder<'a> {
     skin: &'a Arc<Skin>,
     thickness: &'a Arc<Thickness>,
+    lined: Option<&'a Lined>,
     pieces: Vec<Piece>,
 }
 
@@ -427,6 +468,11 @@ impl Builder<'_> {
         let trimmed = |flank: Flank, face: WallSide, trim: Trim| flank.trimmed(skin, thickness, face, trim);
         let surface = trimmed(Flank::design(skin, thickness), WallSide::Design, design);
         let surface = surface.map_err(|why| untrimmed(why, "wall.drain"))?;
+        if let Some(lined) = self.lined {
+            let flank = Flank::lining(lined.skin(), thickness);
+            let other = flank.trimmed(lined.skin(), thickness, WallSide::Lining, offset);
+            return Ok([surface, other.map_err(|why| untrimmed(why, "wall.base"))?]);
+        }
         let field = if matches!(offset, Trim::Cylinder(_)) { "wall.drain" } else { "wall.base" };
         let other = Flank::offset(skin, thickness, wall, direction)?;
         let other = trimmed(other, WallSide::Offset { direction }, offset).map_err(|why| untrimmed(why, field))?;

@@ -44,6 +44,8 @@ pub(crate) enum WallSide {
     Design,
     /// `X + direction t N`, with `direction` 1 for outwards and -1 for inwards.
     Offset { direction: f64 },
+    /// A surface of its own.
+    Lining,
 }
 
 /// Where the columns of a sheet begin.
@@ -203,7 +205,7 @@ impl Sheet {
 
     /// Whether the jets are those of the true surface.
     pub(crate) fn is_exact(&self) -> bool {
-        self.face == WallSide::Design || self.thickness.is_even()
+        !self.is_offset() || self.thickness.is_even()
     }
 
     /// Whether this is the surface of the design from one corner or end to the next.
@@ -214,6 +216,11 @@ impl Sheet {
     /// Whether this is the side at a distance from the surface of the design.
     pub(crate) fn is_offset(&self) -> bool {
         matches!(self.face, WallSide::Offset { .. })
+    }
+
+    /// Whether this is a lining of its own.
+    pub(crate) fn is_lining(&self) -> bool {
+        self.face == WallSide::Lining
     }
 
     /// Whether any column is all above the level.

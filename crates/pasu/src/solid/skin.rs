@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::frame::Frame;
 use super::told::place;
-use crate::design::plain;
+use crate::design::{BoundaryValue, plain};
 use crate::error::{Code, Error, Result};
 use crate::numeric::golden_section;
 use crate::patch::SurfaceJet;
@@ -46,6 +46,8 @@ pub(crate) struct Skin {
     /// 1 where the foot goes round anti-clockwise seen from the rim, otherwise -1.
     turn: f64,
     n_columns: usize,
+    /// What the surface solves, for a lining that is to solve the same.
+    problem: Option<Box<BoundaryValue>>,
     /// What lies between the corners of the profile, from foot to rim.
     stretches: Vec<Stretch>,
 }
@@ -91,7 +93,8 @@ impl Skin {
         let n_columns = (4.0 * upright.waves()).clamp(COLUMNS.0 as f64, COLUMNS.1 as f64) as usize | 1;
         let frame = Frame::new(DVec3::ZERO, placed.axis());
         let stretches = upright.stretches();
-        let mut skin = Skin { upright, size: 0.0, poles: [false; 2], frame, turn: 1.0, n_columns, stretches };
+        let mut skin =
+            Skin { upright, size: 0.0, poles: [false; 2], frame, turn: 1.0, n_columns, problem: None, stretches };
         skin.measure()?;
         skin.frame = Frame::new(skin.middle(0.0), placed.axis());
         let mut walk = skin.walk();
@@ -102,6 +105,29 @@ impl Skin {
             .sum();
         drop(walk);
         skin.turn = if area < 0.0 { -1.0 } else { 1.0 };
+        Ok(skin)
+    }
+
+    /// The same with the boundary-value problem that it solves.
+    pub(crate) fn solving(self, problem: Option<BoundaryValue>) -> Skin {
+        Skin { problem: problem.map(Box::new), ..self }
+    }
+
+    /// What it solves, where that was said.
+    pub(super) fn problem(&self) -> Option<&BoundaryValue> {
+        self.problem.as_deref()
+    }
+
+    /// Another surface in the place of a skin, on the same axis.
+    ///
+    /// # Errors
+    /// As [`Skin::new`]; `pinched-surface` where it is upside down or goes round the other way.
+    pub(super) fn beside(placed: &Arc<Placed>, other: &Skin) -> Result<Skin> {
+        let skin = Skin { frame: other.frame, ..Skin::new(placed)? };
+        if skin.is_upward() != other.is_upward() || skin.turn != other.turn || skin.outward() != other.outward() {
+            let message = "the surface is turned inside out";
+            return Err(Error::new(Code::PinchedSurface, placed.path("wall.lining"), message));
+        }
         Ok(skin)
     }
 
@@ -202,6 +228,11 @@ impl Skin {
     /// The part.
     pub(crate) fn placed(&self) -> &Placed {
         self.upright.placed()
+    }
+
+    /// Where derivatives jump along it.
+    pub(super) fn knots(&self) -> Vec<f64> {
+        self.upright.knots()
     }
 
     /// Even columns of this surface.

@@ -11,7 +11,6 @@ mod workable;
 pub(crate) use columns::Columns;
 pub(crate) use kept::Kept;
 pub(crate) use placed::Placed;
-#[cfg(test)]
 pub(crate) use solved::Solved;
 pub(crate) use upright::{Stretch, Upright, Walk};
 pub use whole::Solution;

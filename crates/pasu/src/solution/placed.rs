@@ -52,6 +52,12 @@ impl Placed {
         Placed { solved, matrix, shift, index, is_forwards: OnceLock::new() }
     }
 
+    /// Another shape where this one stands.
+    pub(crate) fn beside(&self, solved: Solved) -> Placed {
+        let Placed { matrix, shift, index, .. } = *self;
+        Placed { solved: Arc::new(solved), matrix, shift, index, is_forwards: OnceLock::new() }
+    }
+
     pub(crate) fn solved(&self) -> &Solved {
         &self.solved
     }

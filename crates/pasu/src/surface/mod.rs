@@ -14,6 +14,7 @@ mod solve;
 mod supremum;
 mod table;
 mod term;
+mod third;
 mod turns;
 
 pub(crate) use circle::{MOST_MULTIPLES, most_of_many, multiples, of_turns};
@@ -28,4 +29,5 @@ pub(crate) use solve::SOLVED;
 pub use solve::Surface;
 pub(crate) use table::{BLOCK, Block, ColumnTable};
 pub(crate) use term::Term;
+pub(crate) use third::ThirdSuprema;
 pub(crate) use turns::Turns;

@@ -18,6 +18,11 @@ pub(crate) struct Term {
 }
 
 impl Term {
+    /// The factors of cosine and sine at `u`, each with its slope.
+    pub(crate) fn slopes(&self, u: f64) -> [[f64; 2]; 2] {
+        self.beam.jets::<2, 2>([&self.cos, &self.sin], u)
+    }
+
     /// The factors of cosine and sine at `u`.
     pub(crate) fn values(&self, u: f64) -> [f64; 2] {
         let [[cos], [sin]] = self.beam.jets::<1, 2>([&self.cos, &self.sin], u);

@@ -335,6 +335,7 @@ fn crossing(pot: &Pot, kinds: [FaceKind; 2], at: DVec3) -> Error {
         format!("the {} has no room: it runs through the {} near {}", name(first), name(second), place(at))
     };
     let path = match first {
+        FaceKind::Outer | FaceKind::Lining if pot.is_lined() => "wall.lining",
         FaceKind::Outer | FaceKind::Lining => "wall.thickness",
         FaceKind::Underside if !pot.has_wall() => "shape",
         kind => field(kind),

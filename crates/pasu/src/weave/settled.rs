@@ -1,10 +1,13 @@
 //! Which body a part is: the one that is measured, checked, meshed, drawn and written.
 
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use super::fit::{can_give_way, fitted, may_be_at_fault};
 use super::meshed::{Made, grid, refuse_crossing};
-use crate::design::{Address, Design, Wall};
+#[cfg(feature = "patchwork")]
+use crate::blend::flank_problem;
+use crate::design::{Address, BoundaryValue, Design, Shape, Wall};
 use crate::error::{Code, Error, Result};
 use crate::solid::{Pot, Product, Skin};
 use crate::solution::{Kept, Placed, Solution};
@@ -194,8 +197,16 @@ impl Solution {
         Ok(placed)
     }
 
+    /// The surface of a part; for a wall with a lining of its own it says what it solves.
+    pub(crate) fn skin(&self, part: usize, product: Product) -> Result<Skin> {
+        let skin = Skin::new(self.walled(part)?)?;
+        let (_, of) = self.existing(part)?;
+        let is_lined = product == Product::Pot && of.wall.is_some_and(|wall| wall.lining.is_some());
+        Ok(skin.solving(if is_lined { problem_of(&of.shape) } else { None }))
+    }
+
     fn sought(&self, part: usize, product: Product) -> Result<Settled> {
-        let skin = Arc::new(Skin::new(self.walled(part)?)?);
+        let skin = Arc::new(self.skin(part, product)?);
         match self.wall(part, product)? {
             Some(asked) if can_give_way(&asked) => settle(&skin, asked, self.design().unit().millimetres()),
             wall => Pot::of(&skin, wall).map(Settled::Faces),
@@ -207,9 +218,9 @@ impl Solution {
     /// # Errors
     /// As [`Pot::new`].
     pub(crate) fn quick_pot(&self, part: usize) -> Result<Pot> {
-        let placed = self.walled(part)?;
+        let skin = self.skin(part, Product::Pot)?;
         let wall = self.wall(part, Product::Pot)?;
-        Pot::looked_at(&Arc::new(Skin::new(placed)?), wall, false)
+        Pot::looked_at(&Arc::new(skin), wall, false)
     }
 
     /// The same with ring and drain as they were fitted; `None` where they are as asked for.
@@ -223,6 +234,15 @@ impl Solution {
             return Ok(None);
         };
         Pot::looked_at(pot.shared_skin(), pot.wall(), false).map(Some)
+    }
+}
+
+/// What the surface between foot and rim of a shape solves.
+fn problem_of(shape: &Shape) -> Option<BoundaryValue> {
+    match shape {
+        #[cfg(feature = "patchwork")]
+        Shape::Blend(blend) => Some(flank_problem(blend)),
+        _ => shape.problem().map(Cow::into_owned),
     }
 }
 

@@ -63,9 +63,10 @@ fn refuse_foot(placed: &Placed, wall: &Wall) -> Result<()> {
         ("rim", wall.rim != RimForm::Flat),
         ("foot", wall.foot.is_some()),
         ("drain", wall.drain != 0.0),
+        ("lining", wall.lining.is_some()),
     ];
     let Some((field, _)) = given.into_iter().find(|(_, is_given)| *is_given) else { return Ok(()) };
-    let message = "the wall of an open network of patches has a thickness and a side alone: expected a base of 0, a flat rim, no ring and no drain";
+    let message = "the wall of an open network of patches has a thickness and a side alone: expected a base of 0, a flat rim, no ring, no drain and no lining of its own";
     Err(Error::new(Code::UnsupportedShape, placed.path(&format!("wall.{field}")), message).with("what", "no-foot"))
 }
 

@@ -276,6 +276,8 @@ impl Weaver<'_> {
     fn sheet(&self, sheet: &Sheet) -> Vec<Vec<DVec3>> {
         let starts: Vec<f64> = (0..self.grid.columns).map(|j| sheet.start(self.v(j)).s).collect();
         let ends: Vec<f64> = (0..self.grid.columns).map(|j| sheet.end(self.v(j)).s).collect();
+        let own = sheet.is_lining().then(|| sheet.skin().columns(self.grid.columns));
+        let columns = own.as_ref().unwrap_or(&self.columns);
         let mut walk = sheet.walk();
         let range = |all: &[f64]| {
             all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), s| (least.min(*s), most.max(*s)))
@@ -297,7 +299,7 @@ impl Weaver<'_> {
             let between = |share: f64, j: usize| from(j) + share * (to(j) - from(j));
             let mut ring = |i: usize| -> Vec<DVec3> {
                 let share = i as f64 / n as f64;
-                (0..self.grid.columns).map(|j| walk.position_at(between(share, j), &self.columns, j)).collect()
+                (0..self.grid.columns).map(|j| walk.position_at(between(share, j), columns, j)).collect()
             };
             (1..n).map(&mut ring).collect::<Vec<_>>()
         };
@@ -312,7 +314,7 @@ impl Weaver<'_> {
             rings = lead(&mut walk, &start, &|_| rows[first], (least, rows[first]));
         }
         for s in rows[first..=last].iter().take_while(|_| !watch::is_stopped()) {
-            rings.push((0..self.grid.columns).map(|j| walk.position_at(*s, &self.columns, j)).collect());
+            rings.push((0..self.grid.columns).map(|j| walk.position_at(*s, columns, j)).collect());
         }
         if high > low {
             rings.extend(lead(&mut walk, &|_| rows[last], &end, (rows[last], high)));

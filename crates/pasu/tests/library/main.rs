@@ -22,6 +22,7 @@ mod hostile;
 mod interface;
 mod joined;
 mod joints;
+mod linings;
 mod links;
 mod looks;
 mod measure;

@@ -13,11 +13,21 @@ import type { Designer } from "../../work/designer";
 /** One button for each part that has a remedy. */
 export function remedies(designer: Designer) {
   const { made, state } = designer;
-  const findings = (made?.report.value?.findings ?? []).filter(({ remedy }) => remedy);
+  const reported = made?.report.of === state.design ? (made.report.value?.findings ?? []) : [];
+  const findings = reported.filter(({ remedy }) => remedy);
   // A ring and a drain that were fitted have one wall that says so.
   const first = findings.filter(({ part }, i) => findings.findIndex((finding) => finding.part === part) === i);
-  const found = first.flatMap((finding) => button(designer, finding));
-  return found.length > 0 && made?.report.of === state.design ? html`<p class="remedies">${found}</p>` : nothing;
+  const found = [
+    ...first.flatMap((finding) => button(designer, finding)),
+    ...state.design.parts.flatMap((_, part) => rounded(designer, part)),
+  ];
+  return found.length > 0 ? html`<p class="remedies">${found}</p>` : nothing;
+}
+
+/** Whether the wall of a part had to be thinned somewhere. */
+export function isThinned({ made, state }: Designer, part: number): boolean {
+  const measured = made?.measures.of === state.design ? made.measures.value?.parts[part] : null;
+  return (measured?.thickness?.thinned.value ?? 0) > 0;
 }
 
 function button(designer: Designer, { part, remedy }: Finding) {
@@ -32,6 +42,22 @@ function button(designer: Designer, { part, remedy }: Finding) {
     @click=${() => designer.apply(setWall(designer.state, part, remedy.wall))}
   >
     ${several ? report.ofPart(isolated(partName(part, design.parts[part]?.name)), words) : words}
+  </button>`;
+}
+
+/** A wall that is thinned keeps its thickness where its inside does not follow the outside. */
+function rounded(designer: Designer, part: number) {
+  const { state } = designer;
+  const { shape, wall, name } = state.design.parts[part] ?? {};
+  if (!wall || wall.lining || wall.side === "outside" || shape?.kind === "vertex-frame") return [];
+  if (!isThinned(designer, part)) return [];
+  const words = report.remedies.roundInside;
+  return html`<button
+    class="button outlined"
+    type="button"
+    @click=${() => designer.apply(setWall(designer.state, part, { ...wall, lining: {} }))}
+  >
+    ${state.design.parts.length > 1 ? report.ofPart(isolated(partName(part, name)), words) : words}
   </button>`;
 }
 

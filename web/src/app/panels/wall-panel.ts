@@ -11,7 +11,7 @@ import { isThickness, type WallField, wallFields, wallNumber, wallRange } from "
 import { DesignerElement } from "../../element/designer-element";
 import { longest } from "../../solver/solved";
 import { toggleExplain } from "../../state/actions";
-import { setFootRing, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
+import { setFootRing, setLining, setPot, setRim, setSide, setWallNumber } from "../../state/wall-actions";
 import { checks } from "../../ui/checks";
 import { choiceStyles, choices } from "../../ui/choices";
 import { icon } from "../../ui/icons";
@@ -24,7 +24,11 @@ import { parameters } from "../../words/english/parameters";
 import { wall as words } from "../../words/english/wall";
 import { refusalWords, whyWords } from "../../words/refusals";
 import { fittedWords } from "../../words/remedies";
-import { remedies, remedyStyles } from "./remedies";
+import { isThinned, remedies, remedyStyles } from "./remedies";
+
+/** How many waves a soft inside keeps at first, and at most by its slider. */
+const SOFT = 3;
+const MOST_WAVES = 12;
 
 @customElement("pasu-wall")
 export class PasuWall extends DesignerElement {
@@ -66,6 +70,7 @@ export class PasuWall extends DesignerElement {
       ${this.verdict(isPatched)} ${this.numbers(wall, shape.kind)}
       ${isPatched && !wall.foot && !wall.rim ? nothing : this.ends(wall)}
       ${choices(words.laid, told(isPatched ? words.sidesOfNetwork : words.sides), wall.side ?? DEFAULTS.side, (side) => designer.apply(setSide(designer.state, side)))}
+      ${isPatched || (wall.side ?? DEFAULTS.side) === "outside" ? nothing : this.inside(wall)}
       <button class="button primary export" type="button" @click=${() => this.dispatchEvent(new CommandEvent("export"))}>
         ${icon("make")}<span>${words.export}</span>
       </button>
@@ -102,6 +107,33 @@ export class PasuWall extends DesignerElement {
     `;
   }
 
+  /** Whether the inside follows the outside, is round, or keeps some of its waves. */
+  private inside(wall: Wall) {
+    const { designer } = this;
+    const waves = wall.lining ? (wall.lining.waves ?? 0) : null;
+    const kind = waves === null ? "follows" : waves === 0 ? "round" : "soft";
+    const kept = { follows: null, round: 0, soft: SOFT } as const;
+    return html`${choices(words.inside, told(words.insides), kind, (kind) => designer.apply(setLining(designer.state, kept[kind])))}
+    ${
+      kind === "soft"
+        ? html`<pasu-number
+            data-field="lining"
+            .label=${words.keptWaves.name}
+            .help=${words.keptWaves.help}
+            .value=${waves ?? SOFT}
+            .min=${1}
+            .max=${MOST_WAVES}
+            .step=${1}
+            .explain=${designer.store.session.explain}
+            @number-change=${(event: NumberChangeEvent) =>
+              designer.apply(setLining(designer.state, Math.max(1, Math.round(event.value)), event.gesture))}
+            @number-done=${() => designer.store.endGesture()}
+            @number-cancel=${() => designer.store.cancelGesture()}
+          ></pasu-number>`
+        : nothing
+    }`;
+  }
+
   /** Why it is no pot, in the solver's words; or how much it holds, and what of it was fitted. */
   private verdict(isPatched: boolean) {
     const { designer } = this;
@@ -125,9 +157,10 @@ export class PasuWall extends DesignerElement {
   private fitted() {
     const { designer } = this;
     const { made, state } = designer;
-    if (made?.report.of !== state.design) return nothing;
-    const found = (made.report.value?.findings ?? []).filter(({ part }) => part === state.part);
+    const reported = made?.report.of === state.design ? (made.report.value?.findings ?? []) : [];
+    const found = reported.filter(({ part }) => part === state.part);
     const told = found.flatMap((finding) => fittedWords(finding, unitOf(state.design)) ?? []);
+    if (isThinned(designer, state.part)) told.push(words.thinned);
     if (told.length === 0) return nothing;
     return html`${told.map((text) => html`<p class="problem" role="status">${icon("warn")}<span>${text}</span></p>`)}
       ${remedies(designer)}`;

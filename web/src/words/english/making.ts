@@ -78,6 +78,8 @@ export const making = phrases("making", {
     /** The sentence, and how fine triangles may be that do not show it. */
     steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
   },
+  noLining: "An inside of its own takes a surface between a foot and a rim.",
+  liningOutside: "Where the clay is laid outwards, what you shaped is itself the inside.",
   noOpening: "The surface closes to a point where the opening of a pot is. It can be made as a solid.",
   noRoom: {
     noDisc: (end: string) =>
@@ -98,6 +100,8 @@ export const making = phrases("making", {
     sharpRing: (thickness: string) =>
       `A wall ${thickness} thick has no room round a sharp ring. A thinner wall may do, or a ring that turns less or is further from the next.`,
     endsInRing: "The base or the drain ends in a sharp ring. One that ends above or below it may do.",
+    lining:
+      "An inside of its own has no room: the pot is too narrow, or its outside goes too far in. A thinner wall may do, or an inside that follows the outside.",
     crossing: (face: string, other: string) => `The ${face} has no room: it runs through the ${other}.`,
     crossingItself: (face: string) => `The ${face} has no room: it runs through itself.`,
     close: (face: string) =>

@@ -78,6 +78,8 @@ export const report = phrases("report", {
     noRing: "no ring",
     drain: (width: string) => `a drain of ${width}`,
     noDrain: "no drain",
+    follows: "an inside that follows the outside",
+    roundInside: "Make the inside round, so that the wall keeps its thickness",
     make: (changes: readonly string[]) => `Make it with ${changes.join(" and ")}`,
   },
 });

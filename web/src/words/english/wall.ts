@@ -48,6 +48,20 @@ export const wall = phrases("wall", {
     inside: { label: "Inwards", note: "What you shaped is the outside." },
     outside: { label: "Outwards", note: "What you shaped is the lining." },
   },
+  thinned: "Where the outside bends tightly the wall is thinner than asked for.",
+  inside: "Inside",
+  insides: {
+    follows: {
+      label: "Follows the outside",
+      note: "As thick everywhere, but thinner where the outside bends tightly.",
+    },
+    round: { label: "Round", note: "Thrown round, the outside carved: nowhere thinner than asked for." },
+    soft: { label: "Keeps broad waves", note: "Follows the broad waves of the outside and leaves out the fine ones." },
+  },
+  keptWaves: {
+    name: "Waves inside",
+    help: "How many of the waves round the outside the inside keeps, counted from the broadest.",
+  },
   sidesOfNetwork: {
     inside: { label: "Inwards", note: "Towards what it goes round." },
     outside: { label: "Outwards", note: "Away from what it goes round." },

@@ -255,6 +255,10 @@ fn name(names: &[&'static str]) -> impl Strategy<Value = Value> {
     prop::sample::select(names.to_vec()).prop_map(|name| Value::Text(name.into()))
 }
 
+fn lining() -> impl Strategy<Value = Value> {
+    some_of(vec![("waves", (0u32..=128).prop_map(|waves| Value::Number(waves.into())).boxed())]).prop_map(Value::Record)
+}
+
 fn part() -> impl Strategy<Value = Vec<Entry>> {
     let place = some_of(vec![
         ("scale", not_zero(3, 200).boxed()),
@@ -267,8 +271,13 @@ fn part() -> impl Strategy<Value = Vec<Entry>> {
         ("rim", name(&["flat", "rounded"]).boxed()),
         ("foot", [0.001..9.0f64, 0.001..9.0f64].prop_map(numbers).boxed()),
         ("drain", prop_oneof![Just(0.0), 0.0..9.0f64].prop_map(Value::Number).boxed()),
+        ("lining", lining().boxed()),
     ]);
     let wall = ((0.001..9.0f64), (0.0..9.0f64), forms).prop_map(|(thickness, base, mut fields)| {
+        // Outwards there is no other inside.
+        if fields.contains(&entry("side", Value::Text("outside".into()))) {
+            fields.retain(|(name, _)| name != "lining");
+        }
         fields.push(entry("base", Value::Number(base)));
         fields.push(entry("thickness", Value::Number(thickness)));
         Value::Record(fields)
