@@ -4,7 +4,7 @@
 //! with three diagonals for the rings between two corners. In the language of approximation this is an interpolating L-spline of the operator (M. H. Schultz and R. S. Varga, *L-splines*, 1967); a cubic spline where all rates are 0.
 
 use core::ops::Range;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
 use super::bays::{Bay, Bays};
 use super::equation::Equation;
@@ -80,9 +80,6 @@ struct Rest {
     slopes: Vec<[f64; 2]>,
 }
 
-/// One bay from end to end.
-static WHOLE: LazyLock<Bays> = LazyLock::new(|| Bays::between(&[]));
-
 /// What there is of every bay where there is nothing.
 static NOTHING: ModeSolution = ModeSolution::zero();
 
@@ -120,8 +117,10 @@ impl Beam {
         if n == 1 && !has_slopes {
             return Ok(Beam { equation, joints: None });
         }
-        let others = other_lengths.iter().zip(1..).map(|(length, kind)| equation_on(kind, *length));
-        let others = others.collect::<Result<Vec<Equation>, _>>()?;
+        let mut others = Vec::with_capacity(other_lengths.len());
+        for (length, kind) in other_lengths.iter().zip(1..) {
+            others.push(equation_on(kind, *length)?);
+        }
         let mut joints = Joints { bays: Arc::clone(bays), others, stiffnesses: Vec::new(), chains: Vec::new() };
         if has_slopes {
             joints.stiffnesses = [&equation].into_iter().chain(&joints.others).map(Stiffness::of).collect();
@@ -152,11 +151,11 @@ impl Beam {
     #[inline(never)]
     fn bend(&self, held: &Held) -> Result<Deflection, Broken> {
         let Held { ends, rings } = *held;
-        if self.is_single() {
+        let Some(joints) = &self.joints else {
             let first = self.equation.solve(&ends).map_err(|why| Broken { why, between: [0, 1] })?;
             return Ok(Deflection { first, rest: None });
-        }
-        let bays = &self.bays().bays[..];
+        };
+        let bays = &joints.bays.bays[..];
         let n = bays.len();
         let mut values = Vec::with_capacity(n + 1);
         values.push(ends.start);
@@ -170,10 +169,8 @@ impl Beam {
         let mut slopes = vec![[0.0; 2]; n];
         slopes[0][0] = ends.start_u;
         slopes[n - 1][1] = ends.end_u;
-        if let Some(joints) = &self.joints {
-            for chain in &joints.chains {
-                self.find_slopes(joints, chain, &values, &forces, &mut slopes);
-            }
+        for chain in &joints.chains {
+            self.find_slopes(joints, chain, &values, &forces, &mut slopes);
         }
         let mut first = ModeSolution::zero();
         let mut others = Vec::with_capacity(n - 1);
@@ -252,23 +249,10 @@ impl Beam {
             .collect()
     }
 
-    /// The number of the bay at `u`.
-    fn bay_at(&self, u: f64) -> usize {
-        self.joints.as_ref().map_or(0, |joints| joints.bays.at(u))
-    }
-
-    fn bays(&self) -> &Bays {
-        self.joints.as_ref().map_or_else(|| &*WHOLE, |joints| &joints.bays)
-    }
-
-    /// Whether it is a mode problem from end to end, with no slope to be found.
-    fn is_single(&self) -> bool {
-        self.joints.is_none()
-    }
-
     /// The equation where it is the same from end to end.
     fn single(&self) -> Option<&Equation> {
-        (self.bays().bays.len() == 1).then_some(&self.equation)
+        let has_one = self.joints.as_ref().is_none_or(|joints| joints.bays.bays.len() == 1);
+        has_one.then_some(&self.equation)
     }
 
     fn equation_of(&self, bay: &Bay) -> &Equation {
@@ -283,7 +267,8 @@ impl Beam {
 
     /// Several deflections at `u` in [0, 1], each with its derivatives up to order `N - 1`; at a ring on the side of larger `u`.
     pub(crate) fn jets<const N: usize, const M: usize>(&self, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        self.jets_in(self.bay_at(u), of, u)
+        let (index, x) = self.place(u);
+        self.jets_of(index, of, x)
     }
 
     /// As [`Beam::jets`], by the closed form of the bays in `[low, high]` alone, which goes on beyond them: at `high` it is the side of smaller `u`.
@@ -293,17 +278,17 @@ impl Beam {
         u: f64,
         [low, high]: [f64; 2],
     ) -> [[f64; N]; M] {
-        let index = self.bay_at(u.min(high.next_down()).max(low));
-        let x = self.bays().bays.get(index).map_or(0.0, |bay| bay.beyond(u));
-        self.jets_of(index, of, x)
+        let (index, _) = self.place(u.min(high.next_down()).max(low));
+        let bay = self.joints.as_ref().and_then(|joints| joints.bays.bays.get(index));
+        self.jets_of(index, of, bay.map_or(u, |bay| bay.beyond(u)))
     }
 
-    fn jets_in<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], u: f64) -> [[f64; N]; M] {
-        let x = match &self.joints {
-            None => u.clamp(0.0, 1.0),
-            Some(joints) => joints.bays.bays.get(index).map_or(0.0, |bay| bay.within(u)),
-        };
-        self.jets_of(index, of, x)
+    /// The number of the bay at `u`, and where in it that is, from 0 to 1.
+    #[inline(never)]
+    fn place(&self, u: f64) -> (usize, f64) {
+        let Some(Joints { bays, .. }) = self.joints.as_deref() else { return (0, u.clamp(0.0, 1.0)) };
+        let index = bays.at(u);
+        (index, bays.bays.get(index).map_or(0.0, |bay| bay.within(u)))
     }
 
     fn jets_of<const N: usize, const M: usize>(&self, index: usize, of: [&Deflection; M], x: f64) -> [[f64; N]; M] {
@@ -335,8 +320,9 @@ impl Beam {
             return equation.suprema::<N, M>(pieces, from, to).map(|bounds| bounds.map(known));
         }
         let mut suprema = [[0.0f64; N]; M];
-        let first = self.bays().at(from);
-        let among = self.bays().bays.iter().enumerate().skip(first);
+        let Some(Joints { bays, .. }) = self.joints.as_deref() else { return suprema };
+        let first = bays.at(from);
+        let among = bays.bays.iter().enumerate().skip(first);
         let among = among.take_while(|(index, bay)| *index == first || bay.from < to);
         for (index, bay) in among {
             let pieces = of.map(|deflection| deflection.piece(index));
@@ -362,7 +348,8 @@ impl Beam {
     }
 
     fn first(&self) -> Option<(&Equation, f64)> {
-        Some(&self.equation).zip(self.bays().lengths.first().copied())
+        let lengths = self.joints.as_ref().map(|joints| &joints.bays.lengths[..]);
+        lengths.map_or(Some(1.0), |lengths| lengths.first().copied()).map(|length| (&self.equation, length))
     }
 }
 

@@ -12,6 +12,7 @@ impl Equation {
     /// Every function of the basis is bounded by itself and the bounds are added up, so the result may be several times too large where they cancel,
     /// but decays with the solution from the boundary that it comes from. A hyperbolic function of `x = u - 1/2` is largest in size at an end of every interval; a
     /// trigonometric one is bounded by 1, or by its argument.
+    #[inline(never)]
     pub(crate) fn suprema<const N: usize, const M: usize>(
         &self,
         solutions: [&ModeSolution; M],

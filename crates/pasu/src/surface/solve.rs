@@ -10,7 +10,7 @@ use super::row_table::RowTable;
 use super::term::Term;
 use crate::design::{Axis, BoundaryValue, Component, Datum, Part, Shape, Span, plain};
 use crate::error::{Code, Error, Result};
-use crate::mode::{Bays, Beam, Broken, CLOSEST, Free, Held, ModeData, Order, Ring, Unsolvable};
+use crate::mode::{Bays, Beam, Broken, CLOSEST, Deflection, Free, Held, ModeData, Order, Ring, Unsolvable};
 use crate::patch::{AxisJet, SurfaceJet};
 
 /// `X(u, v) = sum_n [ A_n(u) cos(k_n v) + B_n(u) sin(k_n v) ]`, component by component, `k_n = 2 pi n / span` (ZY01 section 3, IA eq 5).
@@ -75,6 +75,11 @@ fn known(terms: &[Term], next: &mut usize, n: f64) -> Option<Arc<Beam>> {
     Some(Arc::clone(&terms[index].beam))
 }
 
+#[inline(never)]
+fn deflection(beam: &Beam, datum: &Datum) -> core::result::Result<Deflection, Broken> {
+    beam.solve(&Held::from(datum))
+}
+
 impl<'a> From<&'a Datum> for Held<'a> {
     fn from(datum: &'a Datum) -> Self {
         let &Datum { start, end, start_u, end_u, ref rings, ref force } = datum;
@@ -109,16 +114,16 @@ impl Surface {
         let solve = |axis: Axis, component: &Component, before: &[(&Component, &[Term])]| {
             let Component { order, s, t, w, free, .. } = *component;
             let alike = Alike::of(component);
-            let mut before: Vec<(&[Term], usize)> =
-                before.iter().filter(|(other, _)| Alike::of(other) == alike).map(|(_, terms)| (*terms, 0)).collect();
+            let mut next = [0; 2];
             let mut terms = Vec::with_capacity(component.modes.len());
             for (index, mode) in component.modes.iter().enumerate() {
                 let k = shape.span.frequency(mode.n);
-                let beam = before.iter_mut().find_map(|(terms, next)| known(terms, next, mode.n));
+                let mut all = before.iter().zip(&mut next).filter(|((other, _), _)| Alike::of(other) == alike);
+                let beam = all.find_map(|((_, terms), next)| known(terms, next, mode.n));
                 let beam = beam.map_or_else(|| Beam::new(order, [s, t, w], k, &bays, free).map(Arc::new), Ok);
                 let solved = beam.and_then(|beam| {
-                    let cos = beam.solve(&Held::from(&mode.cos))?;
-                    let sin = beam.solve(&Held::from(&mode.sin))?;
+                    let cos = deflection(&beam, &mode.cos)?;
+                    let sin = deflection(&beam, &mode.sin)?;
                     Ok(Term { n: mode.n, k, column: 0, beam, cos, sin })
                 });
                 let term = solved.map_err(|why| unsolvable(why, shape, axis, index, path))?;
