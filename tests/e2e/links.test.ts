@@ -149,6 +149,8 @@ test("a link that would replace unsaved work asks first, and every answer is kep
   await pot.page.keyboard.press("Escape");
   await dialog.waitFor({ state: "detached" });
   expect(await pot.fingerprint()).toBe(mine);
+  // An address that is still there would not change.
+  await expect.poll(() => pot.address()).toBe("#1/second-order?height=5");
 
   await pot.openLink(link);
   await pot.button("Open the link").click();

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::support::gallery;
 use crate::support::networks::cube;
-use crate::support::random::Random;
+use crate::support::random::{Random, drawn};
 
 fn parsed(shape: &Value, wall: &Value) -> Design {
     let document = json!({ "pasu": 1, "parts": [{ "shape": shape, "wall": wall }] });
@@ -156,7 +156,7 @@ fn flutes_that_thin_an_offset_do_not_thin_a_round_inside() {
 
 #[test]
 fn the_wall_of_random_pots_is_as_thick_as_asked_for() {
-    let n_pots = std::env::var("POTS").ok().and_then(|n| n.parse().ok()).unwrap_or(16);
+    let n_pots = drawn(16, 100);
     let mut random = Random::new(15);
     let (mut n_made, mut refused) = (0, Vec::new());
     for number in 0..n_pots {

@@ -8,6 +8,8 @@ use pasu::{
     measure, solid,
 };
 
+use crate::support::random::drawn;
+
 /// A bottle whose profile is straight from one sharp ring to the next.
 fn straight(profile: &[[f64; 2]], wall: &str) -> Design {
     let last = profile.len() - 1;
@@ -391,7 +393,7 @@ fn bottle(seed: u64) -> Design {
 #[test]
 fn random_bottles_are_one_body_whatever_is_asked() {
     let (mut n_made, mut n_refused, mut n_long) = (0, 0, 0);
-    for seed in 0..24 {
+    for seed in 0..drawn(12, 24) {
         let bottle = Solution::of(&bottle(seed));
         let report = bottle.check(&Making::default()).unwrap();
         let measures = match bottle.measure(&MeasureOptions::default()) {
@@ -428,7 +430,10 @@ fn random_bottles_are_one_body_whatever_is_asked() {
         }
     }
     println!("{n_made} made, {n_refused} refused, {n_long} too long to measure");
-    assert!(n_made >= 16 && n_refused <= 2, "{n_made} made, {n_refused} refused, {n_long} too long to measure");
+    assert!(
+        n_made >= 2 * drawn(4, 8) && n_refused <= 2,
+        "{n_made} made, {n_refused} refused, {n_long} too long to measure"
+    );
 }
 
 fn refused(design: &Design) -> Error {

@@ -2,6 +2,11 @@
 
 use std::f64::consts::PI;
 
+/// How many are drawn: so many in a run by hand, and so many where nobody waits for the answer, as in continuous integration, which says so by `POTS`.
+pub(crate) fn drawn(by_hand: u64, unattended: u64) -> u64 {
+    if std::env::var_os("POTS").is_some() { unattended } else { by_hand }
+}
+
 /// Marsaglia's xorshift: the same numbers on every machine.
 pub(crate) struct Random(u64);
 
