@@ -22,4 +22,5 @@ pub(crate) mod scattered;
 pub(crate) mod signed_sets;
 pub(crate) mod taylor;
 pub(crate) mod trapezoid;
+pub(crate) mod triangle;
 pub(crate) mod tridiagonal;

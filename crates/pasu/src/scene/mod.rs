@@ -32,7 +32,6 @@ mod space;
 mod stroke;
 mod tile;
 mod tree;
-mod triangles;
 #[cfg(feature = "typescript")]
 mod typescript;
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::border::{Border, Jet};
 use super::bounds::Bounds;
-use super::triangles::Triangle;
+use crate::numeric::triangle::Triangle;
 use crate::patch::Cell;
 
 /// A cell whose border is no further from the two triangles of its corners than it says.

@@ -13,6 +13,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
+use super::boxes::{Bounded, Boxes, Inside};
 use super::skin::{Skin, SkinWalk};
 use crate::numeric::scattered::Scatter;
 use crate::patch::SurfaceJet;
@@ -42,9 +43,6 @@ const MOST_PAIRS: usize = 4_000_000;
 
 /// What rounding may take, as a part of the size.
 const ROUNDING: f64 = 1e-12;
-
-/// No more cells than this are looked at one by one.
-const TOGETHER: usize = 4;
 
 /// Along a surface it is known of so many stretches what is missing.
 const STRETCHES: usize = 64;
@@ -310,63 +308,42 @@ fn division(skin: &Skin, longest: f64, bent: f64) -> (Vec<f64>, usize) {
     (rows, libm::ceil(round).clamp(1.0, MOST as f64) as usize)
 }
 
-/// Boxes round the cells of a surface, halved across the widest side until there are few in one. A node is followed by all that is in it.
-pub(super) struct Boxes {
-    nodes: Vec<Node>,
-    numbers: Vec<usize>,
+/// The box round a cell, with the number of that.
+#[derive(Debug)]
+struct Round {
+    bounds: [DVec3; 2],
+    number: usize,
 }
 
-struct Node {
-    low: DVec3,
-    high: DVec3,
-    /// The second half; of a node that has no halves 0.
-    second: usize,
-    first: usize,
-    n: usize,
+impl Bounded for Round {
+    fn bounds(&self) -> [DVec3; 2] {
+        self.bounds
+    }
 }
 
-impl Boxes {
-    pub(super) fn of(cells: &Cells) -> Boxes {
-        let mut boxes = Boxes { nodes: Vec::new(), numbers: (0..cells.cells.len()).collect() };
-        let bounds: Vec<[DVec3; 2]> = cells.cells.iter().map(around).collect();
-        let mut numbers = core::mem::take(&mut boxes.numbers);
-        boxes.build(&bounds, &mut numbers, 0);
-        boxes.numbers = numbers;
-        boxes
+/// The cells of a surface, among which those that are near are found.
+pub(super) struct Nearby(Boxes<Round>);
+
+impl Nearby {
+    pub(super) fn of(cells: &Cells) -> Nearby {
+        let all = cells.cells.iter().enumerate().map(|(number, cell)| Round { bounds: around(cell), number });
+        Nearby(Boxes::new(all.collect()))
     }
 
-    fn build(&mut self, bounds: &[[DVec3; 2]], numbers: &mut [usize], before: usize) {
-        let low = numbers.iter().fold(DVec3::INFINITY, |low, k| low.min(bounds[*k][0]));
-        let high = numbers.iter().fold(DVec3::NEG_INFINITY, |high, k| high.max(bounds[*k][1]));
-        let this = self.nodes.len();
-        self.nodes.push(Node { low, high, second: 0, first: before, n: numbers.len() });
-        if numbers.len() > TOGETHER {
-            let axis = (high - low).max_position();
-            let half = numbers.len() / 2;
-            let middle = |k: usize| bounds[k][0][axis] + bounds[k][1][axis];
-            numbers.select_nth_unstable_by(half, |one, other| middle(*one).total_cmp(&middle(*other)));
-            let (lower, upper) = numbers.split_at_mut(half);
-            self.build(bounds, lower, before);
-            self.nodes[this].second = self.nodes.len();
-            self.build(bounds, upper, before + half);
-        }
-    }
-
-    /// The numbers of the cells whose boxes are nearer to a box than `distance`.
+    /// The numbers of the cells in boxes that are nearer to a box than `distance`.
     fn near(&self, [low, high]: [DVec3; 2], distance: f64, found: &mut Vec<usize>) {
         let mut left = vec![0];
         let mut n_seen = 0;
         while let Some(index) = left.pop() {
-            let node = &self.nodes[index];
+            let node = self.0.node(index);
             n_seen += 1;
             let gap = (node.low - high).max(low - node.high).max(DVec3::ZERO);
             if !(gap.length_squared() < distance * distance) {
                 continue;
             }
-            if node.second == 0 {
-                found.extend(&self.numbers[node.first..node.first + node.n]);
-            } else {
-                left.extend([index + 1, node.second]);
+            match self.0.inside(index) {
+                Inside::Things(cells) => found.extend(cells.iter().map(|cell| cell.number)),
+                Inside::Halves(halves) => left.extend(halves),
             }
         }
         watch::work(n_seen);
@@ -399,7 +376,7 @@ fn gap(one: &Cell, other: &Cell, enough: f64) -> f64 {
 }
 
 /// Whether two surfaces are apart by `least` wherever the first is above a level, as far as that can be proven.
-pub(super) fn proven(of: &mut Cells, from: &mut Cells, boxes: &Boxes, least: f64, level: f64) -> Proof {
+pub(super) fn proven(of: &mut Cells, from: &mut Cells, boxes: &Nearby, least: f64, level: f64) -> Proof {
     let mut proof = Proof { bound: least, at: None, lacks: vec![0.0; STRETCHES] };
     let least = least + ROUNDING * from.skin.size();
     let axis = of.skin.frame().axis();

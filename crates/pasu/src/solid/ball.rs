@@ -2,37 +2,16 @@
 
 use glam::DVec3;
 
+use super::boxes::{Boxes, DEEPEST, Inside, Node};
 use crate::watch;
 
-/// No more points than this are looked at one by one.
-const TOGETHER: usize = 8;
-
-/// Halvings of as many points as there can be, twice over.
-const DEEPEST: usize = 64;
-
-/// Points in boxes round boxes, halved across the longest side until there are few in one. A node is followed by all that is in it.
+/// Points that may stop a ball.
 #[derive(Debug)]
-pub(super) struct Crowd {
-    nodes: Vec<Node>,
-    points: Vec<DVec3>,
-}
-
-#[derive(Debug)]
-struct Node {
-    low: DVec3,
-    high: DVec3,
-    /// The second half; of a node that has no halves 0.
-    second: u32,
-    /// Its points.
-    first: u32,
-    n: u32,
-}
+pub(super) struct Crowd(Boxes<DVec3>);
 
 impl Crowd {
-    pub(super) fn new(mut points: Vec<DVec3>) -> Crowd {
-        let mut nodes = Vec::with_capacity(points.len() / 2 + 1);
-        build(&mut nodes, &mut points, 0);
-        Crowd { nodes, points }
+    pub(super) fn new(points: Vec<DVec3>) -> Crowd {
+        Crowd(Boxes::new(points))
     }
 
     /// The radius of the largest ball, up to `most`, that touches `at`, lies on the side of it that `inward` points to, and holds none of the points `Q`: the least of `|Q - P|^2 / (2 N . (Q - P))` over those on that side.
@@ -59,25 +38,25 @@ impl Crowd {
         while let Some(last) = n_left.checked_sub(1) {
             n_left = last;
             let index: usize = left[last];
-            let node = &self.nodes[index];
             n_seen += 1;
             // The ball may have shrunk since the node was put aside.
-            if !(node.power(at, inward, radius) < 0.0) {
+            if !(power(self.0.node(index), at, inward, radius) < 0.0) {
                 continue;
             }
-            if node.second == 0 {
-                let points = node.first as usize..(node.first + node.n) as usize;
-                n_seen += node.n;
-                for point in &self.points[points] {
-                    if shrink(*point, &mut radius) {
-                        *touched = Some(*point);
+            let halves = match self.0.inside(index) {
+                Inside::Halves(halves) => halves,
+                Inside::Things(points) => {
+                    n_seen += points.len() as u64;
+                    for point in points {
+                        if shrink(*point, &mut radius) {
+                            *touched = Some(*point);
+                        }
                     }
+                    continue;
                 }
-                continue;
-            }
+            };
             // The half that is further inside shrinks the ball by more.
-            let power = |half: usize| (half, self.nodes[half].power(at, inward, radius));
-            let mut halves = [power(index + 1), power(node.second as usize)];
+            let mut halves = halves.map(|half| (half, power(self.0.node(half), at, inward, radius)));
             if halves[0].1 < halves[1].1 {
                 halves.swap(0, 1);
             }
@@ -86,36 +65,16 @@ impl Crowd {
                 n_left += 1;
             }
         }
-        watch::work(u64::from(n_seen));
+        watch::work(n_seen);
         radius
     }
 }
 
-impl Node {
-    /// Negative where the box reaches into the ball: the least of `|Q - P|^2 - 2 r N . (Q - P)` in it, axis by axis, which keeps its digits where the ball is much larger than all boxes.
-    fn power(&self, at: DVec3, inward: DVec3, radius: f64) -> f64 {
-        let middle = inward * radius;
-        let nearest = middle.max(self.low - at).min(self.high - at);
-        nearest.dot(nearest - 2.0 * middle)
-    }
-}
-
-/// Appends the node of these points, of which there are `before` before them, and all that is in it.
-fn build(nodes: &mut Vec<Node>, points: &mut [DVec3], before: usize) {
-    watch::work(points.len() as u64);
-    let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-    let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
-    let this = nodes.len();
-    nodes.push(Node { low, high, second: 0, first: before as u32, n: points.len() as u32 });
-    if points.len() > TOGETHER {
-        let axis = (high - low).max_position();
-        let half = points.len() / 2;
-        points.select_nth_unstable_by(half, |one, other| one[axis].total_cmp(&other[axis]));
-        let (lower, upper) = points.split_at_mut(half);
-        build(nodes, lower, before);
-        nodes[this].second = nodes.len() as u32;
-        build(nodes, upper, before + half);
-    }
+/// Negative where the box reaches into the ball: the least of `|Q - P|^2 - 2 r N . (Q - P)` in it, axis by axis, which keeps its digits where the ball is much larger than all boxes.
+fn power(node: &Node, at: DVec3, inward: DVec3, radius: f64) -> f64 {
+    let middle = inward * radius;
+    let nearest = middle.max(node.low - at).min(node.high - at);
+    nearest.dot(nearest - 2.0 * middle)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use super::apart::{Boxes, Cells, Proof, proven};
+use super::apart::{Cells, Nearby, Proof, proven};
 use super::samples::{Cloud, Samples};
 use super::skin::Skin;
 use super::told::place;
@@ -139,7 +139,7 @@ impl Lined {
             let Some(mut cells) = Cells::of(outside, wall.thickness) else {
                 return Err(maker.no_room(0.5, "it is not known how far it is from the outside"));
             };
-            let boxes = Boxes::of(&cells);
+            let boxes = Nearby::of(&cells);
             proof = Some(search.proven(&mut drawn, &mut cells, &boxes)?);
         }
         let skin = maker.skin(&drawn, floor)?;
@@ -276,7 +276,7 @@ impl Search<'_> {
     }
 
     /// Draws it in further until that is proven of all of it.
-    fn proven(&self, drawn: &mut Drawn, outside: &mut Cells, boxes: &Boxes) -> Result<Proof> {
+    fn proven(&self, drawn: &mut Drawn, outside: &mut Cells, boxes: &Nearby) -> Result<Proof> {
         let Search { maker, floor, thickness, .. } = *self;
         let mut round = 0;
         loop {

@@ -2,6 +2,7 @@
 
 mod apart;
 mod ball;
+mod boxes;
 mod crease;
 mod curve;
 mod flank;

@@ -4,7 +4,9 @@ use core::f64::consts::TAU;
 
 use glam::DVec3;
 
+use super::boxes::{Bounded, Boxes, DEEPEST, Inside};
 use super::skin::Skin;
+use crate::numeric::triangle::Triangle;
 use crate::watch;
 
 /// The fewest rows and columns.
@@ -15,12 +17,6 @@ const MOST: usize = 160_000;
 
 /// Samples are no closer together than this part of the size.
 const FINEST: f64 = 2e-3;
-
-/// No more points than this are looked at one by one.
-const TOGETHER: usize = 8;
-
-/// Halvings of as many points as there can be, twice over.
-const DEEPEST: usize = 64;
 
 /// Samples of a surface at rows and even columns.
 #[derive(Debug)]
@@ -79,7 +75,9 @@ impl Samples {
         for i in i.saturating_sub(1)..(i + 1).min(self.rows.len() - 1) {
             for j in [j, j + n - 1] {
                 let [a, b, c, d] = [corner(i, j), corner(i, j + 1), corner(i + 1, j), corner(i + 1, j + 1)];
-                least = least.min(to_triangle(at, [a, b, c])).min(to_triangle(at, [d, c, b]));
+                for triangle in [[a, b, c], [d, c, b]] {
+                    least = least.min(at.distance_squared(Triangle(triangle).nearest(at)));
+                }
             }
         }
         (least, number, self.normals[number].dot(at - self.points[number]) > 0.0)
@@ -123,12 +121,9 @@ fn places(skin: &Skin, step: f64) -> (Vec<f64>, usize) {
     (rows, round)
 }
 
-/// Points in boxes round boxes, halved across the widest side until there are few in one. A node is followed by all that is in it.
+/// Samples among which the nearest is found.
 #[derive(Debug)]
-pub(super) struct Cloud {
-    nodes: Vec<Node>,
-    points: Vec<Held>,
-}
+pub(super) struct Cloud(Boxes<Held>);
 
 /// A point with its number.
 #[derive(Debug, Clone, Copy)]
@@ -137,27 +132,24 @@ struct Held {
     number: u32,
 }
 
-#[derive(Debug)]
-struct Node {
-    low: DVec3,
-    high: DVec3,
-    /// The second half; of a node that has no halves 0.
-    second: u32,
-    first: u32,
-    n: u32,
+impl Bounded for Held {
+    fn bounds(&self) -> [DVec3; 2] {
+        [self.point; 2]
+    }
 }
 
 impl Cloud {
     pub(super) fn new(samples: &Samples) -> Cloud {
-        let mut points: Vec<Held> =
-            samples.points.iter().zip(0..).map(|(point, number)| Held { point: *point, number }).collect();
-        let mut nodes = Vec::with_capacity(points.len() / 2 + 1);
-        build(&mut nodes, &mut points, 0);
-        Cloud { nodes, points }
+        let held = samples.points.iter().zip(0..).map(|(point, number)| Held { point: *point, number });
+        Cloud(Boxes::new(held.collect()))
     }
 
     /// The square of the distance of the nearest point, and its number.
     pub(super) fn nearest(&self, at: DVec3) -> (f64, usize) {
+        let square = |number: usize| {
+            let node = self.0.node(number);
+            at.distance_squared(at.max(node.low).min(node.high))
+        };
         let mut best = (f64::INFINITY, 0);
         let mut left = [0usize; DEEPEST];
         let mut n_left = 1usize;
@@ -165,22 +157,23 @@ impl Cloud {
         while let Some(last) = n_left.checked_sub(1) {
             n_left = last;
             let index = left[last];
-            let node = &self.nodes[index];
             n_seen += 1;
-            if !(node.distance(at) < best.0) {
+            if !(square(index) < best.0) {
                 continue;
             }
-            if node.second == 0 {
-                for held in &self.points[node.first as usize..(node.first + node.n) as usize] {
-                    let distance = held.point.distance_squared(at);
-                    if distance < best.0 {
-                        best = (distance, held.number as usize);
+            let halves = match self.0.inside(index) {
+                Inside::Halves(halves) => halves,
+                Inside::Things(points) => {
+                    for held in points {
+                        let distance = held.point.distance_squared(at);
+                        if distance < best.0 {
+                            best = (distance, held.number as usize);
+                        }
                     }
+                    continue;
                 }
-                continue;
-            }
-            let of = |half: usize| (half, self.nodes[half].distance(at));
-            let mut halves = [of(index + 1), of(node.second as usize)];
+            };
+            let mut halves = halves.map(|half| (half, square(half)));
             if halves[0].1 < halves[1].1 {
                 halves.swap(0, 1);
             }
@@ -192,52 +185,4 @@ impl Cloud {
         watch::work(n_seen);
         best
     }
-}
-
-impl Node {
-    /// The square of the distance of the box.
-    fn distance(&self, at: DVec3) -> f64 {
-        at.distance_squared(at.max(self.low).min(self.high))
-    }
-}
-
-fn build(nodes: &mut Vec<Node>, points: &mut [Held], before: usize) {
-    let low = points.iter().fold(DVec3::INFINITY, |low, held| low.min(held.point));
-    let high = points.iter().fold(DVec3::NEG_INFINITY, |high, held| high.max(held.point));
-    let this = nodes.len();
-    nodes.push(Node { low, high, second: 0, first: before as u32, n: points.len() as u32 });
-    if points.len() > TOGETHER {
-        let axis = (high - low).max_position();
-        let half = points.len() / 2;
-        points.select_nth_unstable_by(half, |one, other| one.point[axis].total_cmp(&other.point[axis]));
-        let (lower, upper) = points.split_at_mut(half);
-        build(nodes, lower, before);
-        nodes[this].second = nodes.len() as u32;
-        build(nodes, upper, before + half);
-    }
-}
-
-/// The square of the distance of a point from a triangle (C. Ericson, *Real-time collision detection*, 2005, section 5.1.5).
-fn to_triangle(at: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
-    let (ab, ac) = (b - a, c - a);
-    let from = |q: DVec3| (ab.dot(at - q), ac.dot(at - q));
-    let [(d1, d2), (d3, d4), (d5, d6)] = [from(a), from(b), from(c)];
-    let [va, vb, vc] = [d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2];
-    let nearest = if d1 <= 0.0 && d2 <= 0.0 {
-        a
-    } else if d3 >= 0.0 && d4 <= d3 {
-        b
-    } else if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        a + ab * (d1 / (d1 - d3))
-    } else if d6 >= 0.0 && d5 <= d6 {
-        c
-    } else if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        a + ac * (d2 / (d2 - d6))
-    } else if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))
-    } else {
-        a + ab * (vb / (va + vb + vc)) + ac * (vc / (va + vb + vc))
-    };
-    // A triangle without area has nearer corners than this says, or as near.
-    if nearest.is_finite() { at.distance_squared(nearest) } else { f64::INFINITY }
 }

@@ -4,11 +4,11 @@ use glam::DVec3;
 
 /// Three corners, of which some may be the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Triangle(pub(super) [DVec3; 3]);
+pub(crate) struct Triangle(pub(crate) [DVec3; 3]);
 
 impl Triangle {
     /// Its point that is nearest to another: by the regions of its corners, sides and inside (C. Ericson, *Real-Time Collision Detection*, 2005, section 5.1.5). One without area is as good as its sides.
-    pub(super) fn nearest(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn nearest(&self, point: DVec3) -> DVec3 {
         let [a, b, c] = self.0;
         if let Some(normal) = self.normal() {
             // Inside of all three sides.
@@ -23,7 +23,7 @@ impl Triangle {
     }
 
     /// A point of each, as near to each other as any two; the same one where they meet.
-    pub(super) fn between(&self, other: &Triangle) -> [DVec3; 2] {
+    pub(crate) fn between(&self, other: &Triangle) -> [DVec3; 2] {
         if let Some(at) = self.pierced(other).or_else(|| other.pierced(self)) {
             return [at, at];
         }
