@@ -51,7 +51,7 @@ impl Placement {
 
     /// Where the coordinate axes of the shape point to, as unit vectors: a negative factor turns one round. `None` when the axis has no direction.
     pub(super) fn directions(&self) -> Option<[[f64; 3]; 3]> {
-        let rotation = rotation(unit(self.axis)?, even(self.angle));
+        let rotation = rotation(unit(self.axis)?, as_given(self.angle));
         Some([0, 1, 2].map(|axis| rotation.map(|row| if self.scale[axis] < 0.0 { -row[axis] } else { row[axis] })))
     }
 
@@ -90,9 +90,8 @@ impl Placement {
                     *factor = -*factor;
                 }
             }
-            // From the numbers as they were given, so that no rounding comes on top of another. Whole turns leave noise.
-            let angle = if (-PI..PI).contains(&self.angle) { self.angle } else { turn.angle };
-            let given = Turn { axis: unit(self.axis).unwrap_or(axis), angle: even(angle) };
+            // From the numbers as they were given, so that no rounding comes on top of another.
+            let given = Turn { axis: unit(self.axis).unwrap_or(axis), angle: as_given(self.angle) };
             turn = given.after_half_turn(about);
         }
         let Turn { axis, angle } = turn.oriented();
@@ -179,16 +178,13 @@ const NOISE: f64 = 1e-14;
 impl Turn {
     /// A turn as it was given; `None` of one that turns nothing.
     pub(super) fn exact(axis: [f64; 3], angle: f64) -> Option<Exact> {
-        // Whole turns are none.
-        let angle = even(angle);
-        let angle = if (-PI..=PI).contains(&angle) { angle } else { reduced(angle) };
+        let angle = as_given(angle);
         let axis = unit(axis).filter(|_| angle != 0.0)?;
         let (real, sin) = match angle.abs() == PI {
             true => (0.0, 1.0f64.copysign(angle)),
             false => (libm::cos(angle / 2.0), libm::sin(angle / 2.0)),
         };
-        let rows = rotation(axis, if angle == PI { -PI } else { angle });
-        Some(Exact { real, vector: axis.map(|c| c * sin), rows })
+        Some(Exact { real, vector: axis.map(|c| c * sin), rows: rotation(axis, angle) })
     }
 }
 
@@ -295,6 +291,13 @@ fn reduced(angle: f64) -> f64 {
 /// Half a turn has one angle.
 fn below_half_turn(angle: f64) -> f64 {
     if angle.abs() >= PI { -PI } else { angle }
+}
+
+/// The angle in [-pi, pi) to all its digits; of one with whole turns in it, which leave noise, to twelve.
+///
+/// The turns go first: twelve digits of a very large angle are those of many others too, among them some of whole twenty-fourths.
+fn as_given(angle: f64) -> f64 {
+    below_half_turn(even(if (-PI..PI).contains(&angle) { angle } else { reduced(angle) }))
 }
 
 /// The angle itself where twelve digits hold it as they hold a whole number of twenty-fourths of a turn: a quarter of a turn that was read from a document is one.

@@ -89,6 +89,24 @@ fn one_surface_has_one_document() {
     }
 }
 
+/// Twelve digits of such an angle hold any number of turns: the parts of a turn were read from it in two ways, and of the two turns of an oval that make the same solid now one was taken and now the other.
+#[test]
+fn a_turn_of_very_many_turns_has_one_form() {
+    let shape = concat!(
+        r#"{ "kind": "rings", "rings": ["#,
+        r#"{ "u": 0, "r": { "mean": 3, "waves": [{ "n": 2, "cos": 1 }] }, "z": { "mean": 0 } }, "#,
+        r#"{ "u": 1, "r": { "mean": 4 }, "z": { "mean": 5 } }] }"#
+    );
+    for angle in ["-4.2350980405218554e86", "-8.821967180262477e49", "3e12", "-1e15", "7.3e9", "1e300"] {
+        for scale in ["[1, 1, 1]", "[-2, 1, 1]", "[1, 3, -1]"] {
+            let place = format!(r#"{{ "scale": {scale}, "axis": [0.3, 0.2, 0.9], "angle": {angle} }}"#);
+            let json = format!(r#"{{ "pasu": 1, "parts": [{{ "shape": {shape}, "place": {place} }}] }}"#);
+            let design = Design::parse(&json).unwrap();
+            assert_eq!(Design::parse(&design.to_json()).unwrap(), design, "{place}");
+        }
+    }
+}
+
 /// The same object with its fields in another order, deep down.
 fn reversed(value: &Value) -> Value {
     match value {

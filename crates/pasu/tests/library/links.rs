@@ -313,11 +313,20 @@ fn adler32(text: &str) -> u32 {
     b << 16 | a
 }
 
+/// The text that a packed link holds, which is known to open.
+fn held(link: &str) -> String {
+    let digits: String =
+        link.rsplit("1~").next().unwrap().chars().filter(|c| c.is_ascii_alphanumeric() || "-_".contains(*c)).collect();
+    let bytes = base64::Engine::decode(&base64::engine::general_purpose::URL_SAFE_NO_PAD, digits).unwrap();
+    String::from_utf8(miniz_oxide::inflate::decompress_to_vec_zlib(&bytes).unwrap()).unwrap()
+}
+
 /// A packed link opens whole or not at all, as far as its checksum can tell: digits that are damaged in just such a way that it stays the same are not noticed.
 fn check(design: &Design, damaged: &str) -> Result<(), TestCaseError> {
     match Design::parse(damaged) {
         Ok(opened) if opened == *design => {}
-        Ok(opened) => prop_assert_eq!(adler32(&opened.to_json()), adler32(&design.to_json()), "{}", damaged),
+        // What is opened need not be written as the text was that the link holds now.
+        Ok(_) => prop_assert_eq!(adler32(&held(damaged)), adler32(&design.to_json()), "{}", damaged),
         Err(error) => {
             // It may look like a newer link (`11~...`), a readable one (`1/...`) or JSON (`{~...`).
             let codes = ["damaged-link", "unknown-version", "unknown-name", "not-json"];

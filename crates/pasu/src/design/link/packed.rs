@@ -29,7 +29,7 @@ pub(super) fn write(design: &Design) -> Result<String> {
     Ok(URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(document.as_bytes(), EFFORT)))
 }
 
-/// Reads what follows `1~`. The checksum of the zlib format (RFC 1950) tells every damage from a design.
+/// Reads what follows `1~`. The checksum of the zlib format (RFC 1950) tells nearly every damage from a design.
 #[inline]
 pub(super) fn read(text: &str) -> Result<Design> {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
