@@ -1,45 +1,10 @@
-// On a phone: nothing hangs over the edge, and every control can be reached and is large enough to press.
+// On a phone: what fingers do. That everything can be reached there, fits.test says.
 
 import { expect, test } from "vitest";
-import { overhang, unreachable } from "../support/reach.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE } from "../support/visit.ts";
 
 const here = stay();
-
-test.each([390, 320])(
-  "%d pixels wide, every panel fits and every control can be pressed",
-  { timeout: 120_000 },
-  async (width) => {
-    const pot = await here.enter({ ...PHONE, viewport: { width, height: 844 }, link: "#1/fourth-order" });
-    await pot.fingerprint();
-    for (const name of ["Profile", "Equation", "Look", "Shape"] as const) {
-      await pot.tab(name);
-      expect(await overhang(pot), name).toBeLessThanOrEqual(0);
-      expect(await unreachable(pot), name).toEqual([]);
-    }
-    await pot.button("Explain").click();
-    expect(await overhang(pot)).toBeLessThanOrEqual(0);
-    await pot.makePot();
-    expect(await overhang(pot), "Wall").toBeLessThanOrEqual(0);
-    expect(await unreachable(pot), "Wall").toEqual([]);
-    await pot.tab("Measures");
-    await pot.button("Fill it").click();
-    await pot.page.locator("pasu-water [data-volume]").waitFor();
-    expect(await overhang(pot), "Measures").toBeLessThanOrEqual(0);
-    expect(await unreachable(pot), "Measures").toEqual([]);
-    for (const name of ["New", "Gallery", "Export", "Picture", "Help"] as const) {
-      await pot.command(name);
-      const dialog = pot.page.getByRole("dialog");
-      await dialog.waitFor();
-      const box = await dialog.boundingBox();
-      expect((box?.x ?? 0) >= 0 && (box?.x ?? 0) + (box?.width ?? 0) <= width, name).toBe(true);
-      expect(await overhang(pot), name).toBeLessThanOrEqual(0);
-      await pot.button("Close").click();
-      await dialog.waitFor({ state: "detached" });
-    }
-  },
-);
 
 test("fingers change the pot, and a swipe that scrolls past a slider does not", async () => {
   const pot = await here.enter({ ...PHONE, link: "#1/second-order" });

@@ -56,6 +56,22 @@ export async function unreachable(pot: Visit, inside?: string): Promise<string[]
       }
       return box ?? before;
     };
+    /** What keeps a control from being pressed where it is. */
+    const obstacles = (control: HTMLElement, pressed: Element, box: DOMRect) => {
+      if (box.width === 0 || box.height === 0) return [];
+      const found: string[] = [];
+      const name = control.getAttribute("aria-label") ?? control.textContent?.trim() ?? control.tagName;
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      if (box.width < 24 || box.height < 24) found.push(`${name}: ${box.width} × ${box.height}`);
+      const outside =
+        box.left < -0.5 || box.right > innerWidth + 0.5 || box.top < -0.5 || box.bottom > innerHeight + 0.5;
+      if (outside) found.push(`${name}: outside the window`);
+      const hit = deepest(x, y);
+      if (!hit || !(pressed.contains(hit) || hit.contains(pressed))) {
+        found.push(`${name}: covered by ${hit?.tagName.toLowerCase() ?? "nothing"}.${hit?.className ?? ""}`);
+      }
+      return found;
+    };
     const problems: string[] = [];
     const panel = document
       .querySelector("pasu-app")
@@ -68,18 +84,10 @@ export async function unreachable(pot: Visit, inside?: string): Promise<string[]
       if (!pressed.checkVisibility({ visibilityProperty: true }) || control.matches(":disabled, .skip")) continue;
       if (modal && !within(modal, pressed)) continue;
       if (only && !control.closest(only)) continue;
-      const box = await settled(pressed);
-      if (box.width === 0 || box.height === 0) continue;
-      const name = control.getAttribute("aria-label") ?? control.textContent?.trim() ?? control.tagName;
-      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-      if (box.width < 24 || box.height < 24) problems.push(`${name}: ${box.width} × ${box.height}`);
-      const outside =
-        box.left < -0.5 || box.right > innerWidth + 0.5 || box.top < -0.5 || box.bottom > innerHeight + 0.5;
-      if (outside) problems.push(`${name}: outside the window`);
-      const hit = deepest(x, y);
-      if (!hit || !(pressed.contains(hit) || hit.contains(pressed))) {
-        problems.push(`${name}: covered by ${hit?.tagName.toLowerCase() ?? "nothing"}.${hit?.className ?? ""}`);
-      }
+      pressed.scrollIntoView({ block: "center", inline: "nearest" });
+      // Most can be pressed at once; who cannot is looked at again when it rests.
+      if (obstacles(control, pressed, pressed.getBoundingClientRect()).length === 0) continue;
+      problems.push(...obstacles(control, pressed, await settled(pressed)));
     }
     if (!modal && !only && controls.length < 10) problems.push("there are hardly any controls");
     return problems;

@@ -43,13 +43,19 @@ test("under the hand the first is drawn a while after it began, and the next one
   }
 });
 
-test("what waits is drawn as soon as the hand lets go, and leaves no timer behind", async () => {
+test("what waits is drawn once the picture is, when the hand lets go, and leaves no timer behind", async () => {
+  const frames: FrameRequestCallback[] = [];
+  vi.stubGlobal("requestAnimationFrame", (frame: FrameRequestCallback) => frames.push(frame));
   const { held, store } = hand(true);
   const unhurried = new Unhurried();
   const drawn = vi.fn();
   void unhurried.turn(store).then(drawn);
   held.value = false;
+  await vi.advanceTimersByTimeAsync(BETWEEN);
+  expect([drawn.mock.calls.length, frames.length]).toEqual([0, 1]);
+  frames[0]?.(0);
   await vi.advanceTimersByTimeAsync(0);
   expect(drawn).toHaveBeenCalledOnce();
   expect(vi.getTimerCount()).toBe(0);
+  vi.unstubAllGlobals();
 });

@@ -11,7 +11,7 @@ export class Unhurried {
   #last = Number.NEGATIVE_INFINITY;
   #held = false;
 
-  /** Comes when it is time to draw: at once at rest, under the hand a while after it began or after the drawing before, and there as soon as the hand lets go. */
+  /** Comes when it is time to draw: at once at rest, under the hand a while after it began or after the drawing before, and there as soon as the hand has let go and the picture of that is drawn. */
   async turn(store: Pick<Store, "inGesture">): Promise<void> {
     // What a hand does first is seen before it is told.
     if (store.inGesture && !this.#held) this.#last = performance.now();
@@ -29,7 +29,8 @@ async function restOr(store: Pick<Store, "inGesture">, most: number): Promise<vo
     leave = effect(() => {
       if (store.inGesture) return;
       clearTimeout(timer);
-      resolve();
+      // What the hand did last is seen before it is told, too.
+      requestAnimationFrame(() => setTimeout(resolve));
     });
   });
   leave();
