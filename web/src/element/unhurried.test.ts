@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals-core";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { BETWEEN, Unhurried } from "./unhurried";
+import { BETWEEN, BUSY, Unhurried } from "./unhurried";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -41,6 +41,22 @@ test("under the hand the first is drawn a while after it began, and the next one
     held.value = false;
     await unhurried.turn(store);
   }
+});
+
+test("under the hand it waits for a page that draws pictures all the time, but not for long", async () => {
+  const waits: number[] = [];
+  vi.stubGlobal("requestIdleCallback", (done: () => void, { timeout }: IdleRequestOptions) => {
+    waits.push(timeout ?? 0);
+    setTimeout(done, timeout);
+  });
+  const { store } = hand(true);
+  const drawn = vi.fn();
+  void new Unhurried().turn(store).then(drawn);
+  await vi.advanceTimersByTimeAsync(BETWEEN + BUSY - 1);
+  expect([drawn.mock.calls.length, waits]).toEqual([0, [BUSY]]);
+  await vi.advanceTimersByTimeAsync(1);
+  expect(drawn).toHaveBeenCalledOnce();
+  vi.unstubAllGlobals();
 });
 
 test("what waits is drawn once the picture is, when the hand lets go, and leaves no timer behind", async () => {

@@ -1,4 +1,4 @@
-/** The base of what is only read while a hand moves something on the stage: it draws itself again ten times a second then, and not with every movement. */
+/** The base of what is only read while a hand moves something on the stage: it draws itself again ten times a second at most then, between two pictures, and not with every movement. */
 
 import { effect } from "@preact/signals-core";
 import type { Store } from "../state/store";
@@ -6,6 +6,9 @@ import { DesignerElement } from "./designer-element";
 
 /** Between two drawings under the hand, in milliseconds: digits that change faster are read by nobody. */
 export const BETWEEN = 100;
+
+/** So much longer at most while a slow page has nothing but the picture to draw. */
+export const BUSY = 150;
 
 export class Unhurried {
   #last = Number.NEGATIVE_INFINITY;
@@ -18,6 +21,7 @@ export class Unhurried {
     this.#held = store.inGesture;
     const left = this.#last + BETWEEN - performance.now();
     if (left > 0 && store.inGesture) await restOr(store, left);
+    if (store.inGesture) await idleOr(BUSY);
     this.#last = performance.now();
   }
 }
@@ -34,6 +38,12 @@ async function restOr(store: Pick<Store, "inGesture">, most: number): Promise<vo
     });
   });
   leave();
+}
+
+/** When the page has nothing else to do, or at once in a browser that does not say when that is. */
+async function idleOr(timeout: number): Promise<void> {
+  const { requestIdleCallback } = globalThis;
+  if (requestIdleCallback) await new Promise<unknown>((resolve) => requestIdleCallback(resolve, { timeout }));
 }
 
 export abstract class UnhurriedElement extends DesignerElement {

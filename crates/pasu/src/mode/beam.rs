@@ -95,7 +95,13 @@ pub(crate) struct Broken {
 impl Beam {
     /// The equation of the mode with angular frequency `k` on these bays.
     #[inline(never)]
-    pub(crate) fn new(order: Order, [s, t, w]: [f64; 3], k: f64, bays: &Arc<Bays>, free: Free) -> Result<Self, Broken> {
+    pub(crate) fn new(
+        order: Order,
+        [s, t, w]: [f64; 3],
+        k: f64,
+        bays: &Arc<Bays>,
+        free: Free,
+    ) -> Result<Arc<Self>, Broken> {
         let n = bays.bays.len();
         let all = |why| Broken { why, between: [0, n] };
         let coefficients = Equation::coefficients(order, s, t, w, k).map_err(all)?;
@@ -115,7 +121,7 @@ impl Beam {
         let equation = equation_on(0, *length)?;
         let has_slopes = order == Order::Fourth && (n > 1 || free != Free::default());
         if n == 1 && !has_slopes {
-            return Ok(Beam { equation, joints: None });
+            return Ok(Arc::new(Beam { equation, joints: None }));
         }
         let mut others = Vec::with_capacity(other_lengths.len());
         for (length, kind) in other_lengths.iter().zip(1..) {
@@ -132,7 +138,7 @@ impl Beam {
             }
             joints.add_chain(first..n, [starts_free, free.end], can_swing)?;
         }
-        Ok(Beam { equation, joints: Some(Box::new(joints)) })
+        Ok(Arc::new(Beam { equation, joints: Some(Box::new(joints)) }))
     }
 
     /// What it takes up under what is given.

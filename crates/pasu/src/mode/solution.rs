@@ -24,24 +24,29 @@ pub struct ModeData<'a> {
 
 /// `q(u)`: factors of the equation's basis plus a polynomial in `u - 1/2`. At `u = 0` and `u = 1` it is the boundary data, to the bit: a pole is
 /// where every datum is 0, and rounding would open it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct ModeSolution {
     factors: [f64; 4],
-    particular: Vec<f64>,
     /// `q` and `q'` at the start, then at the end.
     ends: [[f64; 2]; 2],
-    /// The number of coefficients of the force.
-    force_len: usize,
-    about_middle: AboutMiddle,
+    /// Apart, because most have nothing of it: hundreds of solutions are moved about while a surface is solved, and each is small.
+    rare: OnceLock<Box<Rare>>,
 }
 
-/// All of it as a power series in `u - 1/2`, once somebody asked. It follows from the rest.
+/// What a force adds, and what follows from the rest once somebody asked.
 #[derive(Debug, Clone, Default)]
-struct AboutMiddle(OnceLock<Vec<f64>>);
+struct Rare {
+    particular: Vec<f64>,
+    /// The number of coefficients of the force.
+    force_len: usize,
+    /// All of the solution as a power series in `u - 1/2`.
+    about_middle: OnceLock<Vec<f64>>,
+}
 
-impl PartialEq for AboutMiddle {
-    fn eq(&self, _: &AboutMiddle) -> bool {
-        true
+impl PartialEq for ModeSolution {
+    fn eq(&self, other: &ModeSolution) -> bool {
+        let told = |solution: &ModeSolution| (solution.factors, solution.ends, solution.force_len());
+        told(self) == told(other) && self.particular() == other.particular()
     }
 }
 
@@ -62,8 +67,7 @@ impl Default for ModeSolution {
 impl ModeSolution {
     /// The solution that is 0.
     pub(super) const fn zero() -> Self {
-        let about_middle = AboutMiddle(OnceLock::new());
-        ModeSolution { factors: [0.0; 4], particular: Vec::new(), ends: [[0.0; 2]; 2], force_len: 0, about_middle }
+        ModeSolution { factors: [0.0; 4], ends: [[0.0; 2]; 2], rare: OnceLock::new() }
     }
 
     /// Adds to a particular solution the homogeneous one that meets the boundary data.
@@ -82,17 +86,15 @@ impl ModeSolution {
                 [a, b, c, d]
             }
         };
-        if factors.iter().chain(&particular).all(|f| f.is_finite()) {
-            Ok(ModeSolution {
-                factors,
-                particular,
-                ends: [[data.start, data.start_u], [data.end, data.end_u]],
-                force_len: data.force.len(),
-                about_middle: AboutMiddle::default(),
-            })
-        } else {
-            Err(Unsolvable::Overflow)
+        if !factors.iter().chain(&particular).all(|f| f.is_finite()) {
+            return Err(Unsolvable::Overflow);
         }
+        let ends = [[data.start, data.start_u], [data.end, data.end_u]];
+        let rare = match data.force.len() {
+            0 => OnceLock::new(),
+            force_len => OnceLock::from(Box::new(Rare { particular, force_len, about_middle: OnceLock::new() })),
+        };
+        Ok(ModeSolution { factors, ends, rare })
     }
 
     /// The factors of the equation's basis.
@@ -102,17 +104,17 @@ impl ModeSolution {
 
     /// The polynomial in `u - 1/2`.
     pub(super) fn particular(&self) -> &[f64] {
-        &self.particular
+        self.rare.get().map_or(&[], |rare| &rare.particular)
     }
 
     /// The power series in `u - 1/2` that it is, found at most once.
     pub(super) fn about_middle(&self, find: impl FnOnce() -> Vec<f64>) -> &[f64] {
-        self.about_middle.0.get_or_init(find)
+        self.rare.get_or_init(Box::default).about_middle.get_or_init(find)
     }
 
     /// The number of coefficients of the force.
     pub(super) fn force_len(&self) -> usize {
-        self.force_len
+        self.rare.get().map_or(0, |rare| rare.force_len)
     }
 
     /// Whether `q` is 0 everywhere.
@@ -126,7 +128,7 @@ impl ModeSolution {
     /// # Ok::<(), pasu::Unsolvable>(())
     /// ```
     pub fn is_zero(&self) -> bool {
-        self.particular.is_empty() && self.factors == [0.0; 4]
+        self.particular().is_empty() && self.factors == [0.0; 4]
     }
 }
 
@@ -147,7 +149,7 @@ impl Equation {
         let needs_basis = solutions.iter().any(|solution| solution.factors != [0.0; 4]);
         let basis = if needs_basis { self.basis.jets::<N>(u) } else { [[0.0; N]; 4] };
         solutions.map(|solution| {
-            let mut jet = series::jet::<N>(&solution.particular, u);
+            let mut jet = series::jet::<N>(solution.particular(), u);
             for (factor, function) in solution.factors.iter().zip(&basis) {
                 // A factor 0 marks a function that is absent, and may stand beside an infinite derivative.
                 if *factor != 0.0 {

@@ -120,15 +120,13 @@ impl Surface {
                 let k = shape.span.frequency(mode.n);
                 let mut all = before.iter().zip(&mut next).filter(|((other, _), _)| Alike::of(other) == alike);
                 let beam = all.find_map(|((_, terms), next)| known(terms, next, mode.n));
-                let beam = beam.map_or_else(|| Beam::new(order, [s, t, w], k, &bays, free).map(Arc::new), Ok);
-                let solved = beam.and_then(|beam| {
-                    let cos = deflection(&beam, &mode.cos)?;
-                    let sin = deflection(&beam, &mode.sin)?;
-                    Ok(Term { n: mode.n, k, column: 0, beam, cos, sin })
-                });
-                let term = solved.map_err(|why| unsolvable(why, shape, axis, index, path))?;
-                if !(term.cos.is_zero() && (term.sin.is_zero() || term.n == 0.0)) {
-                    terms.push(term);
+                let beam = beam.map_or_else(|| Beam::new(order, [s, t, w], k, &bays, free), Ok);
+                let refused = |why| unsolvable(why, shape, axis, index, path);
+                let beam = beam.map_err(refused)?;
+                let cos = deflection(&beam, &mode.cos).map_err(refused)?;
+                let sin = deflection(&beam, &mode.sin).map_err(refused)?;
+                if !(cos.is_zero() && (sin.is_zero() || mode.n == 0.0)) {
+                    terms.push(Term { n: mode.n, k, column: 0, beam, cos, sin });
                 }
             }
             Ok(terms)
