@@ -65,7 +65,8 @@ test("both snippets say the pot on the stage, and the preview shows it with the 
   await inFrame.goto(address.href);
   await inFrame.waitForFunction(() => document.querySelector("pasu-pot")?.loaded);
   expect(await inFrame.evaluate(() => document.querySelector("pasu-pot")?.link)).toBe("#1/bloor-wilson?n1=5");
-  expect(await inFrame.getByRole("slider").count()).toBe(2);
+  // They come after the pot.
+  await expect.poll(() => inFrame.getByRole("slider").count()).toBe(2);
   await inFrame.close();
 
   await inside.getByRole("button", { name: "Copy: For a page that may have scripts" }).click();
