@@ -30,6 +30,8 @@ const FIELDS = [
 export class PasuPatches extends DesignerElement {
   @state() private shaping: Shaping = USUAL;
   @state() private problem = "";
+  /** Said by what was typed last; an answer to what was typed before does not take it back. */
+  @state() private isTooWide = false;
   @query(".stage") private readonly host!: HTMLElement;
   private shown: { readonly design: Design; readonly solved: SolvedParts } | null = null;
   private readonly holder = new StageHolder(this, {
@@ -52,7 +54,7 @@ export class PasuPatches extends DesignerElement {
       ></div>
       <p id="keys" class="spoken">${beside.keys}</p>
       ${this.holder.mode === "still" ? html`<p role="alert">${beside.noStage}</p>` : nothing}
-      ${this.problem === "" ? nothing : html`<p role="alert">${this.problem}</p>`}
+      ${this.isTooWide || this.problem !== "" ? html`<p role="alert">${this.isTooWide ? beside.tooWide : this.problem}</p>` : nothing}
       <ul>
         ${SURFACES.map(
           ({ name, glaze }) =>
@@ -88,11 +90,8 @@ export class PasuPatches extends DesignerElement {
 
   /** Typed numbers may be any: what cannot be is refused by the solver, but for a region that would reach the edges. */
   private shape(key: keyof Shaping, value: number): void {
-    if (key === "width" && value > 1) {
-      this.problem = beside.tooWide;
-      return;
-    }
-    this.shaping = { ...this.shaping, [key]: value };
+    this.isTooWide = key === "width" && value > 1;
+    if (!this.isTooWide) this.shaping = { ...this.shaping, [key]: value };
   }
 
   private async solve(): Promise<void> {
