@@ -42,6 +42,7 @@ export class PasuPatches extends DesignerElement {
   });
 
   override render() {
+    const problem = this.isTooWide ? beside.tooWide : this.problem;
     return html`<pasu-dialog wide heading=${beside.heading} @dialog-closed=${() => this.dispatchEvent(new Event("patches-closed"))}>
       <p>${beside.lead}</p>
       <div
@@ -54,7 +55,6 @@ export class PasuPatches extends DesignerElement {
       ></div>
       <p id="keys" class="spoken">${beside.keys}</p>
       ${this.holder.mode === "still" ? html`<p role="alert">${beside.noStage}</p>` : nothing}
-      ${this.isTooWide || this.problem !== "" ? html`<p role="alert">${this.isTooWide ? beside.tooWide : this.problem}</p>` : nothing}
       <ul>
         ${SURFACES.map(
           ({ name, glaze }) =>
@@ -76,6 +76,7 @@ export class PasuPatches extends DesignerElement {
             ></pasu-number>`,
           )}
         </div>
+        ${problem === "" ? nothing : html`<p role="alert">${problem}</p>`}
       </section>
     </pasu-dialog>`;
   }
