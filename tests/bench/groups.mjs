@@ -326,6 +326,14 @@ async function whole(bench, pasu, design, side, rounds) {
             into = pasu.mesh(design, { ...options, into });
           }, times),
       },
+      {
+        run: (times) =>
+          repeat(() => {
+            into = pasu.mesh(design, { ...options, into });
+            return [new Float32Array(into.positions), new Float32Array(into.normals)];
+          }, times),
+        litters: true,
+      },
     ],
     rounds,
   );
@@ -339,6 +347,7 @@ async function whole(bench, pasu, design, side, rounds) {
       { name: "mesh()", samples: samples[1], against: name, ...(side === 513 && { at_most: MESH_OF_SAMPLING }) },
       { name: "mesh(), all arrays read", samples: samples[2], against: name },
       { name: "mesh() into the arrays of the last", samples: samples[3], against: name },
+      { name: "the same, then copied into new arrays", samples: samples[4], against: name },
     ],
   };
 }

@@ -8,9 +8,6 @@ use crate::error::{Code, Error, Result};
 use crate::patch::normal_limit;
 use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable, Sums};
 
-/// No column of a block.
-const NONE: [bool; BLOCK] = [false; BLOCK];
-
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
 const MOST_WITHOUT: usize = 256;
 
@@ -72,13 +69,19 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals at the columns of a row of the grid that are wanted.
-    pub(super) fn normals(&mut self, row: usize, wanted: &[[bool; BLOCK]], normals: &mut [f32]) {
+    /// Fills the normals at some columns of a row of the grid, in ascending order.
+    pub(super) fn normals(&mut self, row: usize, columns: &[usize], normals: &mut [f32]) {
         self.take(row);
-        let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
-        for (block, (normals, wanted)) in normals.zip(wanted).enumerate().filter(|(_, (_, wanted))| **wanted != NONE) {
+        let normals = normals.as_chunks_mut::<3>().0;
+        for columns in columns.chunk_by(|a, b| a / BLOCK == b / BLOCK) {
+            let block = columns[0] / BLOCK;
             let tangents = self.row.tangents(circles(self.table.as_ref(), block));
-            self.facing(block, tangents).write_some(wanted, normals);
+            let facing = self.facing(block, tangents);
+            for column in columns {
+                if let Some(normal) = normals.get_mut(*column) {
+                    *normal = facing.single(column % BLOCK);
+                }
+            }
         }
     }
 

@@ -11,7 +11,7 @@ use super::quarters::Quarters;
 use super::split::Split;
 use super::strands::{Layout, Strands};
 use super::waves::Harmonic;
-use crate::surface::{BLOCK, Turns};
+use crate::surface::Turns;
 
 /// Which columns share their sums.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,7 +76,7 @@ impl Circles {
         }
     }
 
-    /// Writes positions and unit normals of one of the four rows, normals times `sign`; marks every column whose normal single precision does not hold and says whether there are any.
+    /// Writes positions and unit normals of one of the four rows, normals times `sign`; adds to `unsure` the columns whose normal single precision does not hold.
     #[inline(never)]
     pub(super) fn row(
         &mut self,
@@ -85,8 +85,8 @@ impl Circles {
         sign: f32,
         positions: &mut [f32],
         normals: &mut [f32],
-        unsure: &mut [[bool; BLOCK]],
-    ) -> bool {
+        unsure: &mut Vec<usize>,
+    ) {
         let row = row & 3;
         let at = |lanes: Lanes| Lanes::splat(lanes.to_array()[row]);
         let task = Task {
@@ -101,7 +101,6 @@ impl Circles {
             self.mark(unsure);
         }
         self.close(positions, normals);
-        !is_sure
     }
 
     /// Writes all columns of a row but the last of one that is folded, notes which normals are unsure, and says whether none is.
@@ -207,8 +206,9 @@ impl Circles {
         all.is_sure()
     }
 
-    /// Marks the columns of the lanes that were found unsure.
-    fn mark(&self, unsure: &mut [[bool; BLOCK]]) {
+    /// Adds the columns of the lanes that were found unsure. Some columns are in two blocks.
+    #[inline(never)]
+    fn mark(&self, unsure: &mut Vec<usize>) {
         let n_steps = self.n_columns - 1;
         for (block, slots) in self.unsure.iter().enumerate().filter(|(_, slots)| **slots != [0; 4]) {
             for (slot, lanes) in slots.iter().enumerate() {
@@ -220,8 +220,8 @@ impl Circles {
                         (Fold::Quartered, 3) => n_steps / 2 - column,
                         _ => column,
                     };
-                    if let Some(unsure) = unsure.as_flattened_mut().get_mut(column) {
-                        *unsure = true;
+                    if column < self.n_columns {
+                        unsure.push(column);
                     }
                 }
             }

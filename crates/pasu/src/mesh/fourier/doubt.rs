@@ -35,6 +35,13 @@ pub(super) trait Doubt: Copy {
 #[derive(Clone, Copy)]
 pub(super) struct EachNormal(u8);
 
+impl EachNormal {
+    #[inline(always)]
+    pub(super) fn lanes(self) -> u8 {
+        self.0
+    }
+}
+
 impl Doubt for EachNormal {
     const SURE: Self = EachNormal(0);
     const IS_WHOLE: bool = false;
@@ -65,6 +72,14 @@ impl Doubt for EachNormal {
 /// Lanes all of whose bits are set where no normal so far is so short that any could be unsure.
 #[derive(Clone, Copy)]
 pub(super) struct WholeRow(Lanes);
+
+impl WholeRow {
+    /// The lanes whose normals are so short that they could be unsure, as bits.
+    #[inline(always)]
+    pub(super) fn short_lanes(self) -> u8 {
+        !(self.0.to_bitmask() as u8) & 15
+    }
+}
 
 impl Doubt for WholeRow {
     const SURE: Self = WholeRow(ALL_BITS);

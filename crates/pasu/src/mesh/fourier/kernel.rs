@@ -2,13 +2,14 @@
 
 use super::circles::{Circles, folds};
 use super::copies::Copies;
+use super::double::DoubleNormals;
 use super::extent::Extent;
 use super::strands::Strands;
 use super::waves::{ROWS, Waves};
 use crate::error::Result;
 use crate::mesh::exact::ExactRows;
 use crate::mesh::part::PartGrid;
-use crate::surface::{BLOCK, Turns};
+use crate::surface::Turns;
 
 /// Fills parts in single precision. What it needs besides the mesh is kept from one to the next.
 #[derive(Debug, Default)]
@@ -18,8 +19,9 @@ pub(crate) struct Kernel {
     turns: Turns,
     circles: Circles,
     copies: Copies,
-    /// Whether the normal at a column of a row is to be formed in double precision, by blocks of columns.
-    unsure: Vec<[bool; BLOCK]>,
+    /// The columns of a row whose normals single precision does not hold.
+    unsure: Vec<usize>,
+    double: DoubleNormals,
 }
 
 impl Kernel {
@@ -34,7 +36,7 @@ impl Kernel {
         positions: &mut [f32],
         normals: &mut [f32],
     ) -> Result<()> {
-        let Kernel { waves, strands, turns, circles, copies, unsure } = self;
+        let Kernel { waves, strands, turns, circles, copies, unsure, double } = self;
         let PartGrid { surface, curves, tessellation, .. } = grid;
         let (rows, columns) = tessellation.counts();
         let sign = grid.sign();
@@ -44,6 +46,7 @@ impl Kernel {
         let extent = Extent::of(grid, waves, &mut copies.original);
         circles.prepare(&waves.harmonics, surface.is_closed(), turns, columns);
         copies.prepare(waves, turns, columns);
+        double.prepare();
         for first in (0..rows).step_by(ROWS) {
             waves.take(surface, curves, core::array::from_fn(|row| tessellation.row((first + row).min(rows - 1))));
             let mut is_rounded = false;
@@ -65,8 +68,13 @@ impl Kernel {
                     continue;
                 }
                 unsure.clear();
-                unsure.resize(columns.div_ceil(BLOCK), [false; BLOCK]);
-                if circles.row(strands, row, sign as f32, positions, normals, unsure) {
+                circles.row(strands, row, sign as f32, positions, normals, unsure);
+                if !unsure.is_empty() {
+                    double.take(waves, turns, columns, extent.scales, row, sign);
+                    unsure.retain(|column| !double.put(*column, normals));
+                }
+                if !unsure.is_empty() {
+                    unsure.sort_unstable();
                     exact.normals(index, unsure, normals);
                 }
             }

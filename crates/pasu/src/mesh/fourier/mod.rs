@@ -2,12 +2,13 @@
 //!
 //! [`Kernel`] is the door. From the ground up: `lanes` are four numbers; `waves` what four rows are sums of, in double precision; `copy`, `outline`, `ring` and `copies` the rows
 //! that are copies of others; `extent` how large all is; `strands` the waves rounded, with what that costs; `sums`, `place`, `split`, `block` and `quarters`
-//! sum them and make positions and normals of that; `watch` knows which normals that does not hold; `circles` goes along a row, `kernel` from row to row.
+//! sum them and make positions and normals of that; `doubt` knows which normals that does not hold, and `double` forms these; `circles` goes along a row, `kernel` from row to row.
 
 mod block;
 mod circles;
 mod copies;
 mod copy;
+mod double;
 mod doubt;
 mod extent;
 mod kernel;

@@ -5,7 +5,7 @@
 //! written to the mesh then waits for memory while the next sums are formed.
 
 use super::block::quarter;
-use super::doubt::{Doubt, EachNormal, WholeRow};
+use super::doubt::{EachNormal, WholeRow};
 use super::lanes::{Lanes, write, write_reversed};
 use super::place::Task;
 use super::strands::Strands;
@@ -35,6 +35,7 @@ impl Quarters {
     }
 
     /// Takes one of four rows.
+    #[inline(never)]
     pub(super) fn take(&mut self, strands: &Strands, row: usize) {
         for (axis, pairs) in self.pairs.iter_mut().enumerate() {
             pairs.clear();
@@ -117,7 +118,7 @@ fn part(pairs: &[Pair], circles: &[[Lanes; 2]]) -> [Lanes; 6] {
     [x, xu, xv, y, yu, yv]
 }
 
-/// Positions and normals of the blocks from column `first` on; notes in which blocks any normal is so short that it could be unsure, and says whether none is.
+/// Positions and normals of the blocks from column `first` on; notes the lanes whose normal is so short that it could be unsure, and says whether none is.
 #[inline(never)]
 fn combine(
     task: &Task,
@@ -129,18 +130,17 @@ fn combine(
 ) -> bool {
     // A copy of its own, which no write through another reference can change.
     let task = *task;
-    let mut all = WholeRow::SURE;
+    let mut any = 0;
     for (index, ([a, b, c, d], unsure)) in waiting.iter().zip(unsure).enumerate() {
         let [to, turned_to] = quarter(task.n_steps, first + 4 * index);
         let near = written(&task, a, to[0], write, positions, normals);
         let near_mirrored = written(&task, b, to[1], write_reversed, positions, normals);
         let far = written(&task, c, turned_to[0], write, positions, normals);
         let far_mirrored = written(&task, d, turned_to[1], write_reversed, positions, normals);
-        let seen = near.and(near_mirrored).and(far.and(far_mirrored));
-        *unsure = [u8::from(!seen.is_sure()); 4];
-        all = all.and(seen);
+        *unsure = [near, near_mirrored, far, far_mirrored].map(WholeRow::short_lanes);
+        any |= u32::from_ne_bytes(*unsure);
     }
-    all.is_sure()
+    any == 0
 }
 
 /// Writes four columns with `write`, the position before the normal is formed: what waits for the other would leave the registers.
@@ -159,15 +159,16 @@ fn written(
     seen
 }
 
-/// Asks every normal of the blocks that were noted; says whether all are sure.
+/// Asks the normals that were noted; says whether all are sure.
 ///
 /// Not while they are written: few blocks are asked, and what is seldom done in a loop costs it registers.
 #[inline(never)]
 fn look_again(task: &Task, waiting: &[Quarter], unsure: &mut [[u8; 4]]) -> bool {
-    let mut is_sure = true;
-    for (quarter, unsure) in waiting.iter().zip(unsure).filter(|(_, unsure)| **unsure != [0; 4]) {
-        EachNormal::keep(quarter.each_ref().map(|sums| task.normal(sums).1), unsure);
-        is_sure &= *unsure == [0; 4];
+    let noted = waiting.iter().zip(unsure).flat_map(|(quarter, unsure)| quarter.iter().zip(unsure));
+    let mut any = 0;
+    for (sums, unsure) in noted.filter(|(_, unsure)| **unsure != 0) {
+        *unsure = task.normal::<EachNormal>(sums).1.lanes();
+        any |= *unsure;
     }
-    is_sure
+    any == 0
 }
