@@ -1,10 +1,10 @@
-// How far a scene of 200 parts is behind the pointer that moves one of them, in the built designer on a slow machine, and what the page's thread does for one movement.
+// How far a scene of 200 parts is behind the pointer that moves, tilts or scales one of them, in the built designer on a slow machine, and what the page's thread does for one movement.
 
 import type { Browser } from "playwright-core";
 import { test } from "vitest";
 import { launch } from "../support/browser.ts";
 import { movements, slowDown, watchDrags } from "../support/drag.ts";
-import { grip, takeParts } from "../support/placing.ts";
+import { grip, handling, takeParts } from "../support/placing.ts";
 import { ISOLATED, serve } from "../support/server.ts";
 import { type Visit, visit } from "../support/visit.ts";
 import { busyOfDrags } from "./busy.ts";
@@ -16,6 +16,13 @@ const SLOWER = 6;
 const DRAGS = QUICK ? 2 : 5;
 const STEPS = QUICK ? 10 : 40;
 const STEP = 1;
+
+/** Its wall goes along with a part that is moved; that of one that is tilted or scaled is made anew. */
+const HANDLES = [
+  ["moved", "Move", "free"],
+  ["tilted", "Turn", "turn-x"],
+  ["scaled", "Scale", "scale-all"],
+] as const;
 
 /** Pots on a table, every other one with a wall. */
 function table() {
@@ -33,26 +40,29 @@ test("scene", { timeout: 600_000 }, async () => {
   const site = await serve(undefined, 0, () => ISOLATED);
   const browser = await launch();
   try {
-    const pot = await opened(browser, site.url, SLOWER, watchDrags);
-    for (let turn = 0; turn < DRAGS; turn += 1) await dragged(pot);
-    const moved = await movements(pot);
-    const behind = moved.map((each) => each.behind);
-    await slowDown(pot, 1);
-    await pot.leave();
+    const rows = [];
+    for (const [name, kind, handle] of HANDLES) {
+      const pot = await opened(browser, site.url, SLOWER, watchDrags);
+      await handling(pot, kind);
+      for (let turn = 0; turn < DRAGS; turn += 1) await dragged(pot, handle);
+      rows.push({ name, moved: await movements(pot) });
+      await slowDown(pot, 1);
+      await pot.leave();
+    }
     const uncounted = await opened(browser, site.url, 1);
-    const busy = await busyOfDrags(browser, DRAGS, SLOWER, () => dragged(uncounted));
+    const busy = await busyOfDrags(browser, DRAGS, SLOWER, () => dragged(uncounted, "free"));
     await uncounted.leave();
     record({
-      group: `behind the pointer, one of ${ROWS * COLUMNS} parts`,
+      group: `behind the pointer, one of ${ROWS * COLUMNS} parts on a processor ${SLOWER} times slower`,
       unit: "frames",
       tail: true,
-      rows: [{ name: `on a processor ${SLOWER} times slower`, samples: behind, median_at_most: 2 }],
+      rows: rows.map(({ name, moved }) => ({ name, samples: moved.map(({ behind }) => behind), median_at_most: 2 })),
     });
     record({
-      group: `from the pointer to the picture, one of ${ROWS * COLUMNS} parts`,
+      group: `from the pointer to the picture, one of ${ROWS * COLUMNS} parts on a processor ${SLOWER} times slower`,
       unit: "ms",
       tail: true,
-      rows: [{ name: `on a processor ${SLOWER} times slower`, samples: moved.map((each) => each.after) }],
+      rows: rows.map(({ name, moved }) => ({ name, samples: moved.map(({ after }) => after) })),
     });
     record({
       group: `one of ${ROWS * COLUMNS} parts under the hand, the page's thread ${SLOWER} times slower`,
@@ -81,11 +91,11 @@ async function opened(browser: Browser, url: string, slower: number, watch?: (po
   return pot;
 }
 
-/** Moves the selected part along the table and takes that back. */
-async function dragged(pot: Visit): Promise<void> {
+/** Takes the selected part by a handle and takes that back. */
+async function dragged(pot: Visit, handle: string): Promise<void> {
   const { page } = pot;
   const before = await pot.fingerprint();
-  const box = await grip(pot, "free").boundingBox();
+  const box = await grip(pot, handle).boundingBox();
   if (!box) throw new Error("the handle cannot be seen");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);

@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { findings } from "../support/axe.ts";
 import { fineWall, walls, watchDrags } from "../support/drag.ts";
 import { countDrawn, drawn } from "../support/drawn.ts";
-import { countQuestions, grip, questions, seenPart, standing, takeParts } from "../support/placing.ts";
+import { countQuestions, grip, handling, questions, seenPart, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts";
@@ -36,9 +36,6 @@ const undone = async (pot: Visit) =>
   expect.poll(() => shifts(pot)).toEqual(SCENE.parts.map(({ place }) => [...place.shift]));
 const choose = (pot: Visit, name: string) =>
   pot.page.locator("pasu-parts [role=option]").filter({ hasText: name }).click();
-const handling = (pot: Visit, name: string) =>
-  pot.page.locator("pasu-place-bar").getByRole("radio", { name, exact: true }).check({ force: true });
-
 /** Whether its parts fit together has been found out: nothing is asked any more unless somebody does something. */
 const judged = (pot: Visit) => pot.page.locator("pasu-constraints .reports").waitFor({ state: "attached" });
 
@@ -115,6 +112,50 @@ test("walls go along with parts that are moved: none is made under the hand, and
     // At rest it is made as it is there, and once.
     await judged(pot);
     await expect.poll(async () => (await questions(pot)).solid ?? 0).toBe(1);
+    await fineWall(pot);
+  }
+  await pot.leave();
+});
+
+/** Of which parts walls were made since those of the others, and whether they are there. */
+const madeAnew = (pot: Visit) =>
+  pot.page.evaluate(() => {
+    const { made } = (
+      document.querySelector("pasu-app") as unknown as {
+        designer: { made: { changed: { parts: readonly number[]; value: { groups: Uint32Array } | null } } };
+      }
+    ).designer;
+    const { parts, value } = made.changed;
+    return [[...parts], value && [...new Set([...value.groups].filter((_, i) => i % 3 === 2))]];
+  });
+
+test("the wall of a part that is tilted or scaled is made anew under the hand, and those of the others stay", async () => {
+  const pot = await here.enter({ before: watchDrags });
+  const first = await pot.fingerprint();
+  const parts = SCENE.parts.map((each) => ({ ...each, wall: { thickness: 0.08, base: 0.1 } }));
+  await pot.dropFile("walled.json", JSON.stringify({ ...SCENE, parts }));
+  await pot.fingerprintOtherThan(first);
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  await fineWall(pot);
+  await judged(pot);
+  for (const [kind, name] of [
+    ["Turn", "turn-x"],
+    ["Scale", "scale-all"],
+  ] as const) {
+    await handling(pot, kind);
+    const from = await spotOf(grip(pot, name));
+    await walls(pot);
+    const scene = await pot.fingerprint();
+    await dragFrom(pot, from, { x: 30, y: -20 }, { held: () => expect.poll(() => madeAnew(pot)).toEqual([[1], [1]]) });
+    await pot.fingerprintOtherThan(scene);
+    expect((await walls(pot)).filter((wall) => wall === "")).toEqual([]);
+    // At rest all are made as they stand there; what was taken back has the wall that it had.
+    await judged(pot);
+    await fineWall(pot);
+    await expect.poll(() => madeAnew(pot)).toEqual([[], null]);
+    await pot.undo();
+    await pot.shows(scene);
     await fineWall(pot);
   }
   await pot.leave();

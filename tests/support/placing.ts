@@ -12,6 +12,11 @@ export async function takeParts(pot: Visit): Promise<void> {
   await pot.page.locator("pasu-place-bar .bar").waitFor();
 }
 
+/** Takes up another kind of handles: "Move", "Turn" or "Scale". */
+export async function handling(pot: Visit, name: string): Promise<void> {
+  await pot.page.locator("pasu-place-bar").getByRole("radio", { name, exact: true }).check({ force: true });
+}
+
 /** A handle by its name: "move-x", "turn-z", "scale-all", "free". */
 export function grip(pot: Visit, name: string): Locator {
   return pot.page.locator(`pasu-place-handles [data-grip="${name}"]`);

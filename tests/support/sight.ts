@@ -50,8 +50,12 @@ export async function atRest(pot: Visit): Promise<number> {
   return await pot.page.evaluate(async (quiet) => {
     const counted = globalThis as unknown as { pasuDraws?: number };
     let before = counted.pasuDraws ?? 0;
-    // The stage draws its best picture a moment after the last movement.
-    await new Promise((resolve) => setTimeout(resolve, 150));
+    // The stage draws its best picture a moment after the last movement, and under a hand as late as a slow one takes.
+    const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+    const view = document.querySelector("pasu-app")?.shadowRoot?.querySelector("pasu-stage");
+    const { stage } = (view ?? {}) as { stage?: { whenIdle(): Promise<void> } };
+    await wait(150);
+    await Promise.race([stage?.whenIdle(), wait(3000)]);
     for (let still = 0; still < quiet; ) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
       const now = counted.pasuDraws ?? 0;

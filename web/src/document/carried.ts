@@ -22,6 +22,14 @@ export function areCarried(before: readonly Part[], now: readonly Part[]): boole
   );
 }
 
+/** The walled parts of which something else was made than is wanted now, by their places; the walls of all others only have to be moved. */
+export function changedBetween(before: readonly Part[], now: readonly Part[]): readonly number[] {
+  const motions = motionsBetween(before, now);
+  return [...now.keys()].filter(
+    (place) => now[place]?.wall && (motions[place] === null || now[place]?.wall !== before[place]?.wall),
+  );
+}
+
 function motionOf(before: Part | undefined, now: Part): Matrix | null {
   if (before?.shape !== now.shape) return null;
   if (before.place === now.place) return IDENTITY;

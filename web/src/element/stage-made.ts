@@ -1,6 +1,6 @@
 /** What is made of the design, on the stage: fetched with the first thing to show, and kept in step with that. */
 
-import { motionsBetween } from "../document/carried";
+import { changedBetween, motionsBetween } from "../document/carried";
 import { looksOf, unitOf } from "../document/look";
 import { mapOf, scaleOf } from "../document/maps";
 import type { Design, MapName, Triple } from "../document/types";
@@ -55,8 +55,8 @@ export class StageMade {
     const { shown } = surface;
     if (!made || !shown) return;
     const { map, overlays, fill, hidden, inside } = store.session;
-    const { solid, water, painted, lining, measures } = made;
-    const now = [shown, solid, water, painted, lining, measures, map, overlays, fill, hidden, inside];
+    const { solid, changed, water, painted, lining, measures } = made;
+    const now = [shown, solid, changed, water, painted, lining, measures, map, overlays, fill, hidden, inside];
     if (now.every((each, i) => each === this.#last[i])) return;
     this.#last = now;
     const fits = ({ of }: Piece<unknown>) => of !== null && sameSurface(of.parts, shown.design.parts);
@@ -67,18 +67,27 @@ export class StageMade {
     this.#drawing.say(measures.of === shown.design ? wordsOf(made, shown) : []);
   }
 
-  /** What was shown before is written over by what is made under the hand. Walls go along with parts that are only moved. */
-  #show({ inStep, solid }: Made, { design, solved }: Shown): void {
+  /** What was shown before is written over by what is made under the hand. Walls go along with parts that are only moved; those of others stand in their place where they are made. */
+  #show({ inStep, solid, changed }: Made, { design, solved }: Shown): void {
     const { value, of } = solid;
-    const motions = value && of ? motionsBetween(of.parts, design.parts) : [];
+    const goingAlong = value && of ? motionsBetween(of.parts, design.parts) : [];
+    // What was taken back stands there as it was.
+    const needed = value && of && changed.of ? changedBetween(of.parts, design.parts) : [];
+    const after = needed.length > 0 && changed.of ? motionsBetween(changed.of.parts, design.parts) : [];
+    const own = after.map((motion, part) => (changed.parts.includes(part) && needed.includes(part) ? motion : null));
+    const motions = goingAlong.map((motion, part) => (own[part] ? null : motion));
     const wall = motions.some((motion) => motion !== null) ? solid : null;
+    const along = changed.value && own.some((motion) => motion !== null) ? { made: changed.value, motions: own } : null;
+    const extent = this.#extent(solid, design, solved);
     const before = this.#drawing.show(
       wall?.value ?? null,
       looksOf(design),
       motions,
-      this.#extent(solid, design, solved),
+      along?.made.bounds && extent ? around(extent, along.made.bounds) : extent,
+      along,
     );
-    if (before && before !== solid.value) inStep.recycle(before);
+    if (before.walls && before.walls !== solid.value) inStep.recycle(before.walls);
+    if (before.changed && before.changed !== changed.value) inStep.recycle(before.changed, true);
     // For whoever watches from outside.
     if (wall?.value) this.#host.dataset.wall = wall.key;
     else delete this.#host.dataset.wall;

@@ -75,6 +75,7 @@ export class PasuStage extends DesignerElement {
   readonly #within = computed(() => insidePart(this.designer.store));
   readonly #unit = computed(() => unitOf(this.designer.store.design));
   readonly #several = computed(() => this.designer.store.design.parts.length > 1);
+  readonly #held = computed(() => this.designer.store.inGesture);
   readonly #waits = computed(() => this.designer.surface.shown === null && this.designer.surface.problem === null);
 
   override connectedCallback(): void {
@@ -309,6 +310,7 @@ export class PasuStage extends DesignerElement {
       this.measure();
       this.#made.value?.update();
     });
+    stage.hold(this.#held.value);
     stage.overlays(session.overlays);
     // Of a pot of one part there is nothing to tell apart.
     stage.select(this.#several.value && session.selection.length > 0 ? selectedIds(designer.store) : []);

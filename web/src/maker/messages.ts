@@ -198,6 +198,8 @@ export type Ask =
   | {
       readonly kind: "quick";
       readonly design: Design;
+      /** The parts whose walls are made; null for all. */
+      readonly parts: readonly number[] | null;
       readonly tolerance: number;
       /** How full the pot is, as a share of its depth; null without water. */
       readonly fill: number | null;

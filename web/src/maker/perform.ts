@@ -30,6 +30,7 @@ import { paintedOf } from "./painted";
 import { pulling } from "./pulling";
 import { push } from "./pushing";
 import { solidOf } from "./solid";
+import { ofSome } from "./some";
 import { wovenOf } from "./woven";
 
 /** `tell` hears how far the work is that may take long: from 0 to 1. */
@@ -106,11 +107,11 @@ function ringed({ design, distance }: Ringed, part: number): RingedShape {
 /** Parts that are no pots are drawn by the solver alone. */
 function drawn(design: Sent, tolerance: number): Solid {
   const walled = [...design.parts.keys()].filter((part) => design.parts[part]?.wall !== undefined);
-  if (walled.length === design.parts.length) return solidOf(design, solid(design, { tolerance }));
-  const parts = design.parts.filter(({ wall }) => wall !== undefined);
-  const made = solid({ ...design, parts }, { tolerance });
-  const faces = made.faces.map((face) => ({ ...face, part: walled[face.part] ?? face.part }));
-  return solidOf(design, { ...made, faces });
+  const whole = walled.length === design.parts.length;
+  return solidOf(
+    design,
+    whole ? solid(design, { tolerance }) : ofSome(design, walled, (some) => solid(some, { tolerance })),
+  );
 }
 
 /** What a map shows inside, from what is known of the surface before it. */
@@ -130,9 +131,11 @@ function lined({ design, map, rows, columns, points }: Extract<Ask, { kind: "lin
 }
 
 /** A pot under the hand, in the arrays of an earlier one. */
-function quick({ design, tolerance, fill, spare }: Extract<Ask, { kind: "quick" }>): Quick {
+function quick({ design, parts, tolerance, fill, spare }: Extract<Ask, { kind: "quick" }>): Quick {
   const begun = performance.now();
-  const made = sketch(design as Sent, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
+  const sketched = (of: Sent) =>
+    sketch(of, { tolerance, ...(fill !== null && { fill }), ...(spare && { into: spare }) });
+  const made = parts ? ofSome(design as Sent, parts, sketched) : sketched(design as Sent);
   const solid = solidOf(design, made, spare);
   return { solid, water: made.water ?? null, took: performance.now() - begun };
 }

@@ -16,7 +16,8 @@ import { drawPicture, toPng } from "./picture";
 import { axesOf, type CameraPose, type Direction, FIT_MARGIN_UPRIGHT, fitDistance, VIEWS, type ViewName } from "./pose";
 import type { Pot } from "./pot";
 import { Resolution } from "./resolution";
-import { Stopwatch } from "./stopwatch";
+import { Rest } from "./rest";
+import { LONGEST, Stopwatch } from "./stopwatch";
 import type { Studio, Theme } from "./studio";
 import { Tableau } from "./tableau";
 
@@ -91,9 +92,6 @@ const TURN_PER_HEIGHT = Math.PI;
 /** A frame later than this turns no further, in seconds. */
 const LONGEST_STEP = 0.25;
 
-/** After the last movement the full resolution is drawn, this many milliseconds later. */
-const REST_DELAY = 120;
-
 /** So many points tell whether a pot is on the stage. */
 const FEW = 2000;
 
@@ -135,6 +133,7 @@ export class Stage {
   private rate = 0;
   private gesturing = false;
   private movedAt = -Infinity;
+  private readonly rest = new Rest();
   /** Whether something has changed since the last frame, which may be long ago where many stages are drawn. */
   private hurried = false;
   /** The pose last told to the page. */
@@ -431,6 +430,11 @@ export class Stage {
     if (this.differs("size", JSON.stringify(size))) this.overlay.measures = size;
   }
 
+  /** Whether a hand changes what is on the stage: a fine frame that takes long is not drawn between two movements then, which it would hold up. */
+  hold(held: boolean): void {
+    if (this.rest.hold(held) && !held && this.loop.pending) this.loop.later(this.rest.delay);
+  }
+
   /** How the dimension labels are written. */
   lengths(lengths: (length: number) => string): void {
     if (this.differs("lengths", lengths)) this.overlay.lengths = lengths;
@@ -648,7 +652,7 @@ export class Stage {
     const now = performance.now();
     if (moving || this.gesturing || this.hurried) this.movedAt = now;
     this.hurried = false;
-    const busy = now - this.movedAt < REST_DELAY;
+    const busy = now - this.movedAt < this.rest.delay;
     if (busy && seconds > 0) this.resolution.learn(seconds * 1000);
     this.prepare(this.camera, width / height);
     const fineness = this.resolution.next(globalThis.devicePixelRatio || 1, busy);
@@ -670,10 +674,13 @@ export class Stage {
         this.options.onCost?.(milliseconds, this.resolution.coarsest);
       });
     }
+    const timed = !busy && this.stopwatch.measure(now, (milliseconds) => this.rest.took(milliseconds));
+    // Of one that takes too long nothing is told.
+    if (timed) this.rest.took(LONGEST);
     this.options.onDrawn?.();
     if (!moving) this.tell();
     // What was drawn in haste is drawn again once all is quiet.
-    if (busy && !this.gesturing) this.loop.later(REST_DELAY);
+    if (busy && !this.gesturing) this.loop.later(this.rest.delay);
     return moving;
   }
 }

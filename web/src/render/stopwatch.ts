@@ -3,8 +3,8 @@ import type { Tenant } from "./gl/device";
 /** How often a fence is looked at, in milliseconds; browsers hold timers to no less. */
 const LOOK = 4;
 
-/** What takes longer is given up: the page is hidden, or the GPU does something else. */
-const LONGEST = 1000;
+/** What takes longer, in milliseconds, is given up: the page is hidden, or the GPU does something else. */
+export const LONGEST = 1000;
 
 /**
  * How long a frame takes until the GPU is done with it, which the thread that asks for it does not notice: a fence is put
@@ -16,12 +16,12 @@ export class Stopwatch implements Tenant {
 
   constructor(private readonly gl: WebGL2RenderingContext) {}
 
-  /** Measures what was given to the GPU up to now, from a time of `performance.now()`. */
-  measure(since: number, tell: (milliseconds: number) => void): void {
+  /** Measures what was given to the GPU up to now, from a time of `performance.now()`, if nothing is being measured; says whether it does. */
+  measure(since: number, tell: (milliseconds: number) => void): boolean {
     const { gl } = this;
-    if (this.fence) return;
+    if (this.fence) return false;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (!fence) return;
+    if (!fence) return false;
     this.fence = fence;
     gl.flush();
     const look = () => {
@@ -36,6 +36,7 @@ export class Stopwatch implements Tenant {
       if (passed) tell(taken);
     };
     this.timer = setTimeout(look, 0);
+    return true;
   }
 
   /** Forgets the frame that is being measured. */

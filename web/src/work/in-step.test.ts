@@ -4,9 +4,10 @@ import { JAR, POT, tall, WALL } from "../../testing/jar";
 import { type Options, type Workbench, workbench } from "../../testing/workbench";
 import { setPath } from "../document/path";
 import type { Design } from "../document/types";
-import type { Ask, Quick } from "../maker/messages";
+import type { Ask, Quick, Solid } from "../maker/messages";
+import { setFill } from "../state/wall-actions";
 import { InStep } from "./in-step";
-import type { Piece } from "./piece";
+import { NOTHING, type Piece } from "./piece";
 
 type QuickAsk = Extract<Ask, { kind: "quick" }>;
 
@@ -14,6 +15,10 @@ interface Bench extends Workbench {
   readonly inStep: InStep;
   /** What was put on the stage. */
   readonly pieces: Piece<Quick>[];
+  /** Of which parts each of these is; null of all. */
+  readonly parts: (readonly number[] | null)[];
+  /** What stands on the stage from now on. */
+  readonly stand: (design: Design) => void;
   /** Lets the time of all clocks that run be over. */
   readonly tick: () => void;
   /** Moves the hand on. */
@@ -26,6 +31,8 @@ async function bench(design: Design, options: Options = {}): Promise<Bench> {
   const there = await workbench(design, options);
   const { maker, making, store, surface } = there;
   const pieces: Piece<Quick>[] = [];
+  const parts: (readonly number[] | null)[] = [];
+  let walls: Piece<Solid> = NOTHING;
   const clocks: (() => void)[] = [];
   const later = (run: () => void) => {
     clocks.push(run);
@@ -34,12 +41,20 @@ async function bench(design: Design, options: Options = {}): Promise<Bench> {
       if (clocks.includes(run)) clocks.splice(clocks.indexOf(run), 1);
     };
   };
-  const inStep = new InStep(store, surface, maker, (piece) => pieces.push(piece), later);
+  const put = (piece: Piece<Quick>, of: readonly number[] | null) => {
+    pieces.push(piece);
+    parts.push(of);
+  };
+  const inStep = new InStep(store, surface, maker, put, later, () => walls);
   surface.accompany(inStep);
   return {
     ...there,
     inStep,
     pieces,
+    parts,
+    stand: (of) => {
+      walls = { ...NOTHING, value: {} as Solid, of };
+    },
     tick: () => {
       for (const run of clocks.splice(0)) run();
     },
@@ -256,4 +271,82 @@ test("arrays that are not shown any more go back to be written over", async () =
   expect(asked().at(-1)?.spare?.positions.length).toBe(length);
   // They travel: nobody else writes to them.
   expect(solid.positions.length).toBe(0);
+});
+
+/** So many pots beside each other, and a jar without a wall before them. */
+function row(count: number): Design {
+  const [pot, jar] = [POT.parts[0], JAR.parts[0]];
+  if (!pot || !jar) throw new Error("both have a part");
+  const pots = Array.from({ length: count }, (_, at) => ({ ...pot, place: { shift: [30 * at, 0, 0] as const } }));
+  return { ...POT, parts: [{ ...jar, place: { shift: [0, 40, 0] } }, ...pots] };
+}
+
+const tilted = (design: Design, part: number, angle: number) =>
+  setPath(design, ["parts", part, "place"], { ...design.parts[part]?.place, axis: [1, 0, 0], angle });
+
+test("of a scene whose walls stand on the stage only those of the part that changes are made", async () => {
+  const scene = row(3);
+  const { asked, making, parts, pieces, solved, stand, store } = await bench(scene);
+  stand(scene);
+  store.apply({ design: tilted(scene, 2, 0.3), undo: "merge", key: "tilt" });
+  await solved();
+  await making.answer();
+  expect(asked()).toMatchObject([{ parts: [2] }]);
+  expect(parts).toEqual([[2]]);
+  const { groups, sides } = pieces[0]?.value?.solid ?? {};
+  expect(groups?.length).toBeGreaterThan(0);
+  expect(groups?.every((part, i) => i % 3 !== 2 || part === 2)).toBe(true);
+  expect(sides).toEqual([null, "inside", "inside", "inside"]);
+  // Where the walls stand of something else altogether, or of nothing, all are made.
+  stand(POT);
+  store.apply({ design: tilted(scene, 2, 0.4), undo: "merge", key: "tilt" });
+  await solved();
+  await making.answer();
+  expect(asked().at(-1)?.parts).toBeNull();
+  expect(new Set(pieces[1]?.value?.solid.groups.filter((_, i) => i % 3 === 2))).toEqual(new Set([1, 2, 3]));
+});
+
+test("what is refused of a part names it by its place in the whole scene", async () => {
+  const scene = row(2);
+  const { making, pieces, solved, stand, store } = await bench(scene);
+  stand(scene);
+  const wall = { thickness: 0.3, base: 30 };
+  const design = setPath(tilted(scene, 2, 0.3), ["parts", 2, "wall"], wall);
+  store.apply({ design, undo: "merge", key: "tilt" });
+  await solved();
+  await making.answer();
+  expect(pieces).toMatchObject([{ value: null }]);
+  expect(pieces[0]?.problem?.path).toMatch(/^parts\[2\]\.wall/);
+});
+
+test("water follows the hand in a few pots, all of which are made; in a scene of many it waits", async () => {
+  for (const [count, expected] of [
+    [3, { parts: null, fill: 0.5 }],
+    [5, { parts: [2], fill: null }],
+  ] as const) {
+    const scene = row(count);
+    const { asked, making, solved, stand, store } = await bench(scene);
+    stand(scene);
+    store.apply(setFill(store.state, 0.5));
+    store.apply({ design: tilted(scene, 2, 0.3), undo: "merge", key: "tilt" });
+    await solved();
+    await making.answer();
+    expect(asked()).toMatchObject([expected]);
+    store.endGesture();
+  }
+});
+
+test("nobody waits long for one wall among others", async () => {
+  const scene = row(2);
+  const { making, parts, solved, stand, store, surface, tick } = await bench(scene);
+  stand(scene);
+  const design = tilted(scene, 1, 0.3);
+  store.apply({ design, undo: "merge", key: "tilt" });
+  await solved();
+  tick();
+  await settled();
+  expect(surface.shown?.design).toBe(design);
+  await making.answer();
+  // The hand still holds it: it comes after.
+  expect(parts).toEqual([[1]]);
 });

@@ -1,20 +1,20 @@
 /**
  * Keeps a wall in step with its surface while a shape is dragged: both are made of the same design at once, by two workers, and shown in one
  * frame. One pair is under way at a time, and the latest change waits for it. Where a wall takes too long, the surface goes ahead alone,
- * and its wall follows once the hand holds still.
+ * and its wall follows once the hand holds still. Of a scene whose walls are on the stage only those of the parts that change are made.
  */
 
-import { areCarried } from "../document/carried";
+import { areCarried, changedBetween } from "../document/carried";
 import type { Design } from "../document/types";
 import { sameSurface } from "../document/wall";
 import type { MakerClient } from "../maker/client";
-import type { Quick, Spare } from "../maker/messages";
+import type { Quick, Solid, Spare } from "../maker/messages";
 import { around } from "../solver/bounds";
 import { longest, type Solved } from "../solver/solved";
 import type { Store } from "../state/store";
 import type { Outcome } from "../worker/port";
 import { Pace } from "./pace";
-import { type Piece, QUICK } from "./piece";
+import { NOTHING, type Piece, QUICK } from "./piece";
 import type { Companion, Surface } from "./surface";
 
 /**
@@ -29,6 +29,12 @@ const PATIENCE_MS = 150;
 /** And at the beginning of a drag, when the maker may have to be started anew. */
 const FIRST_PATIENCE_MS = 400;
 
+/** With the walls of other parts on the stage nobody misses one for a moment: the surface waits for two frames. */
+const SHORT_PATIENCE_MS = 33;
+
+/** Water follows the hand in so many pots; where there are more it is poured again once the hand lets go. */
+const POURED = 4;
+
 /** A wall on the coarsest grid that takes longer than this is left out until the hand lets go. */
 const TOO_LONG_MS = 120;
 
@@ -41,6 +47,19 @@ const TRIES = 2;
 /** Sets of arrays that wait to be written over: one is on the stage, one under way. */
 const SPARES = 2;
 
+/** What is asked of the maker: the walls of these parts, or of all at null. */
+interface Asking {
+  readonly asking: Promise<Outcome<Quick>>;
+  readonly step: number;
+  readonly parts: readonly number[] | null;
+}
+
+/** A wall that was made, of these parts alone or of all. */
+interface Walling {
+  readonly piece: Piece<Quick>;
+  readonly parts: readonly number[] | null;
+}
+
 /** Runs something after so many milliseconds; what comes back takes that back. */
 export type Later = (run: () => void, milliseconds: number) => () => void;
 
@@ -48,8 +67,9 @@ export class InStep implements Companion {
   readonly #store: Store;
   readonly #surface: Surface;
   readonly #maker: MakerClient;
-  readonly #put: (piece: Piece<Quick>) => void;
+  readonly #put: (piece: Piece<Quick>, parts: readonly number[] | null) => void;
   readonly #later: Later;
+  readonly #walls: () => Piece<Solid>;
   readonly #pace = new Pace(TOLERANCES.length - 1, 0);
   /** The pair under way: nothing else has the right to be shown. */
   #pair: object | null = null;
@@ -61,20 +81,25 @@ export class InStep implements Companion {
   #tries = 0;
   /** Takes back the clock by which the hand is found to hold still; null when none runs. */
   #moved: (() => void) | null = null;
+  /** Of walls of all parts, and of those of some. */
   #spares: Spare[] = [];
+  #few: Spare[] = [];
 
+  /** `put` takes the walls of some parts, or of all at null; `walls` are those that stand on the stage. */
   constructor(
     store: Store,
     surface: Surface,
     maker: MakerClient,
-    put: (piece: Piece<Quick>) => void,
+    put: (piece: Piece<Quick>, parts: readonly number[] | null) => void,
     later: Later = timer,
+    walls: () => Piece<Solid> = () => NOTHING,
   ) {
     this.#store = store;
     this.#surface = surface;
     this.#maker = maker;
     this.#put = put;
     this.#later = later;
+    this.#walls = walls;
   }
 
   /** Whether the next change has to wait for the pair that is under way; `run` is called after it. */
@@ -99,9 +124,11 @@ export class InStep implements Companion {
     return this.#together(pair, design, solving);
   }
 
-  /** Takes back the arrays of a wall that is not shown any more. */
-  recycle({ positions, normals, wares, indices }: Spare): void {
-    this.#spares = [...this.#spares, { positions, normals, wares, indices }].slice(-SPARES);
+  /** Takes back the arrays of walls that are not shown any more, of all parts or of some: these are written over by their like, as what goes to the graphics card is as long as they are. */
+  recycle({ positions, normals, wares, indices }: Spare, some = false): void {
+    const spare = { positions, normals, wares, indices };
+    if (some) this.#few = [...this.#few, spare].slice(-SPARES);
+    else this.#spares = [...this.#spares, spare].slice(-SPARES);
   }
 
   /** Whether the shape of a pot is under the hand, or was until now. */
@@ -115,19 +142,31 @@ export class InStep implements Companion {
         return false;
       }
     }
-    const walled = design.parts.some(({ wall }) => wall !== undefined);
-    if (!walled || !shown) return false;
+    if (pots(design) === 0 || !shown) return false;
     if (began !== null) return true;
     // A part that is only moved takes its wall along. Water would have to be poured anew.
     const [before, now] = [shown.design.parts, design.parts];
-    return !sameSurface(before, now) && !(this.#store.session.fill === null && areCarried(before, now));
+    return !sameSurface(before, now) && !(this.#fill(design) === null && areCarried(before, now));
+  }
+
+  /** How full the pots are that are filled under the hand. */
+  #fill(design: Design): number | null {
+    return pots(design) > POURED ? null : this.#store.session.fill;
+  }
+
+  /** The parts whose walls have to be made where the others' stand on the stage; null where all have to, or water is poured into all. */
+  #changed(design: Design): readonly number[] | null {
+    const { value, of } = this.#walls();
+    if (!value || !of || this.#fill(design) !== null) return null;
+    const changed = changedBetween(of.parts, design.parts);
+    return changed.length > 0 && changed.length < pots(design) ? changed : null;
   }
 
   async #together(pair: object, design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> {
-    const walling = this.#wall(design, this.#made ? PATIENCE_MS : FIRST_PATIENCE_MS);
+    const walls = this.#wall(design, this.#made ? PATIENCE_MS : FIRST_PATIENCE_MS);
     if (this.#store.inGesture) this.#made = design;
     const solved = await solving;
-    const piece = solved.state === "done" ? await walling : null;
+    const walling = solved.state === "done" ? await walls : null;
     const current = this.#pair === pair;
     if (current) {
       this.#pair = null;
@@ -137,13 +176,13 @@ export class InStep implements Companion {
     }
     if (solved.state !== "done") return solved;
     if (current) {
-      if (piece) this.#put(whole(piece, solved.value));
+      if (walling) this.#put(whole(walling.piece, solved.value), walling.parts);
       else this.#awaitStill(design);
       return solved;
     }
     // Something newer is on its way already.
     this.#surface.recycle(solved.value.parts.map(({ mesh }) => mesh));
-    if (piece?.value) this.recycle(piece.value.solid);
+    if (walling?.piece.value) this.recycle(walling.piece.value.solid, walling.parts !== null);
     return { state: "superseded" };
   }
 
@@ -165,7 +204,7 @@ export class InStep implements Companion {
   /** Asks for the wall of what the hand holds still. One that is under way is waited for. */
   #again(design: Design): void {
     if (this.#late || this.#pair || this.#moved || !this.#holds(design)) return;
-    this.#follow(this.#ask(design).asking, design);
+    this.#follow(this.#ask(design), design);
   }
 
   /** Whether the hand still holds this, and its surface is on the stage. */
@@ -175,7 +214,7 @@ export class InStep implements Companion {
   }
 
   /** What nobody waits for is shown if the hand still holds what it is of; if it moved on and holds still by now, that is asked for. */
-  #follow(asking: Promise<Outcome<Quick>>, design: Design): void {
+  #follow({ asking, parts }: Asking, design: Design): void {
     this.#late = true;
     void asking.then((outcome) => {
       this.#late = false;
@@ -184,17 +223,19 @@ export class InStep implements Companion {
       if (shown && !this.#pair && this.#holds(design)) {
         this.#moved?.();
         this.#moved = null;
-        this.#put(whole(pieceOf(outcome, design), shown.solved));
+        this.#put(whole(pieceOf(outcome, design), shown.solved), parts);
         return;
       }
-      if (outcome.state === "done") this.recycle(outcome.value.solid);
+      if (outcome.state === "done") this.recycle(outcome.value.solid, parts !== null);
       this.#again(this.#store.design);
     });
   }
 
   /** The wall; null when it takes too long. */
-  async #wall(design: Design, patience: number): Promise<Piece<Quick> | null> {
-    const { asking, step } = this.#ask(design);
+  async #wall(design: Design, longest: number): Promise<Walling | null> {
+    const asked = this.#ask(design);
+    const { asking, step, parts } = asked;
+    const patience = parts ? SHORT_PATIENCE_MS : longest;
     let wait = () => {};
     const over = new Promise<null>((resolve) => {
       wait = this.#later(() => resolve(null), patience);
@@ -203,26 +244,32 @@ export class InStep implements Companion {
     wait();
     if (outcome === null) {
       this.#took(patience, step);
-      this.#follow(asking, design);
+      this.#follow(asked, design);
       return null;
     }
     if (outcome.state === "superseded") return null;
     if (outcome.state === "done") this.#took(outcome.value.took, step);
-    return pieceOf(outcome, design);
+    return { piece: pieceOf(outcome, design), parts };
   }
 
-  #ask(design: Design): { readonly asking: Promise<Outcome<Quick>>; readonly step: number } {
+  #ask(design: Design): Asking {
     const { step } = this.#pace;
     const tolerance = longest(this.#surface.shown?.solved) * (TOLERANCES[step] ?? TOLERANCES[0]);
-    const fill = this.#store.session.fill;
-    const spare = this.#spares.pop() ?? null;
-    return { asking: this.#maker.ask({ kind: "quick", design, tolerance, fill, spare }), step };
+    const fill = this.#fill(design);
+    const parts = this.#changed(design);
+    const spare = (parts ? this.#few : this.#spares).pop() ?? null;
+    return { asking: this.#maker.ask({ kind: "quick", design, parts, tolerance, fill, spare }), step, parts };
   }
 
   #took(milliseconds: number, step: number): void {
     this.#tries = milliseconds > TOO_LONG_MS && step === TOLERANCES.length - 1 ? this.#tries + 1 : 0;
     this.#pace.learn(milliseconds, true);
   }
+}
+
+/** How many parts have a wall. */
+function pots({ parts }: Design): number {
+  return parts.filter(({ wall }) => wall !== undefined).length;
 }
 
 /** What came of asking for the wall of a design. */

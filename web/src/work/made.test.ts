@@ -378,3 +378,24 @@ test("a pot that is scaled is made anew under the hand, and one with water in it
     expect(kinds()).toContain("quick");
   }
 });
+
+test("the wall of a part that is tilted stands with those of the others, until all are made", async () => {
+  const part = POT.parts[0];
+  if (!part) throw new Error("the pot has a part");
+  const scene = { ...POT, parts: [part, { ...part, place: { shift: [40, 0, 0] as const } }] };
+  const { made, making, rests, store } = await potted(scene);
+  const walls = made.solid;
+  expect(walls.value).not.toBeNull();
+  const tilted = setPath(scene, ["parts", 1, "place"], { shift: [40, 0, 0], axis: [1, 0, 0], angle: 0.2 });
+  store.apply({ design: tilted, undo: "merge", key: "tilt" });
+  await making.finish();
+  expect(made.solid).toBe(walls);
+  expect(made.changed).toMatchObject({ of: tilted, parts: [1], problem: null });
+  expect(made.changed.value?.bounds).not.toBeNull();
+  store.endGesture();
+  await making.finish();
+  await rests();
+  await making.finish();
+  expect(made.solid).toMatchObject({ of: tilted, key: "fine" });
+  expect(made.changed).toMatchObject({ value: null, of: null, parts: [] });
+});

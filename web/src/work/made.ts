@@ -8,7 +8,7 @@ import { batch, computed, effect, type Signal, signal } from "@preact/signals-co
 import { areCarried } from "../document/carried";
 import type { Extents } from "../document/extents";
 import { unitOf } from "../document/look";
-import type { Constraints, Design, MapName, Measures, Report } from "../document/types";
+import type { Constraints, Design, MapName, Measures, Refusal, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
@@ -33,6 +33,13 @@ const SHOWN_LATE: readonly Shown[] = ["solid", "water"];
 /** The hand holds still when what it holds has stood on the stage for so many milliseconds. */
 const STILL_MS = 400;
 
+/** The walls of these parts. */
+export interface ChangedWalls extends Piece<Solid> {
+  readonly parts: readonly number[];
+}
+
+const UNCHANGED: ChangedWalls = { ...NOTHING, parts: [] };
+
 type DesignAsk = Extract<Ask, { readonly design: Design }>;
 
 export class Made {
@@ -55,6 +62,8 @@ export class Made {
     lining: signal<Piece<Lined>>(NOTHING),
     water: signal<Piece<Filled>>(NOTHING),
   };
+  /** The walls of parts that a hand changed since the others' were made, which stand with those. */
+  readonly #changed = signal<ChangedWalls>(UNCHANGED);
   /** What is asked for and of whom, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
   /** How high and wide a wall is, and what it was made on. */
@@ -75,7 +84,8 @@ export class Made {
     this.#later = later;
     this.maker = maker;
     this.judge = judge;
-    this.inStep = new InStep(store, surface, maker, (piece) => this.#putQuick(piece), later);
+    const put = (piece: Piece<Quick>, parts: readonly number[] | null) => this.#putQuick(piece, parts);
+    this.inStep = new InStep(store, surface, maker, put, later, () => this.#pieces.solid.peek());
   }
 
   /** Follows the document and its surface until what comes back is called. */
@@ -92,6 +102,17 @@ export class Made {
   /** The pot with its wall. */
   get solid(): Piece<Solid> {
     return this.#pieces.solid.value;
+  }
+
+  /** Walls of some parts in place of those that the pot has there. */
+  get changed(): ChangedWalls {
+    return this.#changed.value;
+  }
+
+  /** Why the design as it is now has no wall, or one of its parts. */
+  get wallProblem(): Refusal | null {
+    const named = [this.changed, this.solid].find((piece) => this.isOfNow(piece) && piece.problem);
+    return named?.problem ?? null;
   }
 
   get measures(): Piece<Measures> {
@@ -271,8 +292,12 @@ export class Made {
     this.#want("solid", design && { kind: "solid", design, tolerance, fine }, fine ? "fine" : "coarse");
   }
 
-  /** A wall that was dragged along, and its water. */
-  #putQuick({ value, of, problem }: Piece<Quick>): void {
+  /** A wall that was dragged along, and its water; or the walls of some parts. */
+  #putQuick({ value, of, problem }: Piece<Quick>, parts: readonly number[] | null): void {
+    if (parts) {
+      this.#changed.value = { value: value?.solid ?? null, of, problem, key: QUICK, parts };
+      return;
+    }
     batch(() => {
       if (value?.water) {
         const water = { ...value.water, volume: null, error: null };
@@ -336,7 +361,10 @@ export class Made {
   }
 
   #put<K extends Shown>(name: K, piece: Piece<Answers[K]>): void {
-    this.#pieces[name].value = piece;
+    batch(() => {
+      this.#pieces[name].value = piece;
+      if (name === "solid") this.#changed.value = UNCHANGED;
+    });
   }
 }
 

@@ -8,6 +8,9 @@ use crate::error::{Code, Error, Result};
 use crate::patch::normal_limit;
 use crate::surface::{BLOCK, Block, ColumnTable, Row, RowTable, Sums};
 
+/// No column of a block.
+const NONE: [bool; BLOCK] = [false; BLOCK];
+
 /// Where so many vertices have no normal the surface is a curve or a point all over, and limits are no longer looked for: each costs as much as twelve vertices.
 const MOST_WITHOUT: usize = 256;
 
@@ -19,6 +22,8 @@ pub(super) struct ExactRows<'a> {
     coefficients: RowTable<2>,
     row: Row,
     u: f64,
+    /// By blocks, the columns at which single normals are formed.
+    wanted: Vec<[bool; BLOCK]>,
     /// Made only for rows with a pole or cusp, where the normal's limit needs second derivatives.
     second: Option<RowTable<3>>,
     /// How many vertices were met that have no normal, nor a limit of one.
@@ -32,7 +37,19 @@ impl<'a> ExactRows<'a> {
         // The cofactors of a mirror image hold the sign of its determinant, as the product of the placed tangents does.
         let outward = cofactors(grid.matrix) * grid.sign();
         let (coefficients, row) = (RowTable::default(), Row::default());
-        ExactRows { grid, n_columns, table: None, coefficients, row, u: 0.0, second: None, n_without: 0, outward }
+        let wanted = Vec::new();
+        ExactRows {
+            grid,
+            n_columns,
+            table: None,
+            coefficients,
+            row,
+            u: 0.0,
+            wanted,
+            second: None,
+            n_without: 0,
+            outward,
+        }
     }
 
     /// Fills a row of the grid.
@@ -69,20 +86,23 @@ impl<'a> ExactRows<'a> {
         }
     }
 
-    /// Fills the normals at some columns of a row of the grid, in ascending order.
+    /// Fills the normals at some columns of a row of the grid.
     pub(super) fn normals(&mut self, row: usize, columns: &[usize], normals: &mut [f32]) {
         self.take(row);
-        let normals = normals.as_chunks_mut::<3>().0;
-        for columns in columns.chunk_by(|a, b| a / BLOCK == b / BLOCK) {
-            let block = columns[0] / BLOCK;
-            let tangents = self.row.tangents(circles(self.table.as_ref(), block));
-            let facing = self.facing(block, tangents);
-            for column in columns {
-                if let Some(normal) = normals.get_mut(*column) {
-                    *normal = facing.single(column % BLOCK);
-                }
+        let mut wanted = core::mem::take(&mut self.wanted);
+        wanted.clear();
+        wanted.resize(self.n_columns.div_ceil(BLOCK), NONE);
+        for column in columns {
+            if let Some(block) = wanted.get_mut(column / BLOCK) {
+                block[column % BLOCK] = true;
             }
         }
+        let normals = normals.as_chunks_mut::<3>().0.chunks_mut(BLOCK);
+        for (block, (normals, wanted)) in normals.zip(&wanted).enumerate().filter(|(_, (_, wanted))| **wanted != NONE) {
+            let tangents = self.row.tangents(circles(self.table.as_ref(), block));
+            self.facing(block, tangents).write_some(wanted, normals);
+        }
+        self.wanted = wanted;
     }
 
     fn take(&mut self, row: usize) {

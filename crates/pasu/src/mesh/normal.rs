@@ -48,9 +48,14 @@ impl Facing {
         write_single(self.normal, normals);
     }
 
-    /// The same in one lane.
-    pub(super) fn single(&self, lane: usize) -> [f32; 3] {
-        self.normal.map(|component| component.to_array()[lane % BLOCK] as f32)
+    /// The same in some of the columns.
+    pub(super) fn write_some(&self, wanted: &[bool; BLOCK], normals: &mut [[f32; 3]]) {
+        let [x, y, z] = self.normal.map(Block::to_array);
+        for (lane, (normal, wanted)) in normals.iter_mut().zip(wanted).enumerate() {
+            if *wanted {
+                *normal = [x[lane] as f32, y[lane] as f32, z[lane] as f32];
+            }
+        }
     }
 }
 

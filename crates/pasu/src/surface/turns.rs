@@ -25,24 +25,43 @@ impl Turns {
     }
 
     /// `(cos, sin)` of `n j / n_parts` of a turn for `j = 0, 1, ..`, without end.
-    pub(crate) fn walk(&self, n: f64) -> impl Iterator<Item = (f64, f64)> {
+    pub(crate) fn walk(&self, n: f64) -> Walk<'_> {
         let n_parts = self.parts.len() as f64;
-        let is_whole = n == n.trunc();
         let step = libm::fmod(n, n_parts);
         let step = if step < 0.0 { step + n_parts } else { step };
-        let mut part = 0.0;
-        (0u32..).map(move |j| {
-            if is_whole {
-                let here = self.parts.get(part as usize).copied().unwrap_or((1.0, 0.0));
-                part += step;
-                if part >= n_parts {
-                    part -= n_parts;
-                }
-                here
-            } else {
-                circle::of_turns(libm::fmod(n * f64::from(j), n_parts) / n_parts)
-            }
-        })
+        Walk { parts: &self.parts, n, step: (n == n.trunc()).then_some(step), part: 0.0, j: 0.0 }
+    }
+}
+
+/// As [`Turns::walk`].
+#[derive(Debug)]
+pub(crate) struct Walk<'a> {
+    parts: &'a [(f64, f64)],
+    n: f64,
+    /// How many parts it goes on by where that is a whole number, and where it is.
+    step: Option<f64>,
+    part: f64,
+    j: f64,
+}
+
+impl Iterator for Walk<'_> {
+    type Item = (f64, f64);
+
+    // A function of its own: tables are made in many places, and that takes next to no time.
+    #[inline(never)]
+    fn next(&mut self) -> Option<(f64, f64)> {
+        let n_parts = self.parts.len() as f64;
+        let Some(step) = self.step else {
+            let here = circle::of_turns(libm::fmod(self.n * self.j, n_parts) / n_parts);
+            self.j += 1.0;
+            return Some(here);
+        };
+        let here = self.parts.get(self.part as usize).copied().unwrap_or((1.0, 0.0));
+        self.part += step;
+        if self.part >= n_parts {
+            self.part -= n_parts;
+        }
+        Some(here)
     }
 }
 

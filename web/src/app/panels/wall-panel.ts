@@ -139,7 +139,7 @@ export class PasuWall extends DesignerElement {
     const { designer } = this;
     const { made } = designer;
     // Nothing is said of the wall before this one.
-    const problem = made?.isOfNow(made.solid) ? made.solid.problem : null;
+    const problem = made?.wallProblem ?? null;
     if (problem)
       return html`<p class="problem" role="status">${icon("warn")}<span>${refusalWords(problem, designer.state.design)}</span></p>
         ${remedies(designer)}`;
@@ -195,7 +195,7 @@ export class PasuWall extends DesignerElement {
   private problemOf(field: WallField): string {
     const { made, state, surface } = this.designer;
     const path = pathText(["parts", state.part, "wall", ...field.path]);
-    const named = [surface.problem, made?.solid.problem].find((each) => each?.path === path);
+    const named = [surface.problem, made?.wallProblem, made?.solid.problem].find((each) => each?.path === path);
     return named ? whyWords(named, unitOf(state.design)) : "";
   }
 

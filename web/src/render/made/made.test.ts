@@ -4,7 +4,8 @@ import type { StageLook } from "../glaze";
 import { Pot } from "../pot";
 import type { Place } from "../stage";
 import { newStudio } from "../studio";
-import { Made, type StageSolid } from "./made";
+import type { StageSolid } from "./faces";
+import { Made } from "./made";
 
 const LOOK: StageLook = { glaze: "celadon", inside: "celadon", line: 0, clay: "stoneware" };
 const LOOKS = [LOOK, LOOK, LOOK];
@@ -63,7 +64,7 @@ test("a part that moves on takes no new draw calls, and its glaze ends where it 
   made.show(faces, LOOKS, [shifted(1), IDENTITY, IDENTITY]);
   const before = made.drawables[0];
   changed.mockClear();
-  expect(made.show(faces, [...LOOKS], [shifted(2, 4), IDENTITY, IDENTITY])).toBeNull();
+  expect(made.show(faces, [...LOOKS], [shifted(2, 4), IDENTITY, IDENTITY])).toEqual({ walls: null, changed: null });
   expect(made.drawables[0]).toBe(before);
   expect(drawn()[0]).toEqual([[0, 3], shifted(2, 4)]);
   expect(before?.uniforms?.span?.value).toEqual([5, 6]);
@@ -80,4 +81,21 @@ test("faces of a part that is another one by now are neither drawn nor picked, a
   ]);
   expect(made.faces.map(({ part }) => part)).toEqual([0, 2]);
   expect([0, 1, 2].map((place) => made.coreOf(place))).toEqual([-1, 0, -1]);
+});
+
+test("what a hand changed stands in place of what was there, glazed and cut as that, and is given back when it goes", () => {
+  const { made, drawn } = bench();
+  const faces = solid();
+  const other: StageSolid = { ...solid(), groups: Uint32Array.of(0, 9, 1), sides: [null, "outside", null] };
+  made.cut(true);
+  made.show(faces, LOOKS, [IDENTITY, null, IDENTITY], null, { made: other, motions: [null, IDENTITY, null] });
+  expect(drawn().map(([range]) => range)).toEqual([
+    [0, 3],
+    [6, 3],
+    [0, 9],
+  ]);
+  expect(made.faces.map(({ part }) => part)).toEqual([0, 2, 1]);
+  expect([0, 1, 2].map((part) => made.coreOf(part))).toEqual([-1, 1, -1]);
+  expect(made.show(faces, LOOKS, [IDENTITY, IDENTITY, IDENTITY])).toEqual({ walls: null, changed: other });
+  expect(drawn().map(([range]) => range)).toEqual([[0, 9]]);
 });

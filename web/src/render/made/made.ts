@@ -1,39 +1,20 @@
 import type { Camera } from "../camera";
 import { ceramic } from "../ceramic";
-import { Buffer } from "../gl/buffer";
 import type { Drawable } from "../gl/drawable";
-import { Geometry } from "../gl/geometry";
 import type { Material, Uniform } from "../gl/material";
-import { IDENTITY, type Matrix } from "../gl/view";
 import { lookKey, type StageLook } from "../glaze";
 import { WHOLE } from "../ground";
-import type { Bounds, Span } from "../mesh";
+import type { Bounds } from "../mesh";
 import type { Spot } from "../overlay/label";
 import type { Word } from "../overlay/overlays";
 import type { Face } from "../picker";
-import { newPlacing, type Placing, place } from "../placing";
 import type { Coat } from "../pot";
 import type { Guest, Place } from "../stage";
 import { toScene } from "../studio";
-import { at, type Triple } from "../triple";
+import type { Triple } from "../triple";
+import { Faces, type Motions, type StageSolid } from "./faces";
 import { mapCoat, type StageMap } from "./map-coat";
 import { type StageWater, Water } from "./water";
-
-/** The faces of a pot that its own mesh does not show. */
-export interface StageSolid {
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
-  /** Lining (1) or not (0), distance to rim and to foot, depth in radii of the mouth. */
-  readonly wares: Float32Array;
-  readonly indices: Uint32Array;
-  /** (first index, count of indices, part) triples. */
-  readonly groups: Uint32Array;
-  readonly bounds: Bounds | null;
-  /** Where the clay is on the surface of each part. */
-  readonly sides: readonly ("inside" | "outside" | null)[];
-  /** From which height to which the outside of each part stands, where its own mesh does not show that. */
-  readonly outsides: readonly (Span | null)[];
-}
 
 /** Where the hand takes hold of the water, in CSS pixels, and how many of them upwards one model unit is. */
 export interface Hold extends Spot {
@@ -50,39 +31,22 @@ const LEAST_RISE = 0.12;
 /** Which side of the design's surface is within the clay. */
 const CORES = { inside: -1, outside: 1, none: 0 } as const;
 
-/** What is made comes placed. */
-const SOLID_PLACING = { ...newPlacing() };
-const SOLID = { ...SOLID_PLACING, span: { value: [0, 1] } };
-
-/** Where the faces of a part are that was moved since they were made. */
-type Moved = { readonly [name in keyof Placing]: Placing[name] } & { readonly span: Uniform<Span> };
-
-const DEFAULT_LOOK: StageLook = { glaze: "celadon", inside: "celadon", line: 0, clay: "stoneware" };
-
 /** What is made of the design: its wall, the water in it, the colours of a map, and the cut that lets one look inside. */
 export class Made implements Guest {
   /** Where the handle of the water is; null where it cannot be held. */
   onHold: (hold: Hold | null) => void = () => {};
   readonly cutPlane: Uniform<readonly number[]> = { value: WHOLE };
-  private readonly positions = newBuffer(3);
-  private readonly normals = newBuffer(3);
-  private readonly wares = newBuffer(4);
-  private readonly indices = new Buffer(new Uint32Array(), { size: 1, dynamic: true });
-  private geometry: Geometry;
-  private lining: Buffer | null = null;
+  private readonly walls: Faces;
+  /** Those of parts that a hand changed since, in place of their walls as they were. */
+  private readonly changed: Faces;
   private readonly water: Water;
   private readonly level: Uniform<number> = { value: DRY };
   private readonly materials = new Map<string, Material>();
   /** One for every run of faces with the same material. */
   private solids: Drawable[] = [];
-  private made: StageSolid | null = null;
-  /** By which each part was moved since; null where its faces are none of it any more. */
-  private motions: readonly (Matrix | null)[] = [];
-  private readonly moved = new Map<number, Moved>();
   private looks: readonly StageLook[] = [];
-  /** Of what the draw calls were made: which looks there are, and what was moved. */
+  /** Of which looks the draw calls were made. */
   private looked = "";
-  private went = "";
   private surface: StageWater | null = null;
   private filled: number | null = null;
   private map: StageMap | null = null;
@@ -90,7 +54,8 @@ export class Made implements Guest {
   private open = false;
 
   constructor(private readonly place: Place) {
-    this.geometry = this.newGeometry();
+    this.walls = new Faces(place.pot);
+    this.changed = new Faces(place.pot);
     this.water = new Water(place.studio, this.cutPlane);
   }
 
@@ -100,15 +65,7 @@ export class Made implements Guest {
 
   /** The faces by their parts, for whoever asks what is seen at a point. */
   get faces(): readonly Face[] {
-    const { made, geometry } = this;
-    const faces: Face[] = [];
-    for (let g = 0; made && g < made.groups.length; g += 3) {
-      const part = at(made.groups, g + 2);
-      if (!this.shows(part)) continue;
-      const range = [at(made.groups, g), at(made.groups, g + 1)] as const;
-      faces.push({ geometry, uniforms: this.moved.get(part) ?? SOLID_PLACING, range, part });
-    }
-    return faces;
+    return [...this.walls.seen, ...this.changed.seen];
   }
 
   coreOf(place: number): number {
@@ -117,36 +74,27 @@ export class Made implements Guest {
 
   /**
    * Shows the faces of a pot, whose arrays are the stage's from now on, or none. Gives back those that were shown before. Faces of parts that were moved since they were made go along by their `motions`; those of a part that has none are
-   * not shown. `extent` is what everything fills then.
+   * not shown. `extent` is what everything fills then. In place of parts that a hand `changed` their faces by now are shown.
    */
   show(
     made: StageSolid | null,
     looks: readonly StageLook[],
-    motions: readonly (Matrix | null)[] = [],
+    motions: Motions = [],
     extent: Bounds | null = made?.bounds ?? null,
-  ): StageSolid | null {
-    const before = this.made;
-    const [looked, went] = [looks.map(lookKey).join(), motions.map(kindOf).join()];
-    const alike = made === before && looked === this.looked && went === this.went;
-    [this.looked, this.went] = [looked, went];
+    changed: { readonly made: StageSolid; readonly motions: Motions } | null = null,
+  ): { readonly walls: StageSolid | null; readonly changed: StageSolid | null } {
+    const before = [this.walls.made, this.changed.made] as const;
+    const looked = looks.map(lookKey).join();
+    const others = [this.walls.take(made, motions), this.changed.take(changed?.made ?? null, changed?.motions ?? [])];
+    const alike = looked === this.looked && !others.includes(true);
+    this.looked = looked;
     this.looks = looks;
-    this.motions = motions;
-    if (made !== before) {
-      this.made = made;
-      this.line(null);
-      if (made) {
-        this.positions.array = made.positions;
-        this.normals.array = made.normals;
-        this.wares.array = made.wares;
-        this.indices.array = made.indices;
-      } else this.drop();
-    }
     this.place.pot.extent = made && extent;
-    this.move();
     // Who moves a part has the others as they were.
     if (alike) this.place.changed();
     else this.dress();
-    return made === before ? null : before;
+    const left = <T>(was: T, is: T) => (was === is ? null : was);
+    return { walls: left(before[0], this.walls.made), changed: left(before[1], this.changed.made) };
   }
 
   /** Pours water in up to a level, or out at null. Its surface may be that of another level, until it is known. */
@@ -169,22 +117,8 @@ export class Made implements Guest {
     }
     this.map = map ?? null;
     const lining = this.map?.lining ?? null;
-    this.line(lining && lining.length === this.positions.count ? lining : null);
+    this.walls.line(lining && lining.length === this.walls.count ? lining : null);
     this.dress();
-  }
-
-  /** What a map shows inside. */
-  private line(values: Float32Array | null): void {
-    if ((this.lining?.array ?? null) === values) return;
-    this.geometry.release();
-    this.lining?.release();
-    this.lining = values && new Buffer(values, { size: 1 });
-    this.geometry = this.newGeometry();
-  }
-
-  private newGeometry(): Geometry {
-    const { positions, normals, wares, indices, lining } = this;
-    return new Geometry({ position: positions, normal: normals, wares, ...(lining && { value: lining }) }, indices);
   }
 
   /** Takes the half before the eye away, or puts it back. */
@@ -220,7 +154,8 @@ export class Made implements Guest {
   }
 
   release(): void {
-    this.drop();
+    this.walls.drop();
+    this.changed.drop();
     this.water.release();
   }
 
@@ -228,37 +163,15 @@ export class Made implements Guest {
     this.release();
   }
 
-  private drop(): void {
-    this.geometry.release();
-    for (const buffer of [this.positions, this.normals, this.wares, this.indices, this.lining]) buffer?.release();
-  }
-
-  /** Where the motions have taken what was moved, with the heights between which its glaze runs. */
-  private move(): void {
-    for (const part of [...this.moved.keys()]) if (!isMoved(this.motions[part])) this.moved.delete(part);
-    for (const [part, motion] of this.motions.entries()) {
-      if (!isMoved(motion)) continue;
-      const moved = this.moved.get(part) ?? { ...newPlacing(), span: { value: [0, 1] } };
-      this.moved.set(part, moved);
-      place(moved, motion);
-      moved.span.value = this.spanOf(part);
-    }
-  }
-
-  /** Whether the faces of a part are seen, by its place in the document. */
-  private shows(part: number): boolean {
-    return this.motions[part] !== null && !this.place.pot.hides(part);
-  }
-
   private sideOf(part: number): "inside" | "outside" | null {
-    return this.motions[part] === null ? null : (this.made?.sides[part] ?? null);
+    return this.changed.sideOf(part) ?? this.walls.sideOf(part);
   }
 
   private dress(): void {
     const { pot } = this.place;
     const coreOf = (part: number) => CORES[this.sideOf(part) ?? "none"];
     const coat: Coat | null = this.mapped
-      ? (_, part) => this.mapMaterial(this.map, this.made ? coreOf(part) : 0)
+      ? (_, part) => this.mapMaterial(this.map, this.walls.made ? coreOf(part) : 0)
       : this.open
         ? (look, part) => this.glazed(look, coreOf(part), false)
         : null;
@@ -267,38 +180,11 @@ export class Made implements Guest {
     this.place.changed();
   }
 
-  /** One draw call for each run of faces that look the same. */
   private clothe(): void {
-    const { made, geometry } = this;
-    this.solids = [];
-    for (let g = 0; made && g < made.groups.length; g += 3) {
-      const part = at(made.groups, g + 2);
-      if (!this.shows(part)) continue;
-      const look = this.looks[part] ?? DEFAULT_LOOK;
-      const material = this.mapped
-        ? this.mapMaterial(this.map?.lean || this.lining ? this.map : null, -1)
-        : this.glazed(look, -1, true);
-      const [start, count] = [at(made.groups, g), at(made.groups, g + 1)];
-      const last = this.solids.at(-1);
-      // Parts that are glazed to the foot need not be told apart.
-      const moved = this.moved.get(part);
-      const own = moved !== undefined || (look.line > 0 && !this.mapped);
-      const uniforms = moved ?? (own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID);
-      const on = last?.material === material && last.uniforms === uniforms;
-      if (on && last.range && last.range[0] + last.range[1] === start) {
-        last.range = [last.range[0], last.range[1] + count];
-      } else {
-        const range: [number, number] = [start, count];
-        this.solids.push({ geometry, material, uniforms, order: 0, visible: true, range });
-      }
-    }
-  }
-
-  private spanOf(part: number): Span {
-    const outside = this.made?.outsides[part];
-    const lifted = this.motions[part]?.[14] ?? 0;
-    if (outside) return [outside[0] + lifted, outside[1] + lifted];
-    return this.place.pot.parts[part]?.span.value ?? [0, 1];
+    const { looks, mapped, map } = this;
+    const materialOf = (faces: Faces) => (look: StageLook) =>
+      mapped ? this.mapMaterial(map?.lean || faces.isLined ? map : null, -1) : this.glazed(look, -1, true);
+    this.solids = [this.walls, this.changed].flatMap((faces) => faces.clothed(looks, mapped, materialOf(faces)));
   }
 
   private glazed(look: StageLook, core: number, solid: boolean): Material {
@@ -344,17 +230,4 @@ export class Made implements Guest {
     const square = Math.hypot(here.x - beside.x, here.y - beside.y) / unit;
     return perUnit > LEAST_RISE * square ? { ...here, perUnit } : null;
   }
-}
-
-/** What becomes of the faces of a part, where they are not where they were made. */
-function kindOf(motion: Matrix | null): string {
-  return motion === null ? "absent" : isMoved(motion) ? "moved" : "";
-}
-
-function isMoved(motion: Matrix | null | undefined): motion is Matrix {
-  return motion ? motion.some((value, i) => value !== IDENTITY[i]) : false;
-}
-
-function newBuffer(size: number): Buffer {
-  return new Buffer(new Float32Array(), { size, dynamic: true });
 }

@@ -211,15 +211,16 @@ impl Circles {
     fn mark(&self, unsure: &mut Vec<usize>) {
         let n_steps = self.n_columns - 1;
         for (block, slots) in self.unsure.iter().enumerate().filter(|(_, slots)| **slots != [0; 4]) {
-            for (slot, lanes) in slots.iter().enumerate() {
-                for lane in (0..4).filter(|lane| lanes >> lane & 1 == 1) {
-                    let column = 4 * block + lane;
-                    let column = match (self.fold, slot) {
-                        (Fold::Quartered, 2) => column + n_steps / 2,
-                        (Fold::Quartered, 1) => n_steps - column,
-                        (Fold::Quartered, 3) => n_steps / 2 - column,
-                        _ => column,
-                    };
+            let [at, half] = [4 * block, n_steps / 2];
+            // From where to which side the lanes of each slot go: of a row that is not folded only the first has any.
+            let back = |from: usize| (from.wrapping_sub(at), true);
+            let slots = slots.iter().zip([(at, false), back(n_steps), (at + half, false), back(half)]);
+            for (lanes, (first, is_back)) in slots {
+                let mut lanes = *lanes;
+                while lanes != 0 {
+                    let lane = lanes.trailing_zeros() as usize;
+                    lanes &= lanes - 1;
+                    let column = if is_back { first.wrapping_sub(lane) } else { first + lane };
                     if column < self.n_columns {
                         unsure.push(column);
                     }

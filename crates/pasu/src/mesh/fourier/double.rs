@@ -6,7 +6,7 @@ use wide::f64x2;
 
 use super::waves::Waves;
 use crate::mesh::promise::NORMAL_ERROR;
-use crate::surface::Turns;
+use crate::surface::{Block, Turns};
 
 /// Where `|X_u x X_v|^2` is less, beside tangents of about 1, nothing is known of it.
 const LEAST_SQUARE: f64 = 1e-200;
@@ -59,18 +59,11 @@ impl DoubleNormals {
         self.constant = waves.constants.map(|[_, slope]| slope.to_array()[row] * scales[0]);
         let mut sizes = [self.constant.iter().map(|slope| slope.abs()).sum::<f64>(), 0.0];
         self.strands.clear();
-        let [cosines, sines] = &waves.data;
-        for ((harmonic, cosine), sine) in waves.harmonics.iter().zip(cosines).zip(sines) {
-            let scale = scales[1] * harmonic.k;
-            self.strands.push(core::array::from_fn(|axis| {
-                let [a, slope_of_a] = cosine[axis].map(|block| block.to_array()[row]);
-                let [b, slope_of_b] = sine[axis].map(|block| block.to_array()[row]);
-                let strand = [[slope_of_a * scales[0], slope_of_b * scales[0]], [b * scale, -a * scale]];
-                for (size, [of_cos, of_sin]) in sizes.iter_mut().zip(strand) {
-                    *size += of_cos.abs() + of_sin.abs();
-                }
-                strand.map(f64x2::new)
-            }));
+        for (index, harmonic) in waves.harmonics.iter().enumerate() {
+            let strands = core::array::from_fn(|axis| {
+                strand_of(waves.data.each_ref().map(|wave| &wave[index][axis]), row, harmonic.k, scales, &mut sizes)
+            });
+            self.strands.push(strands);
         }
         // A sum of m terms is off by m half units of all of them, the rounding of these included.
         let rounding = (2 * n + 4) as f64 * f64::EPSILON;
@@ -113,4 +106,16 @@ impl DoubleNormals {
         }
         is_held
     }
+}
+
+/// The strand of value and slope of a cosine and of a sine; adds to the sizes of `X_u` and `X_v`.
+#[inline(never)]
+fn strand_of(data: [&[Block; 2]; 2], row: usize, k: f64, scales: [f64; 2], sizes: &mut [f64; 2]) -> Strand {
+    let [[a, slope_of_a], [b, slope_of_b]] = data.map(|data| data.map(|block| block.as_array()[row]));
+    let scale = scales[1] * k;
+    let strand = [[slope_of_a * scales[0], slope_of_b * scales[0]], [b * scale, -a * scale]];
+    for (size, [of_cos, of_sin]) in sizes.iter_mut().zip(strand) {
+        *size += of_cos.abs() + of_sin.abs();
+    }
+    strand.map(f64x2::new)
 }

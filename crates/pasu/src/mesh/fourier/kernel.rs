@@ -74,7 +74,6 @@ impl Kernel {
                     unsure.retain(|column| !double.put(*column, normals));
                 }
                 if !unsure.is_empty() {
-                    unsure.sort_unstable();
                     exact.normals(index, unsure, normals);
                 }
             }
