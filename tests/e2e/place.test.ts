@@ -6,6 +6,7 @@ import { fineWall, walls, watchDrags } from "../support/drag.ts";
 import { countDrawn, drawn } from "../support/drawn.ts";
 import { countQuestions, grip, handling, questions, seenPart, standing, takeParts } from "../support/placing.ts";
 import { dragFrom, fingers, spotOf } from "../support/pulling.ts";
+import { atRest } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
 import { PHONE, QUICK, type Visit, type VisitOptions } from "../support/visit.ts";
 
@@ -144,6 +145,8 @@ test("the wall of a part that is tilted or scaled is made anew under the hand, a
     ["Scale", "scale-all"],
   ] as const) {
     await handling(pot, kind);
+    // The view may still glide to where all of it fits.
+    await atRest(pot);
     const from = await spotOf(grip(pot, name));
     await walls(pot);
     const scene = await pot.fingerprint();

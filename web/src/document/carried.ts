@@ -22,6 +22,15 @@ export function areCarried(before: readonly Part[], now: readonly Part[]): boole
   );
 }
 
+/** Whether all walls stand as they were made. */
+export function areUntouched(before: readonly Part[], now: readonly Part[]): boolean {
+  const motions = motionsBetween(before, now);
+  return (
+    before.length === now.length &&
+    now.every(({ wall }, place) => wall === before[place]?.wall && (!wall || motions[place] === IDENTITY))
+  );
+}
+
 /** The walled parts of which something else was made than is wanted now, by their places; the walls of all others only have to be moved. */
 export function changedBetween(before: readonly Part[], now: readonly Part[]): readonly number[] {
   const motions = motionsBetween(before, now);

@@ -11,7 +11,7 @@ import type { StageMap } from "../render/made/map-coat";
 import type { Word } from "../render/overlay/overlays";
 import type { Stage } from "../render/stage";
 import { around, type Bounds } from "../solver/bounds";
-import { type Solved, verticesOf } from "../solver/solved";
+import { boundsWith, type Solved, verticesOf } from "../solver/solved";
 import type { Designer } from "../work/designer";
 import type { Made } from "../work/made";
 import type { Piece } from "../work/piece";
@@ -30,7 +30,11 @@ export class StageMade {
   #meshes: readonly unknown[] = [];
   #last: readonly unknown[] = [];
   /** What a wall was made on, and what that filled. */
-  #beneath: { readonly value: Solid | null; readonly bounds: Bounds | null } = { value: null, bounds: null };
+  #beneath: { readonly value: Solid | null; readonly bounds: Bounds | null; readonly all: Bounds | null } = {
+    value: null,
+    bounds: null,
+    all: null,
+  };
 
   /** The handle of the water is put into the shadow of `host`. */
   constructor(designer: Designer, stage: Stage, host: HTMLElement) {
@@ -94,11 +98,11 @@ export class StageMade {
   }
 
   /** What the pot fills with its wall: of one that was moved what its surface fills, and beyond that what it filled before. */
-  #extent({ value, of }: Piece<Solid>, design: Design, { bounds }: Solved): Bounds | null {
+  #extent({ value, of }: Piece<Solid>, design: Design, { bounds, parts }: Solved): Bounds | null {
     if (!value) return null;
-    if (of === design) this.#beneath = { value, bounds };
-    const { value: known, bounds: then } = this.#beneath;
-    return known === value ? grownAlike(bounds, then, value.bounds) : around(value.bounds, bounds);
+    if (of === design) this.#beneath = { value, bounds, all: boundsWith(value.bounds, design, parts) };
+    const { value: known, bounds: then, all } = this.#beneath;
+    return known === value ? grownAlike(bounds, then, all) : around(value.bounds, bounds);
   }
 
   #paint({ painted, lining, solid }: Made, shown: Shown, map: MapName | null): void {

@@ -5,7 +5,7 @@ import type { Look, SeenInside } from "../document/blend/looking";
 import type { Method } from "../document/blend/solving";
 import type { Brush } from "../document/brush";
 import type { DrawnProfile } from "../document/drawn/sheet";
-import type { Extents } from "../document/extents";
+import type { Farthest } from "../document/extents";
 import type { Lock } from "../document/locks";
 import type {
   Constraints,
@@ -45,10 +45,10 @@ export interface Solid {
   readonly indices: Uint32Array;
   /** (first index, count of indices, part) triples. */
   readonly groups: Uint32Array;
-  /** What the whole pot fills, wall included. */
+  /** What the pots fill, walls included; parts without one are not in it. */
   readonly bounds: Bounds | null;
-  /** How high and wide it is with its wall. */
-  readonly extents: Extents | null;
+  /** Their farthest points. */
+  readonly farthest: Farthest;
   /** Where the clay is on the surface of each part that has a wall: within it, or around it. */
   readonly sides: readonly ("inside" | "outside" | null)[];
   /** From which height to which the outside of each part stands, where it is not its own surface. */

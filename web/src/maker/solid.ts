@@ -1,6 +1,6 @@
 /** A pot as its picture needs it: without the face that the design's own surface shows already, and with what the glaze goes by. */
 
-import { extentsOf } from "../document/extents";
+import { farthestOf } from "../document/extents";
 import { DEFAULTS } from "../document/tables.gen";
 import type { Design, Part } from "../document/types";
 import { boundsOf } from "../solver/bounds";
@@ -65,7 +65,7 @@ export function solidOf(
     indices: whole ? new Uint32Array(indices.buffer) : drawn,
     groups: Uint32Array.from(groups),
     bounds: boundsOf(positions),
-    extents: extentsOf(positions),
+    farthest: farthestOf(positions),
     sides: parts.map(({ wall }) => (wall ? (wall.side ?? DEFAULTS.side) : null)),
     outsides: parts.map((_, part) => outsideOf(part, kept, positions, indices)),
   };

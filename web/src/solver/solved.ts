@@ -6,7 +6,7 @@ import { type Facts, factsOf } from "../document/facts";
 import { IDENTITY, type Matrix, matrixOf, placedAll } from "../document/placement";
 import type { Design, Placement } from "../document/types";
 import type { PartId } from "../state/part-ids";
-import { type Bounds, boundsOfParts } from "./bounds";
+import { around, type Bounds, boundsOfParts } from "./bounds";
 import { placedLines } from "./lines";
 import type { LineArrays, PartFacts, PartLines, PartMesh, Section, Times } from "./messages";
 
@@ -23,6 +23,8 @@ export interface SolvedPart {
   readonly box: Box | null;
   /** What it fills before it is placed. */
   readonly own: Bounds | null;
+  /** Its farthest points where it stands. */
+  readonly farthest: Farthest;
 }
 
 /** Parts in the order of the design, and what they fill. */
@@ -79,7 +81,7 @@ export function placedParts(design: Design, answers: readonly PartAnswer[]): Sol
   const extents = extentsTogether(standing.map(({ farthest }) => farthest));
   const lifted = standing.map(({ told: { body, closed }, matrix }) => ({ body, closed, lift: matrix[14] ?? 0 }));
   return {
-    parts: standing.map(({ answer: { id, revision, mesh }, bounds: own, matrix, box }) => ({
+    parts: standing.map(({ answer: { id, revision, mesh }, bounds: own, matrix, box, farthest }) => ({
       id,
       revision,
       mesh,
@@ -87,10 +89,22 @@ export function placedParts(design: Design, answers: readonly PartAnswer[]): Sol
       span: box ? [box.min[2], box.max[2]] : [0, 0],
       box,
       own,
+      farthest,
     })),
     bounds,
     facts: bounds && extents && factsOf(lifted, bounds, extents),
   };
+}
+
+/** The parts that have no wall: what is made of walls tells nothing of them. */
+export function unwalled(design: Design, parts: readonly SolvedPart[]): readonly SolvedPart[] {
+  return parts.filter((_, place) => design.parts[place]?.wall === undefined);
+}
+
+/** What walls fill together with the parts that have none. */
+export function boundsWith(walls: Bounds | null, design: Design, parts: readonly SolvedPart[]): Bounds | null {
+  const standing = unwalled(design, parts).map(({ matrix, own: bounds, box }) => ({ matrix, bounds, box }));
+  return around(walls, boundsOfParts(standing));
 }
 
 /** Where a part stands by its placement, and how far it reaches there. */

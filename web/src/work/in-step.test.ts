@@ -306,6 +306,17 @@ test("of a scene whose walls stand on the stage only those of the part that chan
   expect(new Set(pieces[1]?.value?.solid.groups.filter((_, i) => i % 3 === 2))).toEqual(new Set([1, 2, 3]));
 });
 
+test("a part without a wall changes no wall, and waits for none", async () => {
+  const scene = row(2);
+  const { asked, solved, stand, store, surface } = await bench(scene);
+  stand(scene);
+  const design = tilted(scene, 0, 0.3);
+  store.apply({ design, undo: "merge", key: "tilt" });
+  await solved();
+  expect(asked()).toEqual([]);
+  expect(surface.shown?.design).toBe(design);
+});
+
 test("what is refused of a part names it by its place in the whole scene", async () => {
   const scene = row(2);
   const { making, pieces, solved, stand, store } = await bench(scene);

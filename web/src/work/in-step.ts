@@ -143,6 +143,8 @@ export class InStep implements Companion {
       }
     }
     if (pots(design) === 0 || !shown) return false;
+    // A part without a wall changes none of those that stand there.
+    if (this.#store.inGesture && this.#anew(design)?.length === 0) return false;
     if (began !== null) return true;
     // A part that is only moved takes its wall along. Water would have to be poured anew.
     const [before, now] = [shown.design.parts, design.parts];
@@ -154,12 +156,11 @@ export class InStep implements Companion {
     return pots(design) > POURED ? null : this.#store.session.fill;
   }
 
-  /** The parts whose walls have to be made where the others' stand on the stage; null where all have to, or water is poured into all. */
-  #changed(design: Design): readonly number[] | null {
+  /** The parts whose walls have to be made where those of others stand on the stage; null where nothing does, or water is poured into all. */
+  #anew(design: Design): readonly number[] | null {
     const { value, of } = this.#walls();
-    if (!value || !of || this.#fill(design) !== null) return null;
-    const changed = changedBetween(of.parts, design.parts);
-    return changed.length > 0 && changed.length < pots(design) ? changed : null;
+    const stand = value !== null && of !== null && this.#fill(design) === null;
+    return stand ? changedBetween(of.parts, design.parts) : null;
   }
 
   async #together(pair: object, design: Design, solving: Promise<Outcome<Solved>>): Promise<Outcome<Solved>> {
@@ -256,7 +257,8 @@ export class InStep implements Companion {
     const { step } = this.#pace;
     const tolerance = longest(this.#surface.shown?.solved) * (TOLERANCES[step] ?? TOLERANCES[0]);
     const fill = this.#fill(design);
-    const parts = this.#changed(design);
+    const anew = this.#anew(design);
+    const parts = anew && anew.length > 0 && anew.length < pots(design) ? anew : null;
     const spare = (parts ? this.#few : this.#spares).pop() ?? null;
     return { asking: this.#maker.ask({ kind: "quick", design, parts, tolerance, fill, spare }), step, parts };
   }

@@ -399,3 +399,38 @@ test("the wall of a part that is tilted stands with those of the others, until a
   expect(made.solid).toMatchObject({ of: tilted, key: "fine" });
   expect(made.changed).toMatchObject({ value: null, of: null, parts: [] });
 });
+
+/** A pot, and beside it the same surface without a wall. */
+function half(): Design {
+  const [pot, jar] = [POT.parts[0], JAR.parts[0]];
+  if (!pot || !jar) throw new Error("both have a part");
+  return { ...POT, parts: [pot, { ...jar, object: 1, place: { shift: [60, 0, 0] } }] };
+}
+
+test("what has no wall counts for how high and wide a scene is", async () => {
+  const scene = half();
+  const { made, store, surface, making } = await potted(scene);
+  const drawn = surface.shown?.solved.facts?.extents as Extents;
+  expect(drawn.greatest.width).toBeGreaterThan(60);
+  const extents = made.extentsOf(scene, drawn);
+  expect(extents.greatest.width).toBeGreaterThan(60);
+  expect(extents.height).toBeCloseTo(drawn.height, 1);
+  // Nor do measures say otherwise.
+  store.apply(selectTab("measures"));
+  await making.finish();
+  expect(made.measures.of).toBe(scene);
+  expect(made.extentsOf(scene, drawn).greatest.width).toBeCloseTo(extents.greatest.width, 0);
+});
+
+test("walls that nothing was done to are not made again", async () => {
+  const { asked, made, making, rests, store } = await potted(half());
+  const { value } = made.solid;
+  const place = { shift: [60, 0, 0] as const, axis: [1, 0, 0] as const, angle: 0.2 };
+  const tilted = setPath(store.design, ["parts", 1, "place"], place);
+  store.apply({ design: tilted, undo: "step" });
+  await rests();
+  await making.finish();
+  expect(asked().filter(({ kind }) => kind === "solid" || kind === "quick")).toEqual([]);
+  expect(made.solid).toMatchObject({ of: tilted, key: "fine" });
+  expect(made.solid.value).toBe(value);
+});

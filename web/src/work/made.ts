@@ -5,15 +5,15 @@
  */
 
 import { batch, computed, effect, type Signal, signal } from "@preact/signals-core";
-import { areCarried } from "../document/carried";
-import type { Extents } from "../document/extents";
+import { areCarried, areUntouched } from "../document/carried";
+import { type Extents, extentsTogether } from "../document/extents";
 import { unitOf } from "../document/look";
 import type { Constraints, Design, MapName, Measures, Refusal, Report } from "../document/types";
 import { sameSurface } from "../document/wall";
 import { waterRange } from "../document/water";
 import type { MakerClient } from "../maker/client";
 import type { Answers, Ask, Filled, Kind, Lined, Painted, Quick, Solid } from "../maker/messages";
-import { longest } from "../solver/solved";
+import { longest, unwalled } from "../solver/solved";
 import type { Store } from "../state/store";
 import { holdsText } from "../words/measures";
 import { InStep, type Later, timer } from "./in-step";
@@ -66,8 +66,8 @@ export class Made {
   readonly #changed = signal<ChangedWalls>(UNCHANGED);
   /** What is asked for and of whom, so that it is asked once. */
   readonly #asked = new Map<Shown, { readonly of: Design; readonly key: string; readonly maker: MakerClient }>();
-  /** How high and wide a wall is, and what it was made on. */
-  #beneath: { readonly all: Extents; readonly drawn: Extents } | null = null;
+  /** How high and wide all is with walls, and what these were made on. */
+  #beneath: { readonly value: Solid; readonly all: Extents | null; readonly drawn: Extents } | null = null;
   readonly #later: Later;
   /** What is under the hand in a gesture, once it is on the stage. */
   readonly #held = computed(() => {
@@ -156,17 +156,19 @@ export class Made {
     };
   }
 
-  /** The same with its wall; of one whose wall went along what it is beyond its surface as it was where the wall was made. Null without one. */
+  /** The same with its walls, and the parts that have none; of one whose walls went along what it is beyond its surface as it was where they were made. Null without one. */
   #walled(design: Design, drawn: Extents): Extents | null {
     const { value, of } = this.solid;
-    const all = value?.extents;
-    if (!all || !of) return null;
+    if (!value || !of) return null;
     if (of === design) {
-      this.#beneath = { all, drawn };
-      return all;
+      if (this.#beneath?.value !== value || this.#beneath.drawn !== drawn) {
+        const beside = unwalled(design, this.#surface.shown?.solved.parts ?? []).map(({ farthest }) => farthest);
+        this.#beneath = { value, all: extentsTogether([value.farthest, ...beside]), drawn };
+      }
+      return this.#beneath.all;
     }
-    if (this.#beneath?.all !== all || !areCarried(of.parts, design.parts)) return null;
-    const { drawn: then } = this.#beneath;
+    const { all, drawn: then } = this.#beneath?.value === value ? this.#beneath : { all: null, drawn };
+    if (!all || !areCarried(of.parts, design.parts)) return null;
     const span = (name: "greatest" | "least") => {
       const [wall, was, now] = [all[name], then[name], drawn[name]];
       return { ...now, low: now.low + (wall.low - was.low), width: now.width + (wall.width - was.width) };
@@ -223,12 +225,17 @@ export class Made {
     const { shown } = this.#surface;
     const rests = shown?.settled === true && shown.design === design;
     const still = this.#still.value === design;
-    const { of, value } = this.solid;
+    const { of, value, key } = this.solid;
     const same = of !== null && sameSurface(of.parts, design.parts);
     const rewalled = same && of !== design;
     const walled = design.parts.some((part) => part.wall !== undefined);
     // A hand on the pot is told at once what it does to it.
     const pulled = walled && session.pulling;
+    // Something else changed than what has a wall.
+    if (rests && value && of && of !== design && key === "fine" && areUntouched(of.parts, design.parts)) {
+      this.#put("solid", { ...this.solid, of: design });
+      return;
+    }
     // A wall that was only moved is there to be looked at until the fine one is.
     const there = () => of === design || (value !== null && of !== null && areCarried(of.parts, design.parts));
     if (rests || rewalled) this.#draw(walled ? design : null, rests && there());

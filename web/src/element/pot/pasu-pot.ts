@@ -6,7 +6,7 @@ import { unitOf } from "../../document/look";
 import type { Field } from "../../document/schema";
 import type { Design, Refusal, Sent } from "../../document/types";
 import type { SolverClient } from "../../solver/client";
-import type { SolvedParts } from "../../solver/solved";
+import { boundsWith, type SolvedParts } from "../../solver/solved";
 import { base } from "../../ui/styles";
 import { wheel } from "../../ui/wheel";
 import { pot } from "../../words/english/pot";
@@ -325,7 +325,7 @@ export class PasuPotElement extends LitElement implements Contract {
     if (!fetched || !stage || !shown || !solved || stage !== this.holder.stage || shown !== this.shown) return;
     this.wall ??= new fetched.PotWall(stage, this.lane);
     if (this.held) this.wall.rest();
-    else await this.wall.show(shown.design, solved);
+    else await this.wall.show(shown.design, solved, (walls) => boundsWith(walls, shown.design, solved.parts));
   }
 
   /** Looks from where the page says, once for every design. */

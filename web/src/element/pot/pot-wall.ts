@@ -6,11 +6,15 @@ import { sameSurface } from "../../document/wall";
 import type { Solid } from "../../maker/messages";
 import { Made } from "../../render/made/made";
 import type { Stage } from "../../render/stage";
+import type { Bounds } from "../../solver/bounds";
 import type { SolvedParts } from "../../solver/solved";
 import { makers } from "./shared-maker";
 
 /** How far the picture may be from the faces, as a share of the size of the pot, which is smaller here than in the designer. */
 const FINENESS = 1 / 450;
+
+/** What walls fill together with parts that have none. */
+type With = (walls: Bounds | null) => Bounds | null;
 
 export class PotWall {
   readonly #share = makers.take();
@@ -26,7 +30,7 @@ export class PotWall {
   }
 
   /** Shows the wall of a design once it is made, until then that of the same surface or none. A wall that is refused is not drawn: the surface stands as it is. */
-  async show(design: Design, { bounds }: SolvedParts): Promise<void> {
+  async show(design: Design, { bounds }: SolvedParts, all: With): Promise<void> {
     const before = this.#of;
     if (before === design) return;
     this.#share.it.cancel(this.#lane);
@@ -40,7 +44,7 @@ export class PotWall {
     const tolerance = FINENESS * Math.max(...sides);
     const outcome = await this.#share.it.ask({ kind: "solid", design, tolerance, fine: false }, this.#lane);
     if (outcome.state === "superseded" || this.#of !== design) return;
-    this.#draw(outcome.state === "done" ? outcome.value : null, design);
+    this.#draw(outcome.state === "done" ? outcome.value : null, design, all);
   }
 
   /** Takes the wall away and ends what is under way: another surface is shown. */
@@ -58,7 +62,7 @@ export class PotWall {
     this.#share.leave();
   }
 
-  #draw(solid: Solid | null, design: Design): void {
-    this.#drawing.show(solid, looksOf(design));
+  #draw(solid: Solid | null, design: Design, all: With = (walls) => walls): void {
+    this.#drawing.show(solid, looksOf(design), [], all(solid?.bounds ?? null));
   }
 }
