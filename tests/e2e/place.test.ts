@@ -259,6 +259,16 @@ test("keys move, turn and scale by handles that say what they are and where", as
   expect((await shifts(pot))[1]?.[2]).toBeCloseTo(small, 9);
   await pot.button("On the table").click();
   expect((await shifts(pot))[1]?.[2]).toBe(0);
+  // Nor does it need a picture of what the keys did.
+  await grip(pot, "free").focus();
+  const toTable = await pot.button("On the table").elementHandle();
+  await pot.page.evaluate((button) => {
+    let focused = document.activeElement;
+    while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+    focused?.dispatchEvent(new KeyboardEvent("keydown", { key: "PageUp", bubbles: true, composed: true }));
+    (button as HTMLElement).click();
+  }, toTable);
+  expect((await shifts(pot))[1]?.[2]).toBe(0);
   await handling(pot, "Turn");
   await grip(pot, "turn-x").focus();
   for (let press = 0; press < 6; press += 1) await keyboard.press("Shift+ArrowUp");

@@ -3,6 +3,7 @@
 import { computed } from "@preact/signals-core";
 import { css, html } from "lit";
 import { customElement } from "lit/decorators.js";
+import { motionsBetween } from "../../document/carried";
 import { unitOf } from "../../document/look";
 import { moved } from "../../document/moving";
 import { setHandling, toggleSnapping } from "../../state/actions";
@@ -64,11 +65,15 @@ export class PasuPlaceBar extends DesignerElement {
     const { state } = designer;
     const boxes = boxesOf(designer);
     const table = mannerOf(designer)?.table ?? 0;
+    // What is shown may still follow the document.
+    const { shown } = designer.surface;
+    const since = shown ? motionsBetween(shown.design.parts, state.design.parts) : [];
     const places = looseIds(state).flatMap((id) => {
       const box = boxes.get(id);
       if (!box) return [];
       const size = box.max[2] - box.min[2];
-      return [[id, moved(standingOf(state, id), [0, 0, toTable(box.min[2], table, size)])] as const];
+      const low = box.min[2] + (since[state.ids.indexOf(id)]?.[14] ?? 0);
+      return [[id, moved(standingOf(state, id), [0, 0, toTable(low, table, size)])] as const];
     });
     designer.apply(placeParts(state, new Map(places)));
   };
