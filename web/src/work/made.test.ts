@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { JAR, POT, tall, WALL } from "../../testing/jar";
 import { realMaker } from "../../testing/real-maker";
 import { type Workbench, workbench } from "../../testing/workbench";
@@ -433,4 +433,22 @@ test("walls that nothing was done to are not made again", async () => {
   expect(asked().filter(({ kind }) => kind === "solid" || kind === "quick")).toEqual([]);
   expect(made.solid).toMatchObject({ of: tilted, key: "fine" });
   expect(made.solid.value).toBe(value);
+});
+
+test("a wall that was refused before has nothing looked for that would help this one", async () => {
+  const { asked, made, maker, making, rests, store } = await potted();
+  store.apply(selectTab("wall"));
+  await making.finish();
+  store.apply({ design: rewalled({ base: 30 }), undo: "step" });
+  await rests();
+  await making.finish();
+  expect(made.solid.problem).not.toBeNull();
+  expect(asked().map(({ kind }) => kind)).toContain("check");
+  const ask = vi.spyOn(maker, "ask");
+  store.apply({ design: POT, undo: "step" });
+  await rests();
+  await making.finish();
+  expect(made.solid).toMatchObject({ of: POT, problem: null });
+  expect(ask.mock.calls.map(([{ kind }]) => kind)).not.toContain("check");
+  expect(made.report.value).toBeNull();
 });

@@ -248,7 +248,8 @@ export class Made {
     if (rests || still) {
       // Beside the wall's numbers only what would help a wall that is refused, and what of one was fitted.
       const fits = design.parts.some(({ wall }) => wall?.foot || wall?.drain);
-      const helped = session.tab === "wall" && (fits || this.solid.problem !== null);
+      const refused = of === design && this.solid.problem !== null;
+      const helped = session.tab === "wall" && (fits || refused);
       const checked = walled && (session.tab === "measures" || helped || pulled);
       this.#want("check", checked ? { kind: "check", design, making: {} } : null, "");
       this.#want("constraints", design.parts.length > 1 ? { kind: "constraints", design } : null, "");
