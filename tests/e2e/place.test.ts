@@ -37,8 +37,21 @@ const undone = async (pot: Visit) =>
   expect.poll(() => shifts(pot)).toEqual(SCENE.parts.map(({ place }) => [...place.shift]));
 const choose = (pot: Visit, name: string) =>
   pot.page.locator("pasu-parts [role=option]").filter({ hasText: name }).click();
+
 /** Whether its parts fit together has been found out: nothing is asked any more unless somebody does something. */
 const judged = (pot: Visit) => pot.page.locator("pasu-constraints .reports").waitFor({ state: "attached" });
+
+/** Opens the three with walls, which are finished, and takes hold of the lid. */
+async function openWalled(pot: Visit): Promise<void> {
+  const first = await pot.fingerprint();
+  const parts = SCENE.parts.map((each) => ({ ...each, wall: { thickness: 0.08, base: 0.1 } }));
+  await pot.dropFile("walled.json", JSON.stringify({ ...SCENE, parts }));
+  await pot.fingerprintOtherThan(first);
+  await choose(pot, "Lid");
+  await takeParts(pot);
+  await fineWall(pot);
+  await judged(pot);
+}
 
 test("a handle moves the part along its axis, one drag is one step, and costs no solving", async () => {
   const pot = await three({ before: countQuestions });
@@ -86,14 +99,7 @@ test("walls go along with parts that are moved: none is made under the hand, and
       await watchDrags(there);
     },
   });
-  const first = await pot.fingerprint();
-  const parts = SCENE.parts.map((each) => ({ ...each, wall: { thickness: 0.08, base: 0.1 } }));
-  await pot.dropFile("walled.json", JSON.stringify({ ...SCENE, parts }));
-  await pot.fingerprintOtherThan(first);
-  await choose(pot, "Lid");
-  await takeParts(pot);
-  await fineWall(pot);
-  await judged(pot);
+  await openWalled(pot);
   for (const name of ["move-x", "free"]) {
     const from = await spotOf(grip(pot, name));
     await walls(pot);
@@ -132,14 +138,7 @@ const madeAnew = (pot: Visit) =>
 
 test("the wall of a part that is tilted or scaled is made anew under the hand, and those of the others stay", async () => {
   const pot = await here.enter({ before: watchDrags });
-  const first = await pot.fingerprint();
-  const parts = SCENE.parts.map((each) => ({ ...each, wall: { thickness: 0.08, base: 0.1 } }));
-  await pot.dropFile("walled.json", JSON.stringify({ ...SCENE, parts }));
-  await pot.fingerprintOtherThan(first);
-  await choose(pot, "Lid");
-  await takeParts(pot);
-  await fineWall(pot);
-  await judged(pot);
+  await openWalled(pot);
   for (const [kind, name] of [
     ["Turn", "turn-x"],
     ["Scale", "scale-all"],
