@@ -1,6 +1,6 @@
 /** A part pushed into the wall of another: as far as all of what faces it close by is in the clay, and no further than through the wall. Asked along rays of the exact surfaces. */
 
-import { constraints, pick } from "pasu";
+import { constraints, PasuError, pick } from "pasu";
 import { roundTo } from "../document/boxes";
 import { scaledBy } from "../document/moving";
 import type { Design, Sent, Triple } from "../document/types";
@@ -36,6 +36,9 @@ const LEFT = 0.25;
 /** The last digit of how far it goes, as a share of the size: points of meshes have no more, and what is pushed again stays. */
 const LAST = 1e-4;
 
+/** So much nearer to their middle rays are asked than points are, as a share: two pots on one table have their feet, and equal ones their rims, in planes along which a ray tells nothing. */
+const WITHIN = 1e-4;
+
 /** What joins parts of one object too little. */
 const LOOSE = ["not-connected", "undecided-connection"];
 
@@ -44,9 +47,12 @@ export function push({ design, moving, onto, towards, back, points, size }: Push
   const [other] = design.parts.slice(onto, onto + 1);
   if (!other) return null;
   const alone = { pasu: design.pasu, parts: [other] } as Sent;
+  const middle = middleOfAll(points);
   const walls = points.flatMap((point) => {
-    const origin = point.map((x, axis) => x - back * (towards[axis] as number)) as [number, number, number];
-    const [first, second] = pick(alone, { origin, direction: [...towards] });
+    const off = point.map((x, axis) => WITHIN * ((middle[axis] as number) - x));
+    const on = off.reduce((sum, x, axis) => sum + x * (towards[axis] as number), 0);
+    const origin = point.map((x, axis) => x + (off[axis] as number) - (back + on) * (towards[axis] as number));
+    const [first, second] = hitsOf(alone, origin as [number, number, number], towards);
     return first ? [{ near: first.distance, far: second?.distance ?? first.distance }] : [];
   });
   const nearest = Math.min(...walls.map(({ near }) => near));
@@ -60,6 +66,21 @@ export function push({ design, moving, onto, towards, back, points, size }: Push
   const by = roundTo(Math.max(far, nearest) - back, 10 ** Math.floor(Math.log10(LAST * size)));
   const move = { moving, by: scaledBy(by, towards), isSet };
   return joins(design, move, onto) ? move : null;
+}
+
+/** Where a ray meets the other; nowhere where it goes along its surface, which says nothing of how far the point can go. */
+function hitsOf(alone: Sent, origin: [number, number, number], [x, y, z]: Triple): ReturnType<typeof pick> {
+  try {
+    return pick(alone, { origin, direction: [x, y, z] });
+  } catch (error) {
+    if (error instanceof PasuError && error.code === "too-large") return [];
+    throw error;
+  }
+}
+
+function middleOfAll(points: readonly Triple[]): Triple {
+  const sum = (axis: number) => points.reduce((all, point) => all + (point[axis] as number), 0);
+  return [0, 1, 2].map((axis) => sum(axis) / points.length) as unknown as Triple;
 }
 
 /** Whether everything that moved touches the other, directly or by the rest. */

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { workbench } from "../../testing/workbench";
 import { GLUED } from "../document/gallery/scenes";
+import { ringed } from "../document/ringed";
 import type { Design, Part } from "../document/types";
 import { selectParts } from "../state/seen-actions";
 import { lockParts } from "../state/several-actions";
@@ -75,4 +76,23 @@ test("what is locked, alone or not in the way stays", async () => {
   await making.finish();
   expect(await push("upright")).toBe("nowhere");
   expect(store.design).toEqual(aside);
+});
+
+test("two cups of one kind on one table are pushed together, though their rims and feet are in one plane", async () => {
+  const shape = ringed([2, 3, 3.2], [0, 3, 6]);
+  const wall = { thickness: 0.4, base: 0.5 };
+  const cups: Design = { pasu: 1, parts: [{ shape, wall }, { shape, wall, object: 1, place: { shift: [10, 4, 0] } }] };
+  const { made, making, push, rests, store } = await bench(cups);
+  const [first = 0, second = 0] = store.ids;
+  store.apply(selectParts(second, first));
+  // Their walls bend away from each other: not all of what faces comes into the clay.
+  expect(await push("sideways")).toBe("partly");
+  const [x = 0, y = 0, z = 0] = store.design.parts[1]?.place?.shift ?? [];
+  const far = Math.hypot(x, y);
+  expect(z).toBe(0);
+  expect(far).toBeLessThan(6.4);
+  expect(far).toBeGreaterThan(6.4 - 2 * 0.4);
+  await rests();
+  await making.finish();
+  expect(made.constraints.value?.isKept).toBe(true);
 });
