@@ -177,6 +177,19 @@ test("the worst comes first, and parts are named where there are several", () =>
   );
 });
 
+test("a handle that is a solid as it is, and a part that the checks leave out, are no fault of the pot", () => {
+  const solid = { part: 1, name: "Handle", isPot: false, clay: {} } as Partial<PartMeasures>;
+  const cause = { code: "open-surface", path: "parts[1].shape", args: { what: "no-foot" } } as const;
+  expect(texts(measures({}, {}, { ...solid, cause }))).toEqual([]);
+  const bare = { part: 1, name: "Vase", isPot: false, clay: null, cause: { ...cause, code: "no-wall" } };
+  const finding = { code: "no-wall", severity: "warning", part: 1, path: null, message: "", args: {}, at: null };
+  const report = { ok: true, findings: [finding], meshes: [] } as unknown as Report;
+  expect(texts(measures({}, {}, bare as Partial<PartMeasures>), report)).toEqual([
+    "warning: Vase: This part has no wall and is left out of the pots: with thickness and base it is one.",
+    "good: The mesh is closed, every edge is shared by two triangles, and it does not cross itself.",
+  ]);
+});
+
 test("what the checks say of a thinned wall is told once, with its unit and place", () => {
   const thickness = {
     asked: 0.3,

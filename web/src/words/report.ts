@@ -36,6 +36,7 @@ const STEADY_DEGREES = 10;
 /** Codes of findings of the checks. */
 const THINNED = "thinned";
 const CEILING = "ceiling";
+const LEFT_OUT = "no-wall";
 
 /** Codes of findings that the page says by itself, from the measures and in the unit of the design. */
 const MEASURED: readonly string[] = ["too-thin", "overhang"];
@@ -190,7 +191,8 @@ function ofPart(part: PartMeasures, outline: Outline, unit: Unit, codes: readonl
   const sentences: Sentence[] = [];
   const say = (severity: Severity, text: string) => sentences.push({ severity, text });
   const where = (at: Triple | null) => whereWords(at, outline);
-  if (part.cause)
+  // What goes round a body is made as it is, and what has no wall beside pots is left out, as the checks say: neither is in the way of what is made.
+  if (part.cause && !part.clay && !codes.includes(LEFT_OUT))
     say("error", whyWords({ ...part.cause, path: part.cause.path ?? "", message: part.reason ?? "" }, unit));
   const { thickness } = part;
   if (thickness) {
