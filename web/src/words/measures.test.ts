@@ -74,6 +74,13 @@ test("every measure is told with its unit", () => {
   });
 });
 
+test("where no curvature is known none is told", () => {
+  const none = { least: null, greatest: null };
+  const [own] = MEASURES.parts;
+  const told = lines({ ...MEASURES, parts: [{ ...own, curvature: { mean: none, gaussian: none } }] } as Measures);
+  expect(Object.keys(told).filter((name) => name.includes("curvature"))).toEqual([]);
+});
+
 test("a pot on a round foot tips in every direction alike, and all of a full foot touches the table", () => {
   const radius = 5 * Math.tan((24.31 * Math.PI) / 180);
   const disc = q(Math.PI * radius * radius);

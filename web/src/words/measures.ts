@@ -194,6 +194,8 @@ function wall(part: PartMeasures, unit: Unit): readonly Group[] {
 function curved(name: string, { least, greatest }: Curvature, unit: string): readonly Line[] {
   const end = (extreme: { readonly value: number } | null, otherwise: string) =>
     extreme ? formatNumber(extreme.value, 4) : otherwise;
+  // Of what has edges everywhere there is nothing to tell.
+  if (!least && !greatest) return [];
   const error = errorWords(Math.max(least?.error ?? 0, greatest?.error ?? 0));
   const range = said.range(end(least, said.noLeast), end(greatest, said.noGreatest));
   return [{ name, value: quantities.measured(range, unit), error }];
