@@ -247,6 +247,20 @@ test("a handle is set into the wall of a mug: its ends come into the clay, and i
   await row(pot, "Lump").click();
   await row(pot, "Mug").click({ modifiers: ["Control"] });
   await arrange(pot).locator("[data-push=upright]").click();
-  await arrange(pot).getByText("Nothing is met that way.").waitFor();
+  const nothing = arrange(pot).getByText("Nothing is met that way.");
+  await nothing.waitFor();
   expect(await standing(pot)).toEqual(before);
+  // What was done afterwards it does not speak of.
+  await press(pot, "Left");
+  await nothing.waitFor({ state: "detached" });
+});
+
+test("one part alone is put on the table by no mirror", async () => {
+  const pot = await scene(SCENE);
+  await open(pot);
+  const mirror = arrange(pot).getByRole("group", { name: "Mirror" });
+  expect(await mirror.getByRole("button").allInnerTexts()).toEqual(["Left to right", "Front to back", "Top to bottom"]);
+  const table = arrange(pot).getByRole("button", { name: "On the table" });
+  const [above, below] = [await table.boundingBox(), await mirror.boundingBox()];
+  expect(above?.y).toBeLessThan(below?.y ?? 0);
 });

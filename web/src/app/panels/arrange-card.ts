@@ -6,7 +6,7 @@ import { longestOf, middleOf, roundStep } from "../../document/boxes";
 import { unitOf } from "../../document/look";
 import { AXES, type Axis } from "../../document/moving";
 import { LIMITS } from "../../document/tables.gen";
-import type { Triple } from "../../document/types";
+import type { Design, Triple } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
 import {
   alignOnAxis,
@@ -47,9 +47,9 @@ export class PasuArrange extends DesignerElement {
   @state() private angle = ALL_ROUND;
   @state() private turning = true;
   @state() private problem = "";
-  /** Whether something is being pushed, and what is to be said of the last time. */
+  /** Whether something is being pushed, and what is to be said of the last time, as long as nothing else has been done since. */
   @state() private pushing = false;
-  @state() private pushed = "";
+  @state() private pushed: { readonly said: string; readonly of: Design; readonly selected: string } | null = null;
 
   override render() {
     return html`<details ?open=${this.isOpen} @toggle=${this.toggled}>
@@ -63,12 +63,15 @@ export class PasuArrange extends DesignerElement {
     const selected = selectedIds(designer.state);
     const several = selected.length > 1;
     return html`
-      ${several ? this.order(selected.length) : nothing}
+      ${
+        several
+          ? this.order(selected.length)
+          : this.group("", [this.press(words.onTable, () => putOnTable(designer.state, this.boxes))])
+      }
       ${this.group(
         words.mirror,
         AXES.map((axis) => this.press(words.ways[axis] ?? "", () => mirrorParts(designer.state, this.boxes, axis))),
       )}
-      ${several ? nothing : this.group("", [this.press(words.onTable, () => putOnTable(designer.state, this.boxes))])}
       ${this.copies()}
     `;
   }
@@ -92,7 +95,7 @@ export class PasuArrange extends DesignerElement {
           ${this.press(words.onRimFitted, () => standOn(designer.state, this.boxes, this.rims, true), words.onRimNote)}
         </div>
         <div class="row">${this.push("sideways")}${this.push("upright")}</div>
-        <p class="problem" role="status">${this.pushed}</p>
+        <p class="problem" role="status">${this.saidOfPush()}</p>
       </div>
       ${this.group(
         words.distribute,
@@ -123,11 +126,20 @@ export class PasuArrange extends DesignerElement {
   }
 
   private async pushOnto(course: Course): Promise<void> {
+    const { designer } = this;
     this.pushing = true;
-    this.pushed = "";
-    const became = await pushOnto(this.designer, course);
+    this.pushed = null;
+    const became = await pushOnto(designer, course);
     this.pushing = false;
-    this.pushed = became === "partly" || became === "nowhere" ? words.pushed[became] : "";
+    if (became !== "partly" && became !== "nowhere") return;
+    const selected = selectedIds(designer.state).join();
+    this.pushed = { said: words.pushed[became], of: designer.state.design, selected };
+  }
+
+  private saidOfPush(): string {
+    const { pushed } = this;
+    const { state: now } = this.designer;
+    return pushed?.of === now.design && pushed.selected === selectedIds(now).join() ? pushed.said : "";
   }
 
   private copies() {
