@@ -150,3 +150,13 @@ test("on a phone it is moved by a finger", async () => {
   await expect.poll(async () => (await alongX(pot))[1]).toBeGreaterThan(4.5);
   expect(await findings(pot)).toEqual([]);
 });
+
+test("the slider of a copy, which has the same label, is told from the first by its part", async () => {
+  const pot = await scene(CABINET);
+  await pot.page.locator("pasu-parts [role=option]").filter({ hasText: "Drawer" }).click();
+  await pot.button("Duplicate").click();
+  await slider(pot, "Pull the drawer (Drawer along x)").waitFor();
+  await slider(pot, "Pull the drawer (Drawer 2 along x)").waitFor();
+  await pot.undo();
+  await slider(pot, "Pull the drawer").waitFor();
+});

@@ -44,7 +44,7 @@ export class PasuJoints extends DesignerElement {
       ${repeat(
         all,
         ({ id, name }) => `${id}-${name}`,
-        (each) => this.slider(each),
+        (each) => this.slider(each, all),
       )}
     </section>`;
   }
@@ -59,10 +59,10 @@ export class PasuJoints extends DesignerElement {
     );
   }
 
-  private slider(each: Jointed) {
+  private slider(each: Jointed, all: readonly Jointed[]) {
     const { designer } = this;
     const { id, name, joint, part } = each;
-    const [called, shown, unit] = [this.nameOf(each), scaleOf(name), this.unitOf(name)];
+    const [called, shown, unit] = [this.nameOf(each, all), scaleOf(name), this.unitOf(name)];
     const value = jointValue(part, name, joint);
     const [from, to] = joint.limits.map(shown.out) as [number, number];
     const locked = movedBy(designer.state, id, joint).some((one) => designer.store.session.locked.includes(one));
@@ -188,8 +188,12 @@ export class PasuJoints extends DesignerElement {
     return this.jointed().find(({ id, name }) => id === each.id && name === each.name) ?? each;
   }
 
-  private nameOf(each: Jointed): string {
-    return each.joint.label ?? this.plainName(each);
+  /** By its label; where another has the same, as that of a copy, by its part as well. */
+  private nameOf(each: Jointed, all: readonly Jointed[]): string {
+    const { label } = each.joint;
+    if (label === undefined || label === null) return this.plainName(each);
+    const alike = all.filter(({ joint }) => joint.label === label).length > 1;
+    return alike ? words.labelOf(label, this.plainName(each)) : label;
   }
 
   private plainName({ part, place, name }: Jointed): string {

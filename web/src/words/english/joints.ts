@@ -8,6 +8,8 @@ export const joints = phrases("joints", {
   toggle: (number: string) => `Slider of the scene: ${number}`,
   along: (part: string, axis: string) => `${part} along ${axis}`,
   turns: (part: string) => `${part} turned`,
+  /** Of two sliders with one label. */
+  labelOf: (label: string, slider: string) => `${label} (${slider})`,
   outside: (from: string, to: string) => `It is outside its limits, ${from} to ${to}.`,
   locked: "It moves what is locked.",
   settings: (name: string) => `Settings of “${name}”`,
