@@ -186,6 +186,17 @@ test("points are dragged by the mouse, along axes too, and a drag is one step", 
   expect(await item(pot, "vertex 2").getAttribute("aria-label")).toMatch(/, 9 cm$/);
 });
 
+test("where nothing can be picked it is said what to pick first, and a number is read as it was typed", async () => {
+  const { pot } = await opened();
+  await pot.button("Patches").click();
+  await pot.page.getByText("Pick a point first.").waitFor();
+  await pot.button("Ring").click();
+  await pot.page.getByText("Pick the middle of an edge first.").waitFor();
+  await pot.type("Point", "1");
+  await pot.type("x", "1.2345");
+  await expect.poll(() => number(pot, "x")).toBe(1.2345);
+});
+
 test("everything is from the catalogue", async () => {
   const pot = await here.enter({ link: PSEUDO });
   const first = await pot.fingerprint();

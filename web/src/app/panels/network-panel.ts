@@ -6,7 +6,7 @@ import { customElement } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { DOINGS, TOUCHES, WAYS } from "../../document/network/grasping";
 import { AXES, type Axis } from "../../document/network/moving";
-import { type Network, patchesRound } from "../../document/network/network";
+import { edgesThrough, type Network, patchesRound } from "../../document/network/network";
 import {
   everything,
   NOTHING,
@@ -126,8 +126,8 @@ export class PasuNetworkPanel extends DesignerElement {
     const acts = [
       ["all", () => everything(network), ""],
       ["none", () => NOTHING, ""],
-      ["ring", () => ringThrough(network, picks), words.ringHelp],
-      ["patchOf", () => patchesOf(network, picks), words.patchOfHelp],
+      ["ring", () => this.ring(network, picks), words.ringHelp],
+      ["patchOf", () => this.round(network, picks), words.patchOfHelp],
     ] as const;
     const one = (lastOf(vertices) ?? -1) + 1;
     const square = (lastOf(patches) ?? -1) + 1;
@@ -166,6 +166,17 @@ export class PasuNetworkPanel extends DesignerElement {
         })}
       </div>
     </section>`;
+  }
+
+  /** What cannot be picked is said why, as of what cannot be built. */
+  private ring(network: Network, picks: Picks): Picks {
+    if (edgesThrough(network, picks.vertices).length === 0) this.designer.notices.say(words.objections["no-edge"]);
+    return ringThrough(network, picks);
+  }
+
+  private round(network: Network, picks: Picks): Picks {
+    if (picks.vertices.size === 0) this.designer.notices.say(words.objections["no-point"]);
+    return patchesOf(network, picks);
   }
 
   private cell(label: string, value: number, step: number, set: (value: number) => void) {

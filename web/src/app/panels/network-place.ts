@@ -15,6 +15,9 @@ import { base, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
 import { networkDesk, networkOf } from "../../work/network-desk";
 
+/** What is typed is read back as it was typed. */
+const DIGITS = 6;
+
 @customElement("pasu-network-place")
 export class PasuNetworkPlace extends UnhurriedElement {
   private step: number | null = null;
@@ -35,7 +38,7 @@ export class PasuNetworkPlace extends UnhurriedElement {
             compact
             .label=${words.place[axis] ?? ""}
             .unit=${unit}
-            .value=${Number(value.toPrecision(4)) + 0}
+            .value=${Number(value.toPrecision(DIGITS)) + 0}
             .step=${this.step}
             @number-change=${(event: NumberChangeEvent) => this.place(axis, event.value, event.gesture)}
             @number-done=${() => this.designer.store.endGesture()}

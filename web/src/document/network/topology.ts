@@ -24,6 +24,7 @@ export type Objection =
   | "no-edge"
   | "no-free-edge"
   | "no-patch"
+  | "no-point"
   | "last-patch"
   | "crossing"
   | "spanned"

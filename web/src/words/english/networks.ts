@@ -69,6 +69,7 @@ export const networks = phrases("networks", {
     "no-edge": "Pick the middle of an edge first.",
     "no-free-edge": "The picked edges have a patch on both sides. Pick one at the rim.",
     "no-patch": "Pick a patch first.",
+    "no-point": "Pick a point first.",
     "last-patch": "One patch has to stay.",
     crossing: "The strip runs through a patch both ways, and cannot be split.",
     spanned: "A sculpted region lies over several patches of the strip. Take it away first.",
