@@ -155,6 +155,8 @@ export class PasuConstraints extends UnhurriedElement {
         );
         return heading();
       case "remove":
+        if (now.session.locked.includes(part))
+          return designer.notices.say(words.lockedPart(nameAt(breach.part, design)));
         designer.apply(deleteParts(now, [part]));
         return heading();
       case "apart":

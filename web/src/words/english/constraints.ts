@@ -51,6 +51,7 @@ export const constraints = phrases("constraints", {
   notApart: "No place near by was found where they are apart. Nothing was moved.",
   notTogether: "No way was found on which they touch. Nothing was moved.",
   locked: "What would have to move is locked.",
+  lockedPart: (part: string) => `${part} is locked. Unlock it first.`,
   /** Beside the place on the stage. */
   here: "Here",
   shows: "Shows where on the pot",
