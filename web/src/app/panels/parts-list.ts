@@ -342,7 +342,8 @@ export class PasuParts extends UnhurriedElement {
         font-weight: 650;
       }
       ul {
-        max-height: 168px;
+        /* Some seven parts, and on a phone, whose panel is low, four. */
+        max-height: max(168px, min(252px, 28vh));
         overflow-y: auto;
         border: 1px solid var(--line);
         border-radius: var(--radius);
