@@ -81,7 +81,13 @@ test("what is locked, alone or not in the way stays", async () => {
 test("two cups of one kind on one table are pushed together, though their rims and feet are in one plane", async () => {
   const shape = ringed([2, 3, 3.2], [0, 3, 6]);
   const wall = { thickness: 0.4, base: 0.5 };
-  const cups: Design = { pasu: 1, parts: [{ shape, wall }, { shape, wall, object: 1, place: { shift: [10, 4, 0] } }] };
+  const cups: Design = {
+    pasu: 1,
+    parts: [
+      { shape, wall },
+      { shape, wall, object: 1, place: { shift: [10, 4, 0] } },
+    ],
+  };
   const { made, making, push, rests, store } = await bench(cups);
   const [first = 0, second = 0] = store.ids;
   store.apply(selectParts(second, first));
