@@ -119,12 +119,6 @@ void main() {
 /** The plane before which nothing is taken away. */
 export const WHOLE = [0, 0, 0, 1] as const;
 
-/** A pot that throws a shadow, and the plane before which it is cut away, in scene space. */
-export interface Cast {
-  readonly pot: Pot;
-  readonly cut: readonly number[];
-}
-
 /**
  * The table that the pot stands on, seen only by the shadow on it. The shadow is computed when the mesh or the cut changes, not per frame: the
  * pot is drawn once from below into a small texture, where each place keeps how close the clay comes to it, and blurred.
@@ -187,19 +181,13 @@ export class Ground implements Tenant {
   }
 
   /** Takes the shadow of what stands on the table; `centre` and `size` are what it fills, in scene space. What is cut away throws none. */
-  bake(device: Device, casts: readonly Cast[], centre: readonly [number, number], size: number): void {
-    this.drawable.visible = casts.length > 0;
-    if (casts.length === 0) return;
+  bake(device: Device, pots: readonly Pot[], centre: readonly [number, number], size: number): void {
+    this.drawable.visible = pots.length > 0;
+    if (pots.length === 0) return;
     this.area.value = [centre[0], centre[1], size, size * REACH];
     const [first, second] = this.targets;
     first.begin(device);
-    const footprints = casts.flatMap(({ pot, cut }) =>
-      pot.drawables.map((each) => ({
-        ...each,
-        material: this.cover,
-        uniforms: { ...each.uniforms, cut: { value: cut } },
-      })),
-    );
+    const footprints = pots.flatMap((pot) => pot.drawables.map((each) => ({ ...each, material: this.cover })));
     draw(device, footprints);
     const sheet: Drawable = { geometry: this.square, material: this.blur, order: 0, visible: true };
     const pass = (from: Target, to: Target, direction: number[]) => {

@@ -43,6 +43,8 @@ export interface StagePart {
   readonly look: StageLook;
   /** From which height to which it stands, in model units. */
   readonly span: Span;
+  /** The middle of the object that it belongs to, where there are several: each is cut open through its own. */
+  readonly middle?: Triple | undefined;
   /** What is hidden stays on the graphics card, and is neither drawn nor found at a point. */
   readonly hidden?: boolean;
 }

@@ -15,6 +15,10 @@ export class PotPart {
   readonly placing: Placing;
   readonly positions: Buffer;
   readonly span: Uniform<Span>;
+  /** The plane before which it is cut away, in scene space. */
+  readonly cut: Uniform<readonly number[]> = { value: [0, 0, 0, 1] };
+  /** The middle of the object that it belongs to, where there are several. */
+  middle: Triple | null;
   lattice: Lattice;
   private readonly normals: Buffer;
   private readonly table: Uniform<Texture>;
@@ -23,7 +27,7 @@ export class PotPart {
   private revision: number;
 
   constructor(
-    { id, revision, mesh, matrix, span }: StagePart,
+    { id, revision, mesh, matrix, span, middle }: StagePart,
     lattice: Lattice,
     shift: Uniform<Triple>,
     material: Material,
@@ -37,10 +41,11 @@ export class PotPart {
     this.table = { value: this.newTable() };
     this.placing = newPlacing(shift);
     this.span = { value: span };
+    this.middle = middle ?? null;
     this.drawable = {
       geometry: this.newGeometry(),
       material,
-      uniforms: { ...this.placing, ware: this.table, span: this.span },
+      uniforms: { ...this.placing, ware: this.table, span: this.span, cut: this.cut },
       order: 0,
       visible: true,
       mirrored: place(this.placing, matrix),
@@ -66,8 +71,9 @@ export class PotPart {
   }
 
   /** The same part at another time. */
-  update({ revision, mesh, matrix, span }: StagePart, lattice: Lattice): void {
+  update({ revision, mesh, matrix, span, middle }: StagePart, lattice: Lattice): void {
     this.span.value = span;
+    this.middle = middle ?? null;
     // Of hundreds of parts that stand where they stood nothing is worked out again.
     if (matrix !== this.placing.model.value) this.drawable.mirrored = place(this.placing, matrix);
     if (revision === this.revision) return;

@@ -157,13 +157,12 @@ export class Tableau implements Tenant {
     this.shaded = null;
   }
 
-  /** Takes the shadow again if it is another one. Only the first pot is ever cut. */
+  /** Takes the shadow again if it is another one. Only the first pot is ever cut: its parts, each before its own plane, as `cut` is before that of all. */
   shade(device: Device, cut: readonly number[] = WHOLE): void {
     if (this.shaded?.every((each, i) => each === cut[i])) return;
     this.shaded = cut;
     const { centre, radius } = this.contents();
-    const casts = [{ pot: this.main, cut }, ...(this.beside ? [{ pot: this.beside, cut: WHOLE }] : [])];
-    const standing = casts.filter(({ pot }) => pot.bounds);
+    const standing = [this.main, ...(this.beside ? [this.beside] : [])].filter(({ bounds }) => bounds);
     this.ground.bake(device, standing, [centre[0], centre[1]], radius);
   }
 

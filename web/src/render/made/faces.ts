@@ -1,7 +1,7 @@
 import { Buffer } from "../gl/buffer";
 import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
-import type { Material, Uniform } from "../gl/material";
+import type { Material, Uniform, Uniforms } from "../gl/material";
 import { IDENTITY, type Matrix } from "../gl/view";
 import type { StageLook } from "../glaze";
 import type { Bounds, Span } from "../mesh";
@@ -66,7 +66,7 @@ export class Faces {
     const { geometry } = this;
     return this.shown.map(({ part, range }) => ({
       geometry,
-      uniforms: this.moved.get(part) ?? SOLID_PLACING,
+      uniforms: { ...(this.moved.get(part) ?? SOLID_PLACING), ...this.cutOf(part) },
       range,
       part,
     }));
@@ -101,10 +101,21 @@ export class Faces {
     this.geometry = this.newGeometry();
   }
 
-  /** One draw call for each run of faces that look the same. */
-  clothed(looks: readonly StageLook[], mapped: boolean, materialOf: (look: StageLook) => Material): Drawable[] {
+  /** One draw call for each run of faces that look the same, and are cut before one plane where the pot is open. */
+  clothed(
+    looks: readonly StageLook[],
+    mapped: boolean,
+    open: boolean,
+    materialOf: (look: StageLook) => Material,
+  ): Drawable[] {
     const { geometry } = this;
     const drawn: Drawable[] = [];
+    const cut = new Map<number, Uniforms>();
+    const cutOpen = (part: number, uniforms: Uniforms): Uniforms => {
+      const known = cut.get(part) ?? { ...uniforms, ...this.cutOf(part) };
+      cut.set(part, known);
+      return known;
+    };
     for (const { part, range } of this.shown) {
       const look = looks[part] ?? DEFAULT_LOOK;
       const material = materialOf(look);
@@ -113,7 +124,8 @@ export class Faces {
       // Parts that are glazed to the foot need not be told apart.
       const moved = this.moved.get(part);
       const own = moved !== undefined || (look.line > 0 && !mapped);
-      const uniforms = moved ?? (own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID);
+      const whole = moved ?? (own ? { ...SOLID_PLACING, span: { value: this.spanOf(part) } } : SOLID);
+      const uniforms = open && this.pot.parts[part] ? cutOpen(part, whole) : whole;
       const on = last?.material === material && last.uniforms === uniforms;
       if (on && last.range && last.range[0] + last.range[1] === start) {
         last.range = [last.range[0], last.range[1] + count];
@@ -156,6 +168,11 @@ export class Faces {
       place(moved, motion);
       moved.span.value = this.spanOf(part);
     }
+  }
+
+  private cutOf(part: number): Uniforms {
+    const cut = this.pot.parts[part]?.cut;
+    return cut ? { cut } : {};
   }
 
   private spanOf(part: number): Span {

@@ -1,9 +1,13 @@
 import { expect, test, vi } from "vitest";
+import type { Camera } from "../camera";
+import type { Uniforms } from "../gl/material";
 import { IDENTITY } from "../gl/view";
 import type { StageLook } from "../glaze";
+import type { StagePart } from "../mesh";
 import { Pot } from "../pot";
 import type { Place } from "../stage";
 import { newStudio } from "../studio";
+import type { Triple } from "../triple";
 import type { StageSolid } from "./faces";
 import { Made } from "./made";
 
@@ -27,12 +31,29 @@ function solid(): StageSolid {
 function bench() {
   const studio = newStudio("light");
   const changed = vi.fn();
-  const made = new Made({ studio, pot: new Pot(studio), overlay: {}, root: null, changed } as unknown as Place);
+  const pot = new Pot(studio);
+  const made = new Made({ studio, pot, overlay: {}, root: null, changed } as unknown as Place);
   /** What is drawn of the wall: which indices, and by which motion. */
   const drawn = () =>
     made.drawables.flatMap(({ range, uniforms }) => (range ? [[range, uniforms?.model?.value] as const] : []));
-  return { made, drawn, changed };
+  return { made, pot, drawn, changed };
 }
+
+/** A part of one triangle, which belongs to an object of this middle. */
+function part(id: number, middle?: Triple): StagePart {
+  const texels = new Float32Array(4);
+  const mesh = {
+    positions: new Float32Array(9),
+    normals: new Float32Array(9),
+    uvs: new Float32Array(6),
+    indices: Uint32Array.of(0, 1, 2),
+    ware: { texels, rows: 1, columns: 1 },
+  };
+  return { id, revision: 1, mesh, matrix: IDENTITY, look: LOOK, span: [0, 1], ...(middle && { middle }) };
+}
+
+const BOUNDS = { min: [-1, -1, 0], max: [11, 1, 2], centre: [5, 0, 1], radius: 6 } as const;
+const camera = (azimuth: number) => ({ pose: { azimuth }, view: {} }) as unknown as Camera;
 
 const shifted = (x: number, z = 0) => [...IDENTITY.slice(0, 12), x, 0, z, 1];
 
@@ -98,4 +119,51 @@ test("what a hand changed stands in place of what was there, glazed and cut as t
   expect([0, 1, 2].map((part) => made.coreOf(part))).toEqual([-1, 1, -1]);
   expect(made.show(faces, LOOKS, [IDENTITY, IDENTITY, IDENTITY])).toEqual({ walls: null, changed: other });
   expect(drawn().map(([range]) => range)).toEqual([[0, 9]]);
+});
+
+test("of several objects each is cut open through its own middle, and one alone through that of all", () => {
+  const { made, pot } = bench();
+  const cuts = () => pot.parts.map(({ cut }) => cut.value);
+  pot.update({ parts: [part(1, [0, 0, 1]), part(2, [10, 0, 1])], bounds: BOUNDS });
+  made.cut(true);
+  made.show(solid(), LOOKS);
+  made.prepare(camera(0), 100, 100);
+  expect(made.cutPlane.value).toEqual([1, 0, 0, 5]);
+  expect(cuts()).toEqual([
+    [1, 0, 0, 0],
+    [1, 0, 0, 10],
+  ]);
+  // Walls are cut as what they are of, and so is what is picked of them.
+  const planes = (all: readonly { readonly uniforms?: Uniforms }[]) => all.map(({ uniforms }) => uniforms?.cut?.value);
+  expect(planes(made.drawables).slice(0, 2)).toEqual(cuts());
+  expect(planes(made.faces).slice(0, 2)).toEqual(cuts());
+  pot.update({ parts: [part(1), part(2)], bounds: BOUNDS });
+  made.prepare(camera(0), 100, 100);
+  expect(cuts()).toEqual([made.cutPlane.value, made.cutPlane.value]);
+  made.cut(false);
+  made.prepare(camera(0), 100, 100);
+  expect(cuts()).toEqual([
+    [0, 0, 0, 1],
+    [0, 0, 0, 1],
+  ]);
+});
+
+test("the water of each object is cut as that is", () => {
+  const { made, pot } = bench();
+  const square = (x: number) => [x - 1, -1, 1, x + 1, -1, 1, x, 1, 1];
+  const water = {
+    level: 1,
+    positions: new Float32Array([...square(10), ...square(0)]),
+    indices: Uint32Array.of(0, 1, 2, 3, 4, 5),
+  };
+  pot.update({ parts: [part(1, [0, 0, 1]), part(2, [10, 0, 1])], bounds: BOUNDS });
+  made.cut(true);
+  made.pour(water, null);
+  made.pour(water, 1);
+  made.onHold = () => {};
+  made.prepare({ pose: { azimuth: 0 }, view: { see: () => ({ before: false }) } } as unknown as Camera, 100, 100);
+  expect(made.drawables.map(({ range, uniforms }) => [range, uniforms?.cut])).toEqual([
+    [[0, 3], pot.parts[1]?.cut],
+    [[3, 3], pot.parts[0]?.cut],
+  ]);
 });

@@ -25,6 +25,8 @@ export interface Hold extends Spot {
 const DRY = -1e9;
 /** How far the handle stands off the pot, as a share of its half width. */
 const STAND_OFF = 1.12;
+/** So many CSS pixels are left for it and for what is said beside it at the right edge of the stage. */
+const HOLD_ROOM = 104;
 /** Seen from above the handle could not be moved up or down: it is not shown when a unit of height is shorter than this share of one seen square. */
 const LEAST_RISE = 0.12;
 
@@ -60,7 +62,7 @@ export class Made implements Guest {
   }
 
   get drawables(): readonly Drawable[] {
-    return [...this.solids, this.water.drawable];
+    return [...this.solids, ...this.water.drawables];
   }
 
   /** The faces by their parts, for whoever asks what is seen at a point. */
@@ -143,11 +145,16 @@ export class Made implements Guest {
     const { studio, pot } = this.place;
     const { azimuth } = camera.pose;
     const { bounds } = pot;
-    if (this.open && bounds) {
-      const [x, y] = [Math.cos(azimuth), Math.sin(azimuth)];
-      const centre = toScene(studio, bounds.centre);
-      this.cutPlane.value = [x, y, 0, x * centre[0] + y * centre[1]];
-    } else this.cutPlane.value = WHOLE;
+    const [x, y] = [Math.cos(azimuth), Math.sin(azimuth)];
+    const through = (middle: Triple): readonly number[] => {
+      const centre = toScene(studio, middle);
+      return [x, y, 0, x * centre[0] + y * centre[1]];
+    };
+    const isCut = this.open && bounds !== null;
+    this.cutPlane.value = isCut ? through(bounds.centre) : WHOLE;
+    // Of several objects each shows its inside, and none is taken away because it stands before the others.
+    for (const part of pot.parts) part.cut.value = isCut && part.middle ? through(part.middle) : this.cutPlane.value;
+    if (isCut) this.water.part(pot.parts.flatMap(({ middle, cut }) => (middle ? [{ middle, cut }] : [])));
     const level = this.filled;
     this.level.value = level === null ? DRY : toScene(studio, [0, 0, level])[2];
     this.onHold(bounds && level !== null ? this.holdOf(level, camera, bounds, width, height) : null);
@@ -184,7 +191,9 @@ export class Made implements Guest {
     const { looks, mapped, map } = this;
     const materialOf = (faces: Faces) => (look: StageLook) =>
       mapped ? this.mapMaterial(map?.lean || faces.isLined ? map : null, -1) : this.glazed(look, -1, true);
-    this.solids = [this.walls, this.changed].flatMap((faces) => faces.clothed(looks, mapped, materialOf(faces)));
+    this.solids = [this.walls, this.changed].flatMap((faces) =>
+      faces.clothed(looks, mapped, this.open, materialOf(faces)),
+    );
   }
 
   private glazed(look: StageLook, core: number, solid: boolean): Material {
@@ -211,7 +220,7 @@ export class Made implements Guest {
     for (const key of [...this.materials.keys()]) if (key.startsWith(prefix)) this.materials.delete(key);
   }
 
-  /** At the right of the pot, at the height of the water. */
+  /** At the right of the pot, at the height of the water, and on the stage. */
   private holdOf(level: number, camera: Camera, bounds: Bounds, width: number, height: number): Hold | null {
     const { min, max, centre } = bounds;
     const { azimuth } = camera.pose;
@@ -228,6 +237,7 @@ export class Made implements Guest {
     if (!here || !above || !beside) return null;
     const perUnit = (here.y - above.y) / unit;
     const square = Math.hypot(here.x - beside.x, here.y - beside.y) / unit;
-    return perUnit > LEAST_RISE * square ? { ...here, perUnit } : null;
+    const inside = Math.min(here.x, Math.max(width / 2, width - HOLD_ROOM));
+    return perUnit > LEAST_RISE * square ? { x: inside, y: here.y, perUnit } : null;
   }
 }

@@ -4,6 +4,8 @@ import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import { Material, type Uniform } from "../gl/material";
 import { STUDIO_GLSL, type Studio, TONE_GLSL } from "../studio";
+import type { Triple } from "../triple";
+import { ponds } from "./ponds";
 
 /** The level surface of the water in a pot, model units. */
 export interface StageWater {
@@ -47,9 +49,19 @@ void main() {
 }
 `;
 
+/** The middle of an object, and the plane before which it is cut away. */
+interface Opened {
+  readonly middle: Triple;
+  readonly cut: Uniform<readonly number[]>;
+}
+
 /** The surface of the water, on the GPU. */
 export class Water implements Tenant {
-  readonly drawable: Drawable;
+  /** All of it, or that of each object. */
+  drawables: readonly Drawable[];
+  private readonly all: Drawable;
+  /** Of which objects they are. */
+  private parted = "";
   private readonly positions = new Buffer(new Float32Array(), { size: 3 });
   private readonly indices = new Buffer(new Uint32Array(), { size: 1 });
   private readonly geometry = new Geometry({ position: this.positions }, this.indices);
@@ -72,11 +84,14 @@ export class Water implements Tenant {
       depthWrite: false,
       blending: "premultiplied",
     });
-    this.drawable = { geometry: this.geometry, material, order: 5, visible: false };
+    this.all = { geometry: this.geometry, material, order: 5, visible: false };
+    this.drawables = [this.all];
   }
 
   set surface(water: StageWater | null) {
-    this.drawable.visible = water !== null && water.indices.length > 0;
+    this.all.visible = water !== null && water.indices.length > 0;
+    this.drawables = [this.all];
+    this.parted = "";
     if (!water) {
       this.release();
       return;
@@ -85,9 +100,30 @@ export class Water implements Tenant {
     this.indices.array = water.indices;
   }
 
+  /** What stands in an object is cut before the plane of that. */
+  part(objects: readonly Opened[]): void {
+    const parted = objects.map(({ middle }) => middle.join()).join(";");
+    if (parted === this.parted || !this.all.visible) return;
+    this.parted = parted;
+    if (objects.length === 0) {
+      this.drawables = [this.all];
+      return;
+    }
+    const { ranges, indices } = ponds(this.positions.array, this.indices.array as Uint32Array);
+    this.indices.array = indices;
+    this.drawables = ranges.map(({ at, range }) => {
+      const [first] = [...objects].sort((a, b) => apart(a.middle, at) - apart(b.middle, at));
+      return { ...this.all, range, ...(first && { uniforms: { cut: first.cut } }) };
+    });
+  }
+
   release(): void {
     this.geometry.release();
     this.positions.release();
     this.indices.release();
   }
+}
+
+function apart([x, y]: Triple, [a, b]: readonly [number, number]): number {
+  return Math.hypot(x - a, y - b);
 }
