@@ -68,6 +68,8 @@ export interface Bench extends Place {
   readonly camera: Camera;
   /** The plane before which everything is cut away. */
   readonly cut: () => readonly number[];
+  /** The faces of walls, by their parts. */
+  readonly faces: () => readonly Face[];
   /** Brings all up to date for whoever asks what is seen at a point, on a screen of so many CSS pixels; null while nothing can be seen. */
   readonly aim: () => readonly [width: number, height: number] | null;
 }
@@ -344,6 +346,7 @@ export class Stage {
       device,
       camera,
       cut: () => this.guest?.cutPlane.value ?? WHOLE,
+      faces: () => this.guest?.faces ?? [],
       aim: () => this.aim(),
       changed: () => this.changed(),
     });

@@ -7,6 +7,8 @@ import { PLACING_GLSL } from "../placing";
 import { axesOf, fitDistance } from "../pose";
 import { Pot } from "../pot";
 import type { Bench, Tool } from "../stage";
+import { toScene } from "../studio";
+import type { Triple } from "../triple";
 
 /** Red, green and blue, from 0 to 1, in sRGB. */
 export type Colour = readonly [number, number, number];
@@ -126,10 +128,25 @@ export class Tints implements Tool {
         ? [{ ...drawable, material, order: ORDER, uniforms: { ...drawable.uniforms, tint: { value: colour } } }]
         : [];
     const { pot } = this.bench;
+    for (const part of this.ghost.parts) part.cut.value = this.cutThrough(part.middle);
     return [
       ...[...this.own].flatMap(([place, colour]) => tinted(pot.parts[place]?.drawable, colour, this.plain)),
+      // The inside, the rim and the underside of what has a wall.
+      ...this.bench.faces().flatMap(({ part, ...face }) => {
+        const colour = this.own.get(part);
+        return colour ? tinted({ ...face, material: this.plain, order: ORDER, visible: true }, colour, this.plain) : [];
+      }),
       ...this.others.flatMap((colour, at) => tinted(this.ghost.parts[at]?.drawable, colour, this.hatched)),
     ];
+  }
+
+  /** As all is cut, but through the middle of an object where there are several. */
+  private cutThrough(middle: Triple | null): readonly number[] {
+    const all = this.bench.cut();
+    if (!middle) return all;
+    const [x = 0, y = 0, z = 0] = all;
+    const [a, b, c] = toScene(this.bench.studio, middle);
+    return [x, y, z, x * a + y * b + z * c];
   }
 
   prepare(_camera: Camera): void {}
