@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Network } from "../../document/network/network";
+import type { Frame, Network } from "../../document/network/network";
 import { NOTHING } from "../../document/network/selection";
 import type { Triple } from "../../document/types";
 import type { See } from "../../render/pull/reach";
@@ -24,6 +24,37 @@ function sheet(rows: number, columns: number): Network {
   }
   return { kind: "vertex-frame", vertices, patches };
 }
+
+/** A cube of so many patches along each edge, which has that length. */
+function boxOf(size: number): Network {
+  const [vertices, patches]: [Triple[], Network["patches"][number][]] = [[], []];
+  const places = new Map<string, number>();
+  const vertex = (point: Triple) => {
+    const key = point.join();
+    const known = places.get(key) ?? vertices.push(point) - 1;
+    places.set(key, known);
+    return known;
+  };
+  const round = [0, 0, 0.5, 0, 1, 0, 1, 0.5, 1, 1, 0.5, 1, 0, 1, 0, 0.5];
+  for (const axis of [0, 1, 2])
+    for (const side of [0, size])
+      for (let i = 0; i < size; i += 1)
+        for (let j = 0; j < size; j += 1) {
+          const frame = Array.from({ length: 8 }, (_, k) => {
+            const [u, v] = [i + (round[2 * k] ?? 0), j + (round[2 * k + 1] ?? 0)];
+            const point: [number, number, number] = [0, 0, 0];
+            point[axis] = side;
+            point[(axis + 1) % 3] = u;
+            point[(axis + 2) % 3] = v;
+            return vertex(point);
+          });
+          patches.push({ frame: frame as unknown as Network["patches"][number]["frame"] });
+        }
+  return { kind: "vertex-frame", vertices, patches };
+}
+
+/** From straight above, y up the screen: all of a lid is as far away. */
+const seeDown: See = ([x, y, z]) => ({ x: 10 * x, y: -10 * y, depth: 100 - z });
 
 const see: See = ([x, y, z]) => ({ x: 3 * x, y: 3 * y, depth: 10 - z });
 
@@ -70,4 +101,19 @@ test("of a throng of points those are shown that have room, and those that are p
   expect(placedItems(new NetworkCurves(network), picks, null, near).placed.length).toBe(
     network.vertices.length + network.patches.length,
   );
+});
+
+test("of a body those points are shown that face the eye, however far away they are", () => {
+  const box = boxOf(6);
+  expect(box.vertices.length).toBeGreaterThan(150);
+  const fromAbove = placedItems(new NetworkCurves(box), NOTHING, null, seeDown).placed;
+  const patches = fromAbove.flatMap(({ item, at }) => (item.kind === "patch" ? [at[2]] : []));
+  // The lid alone, whose middle is as far away as anything that is seen.
+  expect(patches).toHaveLength(36);
+  expect(new Set(patches)).toEqual(new Set([6]));
+  // The other way round it is the same body.
+  const back = ([first, ...rest]: readonly number[]) => [first, ...rest.reverse()] as unknown as Frame;
+  const reversed = box.patches.map(({ frame }) => ({ frame: back(frame) }));
+  const other = placedItems(new NetworkCurves({ ...box, patches: reversed }), NOTHING, null, seeDown).placed;
+  expect(other.filter(({ item }) => item.kind === "patch")).toHaveLength(36);
 });

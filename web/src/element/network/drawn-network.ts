@@ -1,10 +1,19 @@
-/** The network as it is drawn over the stage: edges, points, middles of patches, regions; those behind the middle fainter. */
+/** The network as it is drawn over the stage: edges, points, middles of patches, regions; those that face away fainter, and where it closes round nothing those behind the middle. */
 
-import { at, edgesOf, type Frame, type Network, patchesRound, type Side } from "../../document/network/network";
+import {
+  at,
+  CORNERS,
+  edgesOf,
+  type Frame,
+  isClosed,
+  type Network,
+  patchesRound,
+  type Side,
+} from "../../document/network/network";
 import { crestOf, heightOf, pointAt, pointsAt, rimOf, unfolded } from "../../document/network/sculpting";
 import type { Picks } from "../../document/network/selection";
-import { pointOn } from "../../document/network/surface";
-import { plus } from "../../document/network/topology";
+import { cross, dot, pointOn } from "../../document/network/surface";
+import { outsides, plus } from "../../document/network/topology";
 import type { Triple } from "../../document/types";
 import type { See, Spot } from "../../render/pull/reach";
 
@@ -201,7 +210,7 @@ export function placedItems(curves: NetworkCurves, picks: Picks, pivot: Triple |
   for (const { item, at: point } of crests(network, picks)) add(item, point);
   if (pivot) add({ kind: "pivot" }, pivot);
   const middle = (near + far) / 2;
-  const placed = inSight(all, picks, middle, network.vertices.length);
+  const placed = inSight(all, picks, middle, network.vertices.length, facingOf(network, network.patches.keys(), see));
   return { placed: network.vertices.length > THRONG ? thinned(placed, picks) : placed, middle, spots };
 }
 
@@ -311,7 +320,8 @@ export function movedItems(
     const spot = see(point);
     return spot ? [{ item, at: point, seen: { x: spot.x, y: spot.y, depth: spot.depth ?? 0 } }] : [];
   });
-  return inSight(seen, picks, middle, network.vertices.length);
+  // All patches that have a vertex which moves are among these.
+  return inSight(seen, picks, middle, network.vertices.length, facingOf(network, patches, see));
 }
 
 /** Whether something stays where it is while a hand moves these. */
@@ -320,17 +330,75 @@ export function isLeft({ vertices, patches }: Parted, { item }: Placed): boolean
   return item.kind === "patch" && !patches.has(item.index);
 }
 
+/** What of a network turns its outside to the eye. */
+interface Facing {
+  readonly vertices: ReadonlySet<number>;
+  readonly patches: ReadonlySet<number>;
+}
+
+/** Which way round each patch of a body goes, seen from outside: good as long as its patches are the same. Null where it has no outside that could face anybody. */
+const turns = new WeakMap<Network["patches"], readonly (1 | -1)[] | null>();
+
+function turnsOf(network: Network): readonly (1 | -1)[] | null {
+  const before = turns.get(network.patches);
+  if (before !== undefined) return before;
+  const found = isClosed(network) ? outwards(network) : null;
+  turns.set(network.patches, found);
+  return found;
+}
+
+/** By the volume of each body between the corners of its patches, which is positive where they go round as their outside does. */
+function outwards(network: Network): readonly (1 | -1)[] {
+  const sides = outsides(network);
+  const volumes = new Map<number, number>();
+  for (const [patch, { frame }] of network.patches.entries()) {
+    const { body, sign } = sides[patch] ?? { body: patch, sign: 1 };
+    const [a, b, c, d] = CORNERS.map((place) => at(network, frame[place] ?? 0)) as [Triple, Triple, Triple, Triple];
+    const volume = dot(a, cross(b, c)) + dot(a, cross(c, d));
+    volumes.set(body, (volumes.get(body) ?? 0) + sign * volume);
+  }
+  return sides.map(({ body, sign }) => ((volumes.get(body) ?? 0) < 0 ? (-sign as 1 | -1) : sign));
+}
+
+/** Seen from its outside a patch goes round against the clock; on the screen y goes down. */
+function facingOf(network: Network, patches: Iterable<number>, see: See): Facing | null {
+  if (network.vertices.length <= CROWD) return null;
+  const signs = turnsOf(network);
+  if (!signs) return null;
+  const facing = { vertices: new Set<number>(), patches: new Set<number>() };
+  for (const patch of patches) {
+    const frame = network.patches[patch]?.frame;
+    if (!frame) continue;
+    const corners = CORNERS.map((place) => see(at(network, frame[place] ?? 0)));
+    const area = corners.reduce((sum, here, k) => {
+      const next = corners[(k + 1) % corners.length];
+      return here && next ? sum + here.x * next.y - next.x * here.y : Number.NaN;
+    }, 0);
+    if (!(area * (signs[patch] ?? 1) < 0)) continue;
+    facing.patches.add(patch);
+    for (const vertex of frame) facing.vertices.add(vertex);
+  }
+  return facing;
+}
+
 /** Among many points those behind would only be in the way. */
 function inSight(
   all: readonly Omit<Placed, "front">[],
   picks: Picks,
   middle: number,
   count: number,
+  facing: Facing | null,
 ): readonly Placed[] {
+  const faces = ({ item, seen }: Omit<Placed, "front">): boolean => {
+    if (item.kind === "pivot" || item.kind === "crest") return true;
+    if (!facing) return seen.depth <= middle;
+    return (item.kind === "vertex" ? facing.vertices : facing.patches).has(item.index);
+  };
   const crowded = count > CROWD;
   const found: Placed[] = [];
-  for (const { item, at: point, seen } of all) {
-    const front = item.kind === "pivot" || item.kind === "crest" || seen.depth <= middle;
+  for (const each of all) {
+    const { item, at: point, seen } = each;
+    const front = faces(each);
     const isPicked = item.kind === "vertex" && picks.vertices.has(item.index);
     if (front || !crowded || isPicked) found.push({ item, at: point, seen, front });
   }
