@@ -658,7 +658,7 @@ test("a hand on a large network has its points and their numbers drawn, and noth
   ).filter((point, at) => point.some((each, axis) => Math.abs(each - (were[at]?.[axis] ?? 0)) > 1e-6));
   expect(moved.length).toBeGreaterThan(0);
   const mean = [0, 1, 2].map((axis) => moved.reduce((sum, point) => sum + (point[axis] ?? 0), 0) / moved.length);
-  expect(told).toEqual(mean.map((each) => Number(each.toPrecision(4)) + 0));
+  expect(told).toEqual(mean.map((each) => Number(each.toPrecision(6)) + 0));
   await pot.leave();
 });
 
