@@ -468,6 +468,10 @@ test("a region is drawn across patches and pulled, and its numbers follow", { ti
   await page.locator("pasu-network-patch .force").waitFor();
   const height = await number(pot, "Height, force 1");
   expect(Math.abs(height)).toBeGreaterThan(0.05);
+  // It may push either way: 0 is in the middle, for x, y and z alike.
+  const strengths = page.locator("pasu-network-patch .force input[type=range]");
+  const ends = await strengths.evaluateAll((all: HTMLInputElement[]) => all.map(({ min, max }) => [+min, +max]));
+  expect(ends).toEqual([0, 1, 2].map(() => [-(ends[0]?.[1] ?? 0), ends[0]?.[1]]));
   await item(pot, "crest 11 0").focus();
   await page.keyboard.press("Shift+ArrowRight");
   await pot.fingerprintOtherThan(pushed);

@@ -108,6 +108,8 @@ export class PasuNetworkPatch extends DesignerElement {
   ) {
     const same = value[0] === value[1] && value[1] === value[2];
     const isApart = !same || this.apart.has(key);
+    // A force pushes either way: 0 is in the middle of its sliders, at one place in x, y and z.
+    const pushes = number !== "";
     const slider = (axis: number | null) => html`<pasu-number
       data-field="${key}${axis === null ? "" : `-${axis}`}"
       .label=${number === "" ? label : words.ofForce(label, number)}
@@ -115,7 +117,7 @@ export class PasuNetworkPatch extends DesignerElement {
       .symbol=${symbol}
       .help=${number === "" ? words.parameterHelp : ""}
       .value=${value[axis ?? 0] ?? 0}
-      .min=${0}
+      .min=${pushes ? -most : 0}
       .max=${most}
       .step=${most / STEPS}
       @number-change=${(event: NumberChangeEvent) =>
