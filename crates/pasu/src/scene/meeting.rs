@@ -285,6 +285,12 @@ impl Pair<'_> {
             Coaxial::Touch { at, is_contact: true } => Meeting::Contact { at },
             Coaxial::Touch { at, is_contact: false } => known.unwrap_or(Meeting::Undecided { touch: Some(at) }),
             Coaxial::Deep { at, depth } => self.through((at, depth), budget),
+            Coaxial::Near { places } => {
+                let deep = places.into_iter().zip([other, one]).find_map(|(places, outer)| {
+                    places.into_iter().find_map(|at| Some((at, outer.depth_beyond(at, self.slack, budget)?)))
+                });
+                self.through(deep?, budget)
+            }
         })
     }
 

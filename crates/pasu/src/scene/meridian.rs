@@ -20,6 +20,9 @@ const MARGIN: f64 = 2.0;
 /// Into how many pieces a curve of a wall is cut at least, and what lies between two knots of a patch.
 const PIECES: usize = 12;
 
+/// How many places of a circle are looked at for the one that is furthest in a direction.
+const ROUND: u8 = 32;
+
 /// Coordinates in the plane through the axis are wrong by less than this part of those in space.
 const ROUNDING: f64 = 4e-15;
 
@@ -150,6 +153,20 @@ impl Meridian {
         match self.courses[course] {
             Course::Border(border) => borders[border].position(t, 0.0),
             Course::Disc(_) => self.lifted(self.at(borders, course, t)),
+        }
+    }
+
+    /// The place of a curve's circle, on the exact surface, that is all but the furthest in a direction across the axis.
+    pub(super) fn place_towards(&self, borders: &[Border], course: usize, t: f64, direction: DVec3) -> DVec3 {
+        match self.courses[course] {
+            Course::Border(border) => {
+                let places = (0..ROUND).map(|i| borders[border].position(t, f64::from(i) / f64::from(ROUND)));
+                places.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction))).unwrap_or(self.origin)
+            }
+            Course::Disc(_) => {
+                let place = self.at(borders, course, t);
+                self.origin + direction * place.x.abs() + self.axis * place.y
+            }
         }
     }
 
