@@ -71,21 +71,13 @@ impl Meridian {
     ///
     /// That it is one is read from the modes of its surface, and of its placement: what these are off is a bound, and a part of what the border is off. Of a wall, which is made of its surface by the same rule all round, it is measured besides.
     pub(super) fn of(borders: &[Border], placed: &Placed, middle: DVec3, size: f64) -> Option<Meridian> {
-        let round = placed.solved().round()?;
+        let round = placed.round(size)?;
         let matrix = placed.matrix();
-        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
-        let axis = z.try_normalize()?;
-        let (along, other) = if round.axis == 0 { (x, y) } else { (y, x) };
+        let axis = matrix.z_axis.try_normalize()?;
+        let along = matrix.col(round.axis);
         let across = (along - axis * along.dot(axis)).try_normalize()?;
-        // Of an image of the unit circle, how far from a circle across the axis.
-        let skew = (x.length() - y.length()).abs()
-            + x.dot(axis).abs()
-            + y.dot(axis).abs()
-            + x.dot(y).abs() / x.length().min(y.length());
-        let skew = skew / along.length().min(other.length());
         let origin = placed.shift() + axis * axis.dot(middle - placed.shift());
         let rounding = ROUNDING * (origin.abs().max_element() + size);
-        let stretch = x.length().max(y.length()).max(z.length());
         let is_wall = borders.iter().all(|border| !border.is_proved());
         let is_solid_blend = !is_wall && borders.len() == 3;
         if !(is_wall || is_solid_blend || borders.len() == 1) {
@@ -99,7 +91,7 @@ impl Meridian {
             strokes: Vec::new(),
             joints: Vec::new(),
             inside: 0.0,
-            off: round.off * stretch + skew * size + rounding,
+            off: round.off + rounding,
             reach: (origin - middle).length() + size,
             rounding,
         };
