@@ -426,6 +426,70 @@ fn a_cap_that_touches_all_along_a_neck_is_in_contact() {
     assert!(away > 0.018 && away <= 0.02 + 1e-9, "{away}");
 }
 
+/// Pots with thin walls, anyhow beside and through each other: what plainly goes through another is never undecided, and what is told is so.
+#[test]
+fn walls_that_go_through_each_other_are_told() {
+    let mut dice = Dice(67);
+    let mut counts = std::collections::BTreeMap::<&str, usize>::new();
+    for round in 0..pairs() {
+        let mut bellied = |r: f64, h: f64| {
+            let share = |dice: &mut Dice, least: f64, most: f64| r * between(dice, least, most);
+            let radii = [share(&mut dice, 0.6, 0.9), share(&mut dice, 0.8, 1.1), share(&mut dice, 0.7, 0.9)];
+            rings(&radii, &[0.0, 0.5 * h, h])
+        };
+        let shapes = [bellied(2.0, 6.0), bellied(1.4, 3.5)];
+        let thickness = [0.3, 0.1][round % 2];
+        let wall = |thickness: f64| json!({ "thickness": thickness, "base": thickness, "rim": "flat" });
+        let shift = DVec3::new(2.0 * dice.number(), 2.0 * dice.number(), 2.0 + 3.5 * dice.number());
+        let way = DVec3::new(dice.number(), dice.number(), 0.2).normalize();
+        let turn = DQuat::from_axis_angle(way, if round % 3 == 0 { 0.0 } else { between(&mut dice, 0.0, 3.0) });
+        let (axis, angle) = turn.to_axis_angle();
+        let parts = [
+            json!({ "object": 0, "shape": shapes[0], "wall": wall(thickness) }),
+            json!({ "object": 1, "shape": shapes[1], "wall": wall(0.5 * thickness), "place": { "axis": axis.to_array(), "angle": angle, "shift": shift.to_array() } }),
+        ];
+        let design = design(&json!({ "pasu": 1, "parts": parts }).to_string());
+        let report = constraints(&design, None).unwrap();
+        let frames = [(DVec3::ZERO, DQuat::IDENTITY), (shift, turn)];
+        let profiles = [0, 1].map(|part| profile(&design, part, frames[part].0, frames[part].1 * DVec3::Z));
+        // How deep places of the one are in the other, by its profile.
+        let depths = |part: usize, of: &[DVec3]| -> Vec<f64> {
+            let depth = |at: &DVec3| {
+                let from = frames[part].1.inverse() * (*at - frames[part].0);
+                let at = DVec2::new(DVec2::new(from.x, from.y).length().max(1e-7), from.z);
+                is_inside(at, &profiles[part]).then(|| distance(at, &profiles[part]))
+            };
+            of.iter().filter_map(depth).collect()
+        };
+        let deep = [depths(0, &cloud(&design, 1)), depths(1, &cloud(&design, 0))].concat();
+        let n_deep = deep.iter().filter(|depth| **depth > 0.2 * thickness).count();
+        let told = format!("{round}: {n_deep} {:?}\n{}", report.breaches, design.to_json());
+        let code = match codes(&report.breaches)[..] {
+            [] => {
+                assert!(deep.iter().all(|depth| *depth < 4e-4), "{told}");
+                "apart"
+            }
+            ["interference"] => {
+                let (at, depth) =
+                    (DVec3::from_array(report.breaches[0].at.unwrap()), report.breaches[0].distance.unwrap());
+                let found = [0, 1].map(|part| depths(part, &[at]).first().copied().unwrap_or(0.0));
+                assert!(found[0].max(found[1]) > depth - 4e-4, "{found:?} {told}");
+                "interference"
+            }
+            ["undecided-interference"] => "undecided",
+            _ => panic!("{told}"),
+        };
+        if n_deep > 100 {
+            assert_eq!(code, "interference", "{told}");
+        }
+        *counts.entry(code).or_default() += 1;
+    }
+    println!("{counts:?}");
+    let n = |code: &str| counts.get(code).copied().unwrap_or(0);
+    assert!(["apart", "interference"].into_iter().all(|code| 20 * n(code) >= pairs()), "{counts:?}");
+    assert!(30 * n("undecided") <= pairs(), "{counts:?}");
+}
+
 /// What is not about the same axis, or not round, is apart where there is room for what it is off, and else it is where the axes are furthest apart that it runs into the other.
 #[test]
 fn what_is_aside_of_the_axis_is_apart_as_far_as_there_is_room() {
