@@ -1,22 +1,32 @@
 //! How two bodies of revolution about one axis meet.
 //!
 //! What is the same all round is decided in the half plane through the axis, where both are profiles: a place of one is as far from the other in space as its `(|w|, z)` is from the profile. A gap along a whole circle, for which pairs of tiles are many, is one between two curves.
+//!
+//! Where they are only nearly such, or their axes are only nearly one, as those of a lid that was put on its jar by hand, they are apart by as much as their profiles are, less what their borders are off, and a place is as deep as it is in a profile, less that. Whether they touch is not told then.
 
 use std::collections::BinaryHeap;
 
 use glam::{DVec2, DVec3};
 
 use super::budget::{Budget, Steps};
+use super::deep::deep;
 use super::open::Open;
 use super::section::Section;
 use super::shallow::{Shallow, shallow};
 use super::space::Space;
+use super::stroke::Stroke;
 
-/// What both borders together may be off from what turns about one axis, as a part of the slack.
+/// What both borders together may be off from what turns about one axis, as a part of the slack, where it is to be told whether they touch.
 const OFF: f64 = 1.0 / 32.0;
+
+/// The same at all, as a part of how far each reaches: what is apart by more is soon told without.
+const ASIDE: f64 = 1.0 / 8.0;
 
 /// How near to the distance of two what is found of it is, where that is sought.
 const WELL: f64 = 0.98;
+
+/// Which part of what all is off is as good as nothing.
+const CLOSE: f64 = 1.0 / 8.0;
 
 /// What is found of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +37,8 @@ pub(super) enum Coaxial {
     Touch { at: DVec3, is_contact: bool },
     /// This place belongs to one and is so deep in the other at least, which is more than the slack.
     Deep { at: DVec3, depth: f64 },
+    /// They may come as near as the slack. These places of the first and of the second are where they come nearest, if anywhere.
+    Near { places: [[DVec3; 2]; 2] },
 }
 
 /// What is asked of two.
@@ -45,15 +57,16 @@ pub(super) struct Question {
 enum Near {
     Apart(f64),
     Touch(DVec2),
+    /// Nearer than they could be known to be apart, at these strokes.
+    Close(Box<[Stroke; 2]>),
     Unknown,
 }
 
 impl Space {
-    /// How this part meets another, if both are bodies of revolution about one axis, to within a small part of the slack, and it can be told; and whether more work might tell.
+    /// How this part meets another, if both are nearly bodies of revolution about one axis and it can be told; and whether more work might tell. Unless they are that to within a small part of the slack, it is not told that they touch.
     pub(super) fn coaxial(&self, other: &Space, question: Question, budget: &mut Budget) -> (Option<Coaxial>, bool) {
-        let Question { slack, most, .. } = question;
-        let Some((mut sections, off)) = self.sections(other, slack) else { return (None, false) };
-        let mut steps = Steps::of(budget, most);
+        let Some((mut sections, off)) = self.sections(other) else { return (None, false) };
+        let mut steps = Steps::of(budget, question.most);
         match met(&mut sections, off, question, &mut steps) {
             Some((found, at)) => {
                 let lifted = |place: DVec2| self.meridian().map_or(DVec3::ZERO, |meridian| meridian.lifted(place));
@@ -63,6 +76,12 @@ impl Space {
                     Found::Touch => touch(false),
                     Found::Contact => touch(true),
                     Found::Deep { at, depth } => Some(Coaxial::Deep { at, depth }),
+                    Found::Close(strokes) => self.aside(other).map(|way| {
+                        let places = [0, 1].map(|part| {
+                            [way, -way].map(|direction| sections[part].place_towards(&strokes[part], direction))
+                        });
+                        Coaxial::Near { places }
+                    }),
                     Found::Nothing => None,
                 };
                 (found, false)
@@ -71,8 +90,15 @@ impl Space {
         }
     }
 
-    /// Both in the half plane through the axis of the first, and how far the borders may be off from these in all. `None` unless that is next to nothing.
-    fn sections<'a>(&'a self, other: &'a Space, slack: f64) -> Option<([Section<'a>; 2], f64)> {
+    /// In which direction the axis of another is beside that of this one; `None` where it is not.
+    fn aside(&self, other: &Space) -> Option<DVec3> {
+        let (one, another) = (self.meridian()?, other.meridian()?);
+        let way = another.origin - one.origin;
+        (way - one.axis * way.dot(one.axis)).try_normalize()
+    }
+
+    /// Both in the half plane through the axis of the first, and how far the borders may be off from these in all. `None` where that is so much that no two are further apart.
+    fn sections<'a>(&'a self, other: &'a Space) -> Option<([Section<'a>; 2], f64)> {
         let (one, another) = (self.meridian()?, other.meridian()?);
         let sense = if one.axis.dot(another.axis) < 0.0 { -1.0 } else { 1.0 };
         let way = another.origin - one.origin;
@@ -80,7 +106,7 @@ impl Space {
         // By how much the other has to be moved and turned until its axis is that of the first.
         let aside = (way - one.axis * rise).length() + one.axis.cross(another.axis).length() * another.reach;
         let off = one.off + another.off + aside;
-        if !(off <= OFF * slack) {
+        if !(off <= ASIDE * one.reach.min(another.reach)) {
             return None;
         }
         Some(([Section::of(self, 1.0, 0.0)?, Section::of(other, sense, rise)?], off))
@@ -89,6 +115,7 @@ impl Space {
 
 enum Found {
     Apart(f64),
+    Close(Box<[Stroke; 2]>),
     Touch,
     Contact,
     Deep { at: DVec3, depth: f64 },
@@ -100,6 +127,11 @@ fn met(sections: &mut [Section; 2], off: f64, question: Question, steps: &mut St
     let slack = question.slack;
     let at = match nearest(sections, off, question, steps)? {
         Near::Apart(least) => return Some((Found::Apart(least), None)),
+        Near::Close(_) if question.is_touch_enough => return Some((Found::Nothing, None)),
+        Near::Close(strokes) => {
+            let deep = deep(sections, slack, off, steps)?;
+            return Some((deep.map_or(Found::Close(strokes), |(at, depth)| Found::Deep { at, depth }), None));
+        }
         Near::Unknown => return Some((Found::Nothing, None)),
         Near::Touch(at) => at,
     };
@@ -122,8 +154,9 @@ fn nearest(sections: &mut [Section; 2], off: f64, question: Question, steps: &mu
     let slack = question.slack;
     let of = [sections[0].root(), sections[1].root()];
     let mut open = BinaryHeap::from([Open { least: 0.0, rank: f64::NEG_INFINITY, of }]);
+    let is_coaxial = off <= OFF * slack;
     // No two are further from each other than this.
-    let mut most = f64::INFINITY;
+    let (mut most, mut closest) = (f64::INFINITY, None);
     while let Some(Open { least, of, .. }) = open.pop() {
         steps.take(1)?;
         if least - off > slack && (!question.is_distance_sought || least >= WELL * most) {
@@ -133,10 +166,19 @@ fn nearest(sections: &mut [Section; 2], off: f64, question: Question, steps: &mu
         if let [Some(one), Some(other)] = both.map(|stretch| stretch.stroke) {
             let [p, q] = one.chord.between(&other.chord);
             let further = (p - q).length() + one.deviation + other.deviation;
-            if further + off <= slack {
+            if is_coaxial && further + off <= slack {
                 return Some(Near::Touch(0.5 * p + 0.5 * q));
             }
-            most = most.min(further);
+            if further < most {
+                (most, closest) = (further, Some([one, other]));
+            }
+            if !is_coaxial
+                && most - off <= slack
+                && (least >= WELL * most || most <= CLOSE * off.max(slack))
+                && let Some(closest) = closest
+            {
+                return Some(Near::Close(Box::new(closest)));
+            }
             if both.iter().all(|stretch| stretch.size() <= 0.25 * slack) && least - off <= slack {
                 return Some(Near::Unknown);
             }

@@ -23,6 +23,9 @@ const MOST_PAIRS: u64 = 5000;
 /// The most places that are asked for how deep they are.
 const MOST_ASKED: usize = 64;
 
+/// The most places of each of two that are asked where nothing else told.
+const MOST_SCATTERED: u64 = 128;
+
 /// What such a question counts for at least, in pairs of tiles,
 const ASKED: u64 = 8;
 
@@ -164,6 +167,12 @@ impl Space {
         }
         // It may be all of one.
         let meeting = pair.round(known, budget).unwrap_or_else(|| pair.borders(known, budget));
+        if matches!(meeting, Meeting::Undecided { .. })
+            && !is_touch_enough
+            && let Some(deep) = pair.somewhere(most_pairs, budget)
+        {
+            return (pair.through(deep, budget), false);
+        }
         (meeting, pair.is_cut)
     }
 
@@ -285,6 +294,12 @@ impl Pair<'_> {
             Coaxial::Touch { at, is_contact: true } => Meeting::Contact { at },
             Coaxial::Touch { at, is_contact: false } => known.unwrap_or(Meeting::Undecided { touch: Some(at) }),
             Coaxial::Deep { at, depth } => self.through((at, depth), budget),
+            Coaxial::Near { places } => {
+                let deep = places.into_iter().zip([other, one]).find_map(|(places, outer)| {
+                    places.into_iter().find_map(|at| Some((at, outer.depth_beyond(at, self.slack, budget)?)))
+                });
+                self.through(deep?, budget)
+            }
         })
     }
 
@@ -428,6 +443,27 @@ impl Pair<'_> {
             }
         }
         None
+    }
+
+    /// A place of one that is deep in the other, of some all over each that are in the box of the other: as many as are worth no more than so many pairs of tiles.
+    fn somewhere(&self, most: u64, budget: &mut Budget) -> Option<(DVec3, f64)> {
+        let [one, other] = self.parts;
+        [(one, other), (other, one)].into_iter().find_map(|(of, outer)| {
+            if !outer.is_solid {
+                return None;
+            }
+            let corners = of.tiles().all.iter().map(|tile| tile.corners[0]);
+            let places: Vec<DVec3> = corners.filter(|corner| outer.bounds.holds(*corner)).collect();
+            let n = (most / (2 * outer.asked_for())).clamp(1, MOST_SCATTERED);
+            let step = (places.len() as u64).div_ceil(n).max(1) as usize;
+            places.into_iter().step_by(step).find_map(|at| {
+                budget
+                    .take(outer.asked_for())
+                    .then(|| outer.depth_beyond(at, self.slack, budget))
+                    .flatten()
+                    .map(|depth| (at, depth))
+            })
+        })
     }
 
     /// Whether the borders of two tiles are known to come as near to each other as the slack.

@@ -20,6 +20,9 @@ const MARGIN: f64 = 2.0;
 /// Into how many pieces a curve of a wall is cut at least, and what lies between two knots of a patch.
 const PIECES: usize = 12;
 
+/// How many places of a circle are looked at for the one that is furthest in a direction.
+const ROUND: u8 = 32;
+
 /// Coordinates in the plane through the axis are wrong by less than this part of those in space.
 const ROUNDING: f64 = 4e-15;
 
@@ -68,21 +71,13 @@ impl Meridian {
     ///
     /// That it is one is read from the modes of its surface, and of its placement: what these are off is a bound, and a part of what the border is off. Of a wall, which is made of its surface by the same rule all round, it is measured besides.
     pub(super) fn of(borders: &[Border], placed: &Placed, middle: DVec3, size: f64) -> Option<Meridian> {
-        let round = placed.solved().round()?;
+        let round = placed.round(size)?;
         let matrix = placed.matrix();
-        let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
-        let axis = z.try_normalize()?;
-        let (along, other) = if round.axis == 0 { (x, y) } else { (y, x) };
+        let axis = matrix.z_axis.try_normalize()?;
+        let along = matrix.col(round.axis);
         let across = (along - axis * along.dot(axis)).try_normalize()?;
-        // Of an image of the unit circle, how far from a circle across the axis.
-        let skew = (x.length() - y.length()).abs()
-            + x.dot(axis).abs()
-            + y.dot(axis).abs()
-            + x.dot(y).abs() / x.length().min(y.length());
-        let skew = skew / along.length().min(other.length());
         let origin = placed.shift() + axis * axis.dot(middle - placed.shift());
         let rounding = ROUNDING * (origin.abs().max_element() + size);
-        let stretch = x.length().max(y.length()).max(z.length());
         let is_wall = borders.iter().all(|border| !border.is_proved());
         let is_solid_blend = !is_wall && borders.len() == 3;
         if !(is_wall || is_solid_blend || borders.len() == 1) {
@@ -96,7 +91,7 @@ impl Meridian {
             strokes: Vec::new(),
             joints: Vec::new(),
             inside: 0.0,
-            off: round.off * stretch + skew * size + rounding,
+            off: round.off + rounding,
             reach: (origin - middle).length() + size,
             rounding,
         };
@@ -150,6 +145,20 @@ impl Meridian {
         match self.courses[course] {
             Course::Border(border) => borders[border].position(t, 0.0),
             Course::Disc(_) => self.lifted(self.at(borders, course, t)),
+        }
+    }
+
+    /// The place of a curve's circle, on the exact surface, that is all but the furthest in a direction across the axis.
+    pub(super) fn place_towards(&self, borders: &[Border], course: usize, t: f64, direction: DVec3) -> DVec3 {
+        match self.courses[course] {
+            Course::Border(border) => {
+                let places = (0..ROUND).map(|i| borders[border].position(t, f64::from(i) / f64::from(ROUND)));
+                places.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction))).unwrap_or(self.origin)
+            }
+            Course::Disc(_) => {
+                let place = self.at(borders, course, t);
+                self.origin + direction * place.x.abs() + self.axis * place.y
+            }
         }
     }
 

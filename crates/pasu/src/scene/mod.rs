@@ -11,6 +11,7 @@ mod compare;
 mod connectivity;
 mod constraints;
 mod crossings;
+mod deep;
 mod difference;
 mod flat;
 mod formula;

@@ -159,6 +159,12 @@ impl<'a> Section<'a> {
         self.meridian.place(self.borders, stroke.course, t)
     }
 
+    /// The place in the middle of a stroke's parameter that is furthest in a direction across the axis, as [`Meridian::place_towards`].
+    pub(super) fn place_towards(&self, stroke: &Stroke, direction: DVec3) -> DVec3 {
+        let [from, to] = stroke.t;
+        self.meridian.place_towards(self.borders, stroke.course, 0.5 * from + 0.5 * to, direction)
+    }
+
     /// The parts of a stretch that is already in parts.
     pub(super) fn parts(&self, stretch: usize) -> Option<[usize; 2]> {
         self.stretches[stretch].halves

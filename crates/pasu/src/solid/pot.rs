@@ -86,12 +86,22 @@ impl Pot {
         }
         let direction = if wall.side == Side::Inside { -1.0 } else { 1.0 };
         watch::go_on()?;
+        let is_looked_into = is_closely && wall.thickness < skin.size();
+        if skin.is_round()
+            && let Some(sought) = Thickness::plain_on_a_meridian(skin, &wall, direction)?
+        {
+            let pot = Pot::with(skin, Some(wall), Arc::new(Thickness::Even(wall.thickness)), None)?;
+            let starts = pot.starts(sought.columns);
+            if !is_looked_into || !pot.thickness.is_crowded(skin, &sought, &starts, CROWDED) {
+                return Ok(pot);
+            }
+        }
         let (thickness, mut sought) = Thickness::of(skin, &wall, direction, None)?;
         let mut pot = Pot::with(skin, Some(wall), Arc::new(thickness), None)?;
         let mut starts = pot.starts(sought.columns);
         // What is thicker than the pot is wide is thinned everywhere, however closely it is looked at.
         let closer = CLOSER.into_iter().find(|factor| factor * factor * sought.n_places() <= MOST_PLACES);
-        if let Some(closer) = closer.filter(|_| is_closely && wall.thickness < skin.size())
+        if let Some(closer) = closer.filter(|_| is_looked_into)
             && pot.thickness.is_crowded(skin, &sought, &starts, CROWDED)
         {
             let (thickness, closer) = Thickness::of(skin, &wall, direction, Some((closer, &sought)))?;

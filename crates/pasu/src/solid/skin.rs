@@ -19,6 +19,9 @@ const POLE: f64 = 1e-6;
 /// A row between the ends no wider than this part of the size is a pinch.
 const PINCH: f64 = 1e-4;
 
+/// What is off a surface of revolution by no more than this part of the size is one.
+const ROUND: f64 = 1e-13;
+
 /// Golden sections by which the narrowest row between two is found: they leave 1e-10 of the gap.
 const SECTIONS: usize = 48;
 
@@ -223,6 +226,11 @@ impl Skin {
     /// Whether `s` is `u`, not `1 - u`.
     pub(crate) fn is_upward(&self) -> bool {
         self.upright.is_upward()
+    }
+
+    /// Whether it is a surface of revolution, but for rounding.
+    pub(super) fn is_round(&self) -> bool {
+        self.placed().round(self.size).is_some_and(|round| round.off <= ROUND * self.size)
     }
 
     /// The part.

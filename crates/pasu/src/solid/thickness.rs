@@ -37,6 +37,9 @@ const ROUGH: f64 = 2e-4;
 /// What is thinner by less than this part is not thinned.
 const ROUNDING: f64 = 1e-12;
 
+/// What can be thicker than asked for by this factor is plainly as asked for.
+const PLAINLY: f64 = 1.0 + 1e-9;
+
 /// The thickness is looked into at the places of a mesh that keeps this part of the size.
 const FINENESS: f64 = 1.0 / 600.0;
 
@@ -130,35 +133,11 @@ impl Thickness {
         let (points, of_points) =
             closer.map_or((&samples, &stretches), |(_, before)| (&before.samples, &before.stretches));
         let n_around = closer.map_or(columns, |(_, before)| before.columns);
-        let mut crowds: Vec<(Crowd, Option<DVec3>)> = (0..skin.stretches().len())
-            .map(|stretch| {
-                let rows = points.chunks(n_around).zip(of_points).filter(|(_, of)| **of == stretch);
-                (Crowd::new(rows.flat_map(|(row, _)| row).map(|sample| sample.position).collect()), None)
-            })
-            .collect();
-        let mut values = Vec::with_capacity(samples.len());
-        // By what is next round a corner.
-        let mut beside: Vec<[f64; 2]> = Vec::new();
-        for (row, stretch) in samples.chunks(columns).zip(&stretches) {
-            watch::go_on()?;
-            for sample in row {
-                let most = (asked / SHARE).min(sample.bend);
-                let mut by = [most; 2];
-                let mut ball = most;
-                for (number, (crowd, touched)) in crowds.iter_mut().enumerate() {
-                    let radius = crowd.ball(sample.position, sample.inward, most, touched);
-                    match stretch.abs_diff(number) {
-                        1 => by[usize::from(number > *stretch)] = radius,
-                        _ => ball = ball.min(radius),
-                    }
-                }
-                values.push(asked.min(SHARE * ball));
-                beside.push(by);
-            }
-        }
-        if crowds.len() > 1 {
-            thin_beside_corners(&mut values, &beside, &stretches, columns, asked);
-        }
+        let mut crowds = crowds(skin, |stretch| {
+            let rows = points.chunks(n_around).zip(of_points).filter(|(_, of)| **of == stretch);
+            rows.flat_map(|(row, _)| row).map(|sample| sample.position).collect()
+        });
+        let values = within_balls(&samples, &stretches, columns, &mut crowds, asked)?;
         let sought = |rows: Vec<f64>| Sought { rows, columns, stretches, samples, direction };
         let mut values = least_nearby(&values, columns);
         // What is thinner by rounding alone is not thinned.
@@ -168,6 +147,31 @@ impl Thickness {
         }
         let thinned = Thinned { rows: rows.clone(), values, n_columns: columns, asked };
         Ok((Thickness::Thinned(thinned), sought(rows)))
+    }
+
+    /// Where the wall of a surface of revolution was sought, if it can be as thick as asked for everywhere and a little more: on one meridian. `None` where it cannot, or where that is not plain.
+    ///
+    /// Of a circle about the axis, what stops a ball that touches the meridian is the point of it on the meridian or the one across from that: `|Q - P|^2 / (2 N . (Q - P))` is linear by linear in the cosine of the angle between the two, and so least at an end of it.
+    ///
+    /// # Errors
+    /// What [`places`] refuses.
+    pub(crate) fn plain_on_a_meridian(skin: &Skin, wall: &Wall, direction: f64) -> Result<Option<Sought>> {
+        let (rows, _) = rows_and_columns(skin, 1)?;
+        let (rows, stretches): (Vec<f64>, Vec<usize>) = rows.into_iter().unzip();
+        let samples = samples(skin, (&rows, &stretches), 1, direction);
+        watch::go_on()?;
+        let frame = skin.frame();
+        let mut crowds = crowds(skin, |stretch| {
+            let on_meridian = samples.iter().zip(&stretches).filter(|(_, of)| **of == stretch);
+            let both = on_meridian.flat_map(|(Sample { position, .. }, _)| {
+                [*position, frame.point(-frame.plan(*position), frame.level(*position))]
+            });
+            both.collect()
+        });
+        let asked = PLAINLY * wall.thickness;
+        let values = within_balls(&samples, &stretches, 1, &mut crowds, asked)?;
+        let is_even = values.iter().all(|t| *t > asked * (1.0 - ROUNDING));
+        Ok(is_even.then_some(Sought { rows, columns: 1, stretches, samples, direction }))
     }
 
     /// Whether it is as asked for everywhere.
@@ -438,6 +442,47 @@ fn least_nearby(values: &[f64], columns: usize) -> Vec<f64> {
         .collect()
 }
 
+/// Points that may stop a ball, stretch by stretch of the surface, and the one that stopped the last.
+type Crowds = Vec<(Crowd, Option<DVec3>)>;
+
+fn crowds(skin: &Skin, points: impl Fn(usize) -> Vec<DVec3>) -> Crowds {
+    (0..skin.stretches().len()).map(|stretch| (Crowd::new(points(stretch)), None)).collect()
+}
+
+/// How thick the wall can be at each place by itself, up to what is asked for.
+fn within_balls(
+    samples: &[Sample],
+    stretches: &[usize],
+    columns: usize,
+    crowds: &mut Crowds,
+    asked: f64,
+) -> Result<Vec<f64>> {
+    let mut values = Vec::with_capacity(samples.len());
+    // By what is next round a corner.
+    let mut beside: Vec<[f64; 2]> = Vec::new();
+    for (row, stretch) in samples.chunks(columns).zip(stretches) {
+        watch::go_on()?;
+        for sample in row {
+            let most = (asked / SHARE).min(sample.bend);
+            let mut by = [most; 2];
+            let mut ball = most;
+            for (number, (crowd, touched)) in crowds.iter_mut().enumerate() {
+                let radius = crowd.ball(sample.position, sample.inward, most, touched);
+                match stretch.abs_diff(number) {
+                    1 => by[usize::from(number > *stretch)] = radius,
+                    _ => ball = ball.min(radius),
+                }
+            }
+            values.push(asked.min(SHARE * ball));
+            beside.push(by);
+        }
+    }
+    if crowds.len() > 1 {
+        thin_beside_corners(&mut values, &beside, stretches, columns, asked);
+    }
+    Ok(values)
+}
+
 /// Thins what is too close to its neighbour round a corner, but not what lies next to the corner itself: there the wall is mitred, and what would be too close is cut away.
 fn thin_beside_corners(values: &mut [f64], beside: &[[f64; 2]], stretches: &[usize], columns: usize, asked: f64) {
     let n_rows = stretches.len();
@@ -526,4 +571,83 @@ fn bend(jet: &SkinJet, direction: f64) -> f64 {
     let root = libm::sqrt((half * half - product).max(0.0));
     let sharpest = (-direction * (half + root)).max(-direction * (half - root));
     if sharpest > 0.0 && sharpest.is_finite() { 1.0 / sharpest } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::design::Design;
+    use crate::solution::Placed;
+
+    fn skin(parts: &str) -> (Skin, Wall) {
+        let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{parts}] }}"#)).unwrap();
+        let part = &design.parts()[0];
+        (Skin::new(&Arc::new(Placed::new(part, 0).unwrap())).unwrap(), part.wall.unwrap())
+    }
+
+    /// Rings with narrow necks, sharp corners and walls up to as thick as half of the pot: what is found on one meridian is what is found all round.
+    #[test]
+    fn a_meridian_of_a_round_pot_tells_what_all_of_it_does() {
+        let mut state = 1u64;
+        let mut between = |least: f64, most: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            least + (most - least) * (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let (mut n_plain, mut n_thinned) = (0, 0);
+        for round in 0..60 {
+            let size = 10f64.powf(between(-3.0, 3.0));
+            let rings: Vec<String> = (0..4)
+                .map(|i| {
+                    let sharp = if i == 1 && round % 3 == 0 { r#", "sharp": true"# } else { "" };
+                    let (u, r) = (f64::from(i) / 3.0, between(0.4, 2.0) * size);
+                    let z = (2.0 * f64::from(i) + between(-0.6, 0.6)) * size;
+                    format!(r#"{{ "u": {u}, "r": {{ "mean": {r} }}, "z": {{ "mean": {z} }}{sharp} }}"#)
+                })
+                .collect();
+            let side = ["inside", "outside"][round % 2];
+            let thickness = between(0.02, 1.2) * size;
+            let axis = [between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)];
+            let (skin, wall) = skin(&format!(
+                r#"{{ "shape": {{ "kind": "rings", "rings": [{}] }}, "wall": {{ "thickness": {thickness}, "base": {size}, "side": "{side}" }}, "place": {{ "axis": {axis:?}, "angle": {}, "shift": [{size}, 0, {}] }} }}"#,
+                rings.join(", "),
+                between(-3.0, 3.0),
+                between(-9.0, 9.0) * size,
+            ));
+            assert!(skin.is_round());
+            let direction = if side == "inside" { -1.0 } else { 1.0 };
+            let all_round = |factor: f64| {
+                let wall = Wall { thickness: factor * thickness, ..wall };
+                Thickness::of(&skin, &wall, direction, None).unwrap().0.is_even()
+            };
+            match Thickness::plain_on_a_meridian(&skin, &wall, direction).unwrap() {
+                Some(sought) => {
+                    assert!(all_round(1.0), "{round}");
+                    assert_eq!(sought.columns, 1);
+                    n_plain += 1;
+                }
+                None => {
+                    // What is straight across the axis need not be a place of all round.
+                    assert!(!all_round(1.01), "{round}");
+                    n_thinned += 1;
+                }
+            }
+        }
+        assert!(n_plain > 10 && n_thinned > 10, "{n_plain} {n_thinned}");
+    }
+
+    #[test]
+    fn what_is_not_round_is_looked_at_all_round() {
+        let cup = |r: &str, place: &str| {
+            let shape = format!(r#"{{ "kind": "second-order", "r": {r}, "n": [1, 5], "height": 2 }}"#);
+            let part =
+                format!(r#"{{ "shape": {shape}, "wall": {{ "thickness": 0.1, "base": 0.1 }}, "place": {place} }}"#);
+            skin(&part).0.is_round()
+        };
+        assert!(cup("[1, 0, 0.6, 0]", "{}"));
+        assert!(cup("[1, 0, 0.6, 0]", r#"{ "scale": [2, 2, 3] }"#));
+        assert!(!cup("[1, 0, 0.6, 0]", r#"{ "scale": [2, 2.001, 3] }"#));
+        assert!(!cup("[1, 0.001, 0.6, 0]", "{}"));
+    }
 }

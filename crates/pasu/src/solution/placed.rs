@@ -10,6 +10,7 @@ use crate::error::Result;
 #[cfg(feature = "patchwork")]
 use crate::frame::Shell;
 use crate::patch::SurfaceJet;
+use crate::surface::Round;
 
 /// A solved shape, scaled, turned and moved: `p -> matrix p + shift`.
 #[derive(Debug)]
@@ -113,6 +114,22 @@ impl Placed {
     /// The unit vector along the placed z axis.
     pub(crate) fn axis(&self) -> DVec3 {
         self.matrix.z_axis.normalize_or(DVec3::Z)
+    }
+
+    /// How round it is about its placed z axis, no larger than `size`; as [`Solved::round`], after placement.
+    pub(crate) fn round(&self, size: f64) -> Option<Round> {
+        let round = self.solved.round()?;
+        let [x, y, z] = [self.matrix.x_axis, self.matrix.y_axis, self.matrix.z_axis];
+        let axis = z.try_normalize()?;
+        let (along, other) = if round.axis == 0 { (x, y) } else { (y, x) };
+        // Of an image of the unit circle, how far from a circle across the axis.
+        let skew = (x.length() - y.length()).abs()
+            + x.dot(axis).abs()
+            + y.dot(axis).abs()
+            + x.dot(y).abs() / x.length().min(y.length());
+        let skew = skew / along.length().min(other.length());
+        let stretch = x.length().max(y.length()).max(z.length());
+        Some(Round { off: round.off * stretch + skew * size, axis: round.axis })
     }
 
     /// Whether `X_u x X_v` of a placed patch points away from the inside.

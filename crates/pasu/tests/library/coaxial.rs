@@ -98,7 +98,8 @@ fn distance(at: DVec2, polygon: &[DVec2]) -> f64 {
     let mut best = f64::INFINITY;
     for (i, a) in polygon.iter().enumerate() {
         let b = polygon[(i + 1) % polygon.len()];
-        if a.x <= 1e-12 && b.x <= 1e-12 {
+        let on_axis = 1e-9 * a.y.abs().max(b.y.abs());
+        if a.x <= on_axis && b.x <= on_axis {
             continue;
         }
         if (at.y - a.y.max(b.y)).max(a.y.min(b.y) - at.y) > best {
@@ -253,7 +254,9 @@ fn bodies_about_one_axis_meet_as_their_profiles_do() {
                 assert!(deep > slack - off, "{told}");
                 // The witness is a place of both: in one, as deep as is said, and of the other's border or inside.
                 let from = DVec3::from_array(breach.at.unwrap()) - stand.shift;
-                let at = DVec2::new((from - axis * from.dot(axis)).length(), from.dot(axis));
+                // Beside the axis, along which the polygon is closed.
+                let beside = (from - axis * from.dot(axis)).length().max(1e-7 * stand.scale);
+                let at = DVec2::new(beside, from.dot(axis));
                 let depths = [&one, &other].map(|polygon| {
                     let away = distance(at, polygon);
                     if is_inside(at, polygon) { away } else { -away }
@@ -278,6 +281,106 @@ fn bodies_about_one_axis_meet_as_their_profiles_do() {
     let n = |code: &str| counts.get(code).copied().unwrap_or(0);
     assert!(["apart", "contact", "interference"].into_iter().all(|code| 60 * n(code) >= pairs()), "{counts:?}");
     assert!(30 * n("undecided") <= pairs(), "{counts:?}");
+}
+
+/// Places all over a part, about an axis: of its profile with so many places to a face, at so many angles.
+fn cloud(design: &Design, part: usize) -> Vec<DVec3> {
+    const ROUND: usize = 24;
+    let pot = Pot::new(design, part, Product::Pot).unwrap();
+    let along = |i: usize| i as f64 / 80.0;
+    let places = pot.faces().iter().flat_map(|face| (0..=80).map(move |i| (face, along(i))));
+    places
+        .flat_map(|(face, u)| {
+            (0..ROUND).map(move |i| face.jet(u, i as f64 / ROUND as f64 * std::f64::consts::TAU).position)
+        })
+        .collect()
+}
+
+/// As a hand puts a lid on a jar: nearly, but not quite, about one axis. No verdict is wrong, and what has room enough all round is known to be apart.
+#[test]
+fn bodies_beside_one_axis_meet_as_they_would_about_it_but_for_how_far_they_are_off() {
+    let mut dice = Dice(59);
+    let mut counts = std::collections::BTreeMap::<&str, usize>::new();
+    for round in 0..pairs() {
+        let gap = one_of(&mut dice, &[0.1, 0.1, 0.02, 1e-3, 0.0, -1e-3]);
+        let mut pieces = random(&mut dice, gap);
+        // Not even round.
+        if round % 5 == 4 && pieces[1].shape["kind"] == "second-order" {
+            pieces[1].shape["r"][1] = json!(0.02 * dice.number());
+            pieces[1].shape["n"] = json!([1, 3]);
+        }
+        let aside = 10f64.powf(between(&mut dice, -5.0, -1.0));
+        let tilt = if round % 4 == 3 { 0.1 * aside } else { 0.0 };
+        let way = DVec2::from_angle(between(&mut dice, 0.0, 6.0));
+        let flush = scene(&pieces, &Stand::upright());
+        let mut json: Value = serde_json::from_str(&flush.to_json()).unwrap();
+        let place = &mut json["parts"][1]["place"];
+        let number = |value: &Value| value.as_f64().unwrap_or(0.0);
+        let height = number(&place["shift"][2]);
+        let own = if pieces[1].is_upside_down { DQuat::from_rotation_x(std::f64::consts::PI) } else { DQuat::IDENTITY };
+        let turn = DQuat::from_rotation_y(tilt) * own;
+        let (axis, angle) = turn.to_axis_angle();
+        let shift = DVec3::new(aside * way.x, aside * way.y, height);
+        *place = json!({ "axis": axis.to_array(), "angle": angle, "shift": shift.to_array() });
+        let design = design(&json.to_string());
+        let report = constraints(&design, None).unwrap();
+        let slack = report.slack;
+        let frames = [(DVec3::ZERO, DQuat::IDENTITY), (shift, turn)];
+        let is_round = pieces[1].shape["n"] != json!([1, 3]);
+        let profiles = [0, 1].map(|part| profile(&design, part, frames[part].0, frames[part].1 * DVec3::Z));
+        let seen = |part: usize, at: DVec3| {
+            let from = frames[part].1.inverse() * (at - frames[part].0);
+            let at = DVec2::new(DVec2::new(from.x, from.y).length().max(1e-7), from.z);
+            (distance(at, &profiles[part]), is_inside(at, &profiles[part]))
+        };
+        // What a profile is off, by its chords, and where it is not round.
+        let off = [4e-4, if is_round { 4e-4 } else { 0.045 }];
+        let told = format!(
+            "{round}: gap {gap} aside {aside} tilt {tilt} slack {slack:e} {:?}\n{}",
+            report.breaches,
+            design.to_json()
+        );
+        let code = match codes(&report.breaches)[..] {
+            [] => {
+                for (part, other) in [(0, 1), (1, 0)] {
+                    for at in cloud(&design, part) {
+                        let (away, is_inside) = seen(other, at);
+                        assert!(!is_inside || away <= off[other], "{at} {away} {told}");
+                    }
+                }
+                "apart"
+            }
+            ["contact"] => "contact",
+            ["interference"] => {
+                let breach = &report.breaches[0];
+                let at = DVec3::from_array(breach.at.unwrap());
+                let depth = breach.distance.unwrap();
+                let depths = [0, 1].map(|part| {
+                    let (away, is_inside) = seen(part, at);
+                    off[part] + if is_inside { away } else { -away }
+                });
+                assert!(depths[0].max(depths[1]) >= depth && depths[0].min(depths[1]) >= 0.0, "{depths:?} {told}");
+                assert!(depth > slack, "{told}");
+                "interference"
+            }
+            ["undecided-interference"] => "undecided",
+            _ => panic!("{told}"),
+        };
+        // What they are off in all: tilted by the reach of the second, beside how far its axis is away.
+        let in_all = aside + 12.0 * tilt + if is_round { 0.0 } else { 0.2 };
+        let [one, other] = [0, 1].map(|part| profile(&flush, part, DVec3::ZERO, DVec3::Z));
+        let (near, deep) = met(&one, &other);
+        if deep == 0.0 && near > in_all + slack + 1e-3 {
+            assert_eq!(code, "apart", "near {near} {told}");
+        } else if deep > in_all + slack + 1e-3 {
+            assert_eq!(code, "interference", "deep {deep} {told}");
+        }
+        *counts.entry(code).or_default() += 1;
+    }
+    println!("{counts:?}");
+    let n = |code: &str| counts.get(code).copied().unwrap_or(0);
+    assert!(["apart", "interference"].into_iter().all(|code| 20 * n(code) >= pairs()), "{counts:?}");
+    assert!(6 * n("undecided") <= pairs(), "{counts:?}");
 }
 
 fn pot(object: u32, shape: Value, thickness: f64, rim: &str, place: Value) -> Value {
@@ -323,9 +426,73 @@ fn a_cap_that_touches_all_along_a_neck_is_in_contact() {
     assert!(away > 0.018 && away <= 0.02 + 1e-9, "{away}");
 }
 
-/// What is not about the same axis, or not round, is none of this: it is told as before.
+/// Pots with thin walls, anyhow beside and through each other: what plainly goes through another is never undecided, and what is told is so.
 #[test]
-fn what_is_aside_of_the_axis_is_not_taken_for_coaxial() {
+fn walls_that_go_through_each_other_are_told() {
+    let mut dice = Dice(67);
+    let mut counts = std::collections::BTreeMap::<&str, usize>::new();
+    for round in 0..pairs() {
+        let mut bellied = |r: f64, h: f64| {
+            let share = |dice: &mut Dice, least: f64, most: f64| r * between(dice, least, most);
+            let radii = [share(&mut dice, 0.6, 0.9), share(&mut dice, 0.8, 1.1), share(&mut dice, 0.7, 0.9)];
+            rings(&radii, &[0.0, 0.5 * h, h])
+        };
+        let shapes = [bellied(2.0, 6.0), bellied(1.4, 3.5)];
+        let thickness = [0.3, 0.1][round % 2];
+        let wall = |thickness: f64| json!({ "thickness": thickness, "base": thickness, "rim": "flat" });
+        let shift = DVec3::new(2.0 * dice.number(), 2.0 * dice.number(), 2.0 + 3.5 * dice.number());
+        let way = DVec3::new(dice.number(), dice.number(), 0.2).normalize();
+        let turn = DQuat::from_axis_angle(way, if round % 3 == 0 { 0.0 } else { between(&mut dice, 0.0, 3.0) });
+        let (axis, angle) = turn.to_axis_angle();
+        let parts = [
+            json!({ "object": 0, "shape": shapes[0], "wall": wall(thickness) }),
+            json!({ "object": 1, "shape": shapes[1], "wall": wall(0.5 * thickness), "place": { "axis": axis.to_array(), "angle": angle, "shift": shift.to_array() } }),
+        ];
+        let design = design(&json!({ "pasu": 1, "parts": parts }).to_string());
+        let report = constraints(&design, None).unwrap();
+        let frames = [(DVec3::ZERO, DQuat::IDENTITY), (shift, turn)];
+        let profiles = [0, 1].map(|part| profile(&design, part, frames[part].0, frames[part].1 * DVec3::Z));
+        // How deep places of the one are in the other, by its profile.
+        let depths = |part: usize, of: &[DVec3]| -> Vec<f64> {
+            let depth = |at: &DVec3| {
+                let from = frames[part].1.inverse() * (*at - frames[part].0);
+                let at = DVec2::new(DVec2::new(from.x, from.y).length().max(1e-7), from.z);
+                is_inside(at, &profiles[part]).then(|| distance(at, &profiles[part]))
+            };
+            of.iter().filter_map(depth).collect()
+        };
+        let deep = [depths(0, &cloud(&design, 1)), depths(1, &cloud(&design, 0))].concat();
+        let n_deep = deep.iter().filter(|depth| **depth > 0.2 * thickness).count();
+        let told = format!("{round}: {n_deep} {:?}\n{}", report.breaches, design.to_json());
+        let code = match codes(&report.breaches)[..] {
+            [] => {
+                assert!(deep.iter().all(|depth| *depth < 4e-4), "{told}");
+                "apart"
+            }
+            ["interference"] => {
+                let (at, depth) =
+                    (DVec3::from_array(report.breaches[0].at.unwrap()), report.breaches[0].distance.unwrap());
+                let found = [0, 1].map(|part| depths(part, &[at]).first().copied().unwrap_or(0.0));
+                assert!(found[0].max(found[1]) > depth - 4e-4, "{found:?} {told}");
+                "interference"
+            }
+            ["undecided-interference"] => "undecided",
+            _ => panic!("{told}"),
+        };
+        if n_deep > 100 {
+            assert_eq!(code, "interference", "{told}");
+        }
+        *counts.entry(code).or_default() += 1;
+    }
+    println!("{counts:?}");
+    let n = |code: &str| counts.get(code).copied().unwrap_or(0);
+    assert!(["apart", "interference"].into_iter().all(|code| 20 * n(code) >= pairs()), "{counts:?}");
+    assert!(30 * n("undecided") <= pairs(), "{counts:?}");
+}
+
+/// What is not about the same axis, or not round, is apart where there is room for what it is off, and else it is where the axes are furthest apart that it runs into the other.
+#[test]
+fn what_is_aside_of_the_axis_is_apart_as_far_as_there_is_room() {
     let aside = |x: f64| {
         let parts = [
             pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
@@ -333,17 +500,24 @@ fn what_is_aside_of_the_axis_is_not_taken_for_coaxial() {
         ];
         codes(&constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap().breaches)
     };
-    assert_eq!(aside(0.0), Vec::<&str>::new());
     // 0.1 all round.
+    for x in [0.0, 1e-6, 1e-3, 0.05, 0.09, 0.0999] {
+        assert_eq!(aside(x), Vec::<&str>::new(), "{x}");
+    }
+    for x in [0.1001, 0.11, 0.2] {
+        assert_eq!(aside(x), ["interference"], "{x}");
+    }
+    let petals = |a: f64| {
+        let petals = json!({ "kind": "second-order", "r": [1.6, a, 1.6, a], "t": [0, 0], "n": [1, 5], "height": 5 });
+        let parts = [
+            pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
+            pot(1, petals, 0.2, "flat", json!({ "shift": [0, 0, 1] })),
+        ];
+        codes(&constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap().breaches)
+    };
+    assert_eq!(petals(0.01), Vec::<&str>::new());
     let is_met = |codes: &[&str]| [["interference"], ["undecided-interference"]].iter().any(|told| codes == told);
-    assert!(is_met(&aside(0.2)), "{:?}", aside(0.2));
-    let petals = json!({ "kind": "second-order", "r": [1.6, 0.2, 1.6, 0.2], "t": [0, 0], "n": [1, 5], "height": 5 });
-    let parts = [
-        pot(0, cylinder(2.0, 5.0), 0.3, "flat", json!({})),
-        pot(1, petals, 0.2, "flat", json!({ "shift": [0, 0, 1] })),
-    ];
-    let found = constraints(&design(&json!({ "pasu": 1, "parts": parts }).to_string()), None).unwrap();
-    assert!(is_met(&codes(&found.breaches)), "{found:?}");
+    assert!(is_met(&petals(0.2)), "{:?}", petals(0.2));
 }
 
 /// Foot rings and drains are of the profile, a surface without an inside may stand in a solid's hollow but not in its wall, and a pot all of which is in a plug is within it.
