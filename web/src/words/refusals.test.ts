@@ -29,6 +29,14 @@ test("a number out of its range is told by its name, and by what it has to be", 
   expect(refusalWords(refusalOf(wrong), wrong)).toBe("Wall stiffness: It has to be a number other than 0, and is 0.");
 });
 
+test("a limit of a slider is told by the label of that, and as it is called beside its field", () => {
+  const labelled = design({}, { joints: { z: { label: "Lift the lid", limits: [5, 1] } } });
+  const told = refusalWords(refusalOf(labelled), labelled);
+  expect(told.replaceAll(/[\u2066-\u2069]/g, "")).toMatch(/^Slider, “Lift the lid”, To: It has to be /);
+  const plain = design({}, { joints: { turn: { limits: [1, 1] } } });
+  expect(refusalWords(refusalOf(plain), plain)).toMatch(/^Slider, To: It has to be /);
+});
+
 test("what is wrong in one of several parts is told with the part's name, of a document that was not opened with its number", () => {
   const one = design({});
   const [part] = one.parts;

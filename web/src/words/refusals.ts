@@ -3,6 +3,7 @@
  * stands behind, for whoever writes documents.
  */
 
+import type { JointName } from "../document/joints";
 import { unitOf } from "../document/look";
 import { getPath, type Path, pathOf, pathText } from "../document/path";
 import { familyOf } from "../document/schema";
@@ -119,6 +120,16 @@ function subjectsOf(path: Path, design: Design | null): readonly string[] {
   const told = design?.parts.length === 1 ? [] : [whole];
   const [kind, ...inside] = rest;
   if (kind === undefined) return told;
+  const [joint, limits, end] = inside;
+  if (kind === "joints" && limits === "limits") {
+    const label = part?.joints?.[joint as JointName]?.label;
+    return [
+      ...told,
+      fieldOf(kind),
+      label ? refusals.quoted(isolated(label)) : "",
+      refusals.limits[Number(end)] ?? "",
+    ].filter(Boolean);
+  }
   if (kind !== "shape")
     return [...told, fieldOf(String(kind)), ...(inside.length > 0 ? [refusals.field(pathText(inside))] : [])];
   return [...told, ...numberOfShape(inside, part?.shape)];

@@ -257,6 +257,8 @@ export class PasuJoints extends DesignerElement {
       .ends {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
+        /* What is wrong with one of them stands below it alone. */
+        align-items: start;
         gap: 8px;
       }
       details > .cell,

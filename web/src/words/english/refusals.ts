@@ -23,6 +23,8 @@ export const refusals = phrases("refusals", {
     wall: "Wall",
     look: "Glaze and clay",
   },
+  /** The limits of a slider. */
+  limits: ["From", "To"],
   /** A field that has no name but its own in the document. */
   field: (name: string) => `“${name}”`,
   /** Of free boundary data. */
