@@ -5,7 +5,7 @@ use pasu::{Breach, Code, Design, Severity, constraints};
 use serde_json::{Value, json};
 
 use crate::support::design;
-use crate::support::networks::{Dice, cube};
+use crate::support::networks::{Dice, cube, torus};
 
 fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
     least + (greatest - least) * (0.5 + 0.5 * dice.number())
@@ -362,4 +362,19 @@ fn a_slack_is_a_length() {
     }
     assert_eq!(constraints(&blocks, Some(0.25)).unwrap().breaches[0].code, "contact");
     assert!(constraints(&blocks, Some(0.1)).unwrap().breaches.is_empty());
+}
+
+/// A block in the hole of a torus is within the box of that, and far from it; another block is all but as near as a box tells. It is the block that is nearest, and the distance is to that.
+#[test]
+fn the_nearest_of_others_is_told_by_more_than_boxes() {
+    let ring = json!({ "object": 0, "shape": torus(4, 4) });
+    let blocks = [0.0, 0.5].map(|z| block(0, [0.2; 3], [0.0, 0.0, z]));
+    let found = told(&scene(&[ring, blocks[0].clone(), blocks[1].clone()]));
+    let loose: Vec<(&str, usize, usize)> =
+        found.iter().map(|breach| (breach.code, breach.part, breach.other)).collect();
+    assert_eq!(loose, [("not-connected", 1, 2), ("not-connected", 2, 1)], "{found:?}");
+    for breach in found {
+        let least = breach.distance.unwrap();
+        assert!(least > 0.09 && least <= 0.1 + 1e-9, "{least}");
+    }
 }
