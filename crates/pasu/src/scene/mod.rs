@@ -12,6 +12,7 @@ mod connectivity;
 mod constraints;
 mod crossings;
 mod difference;
+mod divided;
 mod flat;
 mod formula;
 mod hit;
