@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::face::{Face, FaceKind};
 use crate::patch::{Breaks, Cell, Side};
 use crate::solid::Pot;
-use crate::solution::Placed;
+use crate::solution::{Placed, Solved};
 
 /// What is measured of a face, of which no bounds are known, is taken this many times: a kink may be twice as high between two samples as it seems.
 const MARGIN: f64 = 2.0;
@@ -164,16 +164,57 @@ impl Border {
         }
     }
 
+    /// How much further a cell reaches in a direction than its corners at most, but for rounding: of what is level all over not at all, however it is bent within its plane.
+    ///
+    /// `d . M x = (M^T d) . x` is no more than the square root of 3 times the length of `x` with its axes stretched by the components of `M^T d`.
+    pub(super) fn beyond(&self, cell: Cell, corners: [DVec3; 4], direction: DVec3) -> f64 {
+        let (deviation, bends) = match self {
+            Border::Patch { placed, patch, .. } => {
+                let stretch = (placed.matrix().transpose() * direction).abs();
+                let n_axes = stretch.to_array().into_iter().filter(|share| *share > 0.0).count();
+                let (suprema, deviation) = placed.solved().patch(*patch).enclosed(cell, stretch.to_array());
+                let ([p, q], most) = (cell.lengths(), libm::sqrt(n_axes as f64));
+                let bends = [p * p * suprema.uu, p * q * suprema.uv, q * q * suprema.vv].map(|bend| most * bend);
+                // Beside the rim of a force slopes jump, by what its suprema do not say.
+                let is_smooth = matches!(placed.solved(), Solved::TwoSided(_) | Solved::Blend(_));
+                (most * deviation, is_smooth.then_some(bends))
+            }
+            Border::Face { .. } => {
+                let bends = self.differences(cell, corners, |vector| vector.dot(direction).abs());
+                let [uu, uv, vv] = bends.map(|bend| MARGIN * bend);
+                (0.125 * (uu + 2.0 * uv + vv), Some([uu, uv, vv]))
+            }
+        };
+        let Some([uu, uv, vv]) = bends else { return deviation };
+        // What rises or falls all along a parameter reaches furthest on one of both edges across that, which bend along themselves alone.
+        let [p, q] = cell.lengths();
+        let middle = self.jet(0.5 * (cell.u[0] + cell.u[1]), 0.5 * (cell.v[0] + cell.v[1]));
+        let is_steady = [(middle.du * p, uu + uv), (middle.dv * q, uv + vv)]
+            .map(|(slope, turn)| slope.dot(direction).abs() > 0.5 * turn);
+        let steady = match is_steady {
+            [true, true] => 0.0,
+            [true, false] => 0.125 * vv,
+            [false, true] => 0.125 * uu,
+            [false, false] => deviation,
+        };
+        steady.min(deviation)
+    }
+
     /// The second differences of a cell, each the largest of those of its lines through corners and middles.
-    fn measured(&self, cell: Cell, [a, b, c, d]: [DVec3; 4]) -> [f64; 3] {
+    fn measured(&self, cell: Cell, corners: [DVec3; 4]) -> [f64; 3] {
+        self.differences(cell, corners, DVec3::length)
+    }
+
+    /// The same, each by this measure of it.
+    fn differences(&self, cell: Cell, [a, b, c, d]: [DVec3; 4], length: impl Fn(DVec3) -> f64) -> [f64; 3] {
         let ([u0, u1], [v0, v1]) = (cell.u, cell.v);
         let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
         let [s, n, w, e, m] = [(u, v0), (u, v1), (u0, v), (u1, v), (u, v)].map(|(u, v)| self.jet(u, v).position);
         let bend = |lines: [[DVec3; 3]; 3]| {
-            let bends = lines.into_iter().map(|[from, at, to]| 4.0 * ((from - at) + (to - at)).length());
+            let bends = lines.into_iter().map(|[from, at, to]| 4.0 * length((from - at) + (to - at)));
             bends.fold(0.0, f64::max)
         };
-        let twist = |one: DVec3, other: DVec3, third: DVec3, fourth: DVec3| ((one - other) - (third - fourth)).length();
+        let twist = |one: DVec3, other: DVec3, third: DVec3, fourth: DVec3| length((one - other) - (third - fourth));
         let parts = [twist(a, s, w, m), twist(s, b, m, e), twist(w, m, c, n), twist(m, e, n, d)];
         let twisted = parts.into_iter().map(|part| 4.0 * part).fold(twist(a, b, c, d), f64::max);
         [bend([[a, s, b], [w, m, e], [c, n, d]]), twisted, bend([[a, w, c], [s, m, n], [b, e, d]])]

@@ -26,6 +26,9 @@ const MOST_WORK: u64 = 150_000;
 /// The most breaches that are told one by one.
 const MOST_TOLD: usize = 1000;
 
+/// The most pairs of parts of which it is found how far they are apart, for a group that touches no other part.
+const MOST_HELD: usize = 8;
+
 /// The most parts of a group that a sentence names; how many more there are is said.
 const MOST_NAMED: usize = 4;
 
@@ -302,23 +305,32 @@ impl Judge<'_> {
 
     /// Tells of a group of parts that touches none of the others of its object.
     fn loose(&mut self, group: &[usize], parts: &[usize]) {
-        let mut nearest: Option<(f64, usize, usize)> = None;
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for part in group {
             for other in parts.iter().filter(|other| !group.contains(other)) {
-                let apart = self.space(*part).bounds.distance(&self.space(*other).bounds);
-                if nearest.is_none_or(|(least, ..)| apart < least) {
-                    nearest = Some((apart, *part, *other));
-                }
+                pairs.push((self.space(*part).bounds.distance(&self.space(*other).bounds), *part, *other));
             }
         }
-        let Some((_, part, other)) = nearest else { return };
+        // By their boxes, which are no further apart than they are: as soon as two are found to be as near as the boxes of the next, those are the nearest.
+        pairs.sort_by(|one, other| one.0.total_cmp(&other.0));
         let scenery = self.scenery;
-        let (one, another) = (&scenery.parts[part], &scenery.parts[other]);
         let task = Task { is_distance_sought: true, ..Task::first(self.slack, true).thorough() };
-        let least = match one.meeting(another, task, &mut self.budget).0 {
-            Meeting::Apart { least } => Some(least),
-            _ => None,
-        };
+        let mut nearest: Option<(f64, usize, usize)> = None;
+        let mut next = f64::INFINITY;
+        for (index, (apart, part, other)) in pairs.into_iter().enumerate() {
+            if index == MOST_HELD || nearest.is_some_and(|(least, ..)| least <= apart) {
+                next = apart;
+                break;
+            }
+            let found = scenery.parts[part].meeting(&scenery.parts[other], task, &mut self.budget).0;
+            let least = if let Meeting::Apart { least } = found { least.max(apart) } else { apart };
+            if nearest.is_none_or(|(nearest, ..)| least < nearest) {
+                nearest = Some((least, part, other));
+            }
+        }
+        let Some((least, part, other)) = nearest else { return };
+        let least = Some(least.min(next)).filter(|least| *least > 0.0);
+        let (one, another) = (&scenery.parts[part], &scenery.parts[other]);
         let at = one.nearest(another.bounds.middle()).position;
         self.tell_of(group, "not-connected", Severity::Error, [part, other], Some(at), least);
     }

@@ -20,6 +20,9 @@ const FIRST_PAIRS: u64 = 150;
 /// and of those that are not told by then.
 const MOST_PAIRS: u64 = 5000;
 
+/// The most that are then looked at closely, one place after another.
+const MOST_CLOSELY: u64 = 1500;
+
 /// The most places that are asked for how deep they are.
 const MOST_ASKED: usize = 64;
 
@@ -103,6 +106,8 @@ struct Pair<'a> {
     slack: f64,
     /// Whether one place where they touch is all that is sought: then the smallest of those that are as near are looked at first, and else the largest, so that all of where they touch is seen before any of it closely.
     is_touch_enough: bool,
+    /// Whether the smallest are looked at first all the same.
+    is_closely: bool,
     is_distance_sought: bool,
     n_left: u64,
     /// Whether there was more to be held against each other than was allowed.
@@ -131,6 +136,7 @@ impl Space {
             parts: [self, other],
             slack,
             is_touch_enough,
+            is_closely: false,
             is_distance_sought,
             n_left: most_pairs,
             is_cut: false,
@@ -166,18 +172,37 @@ impl Space {
             }
         }
         // It may be all of one.
-        let meeting = pair.round(known, budget).unwrap_or_else(|| pair.borders(known, budget));
-        if matches!(meeting, Meeting::Undecided { .. })
-            && !is_touch_enough
-            && let Some(deep) = pair.somewhere(most_pairs, budget)
+        if let Some(meeting) = pair.round(known, budget) {
+            return (meeting, pair.is_cut);
+        }
+        if known.is_none()
+            && !is_distance_sought
+            && let Some(least) = self.divided(other, slack, budget)
         {
-            return (pair.through(deep, budget), false);
+            return (Meeting::Apart { least }, false);
+        }
+        let mut meeting = pair.borders(known, budget);
+        if known.is_none() && !is_touch_enough && matches!(meeting, Meeting::Undecided { .. }) {
+            let is_thorough = pair.is_cut && most_pairs == MOST_PAIRS;
+            let pressed = |budget: &mut Budget| is_thorough.then(|| self.pressed(other, slack, budget)).flatten();
+            if let Some(deep) = pair.somewhere(most_pairs, budget).or_else(|| pressed(budget)) {
+                return (pair.through(deep, budget), false);
+            }
+            if is_thorough {
+                meeting = pair.closely(budget);
+            }
+        }
+        if is_distance_sought
+            && matches!(meeting, Meeting::Undecided { .. })
+            && let Some(least) = self.divided(other, slack, budget)
+        {
+            meeting = Meeting::Apart { least };
         }
         (meeting, pair.is_cut)
     }
 
     /// How deep a point is beneath the surface at least, if it is in the part and deeper than this.
-    fn depth_beyond(&self, at: DVec3, slack: f64, budget: &mut Budget) -> Option<f64> {
+    pub(super) fn depth_beyond(&self, at: DVec3, slack: f64, budget: &mut Budget) -> Option<f64> {
         if !self.is_solid || !self.bounds.holds(at) {
             return None;
         }
@@ -191,7 +216,7 @@ impl Space {
     }
 
     /// What it counts for to ask whether a place is in it.
-    fn asked_for(&self) -> u64 {
+    pub(super) fn asked_for(&self) -> u64 {
         if self.octant().is_some() { 1 } else { ASKED }
     }
 
@@ -232,7 +257,7 @@ impl Space {
     }
 
     /// How far the part reaches in a direction at most, to within `enough`.
-    fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> f64 {
+    pub(super) fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> f64 {
         let tiles = self.tiles();
         let of_tile = |tile: &Tile| tile.corners.map(|at| at.dot(direction)).into_iter().fold(f64::MIN, f64::max);
         let of_node = |node: u32| {
@@ -258,7 +283,9 @@ impl Space {
             let mut look = |tile: Tile| {
                 let corner = of_tile(&tile);
                 reached = reached.max(corner);
-                push(&mut open, (corner + tile.deviation).min(most), Item::Tile(Box::new(tile)));
+                let beyond =
+                    if tile.deviation > enough { tile.beyond(&self.borders, direction) } else { tile.deviation };
+                push(&mut open, (corner + beyond).min(most), Item::Tile(Box::new(tile)));
             };
             match item {
                 Item::Node(node) => match tiles.boxes.within(node) {
@@ -351,6 +378,13 @@ impl Pair<'_> {
         if is_near { undecided(self) } else { self.apart(least, known) }
     }
 
+    /// Holds the borders against each other once more where that took too long: of pairs that may be as near the smallest first. Where two large borders go through each other along a curve, or one stands on the other, pairs are used up before any is small; this goes down to one place of it after another,
+    /// and asks on the way.
+    fn closely(&mut self, budget: &mut Budget) -> Meeting {
+        (self.is_closely, self.n_left, self.n_asked, self.n_touches) = (true, MOST_CLOSELY, 0, 0);
+        self.borders(None, budget)
+    }
+
     /// Of parts of which a place of one is deep in the other.
     fn through(&self, (at, depth): (DVec3, f64), budget: &mut Budget) -> Meeting {
         let [one, other] = self.parts;
@@ -386,7 +420,7 @@ impl Pair<'_> {
             _ => one.distance(&other),
         };
         let size = one.size().max(other.size());
-        Open { least: apart.max(least), rank: if self.is_touch_enough { -size } else { size }, of }
+        Open { least: apart.max(least), rank: if self.is_touch_enough || self.is_closely { -size } else { size }, of }
     }
 
     /// Takes apart the larger of two things.
@@ -485,6 +519,10 @@ impl Pair<'_> {
             let share = f64::from(k) / f64::from(BETWEEN);
             let direction = (normals[0] * share - normals[1] * (1.0 - share)).normalize_or_zero();
             if direction == DVec3::ZERO {
+                return None;
+            }
+            // Corners are places of the borders: of most directions they tell that no plane across is between.
+            if one.corners_reach(direction) + other.corners_reach(-direction) > self.slack {
                 return None;
             }
             let enough = 0.125 * self.slack;

@@ -13,6 +13,7 @@ mod constraints;
 mod crossings;
 mod deep;
 mod difference;
+mod divided;
 mod flat;
 mod formula;
 mod hit;

@@ -44,6 +44,14 @@ impl Tile {
         Tile { border, cell, corners, deviation, bends }
     }
 
+    /// How much further it reaches in a direction than its corners at most.
+    pub(super) fn beyond(&self, borders: &[Border], direction: DVec3) -> f64 {
+        let size = self.corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
+        let beyond = borders[self.border].beyond(self.cell, self.corners, direction) + ROUNDING * size;
+        // What is no number is no bound.
+        if beyond < self.deviation { beyond } else { self.deviation }
+    }
+
     pub(super) fn bounds(&self) -> Bounds {
         Bounds::of(&self.corners).wider(self.deviation)
     }

@@ -1,11 +1,11 @@
 //! The three constraints of a scene, against formulas and against the least of convex functions.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use pasu::{Breach, Code, Design, Severity, constraints};
 use serde_json::{Value, json};
 
 use crate::support::design;
-use crate::support::networks::{Dice, cube};
+use crate::support::networks::{Dice, cube, torus};
 
 fn between(dice: &mut Dice, least: f64, greatest: f64) -> f64 {
     least + (greatest - least) * (0.5 + 0.5 * dice.number())
@@ -362,4 +362,70 @@ fn a_slack_is_a_length() {
     }
     assert_eq!(constraints(&blocks, Some(0.25)).unwrap().breaches[0].code, "contact");
     assert!(constraints(&blocks, Some(0.1)).unwrap().breaches.is_empty());
+}
+
+/// A jar through rings with a wall, 6 high, and a lid over its rim, which stands beside its axis: a tile or a disc. Turned and moved as a whole.
+fn covered(lid: &str, gap: f64, objects: [u32; 2], turn: DQuat) -> Design {
+    let (axis, angle) = turn.to_axis_angle();
+    let shift = |at: DVec3| (turn * at + DVec3::new(3.0, -2.0, 1.0)).to_array();
+    let section = |z: f64, r: f64| json!({ "form": lid, "radius": [r, r], "z": z, "taper": 0, "dz": 0.5 });
+    let rings = [[2.0, 0.0], [2.6, 3.0], [1.8, 6.0]]
+        .map(|[r, z]| json!({ "u": z / 6.0, "r": { "mean": r }, "z": { "mean": z } }));
+    let jar = json!({ "object": objects[0], "shape": { "kind": "rings", "rings": rings }, "wall": { "thickness": 0.3, "base": 0.3 },
+        "place": { "axis": axis.to_array(), "angle": angle, "shift": shift(DVec3::ZERO) } });
+    let shape =
+        json!({ "kind": "blend", "start": section(0.0, 2.5), "end": section(0.5, 2.2), "weights": [1, 0.005, 1] });
+    let lid = json!({ "object": objects[1], "shape": shape, "place": { "axis": axis.to_array(), "angle": angle, "shift": shift(DVec3::new(0.05, 0.02, 6.0 + gap)) } });
+    scene(&[jar, lid])
+}
+
+/// A gap along all of a rim is more than pairs of tiles tell of; a plane across the axis does, and what is pressed into the lid is asked.
+#[test]
+fn a_lid_over_a_rim_beside_its_axis_is_told() {
+    for turn in [DQuat::IDENTITY, DQuat::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 0.7)] {
+        for lid in ["disc", "rectangle"] {
+            let found = |gap: f64, objects: [u32; 2]| told(&covered(lid, gap, objects, turn));
+            assert_eq!(found(0.006, [0, 1]), []);
+            let loose = found(0.006, [0, 0]);
+            assert_eq!((loose.len(), loose[0].code), (1, "not-connected"), "{lid} {loose:?}");
+            assert!((1e-6..=0.006 + 1e-9).contains(&loose[0].distance.unwrap()), "{lid} {loose:?}");
+            let low = found(-0.006, [0, 1]);
+            assert_eq!((low.len(), low[0].code), (1, "interference"), "{lid} {low:?}");
+            assert!((1e-5..=0.006 + 1e-9).contains(&low[0].distance.unwrap()), "{lid} {low:?}");
+        }
+    }
+}
+
+/// Two pots with thin walls that go far through each other: along all of where their borders cross a place in the clay of both is found by going down to one of them.
+#[test]
+fn pots_that_go_through_each_other_are_told() {
+    let rings = |all: &[[f64; 2]]| {
+        let height = all[all.len() - 1][1];
+        let all: Vec<Value> =
+            all.iter().map(|[r, z]| json!({ "u": z / height, "r": { "mean": r }, "z": { "mean": z } })).collect();
+        json!({ "kind": "rings", "rings": all })
+    };
+    let bowl = json!({ "object": 0, "shape": rings(&[[1.383, 0.0], [2.777, 0.926], [2.753, 1.851], [2.762, 2.777], [2.832, 3.702]]),
+        "wall": { "thickness": 0.204, "base": 0.363 } });
+    let vase = json!({ "object": 1, "shape": rings(&[[1.841, 0.0], [2.63, 1.622], [1.454, 3.244], [2.142, 4.866], [2.454, 6.488]]),
+        "wall": { "thickness": 0.247, "base": 0.384 },
+        "place": { "scale": [1.105, 0.744, 0.975], "axis": [1, 0, 0], "angle": std::f64::consts::FRAC_PI_2, "shift": [0.678, -0.036, 2.43] } });
+    let found = told(&scene(&[bowl, vase]));
+    assert_eq!((found.len(), found[0].code), (1, "interference"), "{found:?}");
+    assert!(found[0].distance.unwrap() > 1e-4, "{found:?}");
+}
+
+/// A block in the hole of a torus is within the box of that, and far from it; another block is all but as near as a box tells. It is the block that is nearest, and the distance is to that.
+#[test]
+fn the_nearest_of_others_is_told_by_more_than_boxes() {
+    let ring = json!({ "object": 0, "shape": torus(4, 4) });
+    let blocks = [0.0, 0.5].map(|z| block(0, [0.2; 3], [0.0, 0.0, z]));
+    let found = told(&scene(&[ring, blocks[0].clone(), blocks[1].clone()]));
+    let loose: Vec<(&str, usize, usize)> =
+        found.iter().map(|breach| (breach.code, breach.part, breach.other)).collect();
+    assert_eq!(loose, [("not-connected", 1, 2), ("not-connected", 2, 1)], "{found:?}");
+    for breach in found {
+        let least = breach.distance.unwrap();
+        assert!(least > 0.09 && least <= 0.1 + 1e-9, "{least}");
+    }
 }
