@@ -192,11 +192,12 @@ impl Space {
                 meeting = pair.closely(budget);
             }
         }
-        if is_distance_sought
-            && matches!(meeting, Meeting::Undecided { .. })
-            && let Some(least) = self.divided(other, slack, budget)
-        {
-            meeting = Meeting::Apart { least };
+        // Pairs end as soon as they tell that the parts are apart; a plane often leaves more between them.
+        if is_distance_sought && let Meeting::Apart { .. } | Meeting::Undecided { .. } = meeting {
+            let cells = if let Meeting::Apart { least } = meeting { least } else { 0.0 };
+            if let Some(least) = self.divided(other, slack.max(cells), budget) {
+                meeting = Meeting::Apart { least };
+            }
         }
         (meeting, pair.is_cut)
     }
