@@ -259,6 +259,7 @@ test("one part alone is put on the table by no mirror", async () => {
   const pot = await scene(SCENE);
   await open(pot);
   const mirror = arrange(pot).getByRole("group", { name: "Mirror" });
+  await mirror.getByRole("button", { name: "Left to right" }).waitFor();
   expect(await mirror.getByRole("button").allInnerTexts()).toEqual(["Left to right", "Front to back", "Top to bottom"]);
   const table = arrange(pot).getByRole("button", { name: "On the table" });
   const [above, below] = [await table.boundingBox(), await mirror.boundingBox()];
