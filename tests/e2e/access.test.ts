@@ -59,7 +59,8 @@ test.each<[string, VisitOptions]>([
   await check("the measures");
   await pot.button("Pour it out").click();
   await pot.command("Export");
-  await pot.page.getByText("The mesh is closed").last().waitFor();
+  // The panel says so as well, before the dialogue is there.
+  await pot.page.locator("pasu-export").getByText("The mesh is closed").waitFor();
   await check("the dialogue “Export”");
   await pot.page.keyboard.press("Escape");
   await pot.page.getByRole("dialog").waitFor({ state: "detached" });
@@ -87,11 +88,13 @@ test.each<[string, VisitOptions]>([
     await pot.page.getByRole("dialog").waitFor({ state: "detached" });
   }
   await pot.type("Height", "5");
-  await pot.fingerprintOtherThan(before);
+  const mine = await pot.fingerprintOtherThan(before);
   await pot.openLink("#1/fourth-order");
   await pot.dialog("Open this link?").waitFor();
   await check("the question about unsaved work");
   await pot.button("Open the link").click();
+  // Until then the address is about to be written.
+  await pot.fingerprintOtherThan(mine);
   await pot.openLink("#1~AAAA");
   await pot.page.getByRole("alert").waitFor();
   await check("a damaged link");

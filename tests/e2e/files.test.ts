@@ -20,7 +20,7 @@ async function exporting(link: string): Promise<{ readonly pot: Visit; readonly 
 }
 
 async function verdict(pot: Visit): Promise<void> {
-  await pot.page.getByText("The mesh is closed").last().waitFor();
+  await pot.page.locator("pasu-export").getByText("The mesh is closed").waitFor();
 }
 
 /** Asks for few triangles: these tests are not about how fine they are. */
