@@ -65,7 +65,8 @@ enum Near {
 impl Space {
     /// How this part meets another, if both are nearly bodies of revolution about one axis and it can be told; and whether more work might tell. Unless they are that to within a small part of the slack, it is not told that they touch.
     pub(super) fn coaxial(&self, other: &Space, question: Question, budget: &mut Budget) -> (Option<Coaxial>, bool) {
-        let Some((mut sections, off)) = self.sections(other) else { return (None, false) };
+        let Some((mut sections, off, aside)) = self.sections(other) else { return (None, false) };
+        let way = aside.try_normalize();
         let mut steps = Steps::of(budget, question.most);
         match met(&mut sections, off, question, &mut steps) {
             Some((found, at)) => {
@@ -76,7 +77,7 @@ impl Space {
                     Found::Touch => touch(false),
                     Found::Contact => touch(true),
                     Found::Deep { at, depth } => Some(Coaxial::Deep { at, depth }),
-                    Found::Close(strokes) => self.aside(other).map(|way| {
+                    Found::Close(strokes) => way.map(|way| {
                         let places = [0, 1].map(|part| {
                             [way, -way].map(|direction| sections[part].place_towards(&strokes[part], direction))
                         });
@@ -90,26 +91,20 @@ impl Space {
         }
     }
 
-    /// In which direction the axis of another is beside that of this one; `None` where it is not.
-    fn aside(&self, other: &Space) -> Option<DVec3> {
-        let (one, another) = (self.meridian()?, other.meridian()?);
-        let way = another.origin - one.origin;
-        (way - one.axis * way.dot(one.axis)).try_normalize()
-    }
-
-    /// Both in the half plane through the axis of the first, and how far the borders may be off from these in all. `None` where that is so much that no two are further apart.
-    fn sections<'a>(&'a self, other: &'a Space) -> Option<([Section<'a>; 2], f64)> {
+    /// Both in the half plane through the axis of the first, how far the borders may be off from these in all, and where the axis of the other is beside that of the first. `None` where all is off by more than an eighth of how far either reaches.
+    fn sections<'a>(&'a self, other: &'a Space) -> Option<([Section<'a>; 2], f64, DVec3)> {
         let (one, another) = (self.meridian()?, other.meridian()?);
         let sense = if one.axis.dot(another.axis) < 0.0 { -1.0 } else { 1.0 };
         let way = another.origin - one.origin;
         let rise = way.dot(one.axis);
+        let aside = way - one.axis * rise;
         // By how much the other has to be moved and turned until its axis is that of the first.
-        let aside = (way - one.axis * rise).length() + one.axis.cross(another.axis).length() * another.reach;
-        let off = one.off + another.off + aside;
+        let moved = aside.length() + one.axis.cross(another.axis).length() * another.reach;
+        let off = one.off + another.off + moved;
         if !(off <= ASIDE * one.reach.min(another.reach)) {
             return None;
         }
-        Some(([Section::of(self, 1.0, 0.0)?, Section::of(other, sense, rise)?], off))
+        Some(([Section::of(self, 1.0, 0.0)?, Section::of(other, sense, rise)?], off, aside))
     }
 }
 
