@@ -3,6 +3,7 @@
 
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { brief } from "./build/briefly.ts";
 import { contentSecurityPolicy } from "./build/content-security-policy.ts";
 import { offline } from "./build/offline.ts";
 import { aliases, workers } from "./build/pasu-package.ts";
@@ -51,6 +52,7 @@ export default defineConfig({
     },
   },
   plugins: [
+    brief(),
     contentSecurityPolicy(),
     potOnSite(),
     preload({ renderer: here("src/render/stage.ts") }),

@@ -3,6 +3,7 @@
 
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { brief } from "./build/briefly.ts";
 import { aliases, workers } from "./build/pasu-package.ts";
 import { POT_PACKAGE, potPackage } from "./build/pot.ts";
 
@@ -32,5 +33,5 @@ export default defineConfig({
       output: { entryFileNames: "[name].js", chunkFileNames: "assets/[name]-[hash].js" },
     },
   },
-  plugins: [potPackage()],
+  plugins: [brief(), potPackage()],
 });
