@@ -42,7 +42,10 @@ export class Page implements Surroundings {
   };
   readonly address = () => "https://pasu.example/designer/";
   readonly fragment = () => this.hash;
+  /** Browsers refuse after a hundred changes in half a minute. */
+  refuses = false;
   readonly writeFragment = (link: string) => {
+    if (this.refuses) return;
     this.hash = link === "" ? "" : `#${link}`;
     this.written += 1;
   };

@@ -72,12 +72,37 @@ test("the address is left alone while a person has to read or to decide about it
   let held = true;
   keeper.holdWhile(() => held);
   page.hash = "#1/second-order";
+  expect(keeper.foreignFragment).toBe("#1/second-order");
   await change(21);
   expect(page.hash).toBe("#1/second-order");
   expect(readWork(page.shelf, TAB)?.unsaved).toBe(true);
   held = false;
   await change(22);
   expect(page.hash).toContain("h1=22");
+});
+
+test("a link that was put into the address a moment ago is not written over before the page has heard of it", async () => {
+  const { change, keeper, page } = await bench();
+  await change(21);
+  page.hash = "#1/second-order";
+  await change(22);
+  expect(page.hash).toBe("#1/second-order");
+  expect(keeper.foreignFragment).toBe("#1/second-order");
+  // It was opened, or not wanted: from now on the address follows again.
+  await change(23);
+  expect(page.hash).toContain("h1=23");
+});
+
+test("an address that the browser refuses to write is taken for nobody's link", async () => {
+  const { change, keeper, page } = await bench();
+  await change(21);
+  page.refuses = true;
+  await change(22);
+  expect(page.hash).toContain("h1=21");
+  expect(keeper.foreignFragment).toBe("");
+  page.refuses = false;
+  await change(23);
+  expect(page.hash).toContain("h1=23");
 });
 
 test("a saved file holds the canonical document, and nothing is unsaved any more", async () => {

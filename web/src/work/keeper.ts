@@ -56,6 +56,8 @@ export class Keeper {
   #warned = false;
   #toldTooLarge = false;
   #lastWritten = "";
+  /** What follows the address, when whoever opens links last asked for it. */
+  #read = "";
 
   constructor(
     store: Store,
@@ -85,6 +87,7 @@ export class Keeper {
   /** What follows the address and its `#`, where that was not written here. */
   get foreignFragment(): string {
     const fragment = this.#around.fragment();
+    this.#read = fragment;
     return fragment === this.#lastWritten ? "" : fragment;
   }
 
@@ -183,8 +186,12 @@ export class Keeper {
   writeAddress(shown = this.#surface.shown): void {
     const link = shown?.solved.link ?? "";
     if (link === "" && !this.tooLargeForLink) return;
-    this.#lastWritten = link === "" ? "" : `#${link}`;
+    const there = this.#around.fragment();
+    // A link that somebody has just put there: the page hears of it in a moment, and would find its own.
+    if (there !== this.#lastWritten && there !== this.#read) return;
     this.#around.writeFragment(link);
+    // What is there now: a browser may have refused it.
+    this.#lastWritten = this.#around.fragment();
   }
 
   #keepSettings(session: Session): void {
