@@ -197,6 +197,60 @@ test("where nothing can be picked it is said what to pick first, and a number is
   await expect.poll(() => number(pot, "x")).toBe(1.2345);
 });
 
+test("where nothing is picked no number stands, and one that nothing has is told", async () => {
+  const { pot } = await opened();
+  const [point, patch] = [pot.field("Point"), pot.field("Patch")];
+  expect([await point.inputValue(), await patch.inputValue()]).toEqual(["", ""]);
+  expect(await point.getAttribute("aria-valuenow")).toBeNull();
+  expect(await point.getAttribute("aria-valuetext")).toBe("none");
+  expect(await findings(pot)).toEqual([]);
+  for (const [field, number, said] of [
+    ["Point", "9", "Points have the numbers 1 to 8."],
+    ["Point", "0", "Points have the numbers 1 to 8."],
+    ["Point", "2.5", "Points have the numbers 1 to 8."],
+    ["Patch", "-1", "Patches have the numbers 1 to 1."],
+  ] as const) {
+    await pot.type(field, number);
+    await pot.page.getByText(said).waitFor();
+    await pot.page.getByText("Nothing is picked").waitFor();
+  }
+  await pot.type("Point", "3");
+  await pot.page.getByText("1 point and 0 patches picked.").waitFor();
+  expect(await pot.page.getByText("have the numbers").count()).toBe(0);
+  // By keys from where nothing is.
+  await pot.button("None").click();
+  await patch.press("ArrowUp");
+  await pot.page.getByText("8 points and 1 patch picked.").waitFor();
+  expect(await patch.inputValue()).toBe("1");
+});
+
+test("the ends of a region are typed digit by digit, and one that would pass the other is told", async () => {
+  const { pot, plain } = await opened();
+  await pot.type("Patch", "1");
+  await pot.button("Add a force").click();
+  const pushed = await pot.fingerprintOtherThan(plain);
+  const end = pot.field("u to, force 1");
+  await end.click();
+  await pot.page.keyboard.press("Control+a");
+  // On the way to it stands a 0, where the region begins.
+  await pot.page.keyboard.type("0.5");
+  expect(await end.inputValue()).toBe("0.5");
+  await pot.page.keyboard.press("Enter");
+  const half = await pot.fingerprintOtherThan(pushed);
+  await pot.type("u from, force 1", "0.6");
+  await pot.page.getByText("The region ends at 0.5 along u: it has to begin before that.").waitFor();
+  expect(await pot.field("u from, force 1").inputValue()).toBe("0");
+  await pot.shows(half);
+  await pot.type("v to, force 1", "-1");
+  await pot.page.getByText("The region begins at 0 along v: it has to end after that.").waitFor();
+  await pot.type("u from, force 1", "0.25");
+  await pot.fingerprintOtherThan(half);
+  expect(await pot.page.getByText("The region").count()).toBe(0);
+  await pot.undo();
+  await pot.undo();
+  await pot.shows(pushed);
+});
+
 test("everything is from the catalogue", async () => {
   const pot = await here.enter({ link: PSEUDO });
   const first = await pot.fingerprint();
@@ -514,6 +568,20 @@ test("a network is saved as OBJ and opened again", async () => {
   await pot.fingerprintOtherThan(before);
   expect(await told(pot)).toContain("2 patches through 13 points");
   expect(await pot.page.title()).toBe("roof · Pasu");
+  // What is none says where.
+  for (const [text, said] of [
+    [
+      `${quads}f 1 2 3`,
+      "The face in line 9 of this file has 3 corners. A network is of faces of four corners, or of eight points.",
+    ],
+    [`${quads}f 1 2 3 7`, "The face in line 9 of this file names the point 7, and there are 6."],
+    ["v 0 0\n", "Line 1 of this file has not the three numbers of a point."],
+  ] as const) {
+    const again = pot.page.waitForEvent("filechooser");
+    await pot.button("Open OBJ quads…").click();
+    await (await again).setFiles({ name: "bad.obj", mimeType: "model/obj", buffer: Buffer.from(text) });
+    await pot.page.getByText(said.slice(0, 40)).waitFor();
+  }
 });
 
 test("points are picked in a box, keep to a grid and to their mirror image, and are turned and scaled", async () => {

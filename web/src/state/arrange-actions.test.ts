@@ -110,6 +110,23 @@ test("a mirror image fills what its parts filled, the other way round, and mirro
   for (const id of [post, cap]) expect(box(id)).toEqual(before.get(id));
 });
 
+test("a row and a ring of what is glued to others are glued to these too", () => {
+  store.apply(selectParts(cap));
+  step(rowOfParts(store.state, 3, [0, 7, 0]));
+  expect(objects()).toEqual([0, 1, 1, 1, 1, 2]);
+  store.undo();
+  step(ringOfParts(store.state, 3, 2 * Math.PI, [0, 0], true));
+  expect(objects()).toEqual([0, 1, 1, 1, 1, 2]);
+  store.undo();
+  // A whole object is glued to nothing beside it, and one copy is put aside as an object of its own.
+  store.apply(selectParts(far, cap));
+  step(rowOfParts(store.state, 2, [0, 7, 0]));
+  expect(objects()).toEqual([0, 1, 1, 2, 1, 3]);
+  store.undo();
+  step(duplicateParts(store.state, [cap], 9));
+  expect(objects()).toEqual([0, 1, 1, 3, 2]);
+});
+
 test("a row and a ring are copies, glued among themselves as their first is", () => {
   store.apply(selectParts(post, cap));
   step(rowOfParts(store.state, 3, [0, 7, 0]));

@@ -80,8 +80,9 @@ export function duplicateParts(state: State, ids: readonly PartId[], aside: numb
 }
 
 /**
- * Copies of parts after the last of them, once for each of `where`, which says where each of them goes. What is glued among them is glued in each copy, and to nothing else. A design of more
- * parts than there may be comes of none. The last copy is selected, or with `also` the parts themselves and all copies.
+ * Copies of parts after the last of them, once for each of `where`, which says where each of them goes. What is glued among them is glued in each copy, and to nothing else; with `also`, where
+ * the parts are of one row with their copies, what is glued to others is so in each copy: feet of one bowl. A design of more parts than there may be comes of none. The last copy is selected,
+ * or with `also` the parts themselves and all copies.
  */
 export function copyParts(
   state: State,
@@ -95,8 +96,9 @@ export function copyParts(
   const count = places.length * where.length;
   if (count === 0 || design.parts.length + count > LIMITS.parts) return NOTHING;
   const all = [...design.parts];
+  const others = new Set(design.parts.flatMap((part, place) => (places.includes(place) ? [] : [objectOf(part)])));
   for (const to of where) {
-    const objects = new Map<number, number>();
+    const objects = new Map<number, number>(also ? [...others].map((object) => [object, object]) : []);
     const taken = new Set(all.map(objectOf));
     const objectFor = (object: number): number => {
       const known = objects.get(object);

@@ -50,6 +50,8 @@ export class PasuNumber extends LitElement {
   @property({ type: Boolean }) explain = false;
   /** Without a slider, in a table. */
   @property({ type: Boolean }) compact = false;
+  /** There is no number yet: one can be typed, and keys count from `value`. */
+  @property({ type: Boolean }) blank = false;
   /** What a reset leads back to. */
   @property({ type: Number }) opened: number | null = null;
   /** What the paper printed, to go back to as well. */
@@ -80,7 +82,7 @@ export class PasuNumber extends LitElement {
 
   override render() {
     const message = this.typo !== "" ? this.typo : this.problem;
-    const text = this.draft ?? formatNumber(this.value);
+    const text = this.draft ?? (this.blank ? "" : formatNumber(this.value));
     const described = [message === "" ? "" : "problem", this.help === "" ? "" : "help"].filter(Boolean).join(" ");
     const name = this.qualifier === "" ? this.label : controls.qualified(this.label, this.qualifier);
     return html`
@@ -102,8 +104,8 @@ export class PasuNumber extends LitElement {
             spellcheck="false"
             aria-label=${name}
             .value=${text}
-            aria-valuenow=${this.value}
-            aria-valuetext=${this.draft ?? this.told(text)}
+            aria-valuenow=${this.blank ? nothing : this.value}
+            aria-valuetext=${this.draft ?? (this.blank ? controls.blank : this.told(text))}
             aria-invalid=${message === "" ? "false" : "true"}
             aria-describedby=${described === "" ? nothing : described}
             @input=${this.typedInto}

@@ -1,7 +1,9 @@
 /** Frame models as OBJ files, in and out. */
 
 import type { Network } from "../document/network/network";
-import { readObj, writeObj } from "../document/network/obj";
+import { type ObjTrouble, readObj, writeObj } from "../document/network/obj";
+import { isolated } from "../language";
+import { formatNumber } from "../number";
 import { networks as words } from "../words/english/networks";
 import type { Designer } from "./designer";
 import { fileName, pickFile, saveBlob } from "./files";
@@ -13,13 +15,32 @@ const MOST = 32 * 1024 * 1024;
 export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
-  const read = file.size > MOST ? ({ trouble: "large" } as const) : readObj(await file.text());
+  if (file.size > MOST) {
+    designer.notices.say(words.objTrouble.large);
+    return false;
+  }
+  const read = readObj(await file.text());
   if ("trouble" in read) {
-    designer.notices.say(words.objTrouble[read.trouble]);
+    designer.notices.say(objWords(read.trouble));
     return false;
   }
   designer.opening.open({ pasu: 1, title: file.name.replace(/\.obj$/i, ""), parts: [{ shape: read.network }] });
   return true;
+}
+
+function objWords(trouble: ObjTrouble): string {
+  const { objTrouble: told } = words;
+  switch (trouble.code) {
+    case "empty":
+    case "crowded":
+      return told[trouble.code];
+    case "corners":
+      return told.corners(formatNumber(trouble.line), trouble.corners);
+    case "no-point":
+      return told["no-point"](formatNumber(trouble.line), isolated(trouble.named), trouble.points);
+    default:
+      return told[trouble.code](formatNumber(trouble.line));
+  }
 }
 
 export function saveObj(designer: Designer, network: Network): void {

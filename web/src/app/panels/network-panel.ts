@@ -2,7 +2,7 @@
 
 import { computed } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
-import { customElement } from "lit/decorators.js";
+import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import { DOINGS, TOUCHES, WAYS } from "../../document/network/grasping";
 import { AXES, type Axis } from "../../document/network/moving";
@@ -22,6 +22,7 @@ import { changeNetwork } from "../../state/network-actions";
 import { cells } from "../../ui/cells";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/number-field";
+import { formatNumber } from "../../number";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
@@ -43,6 +44,8 @@ type Build = keyof typeof BUILDS;
 
 @customElement("pasu-network-panel")
 export class PasuNetworkPanel extends DesignerElement {
+  /** Which number was typed that nothing has, while that was picked. */
+  @state() private astray: { readonly label: string; readonly picks: Picks } | null = null;
   readonly #unit = computed(() => unitOf(this.designer.store.design));
 
   override render() {
@@ -129,8 +132,7 @@ export class PasuNetworkPanel extends DesignerElement {
       ["ring", () => this.ring(network, picks), words.ringHelp],
       ["patchOf", () => this.round(network, picks), words.patchOfHelp],
     ] as const;
-    const one = (lastOf(vertices) ?? -1) + 1;
-    const square = (lastOf(patches) ?? -1) + 1;
+    const [vertex, patch] = [lastOf(vertices), lastOf(patches)];
     return html`<section aria-label=${words.pick}>
       <h3>${words.pick}</h3>
       <div class="acts">
@@ -155,14 +157,11 @@ export class PasuNetworkPanel extends DesignerElement {
         ${vertices.size === 0 ? words.pickedNone : words.picked(vertices.size, patches.size)}
       </p>
       <div class="two">
-        ${this.cell(words.numberOfPoint, one, 1, (value) => {
-          const vertex = Math.round(value) - 1;
-          if (network.vertices[vertex]) pick(withVertices(picks, [vertex], several));
+        ${this.cell(words.numberOfPoint, vertex, network.vertices.length, words.noSuchPoint, picks, (one) => {
+          pick(withVertices(picks, [one], several));
         })}
-        ${this.cell(words.numberOfPatch, square, 1, (value) => {
-          const patch = Math.round(value) - 1;
-          if (network.patches[patch] && !(several && patches.has(patch)))
-            pick(withPatch(network, picks, patch, several));
+        ${this.cell(words.numberOfPatch, patch, network.patches.length, words.noSuchPatch, picks, (one) => {
+          if (!(several && patches.has(one))) pick(withPatch(network, picks, one, several));
         })}
       </div>
     </section>`;
@@ -179,15 +178,30 @@ export class PasuNetworkPanel extends DesignerElement {
     return patchesOf(network, picks);
   }
 
-  private cell(label: string, value: number, step: number, set: (value: number) => void) {
+  /** What is picked by its number, of so many that are counted from 1; empty where nothing is picked. */
+  private cell(
+    label: string,
+    one: number | undefined,
+    count: number,
+    noSuch: (most: string) => string,
+    picks: Picks,
+    set: (one: number) => void,
+  ) {
+    const { astray } = this;
     return html`<span class="cell"
       ><span aria-hidden="true">${label}</span
       ><pasu-number
         compact
         .label=${label}
-        .value=${value}
-        .step=${step}
-        @number-change=${(event: NumberChangeEvent) => set(event.value)}
+        .blank=${one === undefined}
+        .value=${(one ?? -1) + 1}
+        .step=${1}
+        .problem=${astray?.label === label && astray.picks === picks ? noSuch(formatNumber(count)) : ""}
+        @number-change=${({ value }: NumberChangeEvent) => {
+          const isOne = Number.isInteger(value) && value >= 1 && value <= count;
+          this.astray = isOne ? null : { label, picks };
+          if (isOne) set(value - 1);
+        }}
         @number-done=${() => this.designer.store.endGesture()}
         @number-cancel=${() => this.designer.store.cancelGesture()}
       ></pasu-number
@@ -309,6 +323,7 @@ export class PasuNetworkPanel extends DesignerElement {
       .two {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
+        align-items: start;
         gap: 8px;
       }
       .snaps {

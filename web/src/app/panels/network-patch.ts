@@ -24,6 +24,8 @@ const ONES: Triple = [1, 1, 1];
 const UNIT: Pair = [0, 1];
 const UP: Triple = [0, 0, 1];
 const STEPS = 100;
+/** A region is no narrower either way, in shares of a patch. */
+const NARROWEST = 0.001;
 /** A new force pushes as far as this share of the size. */
 const PUSH = 0.1;
 const MOST = 64;
@@ -32,6 +34,8 @@ const MOST = 64;
 export class PasuNetworkPatch extends DesignerElement {
   /** Which numbers are set apart for x, y and z though they are the same. */
   @state() private apart: ReadonlySet<string> = new Set();
+  /** Which end of a region was typed to where none can be, and what is said of it until a number of the patch changes. */
+  @state() private astray: { readonly field: string; readonly of: Patch; readonly said: string } | null = null;
 
   override render() {
     const framed = framedNetwork(this.designer);
@@ -163,6 +167,7 @@ export class PasuNetworkPatch extends DesignerElement {
       set: (value: number) => (before: Force, of: Patch) => Force,
       key: string,
       of = "",
+      bad: (value: number) => string = () => "",
     ) =>
       html`<span class="cell"
         ><span aria-hidden="true">${label}</span
@@ -172,7 +177,12 @@ export class PasuNetworkPatch extends DesignerElement {
           .unit=${of}
           .value=${value}
           .step=${step}
-          @number-change=${(event: NumberChangeEvent) => edit(set(event.value), event.gesture && key)}
+          .problem=${this.astray?.field === `${index} ${key}` && this.astray.of === patch ? this.astray.said : ""}
+          @number-change=${(event: NumberChangeEvent) => {
+            const said = bad(event.value);
+            this.astray = said === "" ? null : { field: `${index} ${key}`, of: patch, said };
+            if (said === "") edit(set(event.value), event.gesture && key);
+          }}
           @number-done=${() => this.designer.store.endGesture()}
           @number-cancel=${() => this.designer.store.cancelGesture()}
         ></pasu-number
@@ -187,6 +197,8 @@ export class PasuNetworkPatch extends DesignerElement {
           0.05,
           (value) => (before) => ({ ...before, [axis]: ranged(before[axis] ?? UNIT, end, value) }),
           `${axis}${end}`,
+          "",
+          (value) => this.narrowness(index, axis, end, value),
         );
       }),
     );
@@ -235,6 +247,19 @@ export class PasuNetworkPatch extends DesignerElement {
         </select>
       </label>
     </div>`;
+  }
+
+  /** What is wrong with an end of a region, of whichever picked patch: it would pass the other end, or meet it. */
+  private narrowness(index: number, axis: "u" | "v", end: 0 | 1, value: number): string {
+    const { network } = this;
+    const picked = network ? networkDesk(this.designer).picksOf(network).patches : [];
+    const others = [...picked].flatMap((place) => {
+      const force = network?.patches[place]?.forces?.[index];
+      return force ? [(force[axis] ?? UNIT)[1 - end] as number] : [];
+    });
+    const bound = end === 0 ? Math.min(...others) : Math.max(...others);
+    const long = end === 0 ? bound - value : value - bound;
+    return long >= NARROWEST ? "" : words.passes[end](axis, formatNumber(bound));
   }
 
   private normal(network: Network, place: number, force: Force): Triple {
@@ -337,9 +362,14 @@ export class PasuNetworkPatch extends DesignerElement {
       }
       .cells {
         display: grid;
-        grid-template-columns: repeat(3, minmax(0, 1fr));
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        /* What is wrong with one of them stands below it alone. */
+        align-items: start;
         gap: 6px 8px;
         padding: 6px 0;
+      }
+      .cells .cell:first-child {
+        grid-column: 1 / -1;
       }
       .falloff {
         display: flex;
@@ -372,10 +402,8 @@ function withoutForce({ forces = [], ...patch }: Patch, index: number): Patch {
   return left.length > 0 ? { ...patch, forces: left } : patch;
 }
 
-/** An end that would pass the other one stops before it. */
 function ranged(before: Pair, end: 0 | 1, value: number): Pair {
-  const least = 0.01;
-  return end === 0 ? [Math.min(value, before[1] - least), before[1]] : [before[0], Math.max(value, before[0] + least)];
+  return end === 0 ? [value, before[1]] : [before[0], value];
 }
 
 declare global {

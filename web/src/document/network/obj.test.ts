@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import { edgesOf, isFree } from "./network";
-import { readObj, writeObj } from "./obj";
+import { type ObjTrouble, readObj, writeObj } from "./obj";
 
 const CUBE = `# a cube
 v 0 0 0
@@ -24,7 +24,7 @@ f 4 1 5 8
 
 test("quads become patches whose edges have middles in common", () => {
   const read = readObj(CUBE);
-  if ("trouble" in read) throw new Error(read.trouble);
+  if ("trouble" in read) throw new Error(read.trouble.code);
   const { vertices, patches } = read.network;
   // Eight corners and twelve middles; what no face uses is left out.
   expect([vertices.length, patches.length]).toEqual([20, 6]);
@@ -36,7 +36,7 @@ test("what is written is read again", () => {
   for (const { shape } of NETWORKED) {
     if (shape.kind !== "vertex-frame") throw new Error(shape.kind);
     const read = readObj(writeObj(shape));
-    if ("trouble" in read) throw new Error(read.trouble);
+    if ("trouble" in read) throw new Error(read.trouble.code);
     expect(read.network.vertices).toEqual(shape.vertices);
     expect(read.network.patches.map(({ frame }) => frame)).toEqual(shape.patches.map(({ frame }) => frame));
   }
@@ -44,10 +44,27 @@ test("what is written is read again", () => {
 
 test("files that hold no network say why", () => {
   const points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
-  expect(readObj(points)).toEqual({ trouble: "empty" });
-  expect(readObj(`${points}f 1 2 3\n`)).toEqual({ trouble: "faces" });
-  expect(readObj(`${points}f 1 2 3 99\n`)).toEqual({ trouble: "broken" });
-  expect(readObj(`${points}f 1 2 3 1\n`)).toEqual({ trouble: "broken" });
-  expect(readObj("v 0 0 x\n")).toEqual({ trouble: "broken" });
-  expect(readObj(`${points}f 1 2 3 4\nf 1 2 6 5\nf 1 2 8 7\n`)).toEqual({ trouble: "crowded" });
+  const trouble = (text: string) => (readObj(text) as { trouble?: ObjTrouble }).trouble;
+  expect(trouble(points)).toEqual({ code: "empty" });
+  expect(trouble(`${points}f 1 2 3\n`)).toEqual({ code: "corners", line: 9, corners: 3 });
+  expect(trouble(`${points}f 1 2 3 4 5\n`)).toEqual({ code: "corners", line: 9, corners: 5 });
+  const named = (text: string) => ({ code: "no-point", line: 9, named: text, points: 8 });
+  for (const index of ["99", "0", "-9", "x", "1.5"])
+    expect(trouble(`${points}f 1 2 3 ${index}\n`)).toEqual(named(index));
+  expect(trouble(`${points}f 1 2 3 1\n`)).toEqual({ code: "repeated", line: 9 });
+  expect(trouble(`${points}v 0 -0 0\nf 1 2 3 9\n`)).toEqual({ code: "collapsed", line: 10 });
+  expect(trouble("v 0 0 1\nv 0 0 x\n")).toEqual({ code: "point", line: 2 });
+  expect(trouble("v 0 0\n")).toEqual({ code: "point", line: 1 });
+  expect(trouble(`${points}f 1 2 3 4\nf 1 2 6 5\nf 1 2 8 7\n`)).toEqual({ code: "crowded" });
+  // Lines are counted as an editor counts them.
+  expect(trouble(`${points}f 1 2 \\\n 3 4\nf 1 2 3\n`)).toEqual({ code: "corners", line: 11, corners: 3 });
+});
+
+test("a file is read whatever its lines end with, with remarks behind them, and with its points last", () => {
+  const quad = "v 0 0 0\nv 1 0 0 0.5 0.5 0.5 # red\nv 1 1 0\nv 0 1 0\nf 1/1/1 2//1 \\\n3/3 4 # one\n";
+  const made = readObj(quad);
+  expect("network" in made && made.network.patches).toHaveLength(1);
+  for (const end of ["\r\n", "\r"]) expect(readObj(quad.replaceAll("\n", end))).toEqual(made);
+  const [face, points] = [quad.slice(quad.indexOf("f ")), quad.slice(0, quad.indexOf("f "))];
+  expect(readObj(face + points)).toEqual(made);
 });

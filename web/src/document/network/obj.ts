@@ -3,32 +3,66 @@
 import type { Triple } from "../types";
 import { compacted, type Frame, faultOf, type Network, type Patch } from "./network";
 
-export type ObjTrouble = "empty" | "faces" | "crowded" | "broken";
+/** Why a text is no network, and where that can be said in which line, counted from 1. */
+export type ObjTrouble =
+  | { readonly code: "empty" | "crowded" }
+  /** A line that has not the three coordinates of a point. */
+  | { readonly code: "point"; readonly line: number }
+  /** A face of so many corners. */
+  | { readonly code: "corners"; readonly line: number; readonly corners: number }
+  /** What a face names that none of so many points is. */
+  | { readonly code: "no-point"; readonly line: number; readonly named: string; readonly points: number }
+  /** A face that names a point twice, or two corners of which are in one place. */
+  | { readonly code: "repeated" | "collapsed"; readonly line: number };
 
 export type ReadObj = { readonly network: Network } | { readonly trouble: ObjTrouble };
 
 const DIGITS = 9;
 
+interface Face {
+  readonly line: number;
+  /** As they are written, and which points these are, counted from 0. */
+  readonly named: readonly string[];
+  readonly points: readonly number[];
+}
+
 export function readObj(text: string): ReadObj {
   const vertices: Triple[] = [];
-  const faces: (readonly number[])[] = [];
-  for (const line of text.replace(/\\\r?\n/g, " ").split(/\r?\n/)) {
-    const [word, ...rest] = line.trim().split(/\s+/);
+  const read: Face[] = [];
+  // A line that ends with a backslash goes on in the next one, which is counted all the same.
+  const lines = text.replace(/\\(\r\n|\r|\n)/g, "\\").split(/\r\n|\r|\n/);
+  let line = 0;
+  for (const each of lines) {
+    line += 1;
+    const [word, ...rest] = (each.split("#", 1)[0] as string).replaceAll("\\", " ").trim().split(/\s+/);
+    const begun = line;
+    line += each.split("\\").length - 1;
     if (word === "v") {
       const [x = Number.NaN, y = Number.NaN, z = Number.NaN] = rest.map(Number);
-      if (![x, y, z].every(Number.isFinite)) return { trouble: "broken" };
+      if (![x, y, z].every(Number.isFinite)) return { trouble: { code: "point", line: begun } };
       vertices.push([x, y, z]);
     } else if (word === "f") {
       // Counted from 1, or from the last one back; what follows a slash are textures and normals.
-      const face = rest
-        .map((each) => Number.parseInt(each, 10))
+      const points = rest
+        .map((named) => (/^[+-]?\d+(\/|$)/.test(named) ? Number.parseInt(named, 10) : 0))
         .map((index) => (index < 0 ? vertices.length + index : index - 1));
-      if (face.some((index) => vertices[index] === undefined)) return { trouble: "broken" };
-      if (face.length !== 4 && face.length !== 8) return { trouble: "faces" };
-      faces.push(face);
+      if (points.length !== 4 && points.length !== 8)
+        return { trouble: { code: "corners", line: begun, corners: points.length } };
+      read.push({ line: begun, named: rest, points });
     }
   }
-  if (faces.length === 0) return { trouble: "empty" };
+  // Points may come after the faces that name them.
+  const count = vertices.length;
+  for (const { line, named, points } of read) {
+    const wrong = points.findIndex((index) => vertices[index] === undefined);
+    if (wrong >= 0) return { trouble: { code: "no-point", line, named: named[wrong] ?? "", points: count } };
+    if (new Set(points).size < points.length) return { trouble: { code: "repeated", line } };
+    const corners = points.length === 8 ? points.filter((_, place) => place % 2 === 0) : points;
+    const places = new Set(corners.map((index) => vertices[index]?.map((value) => value + 0).join(" ")));
+    if (places.size < corners.length) return { trouble: { code: "collapsed", line } };
+  }
+  const faces = read.map(({ points }) => points);
+  if (faces.length === 0) return { trouble: { code: "empty" } };
   const middles = new Map<string, number>();
   // Middles that faces of eight bring along are those of their edges for quads beside them too.
   for (const face of faces) {
@@ -50,9 +84,8 @@ export function readObj(text: string): ReadObj {
     return { frame: [a, middleOf(a, b), b, middleOf(b, c), c, middleOf(c, d), d, middleOf(d, a)] };
   });
   const { network } = compacted({ kind: "vertex-frame", vertices, patches });
-  const fault = faultOf(network);
-  if (fault === null) return { network };
-  return { trouble: fault === "crowded" ? "crowded" : "broken" };
+  // What else can be wrong was told by its line.
+  return faultOf(network) === null ? { network } : { trouble: { code: "crowded" } };
 }
 
 /** Points and patches; parameters and forces have no place in this format. */

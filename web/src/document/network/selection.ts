@@ -1,7 +1,6 @@
 /** What a person has picked of a network, and what hangs together with it. */
 
-import { edgesOf, edgesThrough, isFree, keyOf, type Network, type Patch, sideOf } from "./network";
-import { rowsOf } from "./topology";
+import { type Edge, edgesOf, edgesThrough, isFree, keyOf, type Network, type Patch, sideOf } from "./network";
 
 export interface Picks {
   readonly vertices: ReadonlySet<number>;
@@ -36,26 +35,54 @@ export function withVertices(picks: Picks, vertices: Iterable<number>, more: boo
 
 /** The rim that picked edges are of; of an edge between two patches all that lie across its strip. */
 export function ringThrough(network: Network, picks: Picks): Picks {
-  const all = [...edgesOf(network).values()];
   const picked = edgesThrough(network, picks.vertices);
-  const vertices = new Set(picks.vertices);
-  const rims = rowsOf(all.filter(isFree)) ?? [];
-  const seen = new Set<string>();
-  const queue = picked.filter((edge) => !isFree(edge));
-  for (const { edges, vertices: own } of rims) {
-    if (edges.some((edge) => picked.includes(edge))) for (const vertex of own) vertices.add(vertex);
+  const found = [
+    ...alongRims(network, picked.filter(isFree)),
+    ...acrossStrips(
+      network,
+      picked.filter((edge) => !isFree(edge)),
+    ),
+  ];
+  return {
+    ...picks,
+    vertices: new Set([...picks.vertices, ...found.flatMap(({ sides }) => sides[0]?.vertices ?? [])]),
+  };
+}
+
+/** The free edges that go on from these. Where rims meet in a point none of them goes on beyond it. */
+function alongRims(network: Network, from: readonly Edge[]): ReadonlySet<Edge> {
+  if (from.length === 0) return new Set();
+  const meeting = new Map<number, Edge[]>();
+  for (const edge of edgesOf(network).values()) {
+    if (isFree(edge)) for (const end of endsOf(edge)) meeting.set(end, [...(meeting.get(end) ?? []), edge]);
   }
+  return reached(from, (edge) =>
+    endsOf(edge).flatMap((end) => (meeting.get(end)?.length === 2 ? meeting.get(end) : [])),
+  );
+}
+
+function acrossStrips(network: Network, from: readonly Edge[]): ReadonlySet<Edge> {
+  const edges = edgesOf(network);
+  return reached(from, ({ sides }) =>
+    sides.map(({ patch, side }) => edges.get(keyOf(sideOf((network.patches[patch] as Patch).frame, (side + 2) % 4)))),
+  );
+}
+
+function reached(from: readonly Edge[], beside: (edge: Edge) => readonly (Edge | undefined)[]): ReadonlySet<Edge> {
+  const found = new Set<Edge>();
+  const queue: (Edge | undefined)[] = [...from];
   while (queue.length > 0) {
     const edge = queue.pop();
-    if (!edge || seen.has(edge.key)) continue;
-    seen.add(edge.key);
-    for (const vertex of edge.sides[0]?.vertices ?? []) vertices.add(vertex);
-    for (const { patch, side } of edge.sides) {
-      const opposite = edgesOf(network).get(keyOf(sideOf((network.patches[patch] as Patch).frame, (side + 2) % 4)));
-      if (opposite) queue.push(opposite);
-    }
+    if (!edge || found.has(edge)) continue;
+    found.add(edge);
+    queue.push(...beside(edge));
   }
-  return { ...picks, vertices };
+  return found;
+}
+
+function endsOf({ sides }: Edge): readonly number[] {
+  const [from = 0, , to = 0] = sides[0]?.vertices ?? [];
+  return [from, to];
 }
 
 /** What of the picks there still is. */

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
 import { NETWORKED } from "../gallery/networks";
 import type { Triple } from "../types";
-import { edgesOf, faultOf, isClosed, isFree, type Network } from "./network";
+import { edgesOf, faultOf, isClosed, isFree, type Network, type Patch } from "./network";
+import { readObj } from "./obj";
 import { ringThrough } from "./selection";
 import { pointOn } from "./surface";
 import { type Building, type Built, bridged, extruded, filled, outsides, removed, rowsOf, split } from "./topology";
@@ -174,4 +175,61 @@ test.each([1, 2, 3, 4, 5, 6, 7, 8])("whatever is done to networks leaves network
   }
   expect(changed).toBeGreaterThan(10);
   expect(refused).toBeLessThan(50);
+});
+
+test("a rim is picked as far as it can be followed, whatever rims meet elsewhere", () => {
+  // Of four squares round a point two stay that have nothing but the point in common.
+  const read = readObj(
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 0 2 0\nv 1 2 0\nv 2 2 0\nf 1 2 5 4\nf 2 3 6 5\nf 4 5 8 7\nf 5 6 9 8\n",
+  );
+  if ("trouble" in read) throw new Error(read.trouble.code);
+  const whole = read.network;
+  const { network } = done(removed(whole, new Set([0, 3])));
+  const touching = {
+    vertices: new Set(
+      free(network)
+        .slice(0, 1)
+        .map(({ sides }) => sides[0]?.vertices[1] ?? -1),
+    ),
+    patches: new Set<number>(),
+  };
+  // All four edges of its square, and of the other none.
+  expect(ringThrough(network, touching).vertices.size).toBe(8);
+  // Two cans, one of them beside such a point.
+  const away: Network = can();
+  const shifted = (index: number) => index + network.vertices.length;
+  const both: Network = {
+    kind: "vertex-frame",
+    vertices: [...network.vertices, ...away.vertices],
+    patches: [
+      ...network.patches,
+      ...away.patches.map(({ frame }) => ({ frame: frame.map(shifted) as unknown as Patch["frame"] })),
+    ],
+  };
+  const [rim] = free(away);
+  const picked = { vertices: new Set([shifted(rim?.sides[0]?.vertices[1] ?? -1)]), patches: new Set<number>() };
+  expect(ringThrough(both, picked).vertices.size).toBe(12);
+});
+
+test("points that nothing is done to keep all their digits", () => {
+  const round = can();
+  const third: Network = { ...round, vertices: round.vertices.map(([x, y, z]) => [x / 3, y / 3, z / 3]) };
+  const [rim] = free(third);
+  const on = new Set([rim?.sides[0]?.vertices[1] ?? -1]);
+  const built = [
+    extruded(third, on),
+    split(third, on),
+    removed(third, new Set([0])),
+    bridged(
+      third,
+      ringThrough(third, {
+        vertices: new Set(free(third).map(({ sides }) => sides[0]?.vertices[1] ?? -1)),
+        patches: new Set(),
+      }).vertices,
+    ),
+  ];
+  for (const { network } of built.map(done)) {
+    const kept = network.vertices.slice(0, Math.min(network.vertices.length, third.vertices.length));
+    for (const point of kept) expect(third.vertices).toContainEqual(point);
+  }
 });

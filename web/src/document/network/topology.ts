@@ -60,7 +60,7 @@ export function removed(network: Network, patches: ReadonlySet<number>): Buildin
   const picked = new Set(
     bared.flatMap(({ sides }) => (sides[0]?.vertices ?? []).map((vertex) => places[vertex] ?? -1)),
   );
-  return checked({ network: left, picked });
+  return checked(left, { network: left, picked });
 }
 
 /** A rule that begins with a patch goes on beginning there, or where it is gone, everywhere at once. */
@@ -107,7 +107,10 @@ export function extruded(network: Network, picked: ReadonlySet<number>): Buildin
       patches.push({ frame: [a, b, c, cm, cf, bf, af, am], ...(own && { a1: own }), ...(other && { a2: other }) });
     }
   }
-  return checked({ network: { ...network, vertices, patches: [...network.patches, ...patches] }, picked: next });
+  return checked(network, {
+    network: { ...network, vertices, patches: [...network.patches, ...patches] },
+    picked: next,
+  });
 }
 
 /** The vertices of a side so that the patch beyond it goes round as its own does. */
@@ -263,7 +266,10 @@ export function split(network: Network, picked: ReadonlySet<number>): Building {
     ];
   });
   for (const edge of crossed.values()) if (edge.sides[0]) next.add(edge.sides[0].vertices[1]);
-  return checked({ network: { ...network, vertices, patches, ...(network.rule && { rule: "global" }) }, picked: next });
+  return checked(network, {
+    network: { ...network, vertices, patches, ...(network.rule && { rule: "global" }) },
+    picked: next,
+  });
 }
 
 function placeOn(side: number, share: number): readonly [number, number] {
@@ -335,7 +341,10 @@ export function bridged(network: Network, picked: ReadonlySet<number>): Building
     const [d, e, f] = [0, 1, 2].map((by) => to[(place + by) % to.length]) as [number, number, number];
     patches.push({ frame: [a, b, c, between(place + 2), f, e, d, between(place)] });
   }
-  return checked({ network: { ...network, vertices, patches: [...network.patches, ...patches] }, picked: next });
+  return checked(network, {
+    network: { ...network, vertices, patches: [...network.patches, ...patches] },
+    picked: next,
+  });
 }
 
 /** The direction in which a ring opens: away from the patches behind it, or where they lie flat round it, out of the whole. */
@@ -415,20 +424,22 @@ export function filled(network: Network, picked: ReadonlySet<number>): Building 
   if (holes.length === 0) return { refused: "no-hole" };
   const patches = holes.map(({ vertices }): Patch => ({ frame: vertices as unknown as Frame }));
   const next = new Set(holes.flatMap(({ vertices }) => vertices));
-  return checked({ network: { ...network, patches: [...network.patches, ...patches] }, picked: next });
+  return checked(network, { network: { ...network, patches: [...network.patches, ...patches] }, picked: next });
 }
 
-function checked(built: Built): Building {
-  const fault = faultOf(built.network);
-  return fault === null ? { ...built, network: written(built.network) } : { refused: fault };
+function checked(before: Network, built: Built): Building {
+  const network = written(built.network, before.vertices.length);
+  const fault = faultOf(network);
+  return fault === null ? { ...built, network } : { refused: fault };
 }
 
-/** New points with as many digits as a person needs. */
-function written(network: Network): Network {
+/** New points, those from a place on, with as many digits as a person needs. What was there stays as it is. */
+function written(network: Network, from: number): Network {
+  if (network.vertices.length === from) return network;
   const digits = 6 - Math.floor(Math.log10(sizeOf(network)));
   const step = 10 ** Math.min(Math.max(digits, 0), 12);
-  const vertices = network.vertices.map(
-    (point) => point.map((value) => Math.round(value * step) / step + 0) as unknown as Triple,
+  const vertices = network.vertices.map((point, place) =>
+    place < from ? point : (point.map((value) => Math.round(value * step) / step + 0) as unknown as Triple),
   );
   return { ...network, vertices };
 }

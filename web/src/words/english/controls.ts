@@ -9,6 +9,8 @@ export const controls = phrases("controls", {
   qualified: (label: string, qualifier: string) => `${label}, ${qualifier}`,
   resetTo: (name: string, number: string) => `Reset ${name} to ${number}, as opened`,
   setToPaper: (name: string, number: string) => `Set ${name} to ${number}, as in the paper`,
+  /** What a field says that has no number yet. */
+  blank: "none",
   /** Why what was typed is no number. */
   typed: {
     empty: () => "Type a number.",

@@ -32,6 +32,8 @@ export const networks = phrases("networks", {
   patchOfHelp: "The patches of which a point is picked.",
   numberOfPoint: "Point",
   numberOfPatch: "Patch",
+  noSuchPoint: (most: string) => `Points have the numbers 1 to ${most}.`,
+  noSuchPatch: (most: string) => `Patches have the numbers 1 to ${most}.`,
   move: "Move",
   motions: { move: "Move", turn: "Turn", scale: "Scale" } satisfies Readonly<Record<Doing, string>>,
   motion: "What a hand does",
@@ -97,6 +99,11 @@ export const networks = phrases("networks", {
   heightHelp: "How far it moves the surface at its middle, along the normal.",
   from: (axis: string) => `${axis} from`,
   to: (axis: string) => `${axis} to`,
+  /** Of the beginning of a region, and of its end. */
+  passes: [
+    (axis: string, to: string) => `The region ends at ${to} along ${axis}: it has to begin before that.`,
+    (axis: string, from: string) => `The region begins at ${from} along ${axis}: it has to end after that.`,
+  ] as const,
   ofForce: (what: string, number: string) => `${what}, force ${number}`,
   falloff: "Falls off",
   falloffs: { smooth: "smoothly", sine: "with a crease at its rim" },
@@ -107,10 +114,15 @@ export const networks = phrases("networks", {
   openObj: "Open OBJ quads…",
   objTrouble: {
     empty: "This file has no faces.",
-    faces: "This file has faces that are neither of four corners nor of eight points.",
     crowded: "In this file more than two faces meet along an edge.",
-    large: "This file is larger than 32 MB.",
-    broken: "Two corners of a face are in one place, or a face names a point that is not there.",
+    large: "This file is larger than 32 MiB.",
+    point: (line: string) => `Line ${line} of this file has not the three numbers of a point.`,
+    corners: (line: string, corners: number) =>
+      `The face in line ${line} of this file has ${plural(corners, { one: "1 corner", other: `${formatNumber(corners)} corners` })}. A network is of faces of four corners, or of eight points.`,
+    "no-point": (line: string, named: string, count: number) =>
+      `The face in line ${line} of this file names the point ${named}, and there ${plural(count, { one: "is 1", other: `are ${formatNumber(count)}` })}.`,
+    repeated: (line: string) => `The face in line ${line} of this file names one point twice.`,
+    collapsed: (line: string) => `Two corners of the face in line ${line} of this file are in one place.`,
   },
 
   handles: "Points of the network",
