@@ -255,6 +255,38 @@ test("a handle is set into the wall of a mug: its ends come into the clay, and i
   await nothing.waitFor({ state: "detached" });
 });
 
+test("where parts stand is told beside their shape and what is made of them, and arranged beside their shape alone", async () => {
+  const pot = await scene(SCENE);
+  const { page } = pot;
+  const kept = page.locator("pasu-constraints");
+  await open(pot);
+  const seen = async () => [await kept.isVisible(), await arrange(pot).isVisible()];
+  expect(await seen()).toEqual([true, true]);
+  for (const [tab, wanted] of [
+    ["Look", [false, false]],
+    ["Wall", [true, false]],
+    ["Measures", [true, false]],
+    ["Equation", [false, false]],
+    ["Shape", [true, true]],
+  ] as const) {
+    await pot.tab(tab);
+    expect(await seen()).toEqual(wanted);
+    expect(await rows(pot).count()).toBe(3);
+  }
+  // It is as it was left.
+  expect(await arrange(pot).getByRole("button", { name: "Make the ring" }).isVisible()).toBe(true);
+});
+
+test("how many triangles are told of glued parts is told as of before they are joined", async () => {
+  const pot = await scene({ pasu: 1, parts: [block("Red", [0, 0, 0]), block("Blue", [1, 1, 1])] } as typeof SCENE);
+  await pot.command("Export");
+  const dialog = pot.page.locator("pasu-export");
+  await dialog.getByText("Triangles", { exact: true }).waitFor();
+  await dialog.getByLabel("Join glued parts into one solid").check();
+  await dialog.getByText("Triangles before they are joined", { exact: true }).waitFor();
+  expect(await findings(pot)).toEqual([]);
+});
+
 test("one part alone is put on the table by no mirror", async () => {
   const pot = await scene(SCENE);
   await open(pot);

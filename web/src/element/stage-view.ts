@@ -378,7 +378,7 @@ export class PasuStage extends DesignerElement {
     const { pointedCurves } = await import("./pointed-curves");
     if (places !== designer.pointed.places) return;
     this.hinting = true;
-    this.stage?.point(pointedCurves(design.parts[part], places));
+    this.stage?.point(pointedCurves(design.parts[part], places), part);
   }
 
   /** Goes to a design that was just opened, and to one of quite another size that undo brought back. */

@@ -295,15 +295,15 @@ export class Stage {
     this.loop.invalidate();
   }
 
-  /** The lines of the present mesh, for the overlays. */
-  lines(lines: StageLines): void {
+  /** The lines of every part of the present mesh, for the overlays. */
+  lines(lines: readonly StageLines[]): void {
     this.overlay.lines = lines;
     this.changed();
   }
 
-  /** Curves that somebody points at, or none. */
-  point(lines: readonly Float32Array[]): void {
-    this.overlay.pointed = lines;
+  /** Curves on a part that somebody points at, or none. */
+  point(lines: readonly Float32Array[], part = 0): void {
+    this.overlay.point(lines, part);
     this.changed();
   }
 

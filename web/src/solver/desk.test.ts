@@ -188,13 +188,15 @@ test("the section of another part is all that is sent for it, and once", async (
   expect(asked()).toEqual([]);
 });
 
-test("lines stand where their parts do, and rim and foot are those of the first", async () => {
+test("every part has its lines where it stands, and its rim and its foot", async () => {
   const { lines } = await solved(ROW, { ...REST, lines: true });
-  const along = (lines?.iso_u.length ?? 0) / MANY;
-  const [first, second] = [lines?.iso_u[0], lines?.iso_u[along]];
+  expect(lines).toHaveLength(MANY);
+  const [first, second] = [lines?.[0]?.iso_u[0], lines?.[1]?.iso_u[0]];
   expect((second?.[0] ?? 0) - (first?.[0] ?? 0)).toBeCloseTo(3, 4);
-  expect(lines?.tangents.length).toBe(48 * MANY);
-  expect(lines?.rim?.[2]).toBeGreaterThan(lines?.foot?.[2] ?? Number.NaN);
+  for (const { tangents, rim, foot } of lines ?? []) {
+    expect(tangents).toHaveLength(48);
+    expect(rim[2]).toBeGreaterThan(foot[2] ?? Number.NaN);
+  }
 });
 
 test("two desks keep out of each other's way, and what one shows is not written over", async () => {

@@ -45,31 +45,26 @@ export function linesOf(grid: Grid, tangents: PartLines["tangents"]): PartLines 
   return { iso_u: along, iso_v: up, ends: [rowOf(grid, 0), rowOf(grid, grid.rows - 1)], tangents };
 }
 
-/** The lines of all parts where they stand; rim and foot are those of the first. */
-export function placedLines(parts: readonly { readonly lines: PartLines; readonly matrix: Matrix }[]): LineArrays {
-  const iso_u: Float32Array[] = [];
-  const iso_v: Float32Array[] = [];
+/** The lines of a part where it stands. */
+export function placedLines(lines: PartLines, matrix: Matrix): LineArrays {
+  const at = new Float32Array(placedAll(matrix, lines.tangents.at));
+  const along = new Float32Array(placedAll(matrix, lines.tangents.along, 0));
   const tangents: LineArrays["tangents"] = [];
-  for (const { lines, matrix } of parts) {
-    for (const line of lines.iso_u) iso_u.push(placedLine(matrix, line));
-    for (const line of lines.iso_v) iso_v.push(placedLine(matrix, line));
-    const at = new Float32Array(placedAll(matrix, lines.tangents.at));
-    const along = new Float32Array(placedAll(matrix, lines.tangents.along, 0));
-    for (let i = 0; i < at.length; i += 3)
-      tangents.push({ at: at.subarray(i, i + 3), along: along.subarray(i, i + 3) });
-  }
-  return { iso_u, iso_v, ...boundaries(parts[0]), tangents };
+  for (let i = 0; i < at.length; i += 3) tangents.push({ at: at.subarray(i, i + 3), along: along.subarray(i, i + 3) });
+  return {
+    iso_u: lines.iso_u.map((line) => placedLine(matrix, line)),
+    iso_v: lines.iso_v.map((line) => placedLine(matrix, line)),
+    ...boundaries(lines, matrix),
+    tangents,
+  };
 }
 
 function placedLine(matrix: Matrix, line: Float32Array): Float32Array {
   return matrix === IDENTITY ? line : new Float32Array(placedAll(matrix, line));
 }
 
-function boundaries(
-  body: { readonly lines: PartLines; readonly matrix: Matrix } | undefined,
-): Pick<LineArrays, "rim" | "foot"> {
-  if (!body) return { rim: null, foot: null };
-  const [start, end] = body.lines.ends.map((line) => placedLine(body.matrix, line)) as [Float32Array, Float32Array];
+function boundaries({ ends }: PartLines, matrix: Matrix): Pick<LineArrays, "rim" | "foot"> {
+  const [start, end] = ends.map((line) => placedLine(matrix, line)) as [Float32Array, Float32Array];
   const [rim, foot] = meanHeight(start) >= meanHeight(end) ? [start, end] : [end, start];
   return { rim, foot };
 }

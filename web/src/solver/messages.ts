@@ -76,12 +76,12 @@ export interface PartLines {
   readonly tangents: { readonly at: Float64Array; readonly along: Float64Array };
 }
 
-/** Curves on the placed surface, xyz triples. */
+/** Curves on a part where it stands, xyz triples. */
 export interface LineArrays {
   readonly iso_u: Float32Array[];
   readonly iso_v: Float32Array[];
-  readonly rim: Float32Array | null;
-  readonly foot: Float32Array | null;
+  readonly rim: Float32Array;
+  readonly foot: Float32Array;
   readonly tangents: { readonly at: Float32Array; readonly along: Float32Array }[];
 }
 

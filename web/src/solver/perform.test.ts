@@ -22,7 +22,7 @@ test("a design is solved, drawn and told by the real solver across a channel", a
   expect(part.mesh.uvs.length).toBe(2 * 13 * 25);
   const { min, max, centre } = boundsOf(part.mesh.positions) ?? {};
   expect(bounds).toMatchObject({ min, max, centre });
-  expect(lines?.rim?.length).toBeGreaterThan(0);
+  expect(lines?.[0]?.rim.length).toBeGreaterThan(0);
   expect(section?.right.length).toBe(section?.left.length);
   expect(facts?.height).toBeGreaterThan(0);
   expect(bound).toBeGreaterThan(0);
@@ -85,7 +85,7 @@ test("a network of patches is drawn as it is, without lines and a section, and i
   const { bounds, parts, lines, section, facts, link } = outcome.value;
   expect(parts[0]?.mesh.positions.length).toBe(3 * 13 * 25);
   expect(bounds?.max.slice(0, 2)).toEqual([2, 2]);
-  expect([lines?.iso_u.length, lines?.tangents.length, section]).toEqual([0, 0, null]);
+  expect([lines?.[0]?.iso_u.length, lines?.[0]?.tangents.length, section]).toEqual([0, 0, null]);
   expect(facts).toBeNull();
   expect(link).toMatch(/^1~/);
   const { length } = worker.sent;
@@ -109,7 +109,7 @@ test("a blend is drawn with its ends while it is a solid, and as a flank between
   const [part] = vessel.value.parts;
   expect(part?.mesh.positions.length).toBe(3 * 13 * 25);
   expect(vessel.value.facts).toMatchObject({ closed: true, height: 6 });
-  expect([vessel.value.lines?.iso_u.length, vessel.value.section]).toEqual([11, null]);
+  expect([vessel.value.lines?.[0]?.iso_u.length, vessel.value.section]).toEqual([11, null]);
   // How thick the wall is changes nothing of it.
   const { length } = worker.sent;
   const thicker: Design = { ...walled, parts: [{ shape, wall: { thickness: 0.5, base: 0.3 } }] };

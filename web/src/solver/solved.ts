@@ -34,7 +34,8 @@ export interface SolvedParts {
 }
 
 export interface Solved extends SolvedParts {
-  readonly lines: LineArrays | null;
+  /** Of every part. */
+  readonly lines: readonly LineArrays[] | null;
   readonly section: Section | null;
   readonly facts: Facts | null;
   /** The largest distance of the triangles from the true surface; known once the gesture is over. */
@@ -128,14 +129,14 @@ function standingOf(reach: Float32Array, place: Placement | undefined): Stood {
   return found;
 }
 
-/** The lines of all parts where they stand; null where they are not all there. */
-export function linesOfParts(design: Design, answers: readonly PartAnswer[]): LineArrays | null {
-  const placed: { lines: PartLines; matrix: Matrix }[] = [];
+/** The lines of each part where it stands; null where they are not all there. */
+export function linesOfParts(design: Design, answers: readonly PartAnswer[]): readonly LineArrays[] | null {
+  const placed: LineArrays[] = [];
   for (const [place, { lines }] of answers.entries()) {
     if (!lines) return null;
-    placed.push({ lines, matrix: matrixOf(design.parts[place]?.place) ?? IDENTITY });
+    placed.push(placedLines(lines, matrixOf(design.parts[place]?.place) ?? IDENTITY));
   }
-  return placedLines(placed);
+  return placed;
 }
 
 /** How many vertices the meshes have together. */

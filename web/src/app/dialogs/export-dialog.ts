@@ -257,7 +257,7 @@ export class PasuExport extends DesignerElement {
     const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
     const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
     return html`
-      <div><dt>${words.triangles}</dt><dd>${grouped(report.triangles)}</dd></div>
+      <div><dt>${making.union ? words.trianglesApart : words.triangles}</dt><dd>${grouped(report.triangles)}</dd></div>
       <div><dt>${words.within}</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
     `;
   }

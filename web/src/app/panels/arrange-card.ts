@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
-import { longestOf, middleOf, roundStep } from "../../document/boxes";
+import { longestOf, middleOf, roundStep, roundTo } from "../../document/boxes";
 import { unitOf } from "../../document/look";
 import { AXES, type Axis } from "../../document/moving";
 import { LIMITS } from "../../document/tables.gen";
@@ -145,8 +145,9 @@ export class PasuArrange extends DesignerElement {
   private copies() {
     const { designer } = this;
     const unit = unitOf(designer.store.design);
-    const { step, centre } = this.proposed();
-    const far = 10 * Math.max(...step.map(Math.abs), 1);
+    const { step, centre, wide } = this.proposed();
+    const far = 10 * Math.max(...step.map(Math.abs), ...centre.map(Math.abs), wide);
+    const by = roundStep(wide) / 10;
     const number = (
       key: string,
       label: string,
@@ -184,7 +185,7 @@ export class PasuArrange extends DesignerElement {
       <div role="group" aria-labelledby="row">
         <h5 id="row">${words.row}</h5>
         ${AXES.map((axis) =>
-          number(`step-${axis}`, words.steps[axis] ?? "", step[axis], [-far, far, 0.1], (value) => {
+          number(`step-${axis}`, words.steps[axis] ?? "", step[axis], [-far, far, by], (value) => {
             this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
           }),
         )}
@@ -204,7 +205,7 @@ export class PasuArrange extends DesignerElement {
           words.angleHelp,
         )}
         ${([0, 1] as const).map((axis) =>
-          number(`centre-${axis}`, words.centres[axis] ?? "", centre[axis], [-far, far, 0.1], (value) => {
+          number(`centre-${axis}`, words.centres[axis] ?? "", centre[axis], [-far, far, by], (value) => {
             this.centre = axis === 0 ? [value, centre[1]] : [centre[0], value];
           }),
         )}
@@ -228,19 +229,20 @@ export class PasuArrange extends DesignerElement {
   }
 
   /** Beside each other with a gap; round the middle of the others, or where there are none beside the part. */
-  private proposed(): { readonly step: Triple; readonly centre: readonly [number, number] } {
+  private proposed(): { readonly step: Triple; readonly centre: readonly [number, number]; readonly wide: number } {
     const selected = selectedIds(this.designer.state);
     const all = [...this.boxes];
     const own = all.filter(([id]) => selected.includes(id)).map(([, box]) => box);
     const wide = Math.max(...own.map((box) => box.max[0] - box.min[0]), 0) || 1;
     const last = roundStep(wide) / 10;
-    const rounded = (value: number) => Number((Math.round(value / last) * last).toPrecision(6)) + 0;
+    const rounded = (value: number) => roundTo(value, last);
     const others = all.filter(([id]) => !selected.includes(id)).map(([, box]) => box);
     const around = others.sort((a, b) => longestOf(b) - longestOf(a))[0];
     const [x, y] = around ? middleOf(around) : [BESIDE * wide, 0];
     return {
       step: this.step ?? [rounded(BESIDE * wide), 0, 0],
       centre: this.centre ?? [rounded(x), rounded(y)],
+      wide,
     };
   }
 

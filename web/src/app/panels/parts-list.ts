@@ -21,6 +21,7 @@ import {
   separateParts,
 } from "../../state/scene-actions";
 import { alsoSelect, selectedIds, selectParts, togglePart } from "../../state/seen-actions";
+import type { Tab } from "../../state/session";
 import { hideParts, lockParts, looseIds, selectThrough } from "../../state/several-actions";
 import type { Change } from "../../state/store";
 import { type IconName, icon } from "../../ui/icons";
@@ -33,6 +34,8 @@ import "./constraints-card";
 import "./glue-matrix";
 import "./joints-card";
 
+/** Beside which panels it matters where the parts stand: to what is made and measured. What else is done to several is done beside their shape alone. */
+const WHERE: readonly Tab[] = ["shape", "wall", "measures"];
 /** How far beside a pot its copy stands, as a share of its width. */
 const ASIDE = 1.1;
 
@@ -123,11 +126,15 @@ export class PasuParts extends UnhurriedElement {
         ${this.button(parts.delete, "remove", loose.length === 0 || loose.length === ids.length, () => deleteParts(this.designer.state, loose))}
       </div>
       <p class="problem" id="taken" role="status"></p>
-      <pasu-joints .designer=${this.designer}></pasu-joints>
-      <pasu-constraints .designer=${this.designer}></pasu-constraints>
-      ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
-      ${this.arrange()}
-      ${ids.length > 1 ? html`<pasu-glue-matrix .designer=${this.designer}></pasu-glue-matrix>` : nothing}
+      <div ?hidden=${!WHERE.includes(session.tab)}>
+        <pasu-joints .designer=${this.designer}></pasu-joints>
+        <pasu-constraints .designer=${this.designer}></pasu-constraints>
+      </div>
+      <div ?hidden=${session.tab !== "shape"}>
+        ${picked.length > 1 ? this.several(picked) : ids.length > 1 ? this.glue(chosen) : nothing}
+        ${this.arrange()}
+        ${ids.length > 1 ? html`<pasu-glue-matrix .designer=${this.designer}></pasu-glue-matrix>` : nothing}
+      </div>
       ${hiddenNote(this.designer)}
     </section>`;
   }

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { longestOf, roundStep } from "../../document/boxes";
 import { type JointName, jointValue, limitsAbout, UPRIGHT } from "../../document/joints";
 import { unitOf } from "../../document/look";
 import { round } from "../../document/moving";
@@ -27,6 +28,10 @@ const AXES = [0, 1, 2] as const;
 const SHIFTS = ["x", "y", "z"] as const;
 /** How far beyond what was opened a slider goes. */
 const BEYOND = 2;
+/** The steps of keys: so many of them are a part, or its scale, and none is longer. */
+const STEPS = 100;
+const MOST_STEP = 0.1;
+const MOST_GROWTH = 0.01;
 
 type Triples = "scale" | "axis" | "shift";
 
@@ -56,9 +61,15 @@ export class PasuPlace extends UnhurriedElement {
     const unit = unitOf(this.designer.store.design);
     // An octant has no length of its own: its scale is how far it reaches.
     const isLength = part.shape.kind === "octant";
-    const width = this.designer.surface.shown?.solved.facts?.width ?? 1;
-    const far = rounded(BEYOND * Math.max(width, 1, ...before.shift.map(Math.abs)));
-    const size = rounded(BEYOND * Math.max(1, ...before.scale.map(Math.abs)));
+    const solved = this.designer.surface.shown?.solved;
+    const width = solved?.facts?.width ?? 1;
+    const far = rounded(BEYOND * Math.max(width, ...before.shift.map(Math.abs)));
+    const largest = Math.max(...before.scale.map(Math.abs));
+    const size = rounded(BEYOND * Math.max(isLength ? 0 : 1, largest));
+    // Keys move what is tiny by as little: it is not gone at once.
+    const box = solved?.parts[at]?.box;
+    const step = stepUnder(MOST_STEP, (box ? longestOf(box) : width) / STEPS);
+    const grows = stepUnder(MOST_GROWTH, largest / STEPS);
     return html`<details ?open=${isLength}>
       <summary><h3>${words.heading}</h3><span>${words.about}</span></summary>
       ${AXES.map((axis) =>
@@ -71,7 +82,7 @@ export class PasuPlace extends UnhurriedElement {
           value: place.scale[axis],
           opened: before.scale[axis],
           range: [0.05 * size, size],
-          step: 0.01,
+          step: grows,
           with: (now, value) => withTriple(now, "scale", axis, value),
         }),
       )}
@@ -120,7 +131,7 @@ export class PasuPlace extends UnhurriedElement {
           value: place.shift[axis],
           opened: before.shift[axis],
           range: [-far, far],
-          step: 0.1,
+          step,
           with: (now, value) => withTriple(now, "shift", axis, value),
           joint: SHIFTS[axis],
         }),
@@ -243,6 +254,10 @@ function withTriple(place: WholePlacement, key: Triples, axis: 0 | 1 | 2, value:
   const next = [...place[key]] as [number, number, number];
   next[axis] = value;
   return { ...place, [key]: next satisfies Triple };
+}
+
+function stepUnder(most: number, step: number): number {
+  return step > 0 && step < most ? roundStep(step) : most;
 }
 
 /** What a person reads: degrees and ends of sliders have no digits of rounding. */

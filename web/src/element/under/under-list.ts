@@ -131,7 +131,7 @@ export class PasuUnder extends DesignerElement {
     }
     const { ids, session } = designer.store;
     const hidden = (part: number) => session.hidden.includes(ids[part] ?? -1);
-    this.found = piercedBy(outcome.value, ({ part, point }) => !hidden(part) && !tool.isCut(point));
+    this.found = piercedBy(outcome.value, ({ part, point }) => !hidden(part) && !tool.isCut(part, point));
   }
 
   private choose(part: number, also: boolean): void {

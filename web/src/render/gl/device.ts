@@ -31,7 +31,7 @@ export interface Watcher {
 }
 
 /** Where every program finds its attributes: one vertex array then serves whatever draws it. */
-export const LOCATIONS = { position: 0, normal: 1, uv: 2, wares: 3, value: 4, start: 5, end: 6 } as const;
+export const LOCATIONS = { position: 0, normal: 1, uv: 2, wares: 3, value: 4, start: 5, end: 6, middle: 7 } as const;
 
 /** Textures are filled on a unit that no program reaches, so that filling one never takes another's place. */
 const FILLING_UNIT = 15;

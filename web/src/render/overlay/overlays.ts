@@ -9,18 +9,18 @@ import { type Studio, type Theme, toScene } from "../studio";
 import type { Triple } from "../triple";
 import { type Dimension, dimensionsOf, type Size } from "./dimensions";
 import { type Box, clearOf, Label, paint, type Spot } from "./label";
-import { ofArrows, ofPolylines } from "./segments";
-import { type Pen, Stroke, type StrokeStyle } from "./stroke";
+import { ofArrows, ofPolylines, reachOf } from "./segments";
+import { type Pen, type Pieces, Stroke, type StrokeStyle } from "./stroke";
 import { Wireframe } from "./wireframe";
 
-/** Lines on the surface, computed by the solver: xyz polylines in model units. */
+/** Lines on the surface of a part, computed by the solver: xyz polylines in model units. */
 export interface StageLines {
-  iso_u: Float32Array[];
-  iso_v: Float32Array[];
-  rim: Float32Array | null;
-  foot: Float32Array | null;
+  readonly iso_u: readonly Float32Array[];
+  readonly iso_v: readonly Float32Array[];
+  readonly rim: Float32Array | null;
+  readonly foot: Float32Array | null;
   /** Slopes at the boundary: where, and the derivative there. */
-  tangents: { at: Float32Array; along: Float32Array }[];
+  readonly tangents: readonly { readonly at: Float32Array; readonly along: Float32Array }[];
 }
 
 /** Which overlays are seen. */
@@ -37,8 +37,6 @@ export interface Word {
   readonly text: string;
   readonly at: Triple;
 }
-
-export const NO_LINES: StageLines = { iso_u: [], iso_v: [], rim: null, foot: null, tangents: [] };
 
 const WHITE = [1, 1, 1] as const;
 const INK = [0.06, 0.06, 0.075] as const;
@@ -85,11 +83,13 @@ export class Overlays implements Tenant {
   /** What lies over the stage: words keep clear of it. */
   furniture: readonly Box[] = [];
   private extra: readonly Word[] = [];
-  private given: StageLines = NO_LINES;
+  private given: readonly StageLines[] = [];
   private shown: StageOverlays = { isoU: false, isoV: false, wireframe: false, boundary: false, axes: false };
   private dimensions: Dimension[] = [];
   private size: Size | null = null;
   private hinted: readonly Float32Array[] = [];
+  /** The part that they are on. */
+  private hintedOn = 0;
   private stale = true;
   /** Which sides of the pot face the eye: the dimension lines change their place with it. */
   private side = "";
@@ -121,14 +121,16 @@ export class Overlays implements Tenant {
     this.appearance = theme;
   }
 
-  set lines(lines: StageLines) {
+  /** Those of every part, in the order of the document. */
+  set lines(lines: readonly StageLines[]) {
     this.given = lines;
     this.stale = true;
   }
 
-  /** Curves that somebody points at. */
-  set pointed(lines: readonly Float32Array[]) {
+  /** Curves on a part that somebody points at. */
+  point(lines: readonly Float32Array[], part: number): void {
     this.hinted = lines;
+    this.hintedOn = part;
     this.stale = true;
   }
 
@@ -179,13 +181,26 @@ export class Overlays implements Tenant {
     this.wireframe.visible = bounds !== null && shown.wireframe;
     if (!bounds) return;
     if (shown.wireframe) this.wireframe.update(pot, this.coreOf);
-    if (this.hinted.length > 0) strokes.pointed.segments = ofPolylines(this.hinted);
-    if (shown.isoU) strokes.isoU.segments = ofPolylines(given.iso_u);
-    if (shown.isoV) strokes.isoV.segments = ofPolylines(given.iso_v);
+    // Of what is hidden nothing is seen, and of what is cut open no more than of the surface.
+    const onEach = (segments: (lines: StageLines) => Float32Array): readonly Pieces[] =>
+      given.flatMap((lines, place) => {
+        const part = pot.parts[place];
+        return part?.drawable.visible ? [{ segments: segments(lines), middle: part.middle }] : [];
+      });
+    const line = (one: Float32Array | null) => ofPolylines(one ? [one] : []);
+    if (this.hinted.length > 0) {
+      const { middle = null } = pot.parts[this.hintedOn] ?? {};
+      strokes.pointed.pieces = [{ segments: ofPolylines(this.hinted), middle }];
+    }
+    if (shown.isoU) strokes.isoU.pieces = onEach(({ iso_u }) => ofPolylines(iso_u));
+    if (shown.isoV) strokes.isoV.pieces = onEach(({ iso_v }) => ofPolylines(iso_v));
     if (shown.boundary) {
-      strokes.rim.segments = ofPolylines(given.rim ? [given.rim] : []);
-      strokes.foot.segments = ofPolylines(given.foot ? [given.foot] : []);
-      strokes.tangents.segments = ofArrows(given.tangents, ARROW * bounds.radius);
+      strokes.rim.pieces = onEach(({ rim }) => line(rim));
+      strokes.foot.pieces = onEach(({ foot }) => line(foot));
+      // Among others each has arrows by what it reaches itself: those of a cup are not as long as the table.
+      strokes.tangents.pieces = onEach(({ tangents }) =>
+        ofArrows(tangents, ARROW * (given.length > 1 ? reachOf(tangents) : bounds.radius)),
+      );
     }
   }
 
@@ -240,7 +255,8 @@ export class Overlays implements Tenant {
 
   private measureUp(bounds: Bounds, towards: readonly [number, number]): void {
     this.dimensions = this.size ? dimensionsOf(bounds, towards, this.size) : [];
-    this.strokes.axes.segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
+    const segments = new Float32Array(this.dimensions.flatMap((dimension) => dimension.segments));
+    this.strokes.axes.pieces = [{ segments, middle: null }];
   }
 
   private placed(view: View, width: number, height: number): { text: string; spot: Spot }[] {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ofArrows, ofPolylines } from "./segments";
+import { ofArrows, ofPolylines, reachOf } from "./segments";
 
 describe("segments", () => {
   it("are the pieces of polylines", () => {
@@ -7,6 +7,13 @@ describe("segments", () => {
     expect([...ofPolylines([line, new Float32Array(3), new Float32Array()])]).toEqual([
       0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0,
     ]);
+  });
+
+  it("know how far what they stand on reaches", () => {
+    const at = ([x, y, z]: readonly number[]) => ({ at: Float32Array.of(x ?? 0, y ?? 0, z ?? 0) });
+    const round = (z: number) => [at([1, 0, z]), at([0, 1, z]), at([-1, 0, z]), at([0, -1, z])];
+    expect(reachOf([...round(0), ...round(1.5)])).toBe(1.25);
+    expect(reachOf([])).toBe(0);
   });
 
   it("make no arrow without a direction, and finite ones in every direction", () => {

@@ -41,3 +41,9 @@ export function ofArrows(tangents: readonly { at: Float32Array; along: Float32Ar
   }
   return new Float32Array(out);
 }
+
+/** Half of how far it is from where the first of tangents stands to where the one over against it does, at the other end half way round: they are as many at one end as at the other. */
+export function reachOf(tangents: readonly { at: Float32Array }[]): number {
+  const [from, to] = [tangents[0]?.at, tangents[0.75 * tangents.length]?.at];
+  return from && to ? Math.hypot(...from.map((x, i) => x - at(to, i))) / 2 : 0;
+}

@@ -4,6 +4,7 @@ import type { Drawable } from "../gl/drawable";
 import { Geometry } from "../gl/geometry";
 import { Material, type Uniform } from "../gl/material";
 import type { Studio } from "../studio";
+import type { Triple } from "../triple";
 
 type Colour = readonly [number, number, number];
 
@@ -30,6 +31,7 @@ precision highp float;
 in vec3 position;
 in vec3 start;
 in vec3 end;
+in vec3 middle;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 uniform vec4 frame;
@@ -38,6 +40,8 @@ uniform float ratio;
 uniform float halfWidth;
 uniform float nearer;
 uniform float caps;
+uniform vec4 cut;
+flat out float vUpTo;
 out vec2 vAt;
 out vec3 vScene;
 flat out float vLength;
@@ -68,6 +72,7 @@ void main() {
   vAt = at;
   vScene = (mix(start, end, position.x) - frame.xyz) * frame.w;
   vLength = size;
+  vUpTo = middle.z > 0.5 ? dot((middle.xy - frame.xy) * frame.w, cut.xy) : cut.w;
   gl_Position = vec4(p / (viewport * 0.5) * c.w, c.z, c.w);
 }
 `;
@@ -78,13 +83,14 @@ in vec2 vAt;
 in vec3 vScene;
 uniform vec4 cut;
 flat in float vLength;
+flat in float vUpTo;
 uniform float ratio;
 uniform float halfWidth;
 uniform vec3 lineColour;
 uniform float opacity;
 out vec4 colour;
 void main() {
-  if (dot(vScene, cut.xyz) > cut.w) discard;
+  if (dot(vScene, cut.xyz) > vUpTo) discard;
   float past = vAt.x < 0.0 ? -vAt.x : max(0.0, vAt.x - vLength);
   float off = length(vec2(past, vAt.y));
   float all = clamp(halfWidth * ratio + 0.5 - off, 0.0, 1.0) * opacity;
@@ -98,6 +104,12 @@ export const NEARER = 0.9975;
 
 const CORNERS = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, -1, 0, 1, 1, 0, 0, 1, 0]);
 
+/** Lines of one object: start and end of each piece, six numbers, in model units, and the middle that the object is cut open through where that is not the middle of all. */
+export interface Pieces {
+  readonly segments: Float32Array;
+  readonly middle: Triple | null;
+}
+
 /**
  * Lines of a width in CSS pixels: a rectangle per segment, widened on the screen. WebGL's own lines are one device pixel wide, whatever is
  * asked. Where `hidden` is not 0 the lines are drawn a second time, faintly, without regard to what is before them.
@@ -108,7 +120,14 @@ export class Stroke implements Tenant {
   private readonly corners = new Buffer(CORNERS, { size: 3 });
   private readonly starts = new Buffer(new Float32Array(), { size: 3, instanced: true });
   private readonly ends = new Buffer(new Float32Array(), { size: 3, instanced: true });
-  private readonly geometry = new Geometry({ position: this.corners, start: this.starts, end: this.ends });
+  /** The middle of the object that a line is of, from above, and whether it is cut open through its own. */
+  private readonly middles = new Buffer(new Float32Array(), { size: 3, instanced: true });
+  private readonly geometry = new Geometry({
+    position: this.corners,
+    start: this.starts,
+    end: this.ends,
+    middle: this.middles,
+  });
 
   constructor(
     private readonly studio: Studio,
@@ -124,17 +143,25 @@ export class Stroke implements Tenant {
     this.add(width / 2, colour, order + 2, true, opacity, true);
   }
 
-  /** @param segments start and end of each, in model units: six numbers a segment */
-  set segments(segments: Float32Array) {
-    const count = segments.length / 6;
-    const starts = new Float32Array(3 * count);
-    const ends = new Float32Array(3 * count);
-    for (let i = 0, k = 0; i < segments.length; i += 6, k += 3) {
-      starts.set(segments.subarray(i, i + 3), k);
-      ends.set(segments.subarray(i + 3, i + 6), k);
+  set pieces(all: readonly Pieces[]) {
+    const count = all.reduce((sum, { segments }) => sum + segments.length / 6, 0);
+    const [starts, ends, middles] = [0, 1, 2].map(() => new Float32Array(3 * count)) as [
+      Float32Array,
+      Float32Array,
+      Float32Array,
+    ];
+    let k = 0;
+    for (const { segments, middle } of all) {
+      const own = middle && [middle[0], middle[1], 1];
+      for (let i = 0; i < segments.length; i += 6, k += 3) {
+        starts.set(segments.subarray(i, i + 3), k);
+        ends.set(segments.subarray(i + 3, i + 6), k);
+        if (own) middles.set(own, k);
+      }
     }
     this.starts.array = starts;
     this.ends.array = ends;
+    this.middles.array = middles;
     for (const drawable of this.drawables) drawable.instances = count;
   }
 
@@ -150,7 +177,7 @@ export class Stroke implements Tenant {
   /** Gives up everything on the GPU. */
   release(): void {
     this.geometry.release();
-    for (const buffer of [this.corners, this.starts, this.ends]) buffer.release();
+    for (const buffer of [this.corners, this.starts, this.ends, this.middles]) buffer.release();
   }
 
   private add(half: number, colour: Colour, order: number, depthTest: boolean, opacity: number, core: boolean): void {

@@ -38,10 +38,14 @@ test("what lies before the plane of the cut is cut, in units of the model", () =
   // The middle of the frame is at (0, 0, 10), and its radius 2.
   studio.frame.value = [0, 0, 10, 0.5];
   let plane: readonly number[] = [0, 0, 0, 1];
-  const probe = new Probe({ studio, cut: () => plane, aim: () => null } as unknown as Bench);
-  expect(probe.isCut([0, 0, 1e6])).toBe(false);
+  const parts: { cut: { value: readonly number[] } }[] = [];
+  const probe = new Probe({ studio, pot: { parts }, cut: () => plane, aim: () => null } as unknown as Bench);
+  expect(probe.isCut(0, [0, 0, 1e6])).toBe(false);
   plane = [0, 0, 1, 0.5];
-  expect(probe.isCut([0, 0, 11.1])).toBe(true);
-  expect(probe.isCut([0, 0, 10.9])).toBe(false);
+  expect(probe.isCut(0, [0, 0, 11.1])).toBe(true);
+  expect(probe.isCut(0, [0, 0, 10.9])).toBe(false);
+  // Of several objects each is cut through its own middle.
+  parts.push({ cut: { value: plane } }, { cut: { value: [0, 0, 1, 1] } });
+  expect([0, 1].map((part) => probe.isCut(part, [0, 0, 11.1]))).toEqual([true, false]);
   expect(probe.ray(1, 1)).toBeNull();
 });

@@ -33,9 +33,10 @@ export class Probe implements Tool {
     return screen && rayAt(this.bench.camera.pose, screen, x, y);
   }
 
-  /** Whether a point is before the plane of the cut, where nothing is drawn. */
-  isCut(point: Triple): boolean {
-    const [nx = 0, ny = 0, nz = 0, w = 1] = this.bench.cut();
+  /** Whether a point of a part is before the plane that cuts this open, where nothing is drawn. */
+  isCut(part: number, point: Triple): boolean {
+    const { pot, cut } = this.bench;
+    const [nx = 0, ny = 0, nz = 0, w = 1] = pot.parts[part]?.cut.value ?? cut();
     const [cx = 0, cy = 0, cz = 0, scale = 1] = this.bench.studio.frame.value;
     return dot([scale * (point[0] - cx), scale * (point[1] - cy), scale * (point[2] - cz)], [nx, ny, nz]) > w;
   }

@@ -68,6 +68,7 @@ export const exporting = phrases("exporting", {
   fired: "Once fired",
   appliedTo: "Applied",
   triangles: "Triangles",
+  trianglesApart: "Triangles before they are joined",
   within: "True to within",
   moreOf: (count: number) => `And ${count} more of the kind.`,
   warnings: (count: number) => plural(count, { one: `${count} warning`, other: `${count} warnings` }),
