@@ -370,3 +370,39 @@ test("the tool is there for everybody, and one part alone is moved by its key", 
   await alone.page.keyboard.press("p");
   await expect.poll(() => alone.page.locator("pasu-place-handles").count()).toBe(0);
 });
+
+test("what is left once the rest is hidden is fitted into the view, moved by keys by little, and all fits again", async () => {
+  const block = (name: string, size: number, x: number, object: number) => ({
+    name,
+    object,
+    shape: { kind: "octant", exponents: [8, 8, 8] },
+    place: { scale: [size, size, size], shift: [x, 0, 0] },
+  });
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  const parts = [block("Huge", 1000, 0, 0), block("Tiny", 0.001, 1200, 1)];
+  await pot.dropFile("scene.json", JSON.stringify({ pasu: 1, unit: "in", parts }));
+  const both = await pot.fingerprintOtherThan(first);
+  await choose(pot, "Huge");
+  await pot.button("Hide").click();
+  await choose(pot, "Tiny");
+  await pot.button("Fit to view").click();
+  const middleOf = async (selector: string) => {
+    const box = await pot.page.locator(selector).first().boundingBox();
+    return box && { x: box.x + box.width / 2, y: box.y + box.height / 2, high: box.height };
+  };
+  const stage = await middleOf("pasu-stage .host");
+  if (!stage) throw new Error("there is no stage");
+  const seen = await seenPart(pot, 1);
+  expect(Math.abs(seen.x - stage.x)).toBeLessThan(stage.high / 6);
+  expect(Math.abs(seen.y - stage.y)).toBeLessThan(stage.high / 6);
+  await takeParts(pot);
+  await grip(pot, "move-x").press("Shift+ArrowRight");
+  await pot.fingerprintOtherThan(both);
+  // By its own size, and not by a fortieth of the other's.
+  expect((await standing(pot))[1]?.shift).toEqual([1200.001, 0, 0]);
+  await choose(pot, "Huge");
+  await pot.button("Show").click();
+  // It was all in the view, and so is what came back.
+  await expect.poll(async () => Number.isFinite((await seenPart(pot, 0)).x)).toBe(true);
+});

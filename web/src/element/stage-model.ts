@@ -6,7 +6,13 @@ import type { StageModel } from "../render/mesh";
 import type { SolvedParts } from "../solver/solved";
 import type { PartId } from "../state/part-ids";
 
-export function stageModel(design: Design, { parts, bounds }: SolvedParts, hidden: readonly PartId[] = []): StageModel {
+/** `within` is the part in whose place its inside is shown. */
+export function stageModel(
+  design: Design,
+  { parts, bounds }: SolvedParts,
+  hidden: readonly PartId[] = [],
+  within: PartId | null = null,
+): StageModel {
   const objectAt = (place: number) => design.parts[place]?.object ?? 0;
   const middles = middlesOf(parts, objectAt);
   return {
@@ -14,7 +20,8 @@ export function stageModel(design: Design, { parts, bounds }: SolvedParts, hidde
       ...part,
       look: lookOf(design.parts[place]),
       middle: middles?.get(objectAt(place)),
-      hidden: hidden.includes(part.id),
+      hidden: hidden.includes(part.id) || part.id === within,
+      inside: part.id === within && !hidden.includes(part.id),
     })),
     bounds,
   };

@@ -344,8 +344,7 @@ export class PasuStage extends DesignerElement {
     this.drawn = shown;
     this.hiding = hidden;
     this.within = within;
-    const absent = within === null ? hidden : [...hidden, within];
-    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, absent)));
+    designer.surface.recycle(stage.show(stageModel(shown.design, shown.solved, hidden, within)));
     if (!another) {
       this.#made.peek()?.update();
       return;

@@ -47,6 +47,8 @@ export interface StagePart {
   readonly middle?: Triple | undefined;
   /** What is hidden stays on the graphics card, and is neither drawn nor found at a point. */
   readonly hidden?: boolean;
+  /** Whether it is hidden because its inside is shown in its place. */
+  readonly inside?: boolean;
 }
 
 /** What is shown: parts in the order of the document, and what they fill where they stand; null when they are empty. */

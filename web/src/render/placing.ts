@@ -38,6 +38,7 @@ uniform mat4 model;
 uniform mat3 turned;
 uniform vec3 shift;
 vec3 inFrame(vec3 vertex) {
-  return ((model * vec4(vertex, 1.0)).xyz - frame.xyz) * frame.w;
+  // Where the part stands first: what is small and far away keeps its shape in single precision.
+  return (mat3(model) * vertex + (model[3].xyz - frame.xyz)) * frame.w;
 }
 `;

@@ -51,6 +51,11 @@ export class Pot implements Tenant {
     }
   }
 
+  /** The parts that are seen, or whose inside is. */
+  get seen(): readonly PotPart[] {
+    return this.parts.filter(({ drawable }, place) => drawable.visible || this.shown.parts[place]?.inside);
+  }
+
   /** Whether a part is hidden, by its place in the document. */
   hides(part: number): boolean {
     return this.shown.parts[part]?.hidden ?? false;

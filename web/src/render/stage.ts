@@ -582,7 +582,7 @@ export class Stage {
 
   /** Looks at everything from a direction, or from the present one. */
   private place(towards: Direction | null, atOnce: boolean): void {
-    const bounds = this.tableau.bounds;
+    const bounds = this.tableau.seen;
     if (!bounds) return;
     const radius = bounds.radius > 0 ? bounds.radius : 1;
     this.tableau.reframe({ centre: bounds.centre, radius });

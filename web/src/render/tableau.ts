@@ -33,6 +33,8 @@ export class Tableau implements Tenant {
   private stale = true;
   /** Where the pot was cut when its shadow was taken; null when it has to be taken again. */
   private shaded: readonly number[] | null = null;
+  /** What is seen fills that, where something is hidden. */
+  private seenNow: Bounds | null = null;
 
   constructor(theme: Theme) {
     this.studio = newStudio(theme);
@@ -48,6 +50,7 @@ export class Tableau implements Tenant {
 
   show(model: StageModel): void {
     this.stale = true;
+    this.seenNow = null;
     this.main.update(model);
   }
 
@@ -59,6 +62,7 @@ export class Tableau implements Tenant {
 
   /** Puts a second pot to the right of the first, or takes it away. */
   compare(other: StageModel | null): void {
+    this.seenNow = null;
     if (other) {
       if (!this.beside) {
         this.beside = new Pot(this.studio);
@@ -98,11 +102,18 @@ export class Tableau implements Tenant {
     return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
   }
 
+  /** What everything fills that is not hidden, in model units; where all is hidden, everything. */
+  get seen(): Bounds | null {
+    if (this.main.seen.length === this.main.parts.length) return this.bounds;
+    this.seenNow ??= boxed(this.outline()) ?? this.bounds;
+    return this.seenNow;
+  }
+
   /** Points (xyz, model units) that a fitted view must contain: about so many of the vertices of what is not hidden. */
   outline(count = 20_000): number[] {
     const points: number[] = [];
     const add = (pot: Pot, by: Triple) => {
-      const seen = pot.parts.filter(({ drawable }) => drawable.visible);
+      const { seen } = pot;
       const vertices = seen.reduce((sum, part) => sum + part.vertices, 0);
       // An odd stride wanders over the columns of a grid instead of following some of them.
       const stride = 2 * Math.floor(vertices / count) + 1;
@@ -115,17 +126,14 @@ export class Tableau implements Tenant {
     return points;
   }
 
-  /** The same bounds in scene space. */
-  contents(): Pick<Bounds, "centre" | "radius"> & { min: Triple; max: Triple } {
-    const bounds = this.bounds;
+  /** What is seen, in scene space. */
+  private contents(): Pick<Bounds, "centre" | "radius"> {
+    const { seen } = this;
     const { centre, radius } = this.frame;
-    if (!bounds) return { min: [-1, -1, -1], max: [1, 1, 1], centre: [0, 0, 0], radius: 1 };
-    const toScene = (p: Triple) => p.map((x, i) => (x - (centre[i] as number)) / radius) as unknown as Triple;
+    if (!seen) return { centre: [0, 0, 0], radius: 1 };
     return {
-      min: toScene(bounds.min),
-      max: toScene(bounds.max),
-      centre: toScene(bounds.centre),
-      radius: Math.max(bounds.radius / radius, 1e-6),
+      centre: along([0, 0, 0], along(seen.centre, centre, -1), 1 / radius),
+      radius: Math.max(seen.radius / radius, 1e-6),
     };
   }
 
@@ -152,8 +160,9 @@ export class Tableau implements Tenant {
     this.studio.frame.value = [...centre, 1 / radius];
     const offset = this.offset;
     if (this.beside) this.beside.shift.value = along([0, 0, 0], offset, 1 / radius);
-    const contents = this.contents();
-    this.studio.table.value = contents.min[2];
+    const { bounds } = this;
+    // What is hidden stands on the table all the same.
+    this.studio.table.value = bounds ? (bounds.min[2] - centre[2]) / radius : -1;
     this.shaded = null;
   }
 
@@ -173,4 +182,17 @@ export class Tableau implements Tenant {
     this.studio.eye.value = camera.view.eye;
     face(this.studio, camera.pose.azimuth, camera.pose.polar);
   }
+}
+
+/** The box round points, and the ball round that. */
+function boxed(points: readonly number[]): Bounds | null {
+  const ends = (pick: (a: number, b: number) => number, from: number): Triple => {
+    const found: [number, number, number] = [from, from, from];
+    for (const [i, x] of points.entries()) found[(i % 3) as 0 | 1 | 2] = pick(found[(i % 3) as 0 | 1 | 2], x);
+    return found;
+  };
+  if (points.length === 0) return null;
+  const [min, max] = [ends(Math.min, Number.POSITIVE_INFINITY), ends(Math.max, Number.NEGATIVE_INFINITY)];
+  const centre: Triple = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+  return { min, max, centre, radius: Math.hypot(max[0] - centre[0], max[1] - centre[1], max[2] - centre[2]) };
 }

@@ -21,7 +21,7 @@ export interface Manner {
   readonly pivot: Triple;
   readonly box: Box;
   readonly table: number;
-  /** A round length that is short beside the scene. */
+  /** A round length that is short beside the scene, and not longer than what is moved. */
   readonly step: number;
 }
 
@@ -57,7 +57,7 @@ function lookedAt({ state, surface }: Pick<Designer, "state" | "surface">): Mann
     pivot: handy(middle as unknown as Triple, size * 1e-6),
     box,
     table: tableUnder(others),
-    step: roundStep((size || 1) / STEPS_ACROSS),
+    step: roundStep(Math.min((size || 1) / STEPS_ACROSS, longestOf(box) || Number.POSITIVE_INFINITY)),
   };
 }
 

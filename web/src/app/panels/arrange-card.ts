@@ -146,7 +146,7 @@ export class PasuArrange extends DesignerElement {
     const { designer } = this;
     const unit = unitOf(designer.store.design);
     const { step, centre, wide } = this.proposed();
-    const far = 10 * Math.max(...step.map(Math.abs), ...centre.map(Math.abs), wide);
+    const far = (point: readonly number[]) => 10 * Math.max(...point.map(Math.abs), wide);
     const by = roundStep(wide) / 10;
     const number = (
       key: string,
@@ -185,7 +185,7 @@ export class PasuArrange extends DesignerElement {
       <div role="group" aria-labelledby="row">
         <h5 id="row">${words.row}</h5>
         ${AXES.map((axis) =>
-          number(`step-${axis}`, words.steps[axis] ?? "", step[axis], [-far, far, by], (value) => {
+          number(`step-${axis}`, words.steps[axis] ?? "", step[axis], [-far(step), far(step), by], (value) => {
             this.step = step.map((each, i) => (i === axis ? value : each)) as unknown as Triple;
           }),
         )}
@@ -205,9 +205,15 @@ export class PasuArrange extends DesignerElement {
           words.angleHelp,
         )}
         ${([0, 1] as const).map((axis) =>
-          number(`centre-${axis}`, words.centres[axis] ?? "", centre[axis], [-far, far, by], (value) => {
-            this.centre = axis === 0 ? [value, centre[1]] : [centre[0], value];
-          }),
+          number(
+            `centre-${axis}`,
+            words.centres[axis] ?? "",
+            centre[axis],
+            [-far(centre), far(centre), by],
+            (value) => {
+              this.centre = axis === 0 ? [value, centre[1]] : [centre[0], value];
+            },
+          ),
         )}
         <label class="check">
           <input
