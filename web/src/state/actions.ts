@@ -1,5 +1,6 @@
 /** What a person can do to a design as a whole and to the page: pure functions from a state to the change that they ask for. */
 
+import { labelOf } from "../document/label";
 import type { Path } from "../document/path";
 import { getPath, setPath } from "../document/path";
 import { inUnit, scaled, type Walls } from "../document/scaled";
@@ -24,8 +25,7 @@ export function openDesign(state: State, design: Design): Change {
 }
 
 export function setTitle(state: State, title: string): Change {
-  // Surrogate pairs count as one character, as they do for the solver.
-  const short = [...title.replace(/\s+/g, " ").trimStart()].slice(0, MAX_TITLE).join("");
+  const short = labelOf(title);
   if (short === (state.design.title ?? "")) return NOTHING;
   return {
     design: setPath(state.design, ["title"], short === "" ? undefined : short),

@@ -1,6 +1,7 @@
 /** What a person can do to the parts of a design as a whole: pure functions from a state to the change that they ask for. */
 
 import { carried } from "../document/joints";
+import { labelOf } from "../document/label";
 import { sum } from "../document/moving";
 import { setPath } from "../document/path";
 import { UNMOVED, type WholePlacement } from "../document/placement";
@@ -22,7 +23,7 @@ export function isTaken({ design, ids }: State, id: PartId, name: string): boole
 /** Calls a part otherwise, or by its place where nothing is left of the name. The typing is one step. */
 export function renamePart(state: State, id: PartId, name: string): Change {
   const place = state.ids.indexOf(id);
-  const short = [...name.trim()].slice(0, MAX_NAME).join("");
+  const short = labelOf(name.trim(), MAX_NAME);
   const part = state.design.parts[place];
   if (!part || isTaken(state, id, short) || (part.name ?? "") === short) return NOTHING;
   return {

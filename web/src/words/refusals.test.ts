@@ -1,4 +1,5 @@
 import { readFileSync } from "node:fs";
+import initWhole, { parse as parseWhole } from "pasu";
 import init, { mesh, PasuError, parse } from "pasu/drawing";
 import { beforeAll, expect, test } from "vitest";
 import type { Design, Refusal } from "../document/types";
@@ -47,6 +48,62 @@ test("what is wrong in one of several parts is told with the part's name, of a d
   const refusal = refusalOf(wrong);
   expect(refusalWords(refusal, wrong)).toMatch(/^Lid, Wall stiffness: /);
   expect(refusalWords(refusal)).toMatch(/^Part 2, “s\[0\]”: /);
+});
+
+test("what is wrong in a network, an octant or a placement is told by what the page calls that", async () => {
+  await initWhole();
+  const frame = [0, 1, 2, 3, 4, 5, 6, 7];
+  const vertices = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [Math.cos(i), Math.sin(i), i]);
+  const part = (more: object, place: object = {}) =>
+    ({
+      pasu: 1,
+      parts: [{ name: "Leaf", shape: { kind: "vertex-frame", vertices, ...more }, place }, design({}).parts[0]],
+    }) as unknown as Design;
+  const patch = (more: object) => part({ patches: [{ frame }, { frame, ...more }] });
+  const force = (more: object) => patch({ forces: [{ f0: [0, 0, 1], ...more }] });
+  const octant = { pasu: 1, parts: [{ shape: { kind: "octant", exponents: [2, 0.01, 2] } }] } as unknown as Design;
+  for (const [wrong, said] of [
+    [force({ u: [0.5, 0.2] }), "Leaf, patch 2, force 1, u to: It has to be a number greater than 0.5, and is 0.2."],
+    [
+      force({ f0: [0, Number.NaN, 0] }),
+      "Leaf, patch 2, force 1, strength, in y: It has to be a number that can be computed with.",
+    ],
+    [force({ falloff: "cubic" }), "Leaf, patch 2, force 1, falls off: It has to be sine or smooth, and is “cubic”."],
+    [
+      patch({ a1: [1, Number.NaN, 1] }),
+      "Leaf, patch 2, along u, in y: It has to be a number that can be computed with.",
+    ],
+    [
+      patch({ frame: [0, 1, 2, 3, 4, 5, 6, 9] }),
+      "Leaf, patch 2, number of its point 8: It has to be a number from 0 to 7, and is 9.",
+    ],
+    [
+      patch({ frame: [0, 1, 2] }),
+      "Leaf, patch 2, its points: Expected a list of 8 numbers of vertices, found a list of 3.",
+    ],
+    [part({ patches: [] }), "Leaf, patches: Expected a list of 1 to 100000 patches, found an empty list."],
+    [
+      part({ vertices: [[0, 0, Number.NaN]], patches: [] }),
+      "Leaf, point 1, in z: It has to be a number that can be computed with.",
+    ],
+    [
+      part({ patches: [{ frame }] }, { scale: [1, 0, 1] }),
+      "Leaf, scale along y: It has to be a number other than 0, and is 0.",
+    ],
+    [
+      part({ patches: [{ frame }] }, { shift: [0, 0, Number.NaN] }),
+      "Leaf, moved along z: It has to be a number that can be computed with.",
+    ],
+    [octant, "Exponent of y: It has to be a number from 0.05 to 50, and is 0.01."],
+  ] as const) {
+    let refusal: Refusal | null = null;
+    try {
+      parseWhole(wrong as never);
+    } catch (error) {
+      refusal = error as PasuError;
+    }
+    expect(refusal && refusalWords(refusal, wrong).replaceAll(/[\u2066-\u2069]/g, "")).toBe(said);
+  }
 });
 
 test("no sentence begins with a path, a code or brackets", () => {

@@ -130,6 +130,11 @@ function subjectsOf(path: Path, design: Design | null): readonly string[] {
       refusals.limits[Number(end)] ?? "",
     ].filter(Boolean);
   }
+  if (kind === "place") {
+    const [what, axis] = inside;
+    const said = refusals.placed[what as keyof typeof refusals.placed];
+    return said ? [...told, said(refusals.axes[Number(axis)] ?? "")] : [...told, fieldOf(kind)];
+  }
   if (kind !== "shape")
     return [...told, fieldOf(String(kind)), ...(inside.length > 0 ? [refusals.field(pathText(inside))] : [])];
   return [...told, ...numberOfShape(inside, part?.shape)];
@@ -144,10 +149,43 @@ function numberOfShape(path: Path, shape: Design["parts"][number]["shape"] | und
   const family = shape && familyOf(shape.kind);
   const field = family?.fields.find((each) => pathText(each.path) === pathText(path));
   if (family && field) return [fieldWords(family.kind, field.key).name];
+  if (shape?.kind === "vertex-frame") return placeInNetwork(path);
   const [axis, modes, index] = path;
+  if (shape?.kind === "octant" && typeof modes === "number") return [refusals.exponent(refusals.axes[modes] ?? "")];
   if (shape?.kind !== "boundary-value" || !(axis === "x" || axis === "y" || axis === "z"))
     return [refusals.field(pathText(path))];
   const n = modes === "modes" ? getPath(shape, [axis, "modes", index ?? 0, "n"]) : undefined;
   const component = refusals.component(axis);
   return typeof n === "number" ? [component, refusals.mode(formatNumber(n))] : [component];
+}
+
+/** “patch 3, force 1, u to”; what has no words here as the document calls it. */
+function placeInNetwork(path: Path): readonly string[] {
+  const { network: words, axes } = refusals;
+  const [what, index, ...inside] = path;
+  const along = (at: Path[number] | undefined) => (typeof at === "number" ? [words.component(axes[at] ?? "")] : []);
+  const numbered = (say: (n: string) => string, at: number) => say(formatNumber(at + 1));
+  if (what !== "patches" && what !== "vertices") return [refusals.field(pathText(path))];
+  if (typeof index !== "number") return [words[what]];
+  if (what === "vertices") return [numbered(words.point, index), ...along(inside[0])];
+  const force = inside[0] === "forces" && typeof inside[1] === "number" ? inside[1] : null;
+  const told = [numbered(words.patch, index), ...(force === null ? [] : [numbered(words.force, force)])];
+  const [key, at] = force === null ? inside : inside.slice(2);
+  switch (key) {
+    case undefined:
+      return told;
+    case "frame":
+      return [...told, typeof at === "number" ? numbered(words.corner, at) : words.frame];
+    case "u":
+    case "v":
+      return [...told, words.ends[Number(at)]?.(key) ?? key];
+    case "a1":
+    case "a2":
+    case "f0":
+      return [...told, words[key], ...along(at)];
+    case "falloff":
+      return [...told, words.falloff];
+    default:
+      return [...told, refusals.field(pathText(inside))];
+  }
 }

@@ -1,5 +1,6 @@
 /** Frame models as OBJ files, in and out. */
 
+import { labelOf } from "../document/label";
 import type { Network } from "../document/network/network";
 import { type ObjTrouble, readObj, writeObj } from "../document/network/obj";
 import { isolated } from "../language";
@@ -24,7 +25,8 @@ export async function openObj(designer: Designer): Promise<boolean> {
     designer.notices.say(objWords(read.trouble));
     return false;
   }
-  designer.opening.open({ pasu: 1, title: file.name.replace(/\.obj$/i, ""), parts: [{ shape: read.network }] });
+  const title = labelOf(file.name.replace(/\.obj$/i, ""));
+  designer.opening.open({ pasu: 1, ...(title !== "" && { title }), parts: [{ shape: read.network }] });
   return true;
 }
 

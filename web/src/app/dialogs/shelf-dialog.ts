@@ -4,6 +4,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import type { Design } from "../../document/types";
 import "../../ui/dialog";
+import { labelOf } from "../../document/label";
 import { DesignerElement } from "../../element/designer-element";
 import { isolated, moment } from "../../language";
 import { MAX_TITLE } from "../../state/actions";
@@ -147,7 +148,7 @@ export class PasuShelf extends DesignerElement {
   }
 
   private async rename(entry: Entry, typed: string): Promise<void> {
-    const title = typed.replace(/\s+/g, " ").trim();
+    const title = labelOf(typed).trim();
     if (title === (entry.design?.title ?? "")) return;
     await this.tell(this.collection?.rename(entry, title), shelf.renamed(named(title)));
   }

@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
 import { repeat } from "lit/directives/repeat.js";
 import { alongOf, isWithin, JOINT_NAMES, type JointName, jointValue, UPRIGHT } from "../../document/joints";
+import { labelOf } from "../../document/label";
 import { unitOf } from "../../document/look";
 import { ownAxis, round } from "../../document/moving";
 import { pathText } from "../../document/path";
@@ -111,7 +112,7 @@ export class PasuJoints extends DesignerElement {
           maxlength=${MAX_NAME}
           placeholder=${this.plainName(each)}
           .value=${joint.label ?? ""}
-          @input=${(event: Event) => set({ label: (event.target as HTMLInputElement).value.trim() }, "label")}
+          @input=${(event: Event) => set({ label: labelOf((event.target as HTMLInputElement).value.trim(), MAX_NAME) }, "label")}
           @blur=${() => designer.store.endGesture()}
       /></label>
       <div class="ends">${this.end(each, 0, set)} ${this.end(each, 1, set)}</div>

@@ -20,6 +20,8 @@ export const refusals = phrases("refusals", {
     name: "Name",
     place: "Place",
     joints: "Slider",
+    parts: "Parts",
+    object: "Glued to",
     wall: "Wall",
     look: "Glaze and clay",
   },
@@ -30,6 +32,31 @@ export const refusals = phrases("refusals", {
   /** Of free boundary data. */
   component: (axis: string) => `equation of ${axis}`,
   mode: (n: string) => `wave ${n}`,
+  axes: ["x", "y", "z"],
+  exponent: (axis: string) => `exponent of ${axis}`,
+  /** Where a part stands; of what has three numbers, along which axis. */
+  placed: {
+    scale: (axis: string) => `scale along ${axis}`,
+    shift: (axis: string) => `moved along ${axis}`,
+    axis: () => "axis",
+    angle: () => "turn",
+  },
+  /** Of a network of patches, all counted from 1. */
+  network: {
+    patches: "patches",
+    vertices: "points",
+    patch: (n: string) => `patch ${n}`,
+    point: (n: string) => `point ${n}`,
+    force: (n: string) => `force ${n}`,
+    corner: (n: string) => `number of its point ${n}`,
+    frame: "its points",
+    a1: "along u",
+    a2: "along v",
+    f0: "strength",
+    falloff: "falls off",
+    component: (axis: string) => `in ${axis}`,
+    ends: [(axis: string) => `${axis} from`, (axis: string) => `${axis} to`],
+  },
   /** In the library's words, for which there are none here. */
   library: (sentence: string) => sentence,
   /** By code, what a language says in general where the library's English sentence says more. */
