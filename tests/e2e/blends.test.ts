@@ -313,3 +313,28 @@ test("the inside of a solid is saved as cells", async () => {
   expect(name).toMatch(/\.msh$/);
   expect(bytes.subarray(0, 11).toString()).toBe("$MeshFormat");
 });
+
+test("a blend is told to be a solid, and is offered a wall between closed sections alone", async () => {
+  const pot = await here.enter();
+  const open = async (form: object) => {
+    const before = await pot.fingerprint();
+    const shape = {
+      kind: "blend",
+      start: { form: "disc", radius: [4, 4], z: 0, taper: 0.2, dz: 6 },
+      end: { radius: [5, 5], z: 8, taper: 0.2, dz: 6, ...form },
+    };
+    await pot.dropFile("blend.json", JSON.stringify({ pasu: 1, parts: [{ shape }] }));
+    await pot.fingerprintOtherThan(before);
+  };
+  await open({ form: "rectangle" });
+  await pot.tab("Wall");
+  await pot.page.getByText("A wall goes round between two closed sections").waitFor();
+  expect(await pot.button("Make it a pot").count()).toBe(0);
+  await pot.tab("Measures");
+  await pot.page.getByText("It goes round a body: a solid as it is").waitFor();
+  await pot.tab("Wall");
+  await open({ form: "disc" });
+  await pot.page.getByText("With a wall it becomes an open pot").waitFor();
+  await pot.button("Make it a pot").click();
+  await pot.page.getByText(/^Holds .* to the brim/).waitFor();
+});

@@ -116,5 +116,21 @@ test("what the scene tells of two parts is not told of them again, and all else 
     ({ code, part, args: { other } }) as unknown as Finding;
   const findings = [finding("overlap", 0, 1), finding("overlap", 2, 1), finding("ceiling", 0, 1)];
   const found = { isKept: false, slack: 1e-6, leftOut: 0, breaches: [breach("interference")] };
-  expect(withoutPairs({ findings } as unknown as Report, found).findings).toEqual(findings.slice(1));
+  expect(withoutPairs({ findings } as unknown as Report, found, DESIGN).findings).toEqual(findings.slice(1));
+});
+
+test("that what is glued runs into each other is no fault, and told once", () => {
+  const touches = (part: number, other: number) =>
+    ({ code: "overlap", severity: "warning", part, args: { what: "touches", other } }) as unknown as Finding;
+  const scene: Design = { pasu: 1, parts: [0, 0, 1].map((object) => ({ object, shape: octant })) };
+  const report = { findings: [touches(0, 1), touches(1, 0), touches(1, 2)] } as unknown as Report;
+  const kept = { isKept: true, slack: 1e-6, leftOut: 0, breaches: [] };
+  expect(withoutPairs(report, kept, scene).findings).toEqual([touches(1, 2)]);
+  const warning = { severity: "warning", text: "thin" } as const;
+  const good = { severity: "good", text: "closed" } as const;
+  const told = withScene([warning, good], kept, scene, report);
+  expect(told.map(({ severity }) => severity)).toEqual(["warning", "note", "good"]);
+  expect(told[1]?.text).toMatch(/^Glued parts run into each other/);
+  const apart = { pasu: 1, parts: scene.parts.map((part, object) => ({ ...part, object })) } as const;
+  expect(withScene([good], kept, apart, report)).toEqual([good]);
 });

@@ -67,21 +67,40 @@ export function keptWords({ parts }: Design): string {
 
 /**
  * What checks say of files, with what is wrong between the parts before it. Nothing is called good of a scene that is broken, however closed its meshes are. Notes are left out: they are no matter of the file.
+ * That glued parts run into each other, of which `report` is, is as it is meant to be, and said once.
  */
-export function withScene(sentences: readonly Sentence[], found: Constraints, design: Design): readonly Sentence[] {
+export function withScene(
+  sentences: readonly Sentence[],
+  found: Constraints,
+  design: Design,
+  report: Report | null = null,
+): readonly Sentence[] {
   const told = toldOf(found).filter(({ severity }) => severity !== "note");
   const { broken } = countsOf(found);
+  const isGlued = report?.findings.some((finding) => runsIntoGlued(finding, design)) ?? false;
   return [
     ...told.map((breach): Sentence => ({ severity: "warning", text: breachWords(breach, design) })),
-    ...sentences.filter(({ severity }) => broken === 0 || severity !== "good"),
+    ...sentences.filter(({ severity }) => severity !== "good"),
+    ...(isGlued ? [{ severity: "note", text: words.gluedInFile } as const] : []),
+    ...sentences.filter(({ severity }) => broken === 0 && severity === "good"),
   ];
 }
 
-/** The findings of checks but for those of two parts of which the scene tells: what runs into each other in space does so in the file. */
-export function withoutPairs(report: Report, found: Constraints): Report {
+/** Whether a finding of the checks is that two parts run into each other that are glued. */
+function runsIntoGlued({ code, part, args }: Finding, { parts }: Design): boolean {
+  if (code !== "overlap" || args.what !== "touches" || part === null || typeof args.other !== "number") return false;
+  const [one, other] = [parts[part], parts[args.other]];
+  return one !== undefined && other !== undefined && (one.object ?? 0) === (other.object ?? 0);
+}
+
+/** The findings of checks but for those of two parts of which the scene tells, what runs into each other in space does so in the file, and of two that are glued. */
+export function withoutPairs(report: Report, found: Constraints, design: Design): Report {
   const told = new Set(found.breaches.flatMap(({ part, other }) => [`${part} ${other}`, `${other} ${part}`]));
   const isTold = ({ code, part, args }: Finding) => TOGETHER.includes(code) && told.has(`${part} ${args.other}`);
-  return { ...report, findings: report.findings.filter((finding) => !isTold(finding)) };
+  return {
+    ...report,
+    findings: report.findings.filter((finding) => !isTold(finding) && !runsIntoGlued(finding, design)),
+  };
 }
 
 /** “Knob, Lid, and Ring”; of many the first, and how many more. */

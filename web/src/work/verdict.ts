@@ -18,7 +18,12 @@ export function verdictNow({ made, state: { design }, surface }: Designer): read
   const report = known?.report.value ?? null;
   const outline = surface.shown?.solved.facts?.outline ?? [];
   const measures = known?.measures.value ?? null;
-  const own = verdict(measures, report && scene ? withoutPairs(report, scene) : report, outline, unitOf(design));
+  const own = verdict(
+    measures,
+    report && scene ? withoutPairs(report, scene, design) : report,
+    outline,
+    unitOf(design),
+  );
   if (design.parts.length === 1) return own;
-  return scene && own.length > 0 ? withScene(own, scene, design) : [];
+  return scene && own.length > 0 ? withScene(own, scene, design, report) : [];
 }

@@ -268,12 +268,12 @@ export class PasuExport extends DesignerElement {
     const [outline, unit] = [surface.shown?.solved.facts?.outline ?? [], unitOf(now.design)];
     // A closed solid has no wall: how thick it is printed is the slicer's.
     const scene = now.design.parts.length > 1 ? this.designer.made?.constraints.value : null;
-    const found = scene ? withoutPairs(report, scene) : report;
+    const found = scene ? withoutPairs(report, scene, now.design) : report;
     const own =
       this.chosen.product === "pot"
         ? madeOf(found, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
         : checked(found, measures, outline, unit);
-    return scene ? withScene(own, scene, now.design) : own;
+    return scene ? withScene(own, scene, now.design, report) : own;
   }
 
   /** Whether it is known of several parts how they fit together, or that it cannot be: before that none is called good. */

@@ -2,6 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
+import { isSolid } from "../../document/closes";
 import { unitOf } from "../../document/look";
 import type { Design } from "../../document/types";
 import { DesignerElement } from "../../element/designer-element";
@@ -43,7 +44,8 @@ export class PasuMeasures extends DesignerElement {
     const { designer } = this;
     const { state: now } = designer;
     if (!now.design.parts.some((part) => part.wall)) {
-      return html`<p class="lead">${measures.isSurface}</p>`;
+      const solid = now.design.parts.every(({ shape }) => isSolid(shape));
+      return html`<p class="lead">${solid ? measures.isSolid : measures.isSurface}</p>`;
     }
     const found = verdictNow(designer);
     return html`<section aria-labelledby="made">

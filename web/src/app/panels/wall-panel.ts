@@ -2,8 +2,8 @@
 
 import { css, html, nothing } from "lit";
 import { customElement } from "lit/decorators.js";
+import { closes, isRound } from "../../document/closes";
 import { unitOf } from "../../document/look";
-import { isClosed } from "../../document/network/network";
 import { pathText } from "../../document/path";
 import { DEFAULTS } from "../../document/tables.gen";
 import type { Shape, Wall } from "../../document/types";
@@ -48,7 +48,10 @@ export class PasuWall extends DesignerElement {
     const isPatched = isThickness(shape.kind);
     if (closes(shape)) return this.closed(wall !== undefined);
     if (!wall) {
-      return html`<p class="lead">${isPatched ? words.isNetwork : words.isSurface}</p>
+      // A wall takes closed sections to go round between.
+      if (shape.kind === "blend" && !isRound(shape)) return html`<p class="lead">${words.isOpenBlend}</p>`;
+      const lead = isPatched ? words.isNetwork : shape.kind === "blend" ? words.isBlend : words.isSurface;
+      return html`<p class="lead">${lead}</p>
         <button class="button primary" type="button" @click=${() => designer.apply(setPot(designer.state, true, this.size))}>
           ${isPatched ? words.thicken : words.makePot}
         </button>`;
@@ -247,9 +250,6 @@ export class PasuWall extends DesignerElement {
 }
 
 /** Whether patches go round a body, which is a solid without a wall. */
-function closes(shape: Shape): boolean {
-  return shape.kind === "octant" || (shape.kind === "vertex-frame" && isClosed(shape));
-}
 
 /** Each value of a choice with its words. */
 function told<T extends string>(all: Readonly<Record<T, { readonly label: string; readonly note: string }>>) {

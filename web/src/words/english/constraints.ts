@@ -37,6 +37,8 @@ export const constraints = phrases("constraints", {
     `Whether any of ${group} touches ${other}, to which they are glued, could not be told. Push them a little into it to be sure.`,
   undecidedWithin: (part: string, other: string) =>
     `Whether all of ${part} lies inside ${other} could not be told. Where nothing of it is seen, take it away.`,
+  /** Of what is made. */
+  gluedInFile: "Glued parts run into each other, as they are meant to: Export can join them into one solid.",
   mends: {
     glue: "Glue together",
     apart: "Move apart",

@@ -29,6 +29,9 @@ export const wall = phrases("wall", {
   isSurface:
     "This is a surface: it has a shape and no thickness. With a wall it becomes a pot, which holds water, stands, and can be printed or thrown.",
   makePot: "Make it a pot",
+  isBlend: "It is a solid as it is, which can be printed. With a wall it becomes an open pot, which holds water.",
+  isOpenBlend:
+    "It is a solid as it is, which can be printed. A wall goes round between two closed sections: under Shape, make each that is none an outline or a disc.",
   isNetwork:
     "These patches have free edges: they are a surface without thickness. With one along their normals they become a body, which can be printed.",
   closed:
