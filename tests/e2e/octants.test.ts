@@ -106,3 +106,30 @@ test("on a phone everything fits", async () => {
   const over = await pot.page.evaluate(() => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth);
   expect(over).toBeLessThanOrEqual(0);
 });
+
+test("what is no pot is described and measured on the stage, and its copy stands beside all of it", async () => {
+  const pot = await here.enter();
+  const first = await pot.fingerprint();
+  const wide = { kind: "octant", exponents: [2, 2, 2] };
+  const parts = [0, 6].map((x, object) => ({ object, shape: wide, place: { scale: [5, 4, 3], shift: [x, 0, 0] } }));
+  await pot.dropFile("one.json", JSON.stringify({ pasu: 1, parts: parts.slice(0, 1) }));
+  const one = await pot.fingerprintOtherThan(first);
+  const caption = () => pot.page.locator("pasu-stage #description").innerText();
+  await expect.poll(caption).toMatch(/^3\scm high and [\d.]+\scm wide\.$/);
+  await pot.button("Overlays").click();
+  await pot.page.getByRole("checkbox", { name: "Axes and dimensions" }).check();
+  await pot.page.keyboard.press("Escape");
+  await pot.page
+    .locator("pasu-stage")
+    .getByText(/^3\scm$/)
+    .first()
+    .waitFor();
+  await pot.dropFile("two.json", JSON.stringify({ pasu: 1, parts }));
+  const two = await pot.fingerprintOtherThan(one);
+  await expect.poll(caption).toMatch(/^Two parts, 3\scm high and [\d.]+\scm wide together\.$/);
+  await pot.page.getByRole("listbox", { name: "Parts" }).focus();
+  await pot.page.keyboard.press("d");
+  await pot.fingerprintOtherThan(two);
+  // Eleven wide, and a tenth of that beside it.
+  await pot.page.getByText("No two objects run into each other.").waitFor();
+});

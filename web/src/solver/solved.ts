@@ -53,6 +53,12 @@ export function longest(solved: Pick<Solved, "facts" | "bounds"> | undefined): n
   return bounds ? Math.max(...bounds.max.map((most, axis) => most - (bounds.min[axis] ?? most))) : 1;
 }
 
+/** How far it goes along x; 1 while that is not known. */
+export function widthOf(solved: Pick<Solved, "bounds"> | undefined): number {
+  const bounds = solved?.bounds;
+  return bounds ? bounds.max[0] - bounds.min[0] : 1;
+}
+
 let revisions = 0;
 
 /** A number for a mesh that no mesh before had. */

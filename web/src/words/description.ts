@@ -12,7 +12,7 @@ const DIGITS = 3;
 /** "A vase 3.6 cm high and 2.2 cm wide, widest at the rim, with 7 petals." What is made of several parts has none of these as a whole: "Three parts, 4.2 cm high and 14.4 cm wide together." */
 export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents = shape.extents): string {
   const length = (value: number) => spokenLength(value, unit, DIGITS);
-  if (shape.parts > 1) return description.parts(shape.parts, length(height), length(greatest.width));
+  if (shape.parts > 1) return describeBodies(shape.parts, unit, { height, greatest });
   const marks: string[] = [];
   if (shape.petals === 2) marks.push(description.oval[shape.petalsAt]);
   if (shape.petals > 2) marks.push(description.petals[shape.petalsAt](shape.petals));
@@ -30,6 +30,12 @@ export function describe(shape: Facts, unit: Unit, { height, greatest }: Extents
   ];
   if (!shape.closed) said.push(description.open);
   return description.sentences(said);
+}
+
+/** How large several parts are together, or one that is no pot. */
+export function describeBodies(parts: number, unit: Unit, { height, greatest }: Pick<Extents, "height" | "greatest">) {
+  const [high, wide] = [height, greatest.width].map((value) => spokenLength(value, unit, DIGITS)) as [string, string];
+  return parts > 1 ? description.parts(parts, high, wide) : description.body(high, wide);
 }
 
 /** How far the picture's triangles may be from the surface, in words; rounded up, because it is a promise. */

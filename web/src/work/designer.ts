@@ -4,7 +4,7 @@
  */
 
 import { computed, effect, signal } from "@preact/signals-core";
-import type { Extents } from "../document/extents";
+import { type Extents, extentsTogether } from "../document/extents";
 import { designOf } from "../document/gallery/exhibit";
 import { FIRST } from "../document/gallery/first";
 import { unitOf } from "../document/look";
@@ -12,7 +12,7 @@ import type { SolverClient } from "../solver/client";
 import { readSettings } from "../state/storage";
 import type { Change, State } from "../state/store";
 import { Store } from "../state/store";
-import { describe } from "../words/description";
+import { describe, describeBodies } from "../words/description";
 import { page } from "../words/english/page";
 import { Comparison } from "./comparison";
 import { Contrast } from "./contrast";
@@ -42,7 +42,9 @@ export class Designer {
   readonly #extents = computed(() => this.#measureExtents());
   readonly #description = computed(() => {
     const [{ shown }, extents] = [this.surface, this.extents];
-    return shown?.solved.facts && extents ? describe(shown.solved.facts, unitOf(shown.design), extents) : "";
+    if (!shown || !extents) return "";
+    const [{ facts, parts }, unit] = [shown.solved, unitOf(shown.design)];
+    return facts ? describe(facts, unit, extents) : describeBodies(parts.length, unit, extents);
   });
   readonly #pull = signal<Pull | null>(null);
   #fetching: Promise<Made | null> | null = null;
@@ -136,8 +138,10 @@ export class Designer {
 
   #measureExtents(): Extents | null {
     const { shown } = this.surface;
-    const facts = shown?.solved.facts;
-    if (!shown || !facts) return null;
-    return this.made?.extentsOf(shown.design, facts.extents) ?? facts.extents;
+    if (!shown) return null;
+    const { facts, parts } = shown.solved;
+    // Of what is no pot there are no facts, but how far it reaches.
+    const extents = facts?.extents ?? extentsTogether(parts.map(({ farthest }) => farthest));
+    return extents && (this.made?.extentsOf(shown.design, extents) ?? extents);
   }
 }

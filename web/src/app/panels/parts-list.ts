@@ -6,6 +6,7 @@ import { repeat } from "lit/directives/repeat.js";
 import type { Part } from "../../document/types";
 import { UnhurriedElement } from "../../element/unhurried";
 import { listed } from "../../language";
+import { widthOf } from "../../solver/solved";
 import type { PartId } from "../../state/part-ids";
 import {
   deleteParts,
@@ -249,7 +250,7 @@ export class PasuParts extends UnhurriedElement {
   /** Beside everything that stands there, so that the copy is seen. */
   private copy(): Change {
     const { state, surface } = this.designer;
-    const width = surface.shown?.solved.facts?.width ?? 1;
+    const width = widthOf(surface.shown?.solved);
     return duplicateParts(state, selectedIds(state), Number((ASIDE * width).toPrecision(2)));
   }
 

@@ -10,6 +10,7 @@ import { pathText } from "../../document/path";
 import { UNMOVED, type WholePlacement } from "../../document/placement";
 import type { Triple } from "../../document/types";
 import { UnhurriedElement } from "../../element/unhurried";
+import { widthOf } from "../../solver/solved";
 import { changeJoint } from "../../state/joint-actions";
 import { changePlace } from "../../state/place-actions";
 import { objectOf } from "../../state/scene-actions";
@@ -62,7 +63,7 @@ export class PasuPlace extends UnhurriedElement {
     // An octant has no length of its own: its scale is how far it reaches.
     const isLength = part.shape.kind === "octant";
     const solved = this.designer.surface.shown?.solved;
-    const width = solved?.facts?.width ?? 1;
+    const width = widthOf(solved);
     const far = rounded(BEYOND * Math.max(width, ...before.shift.map(Math.abs)));
     const largest = Math.max(...before.scale.map(Math.abs));
     const size = rounded(BEYOND * Math.max(isLength ? 0 : 1, largest));
@@ -192,7 +193,7 @@ export class PasuPlace extends UnhurriedElement {
       const members = design.parts.filter((one) => objectOf(one) === objectOf(part)).length;
       // What is glued goes along where that is not simply everything.
       const glued = members > 1 && members < design.parts.length;
-      const width = designer.surface.shown?.solved.facts?.width ?? 1;
+      const width = widthOf(designer.surface.shown?.solved);
       const limits = limitsAbout(name, round(now), Number(width.toPrecision(1)));
       const joint = { ...(name === "turn" && { axis }), limits, ...(glued && { glued }) };
       return designer.apply(changeJoint(designer.state, id, name, joint));

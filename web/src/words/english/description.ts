@@ -28,6 +28,8 @@ export const description = phrases("description", {
   open: "The wall does not close.",
   parts: (count: number, high: string, wide: string) =>
     `${COUNTS[count - 2] ?? count} parts, ${high} high and ${wide} wide together.`,
+  /** One that is no pot. */
+  body: (high: string, wide: string) => `${high} high and ${wide} wide.`,
   sentences: (all: readonly string[]) => all.join(" "),
   accuracy: (within: string) => `Drawn to within ${within} of the true surface.`,
 });
