@@ -118,6 +118,13 @@ test("what is no pot is described and measured on the stage, and its copy stands
   await expect.poll(caption).toMatch(/^3\scm high and [\d.]+\scm wide\.$/);
   await pot.button("Overlays").click();
   await pot.page.getByRole("checkbox", { name: "Axes and dimensions" }).check();
+  // Of what has no foot and no rim there are no lines from one to the other.
+  for (const [name, none] of [
+    ["Lines round the pot (u)", true],
+    ["Rim, foot and tangents", true],
+    ["Wireframe", false],
+  ] as const)
+    expect(await pot.page.getByRole("checkbox", { name }).isDisabled()).toBe(none);
   await pot.page.keyboard.press("Escape");
   await pot.page
     .locator("pasu-stage")

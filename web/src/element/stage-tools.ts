@@ -1,5 +1,6 @@
 /** The tools at the foot of the stage: standard views, zoom, and what is drawn over the pot. */
 
+import { computed } from "@preact/signals-core";
 import { css, html, nothing } from "lit";
 import { customElement, property } from "lit/decorators.js";
 import type { Stage } from "../render/stage";
@@ -13,6 +14,9 @@ import { page } from "../words/english/page";
 import { VIEWS, ZOOM } from "./views";
 
 const OVERLAYS: readonly (keyof Overlays)[] = ["isoU", "isoV", "wireframe", "boundary", "axes", "cut"];
+
+/** Those of surfaces from foot to rim. */
+const LINES: readonly (keyof Overlays)[] = ["isoU", "isoV", "boundary"];
 
 const ZOOMS: readonly {
   readonly name: "zoomOut" | "zoomIn" | "fit";
@@ -28,6 +32,12 @@ const ZOOMS: readonly {
 @customElement("pasu-stage-tools")
 export class PasuStageTools extends DesignerElement {
   @property({ attribute: false }) stage: Stage | null = null;
+  /** Whether any part is a surface from foot to rim. */
+  readonly #hasLines = computed(() =>
+    this.designer.store.design.parts.some(
+      ({ shape: { kind }, wall }) => kind !== "octant" && kind !== "vertex-frame" && (kind !== "blend" || wall),
+    ),
+  );
 
   override render() {
     return html`<div class="tools" role="toolbar" aria-label=${page.view}>
@@ -89,11 +99,13 @@ export class PasuStageTools extends DesignerElement {
   private overlays() {
     const { designer } = this;
     const { overlays } = designer.store.session;
+    const none = this.#hasLines.value ? [] : LINES;
     const boxes = OVERLAYS.map(
-      (name) => html`<label class="check">
+      (name) => html`<label class="check" title=${none.includes(name) ? page.noLines : nothing}>
         <input
           type="checkbox"
           .checked=${overlays[name]}
+          ?disabled=${none.includes(name)}
           @change=${() => designer.apply(toggleOverlay(designer.state, name))}
         />
         <span>${page.overlayNames[name]}</span>
@@ -156,6 +168,10 @@ export class PasuStageTools extends DesignerElement {
         border-radius: 8px;
         white-space: nowrap;
         cursor: pointer;
+      }
+      .check:has(:disabled) {
+        color: var(--soft);
+        cursor: default;
       }
       .check:hover {
         background: var(--well);

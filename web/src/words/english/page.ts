@@ -88,6 +88,7 @@ export const page = phrases("page", {
   /** What a button does, and the key that does it too. */
   keyed: (label: string, key: string) => `${label} (${key})`,
   overlays: "Overlays",
+  noLines: "Of networks, octants and solid blends there are no such lines.",
   overlayNames: {
     isoU: "Lines round the pot (u)",
     isoV: "Lines up the wall (v)",
