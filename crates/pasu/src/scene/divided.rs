@@ -55,13 +55,13 @@ impl Space {
         if !budget.take(LOOKED) {
             return None;
         }
-        let enough = 0.125 * slack;
         let rounding = ROUNDING * self.far().max(other.far());
-        self.axes(other).into_iter().find_map(|axis| {
-            // Corners are places of the borders: of most axes they tell that one passes the other.
-            if self.room(other, axis) < rounding - slack {
-                return None;
-            }
+        // Corners are places of the borders: of most axes they tell that one passes the other. Of these the one along which it passes least is asked, for what is deep.
+        let rooms: Vec<(f64, DVec3)> =
+            self.axes(other).into_iter().map(|axis| (self.room(other, axis) - rounding, axis)).collect();
+        let most = rooms.iter().map(|(room, _)| *room).fold(f64::NEG_INFINITY, f64::max);
+        rooms.into_iter().filter(|(room, _)| *room >= most.min(-slack)).find_map(|(room, axis)| {
+            let enough = 0.125 * slack.max(-room);
             let [(one, at), (another, place)] = [self.reach(axis, enough, budget), other.reach(-axis, enough, budget)];
             let least = -one - another - rounding;
             if least > slack {
