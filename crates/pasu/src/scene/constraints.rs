@@ -34,7 +34,7 @@ const MOST_NAMED: usize = 4;
 
 /// Whether a scene keeps the three constraints of ASB88 (J. A. D. W. Anderson, G. D. Sullivan, K. D. Baker, 1988): (1) no two discrete objects share points, (2) the parts of one object hang together, (3) no part is wholly inside another.
 ///
-/// `slack` is a length in the unit of the design; where there is none, the power of two below a millionth of the size of the scene. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
+/// `slack` is a length in the unit of the design; where there is none, the power of two below a millionth of the size of the scene, from corner to corner of the box round all surfaces. Two parts *interfere* where a place of one is more than the slack beneath the surface of the other, are *apart* where all of
 /// both is further from each other than it, and are *in contact* where they come as near and a plane lies between them that neither passes by more than the slack, or, of bodies of revolution about one axis, no place of one is deeper in the other than that. Contact connects, and is no interference. What is none of these within the limit
 /// of work is said to be undecided.
 ///
@@ -68,10 +68,11 @@ impl Solution {
         let scenery = self.scenery()?;
         let slack = match slack {
             Some(slack) => checked(slack)?,
-            None => power_of_two_below(SLACK * scenery.size()),
+            None => power_of_two_below(SLACK * scenery.sight.size()),
         };
         let parts = self.design().parts();
         let mut judge = Judge {
+            solution: self,
             parts,
             scenery: &scenery,
             slack,
@@ -82,8 +83,8 @@ impl Solution {
             joined: SignedSets::new(parts.len()),
             doubtful: Vec::new(),
         };
-        judge.pairs();
-        judge.objects();
+        judge.pairs()?;
+        judge.objects()?;
         watch::go_on()?;
         scenery.keep(core::mem::take(&mut judge.known));
         let is_kept = judge.n_left_out == 0 && judge.told.iter().all(|breach| breach.severity == Severity::Note);
@@ -108,13 +109,6 @@ fn checked(slack: f64) -> Result<f64> {
     Ok(slack)
 }
 
-impl Scenery {
-    /// From corner to corner of the box round all.
-    fn size(&self) -> f64 {
-        self.boxes.root().map_or(1.0, |root| self.boxes.bounds(root).size())
-    }
-}
-
 /// Two parts that may meet.
 struct Pair {
     both: [usize; 2],
@@ -124,6 +118,7 @@ struct Pair {
 }
 
 struct Judge<'a> {
+    solution: &'a Solution,
     parts: &'a [Part],
     scenery: &'a Scenery,
     slack: f64,
@@ -138,9 +133,9 @@ struct Judge<'a> {
     doubtful: Vec<[usize; 2]>,
 }
 
-impl Judge<'_> {
-    fn space(&self, part: usize) -> &Space {
-        &self.scenery.parts[part]
+impl<'a> Judge<'a> {
+    fn space(&self, part: usize) -> Result<&'a Space> {
+        self.scenery.sight.space(self.solution, part).map(|space| &**space)
     }
 
     fn name(&self, part: usize) -> String {
@@ -151,47 +146,38 @@ impl Judge<'_> {
     }
 
     /// Every two parts whose boxes come as near as the slack: first all of them, and then those again of which little work did not tell.
-    fn pairs(&mut self) {
-        let pairs = self.near();
+    fn pairs(&mut self) -> Result<()> {
+        let pairs = self.near()?;
         let mut judged: Vec<Option<Judged>> = Vec::with_capacity(pairs.len());
         for pair in &pairs {
             let task = (!pair.is_same).then(|| Task::first(self.slack, pair.is_one_object));
-            judged.push(task.map(|task| self.judged(pair.both, task)));
+            judged.push(task.map(|task| self.judged(pair.both, task)).transpose()?);
         }
         for (pair, judged) in pairs.iter().zip(&mut judged) {
             if judged.is_some_and(|judged| judged.is_cut) {
-                *judged = Some(self.judged(pair.both, Task::first(self.slack, pair.is_one_object).thorough()));
+                *judged = Some(self.judged(pair.both, Task::first(self.slack, pair.is_one_object).thorough())?);
             }
         }
-        for (pair, judged) in pairs.iter().zip(judged) {
-            self.pair(pair, judged);
-        }
+        pairs.iter().zip(judged).try_for_each(|(pair, judged)| self.pair(pair, judged))
     }
 
-    fn near(&self) -> Vec<Pair> {
-        let scenery = self.scenery;
+    fn near(&self) -> Result<Vec<Pair>> {
         let mut pairs = Vec::new();
-        for part in 0..self.parts.len() {
-            let near = self.space(part).bounds.wider(self.slack);
-            let mut others = Vec::new();
-            scenery.boxes.each(|bounds| bounds.distance(&near) == 0.0, |other| others.push(other));
-            others.retain(|other| *other < part);
-            others.sort_unstable();
-            for other in others {
-                let (first, second) = (&self.parts[other], &self.parts[part]);
-                let is_one_object = first.object == second.object;
-                if is_one_object || self.space(other).is_solid || self.space(part).is_solid {
-                    let is_same =
-                        first.shape == second.shape && first.place == second.place && first.wall == second.wall;
-                    pairs.push(Pair { both: [other, part], is_one_object, is_same });
-                }
+        for [other, part] in self.scenery.sight.near(self.slack) {
+            let (first, second) = (&self.parts[other], &self.parts[part]);
+            let is_one_object = first.object == second.object;
+            let [one, another] = [self.space(other)?, self.space(part)?];
+            let is_near = one.bounds.distance(&another.bounds.wider(self.slack)) == 0.0;
+            if is_near && (is_one_object || one.is_solid || another.is_solid) {
+                let is_same = first.shape == second.shape && first.place == second.place && first.wall == second.wall;
+                pairs.push(Pair { both: [other, part], is_one_object, is_same });
             }
         }
-        pairs
+        Ok(pairs)
     }
 
     /// How two parts meet: as it is known, or else found. What is known counts for as much work, so that nothing is told otherwise for being known.
-    fn judged(&mut self, both: [usize; 2], task: Task) -> Judged {
+    fn judged(&mut self, both: [usize; 2], task: Task) -> Result<Judged> {
         let judged = match self.scenery.known(both, task) {
             Some(known) if known.work <= self.budget.left => {
                 self.budget.left -= known.work;
@@ -199,7 +185,7 @@ impl Judge<'_> {
             }
             _ => {
                 let left = self.budget.left;
-                let [one, other] = both.map(|part| &self.scenery.parts[part]);
+                let [one, other] = [self.space(both[0])?, self.space(both[1])?];
                 let (meeting, is_cut) = one.meeting(other, task, &mut self.budget);
                 let is_touch = matches!(meeting, Meeting::Undecided { touch: Some(_) });
                 // How deep does not matter of parts of one object; whether one is within the other does.
@@ -215,68 +201,64 @@ impl Judge<'_> {
         if !self.budget.is_out {
             self.known.insert(both, task, judged);
         }
-        judged
+        Ok(judged)
     }
 
-    fn pair(&mut self, pair: &Pair, judged: Option<Judged>) {
+    fn pair(&mut self, pair: &Pair, judged: Option<Judged>) -> Result<()> {
         let Pair { both: [one, other], is_one_object, .. } = *pair;
         let Some(Judged { meeting, is_own, .. }) = judged else {
             self.joined.join(one, other, false);
-            let at = self.space(one).tiles().all.first().map(|tile| tile.corners[0]);
-            self.tell("same-place", Severity::Error, [other, one], at, None);
-            return;
+            let at = self.space(one)?.tiles().all.first().map(|tile| tile.corners[0]);
+            return self.tell("same-place", Severity::Error, [other, one], at, None);
         };
         match meeting {
-            Meeting::Apart { .. } => {}
-            Meeting::Contact { at } => {
-                if is_one_object {
-                    self.joined.join(one, other, false);
-                } else {
-                    self.tell("contact", Severity::Note, [other, one], Some(at), None);
-                }
+            Meeting::Contact { at } if !is_one_object => {
+                self.tell("contact", Severity::Note, [other, one], Some(at), None)?;
             }
             Meeting::Through { at, depth, is_own } => {
-                self.meet([other, one], is_one_object, at, depth);
-                self.own_places([one, other], is_own);
+                self.meet([other, one], is_one_object, at, depth)?;
+                self.own_places([one, other], is_own)?;
             }
             Meeting::Inside { is_first, at, depth } => {
                 let [inner, outer] = if is_first { [one, other] } else { [other, one] };
-                self.meet([other, one], is_one_object, at, depth);
-                self.tell("within", Severity::Error, [inner, outer], Some(at), Some(depth));
+                self.meet([other, one], is_one_object, at, depth)?;
+                self.tell("within", Severity::Error, [inner, outer], Some(at), Some(depth))?;
             }
-            Meeting::Undecided { touch } if is_one_object => match touch {
-                Some(_) => {
-                    self.joined.join(one, other, false);
-                    self.own_places([one, other], is_own);
-                }
-                None => self.doubtful.push([one, other]),
-            },
-            Meeting::Undecided { touch } => {
-                self.tell("undecided-interference", Severity::Warning, [other, one], touch, None);
+            Meeting::Undecided { touch } if !is_one_object => {
+                self.tell("undecided-interference", Severity::Warning, [other, one], touch, None)?;
             }
+            Meeting::Undecided { touch: Some(_) } => {
+                self.joined.join(one, other, false);
+                self.own_places([one, other], is_own)?;
+            }
+            Meeting::Undecided { touch: None } => self.doubtful.push([one, other]),
+            Meeting::Contact { .. } => self.joined.join(one, other, false),
+            Meeting::Apart { .. } => {}
         }
+        Ok(())
     }
 
     /// Two parts that have a place in common.
-    fn meet(&mut self, [part, other]: [usize; 2], is_one_object: bool, at: DVec3, depth: f64) {
+    fn meet(&mut self, [part, other]: [usize; 2], is_one_object: bool, at: DVec3, depth: f64) -> Result<()> {
         if is_one_object {
             self.joined.join(part, other, false);
-        } else {
-            self.tell("interference", Severity::Error, [part, other], Some(at), Some(depth));
+            return Ok(());
         }
+        self.tell("interference", Severity::Error, [part, other], Some(at), Some(depth))
     }
 
     /// Of two parts that meet, each of which no place of its own was found.
-    fn own_places(&mut self, [one, other]: [usize; 2], is_own: [bool; 2]) {
+    fn own_places(&mut self, [one, other]: [usize; 2], is_own: [bool; 2]) -> Result<()> {
         for ([part, outer], is_own) in [[one, other], [other, one]].into_iter().zip(is_own) {
             if !is_own {
-                self.tell("undecided-within", Severity::Warning, [part, outer], None, None);
+                self.tell("undecided-within", Severity::Warning, [part, outer], None, None)?;
             }
         }
+        Ok(())
     }
 
     /// Whether the parts of every object hang together.
-    fn objects(&mut self) {
+    fn objects(&mut self) -> Result<()> {
         let mut objects: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for (index, part) in self.parts.iter().enumerate() {
             objects.entry(part.object).or_default().push(index);
@@ -295,25 +277,25 @@ impl Judge<'_> {
                 match doubt {
                     Some([one, other]) => {
                         let both = if is_in(&one) { [one, other] } else { [other, one] };
-                        self.tell_of(group, "undecided-connection", Severity::Warning, both, None, None);
+                        self.tell_of(group, "undecided-connection", Severity::Warning, both, None, None)?;
                     }
-                    None => self.loose(group, &parts),
+                    None => self.loose(group, &parts)?,
                 }
             }
         }
+        Ok(())
     }
 
     /// Tells of a group of parts that touches none of the others of its object.
-    fn loose(&mut self, group: &[usize], parts: &[usize]) {
+    fn loose(&mut self, group: &[usize], parts: &[usize]) -> Result<()> {
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for part in group {
             for other in parts.iter().filter(|other| !group.contains(other)) {
-                pairs.push((self.space(*part).bounds.distance(&self.space(*other).bounds), *part, *other));
+                pairs.push((self.space(*part)?.bounds.distance(&self.space(*other)?.bounds), *part, *other));
             }
         }
         // By their boxes, which are no further apart than they are: as soon as two are found to be as near as the boxes of the next, those are the nearest.
         pairs.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let scenery = self.scenery;
         let task = Task { is_distance_sought: true, ..Task::first(self.slack, true).thorough() };
         let mut nearest: Option<(f64, usize, usize)> = None;
         let mut next = f64::INFINITY;
@@ -322,21 +304,28 @@ impl Judge<'_> {
                 next = apart;
                 break;
             }
-            let found = scenery.parts[part].meeting(&scenery.parts[other], task, &mut self.budget).0;
+            let found = self.space(part)?.meeting(self.space(other)?, task, &mut self.budget).0;
             let least = if let Meeting::Apart { least } = found { least.max(apart) } else { apart };
             if nearest.is_none_or(|(nearest, ..)| least < nearest) {
                 nearest = Some((least, part, other));
             }
         }
-        let Some((least, part, other)) = nearest else { return };
+        let Some((least, part, other)) = nearest else { return Ok(()) };
         let least = Some(least.min(next)).filter(|least| *least > 0.0);
-        let (one, another) = (&scenery.parts[part], &scenery.parts[other]);
+        let (one, another) = (self.space(part)?, self.space(other)?);
         let at = one.nearest(another.bounds.middle()).position;
-        self.tell_of(group, "not-connected", Severity::Error, [part, other], Some(at), least);
+        self.tell_of(group, "not-connected", Severity::Error, [part, other], Some(at), least)
     }
 
-    fn tell(&mut self, code: &'static str, severity: Severity, both: [usize; 2], at: Option<DVec3>, by: Option<f64>) {
-        self.tell_of(&[both[0]], code, severity, both, at, by);
+    fn tell(
+        &mut self,
+        code: &'static str,
+        severity: Severity,
+        both: [usize; 2],
+        at: Option<DVec3>,
+        by: Option<f64>,
+    ) -> Result<()> {
+        self.tell_of(&[both[0]], code, severity, both, at, by)
     }
 
     /// Tells something of a group of parts, of which the first of both is one.
@@ -348,10 +337,10 @@ impl Judge<'_> {
         both: [usize; 2],
         at: Option<DVec3>,
         by: Option<f64>,
-    ) {
+    ) -> Result<()> {
         if self.told.len() >= MOST_TOLD {
             self.n_left_out += 1;
-            return;
+            return Ok(());
         }
         let [part, other] = both;
         let names = both.map(|part| self.name(part));
@@ -360,10 +349,11 @@ impl Judge<'_> {
         if group.len() > 1 {
             args.insert("count", group.len().into());
         }
-        let is_proved = both.iter().all(|part| self.space(*part).is_proved());
+        let is_proved = self.space(part)?.is_proved() && self.space(other)?.is_proved();
         let at = at.map(|at| at.to_array());
         let group = group.to_vec();
         self.told.push(Breach { code, severity, part, other, group, message, args, at, distance: by, is_proved });
+        Ok(())
     }
 
     /// The names of a group in a row.

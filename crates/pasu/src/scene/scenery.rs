@@ -2,12 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::bounds::Bounds;
-use super::boxes::Boxes;
 use super::judged::{Judged, Known};
 use super::meeting::Task;
-use super::space::Space;
-use crate::design::Part;
+use super::sight::Sight;
 use crate::error::Result;
 use crate::solution::Solution;
 
@@ -15,36 +12,25 @@ impl Solution {
     /// All parts in space.
     ///
     /// # Errors
-    /// As [`Solution::in_space`].
+    /// As [`Solution::sight`].
     pub(super) fn scenery(&self) -> Result<Arc<Scenery>> {
         if let Some(scenery) = self.scene().get::<Arc<Scenery>>() {
             return Ok(Arc::clone(scenery));
         }
         let before = self.scene_before().get::<Arc<Scenery>>();
-        let design = self.design().parts();
-        let parts = (0..design.len()).map(|index| self.in_space(index)).collect::<Result<Vec<_>>>()?;
-        let bounds: Vec<Bounds> = parts.iter().map(|part| part.bounds).collect();
-        let scenery = Arc::new(Scenery {
-            boxes: Boxes::new(&bounds),
-            parts,
-            design: design.to_vec(),
-            before: before.map_or_else(Known::default, |before| {
-                before.found().of(|part| design.get(part).is_some_and(|own| before.standing(part, own).is_some()))
-            }),
-            known: OnceLock::new(),
-        });
+        let (sight, design) = (self.sight()?, self.design().parts());
+        let stands = |before: &Scenery, part: usize| design.get(part).is_some_and(|own| before.sight.stands(part, own));
+        let before = before.map_or_else(Known::default, |before| before.found().of(|part| stands(before, part)));
+        let scenery = Arc::new(Scenery { sight, before, known: OnceLock::new() });
         self.scene().keep(Arc::clone(&scenery));
         Ok(scenery)
     }
 }
 
-/// All parts of a design with the tree of their boxes.
+/// All parts of a design, each in space once that is wanted.
 #[derive(Debug)]
 pub(super) struct Scenery {
-    pub(super) parts: Vec<Arc<Space>>,
-    pub(super) boxes: Boxes,
-    /// What they are of.
-    design: Vec<Part>,
+    pub(super) sight: Arc<Sight>,
     /// What was found of pairs of them in another scene.
     before: Known,
     /// What was found of them in this one.
@@ -52,13 +38,6 @@ pub(super) struct Scenery {
 }
 
 impl Scenery {
-    /// A part that is here just as it is there.
-    fn standing(&self, index: usize, part: &Part) -> Option<&Arc<Space>> {
-        let own = self.design.get(index)?;
-        let is_same = own.place == part.place && own.wall == part.wall && own.shape == part.shape;
-        is_same.then(|| self.parts.get(index)).flatten()
-    }
-
     /// What is known of pairs.
     fn found(&self) -> &Known {
         self.known.get().unwrap_or(&self.before)

@@ -1,6 +1,6 @@
-//! Which parts a ray may meet, or which may hold a point, before the bodies of all are known.
+//! Which parts a ray or another part may meet, or which may hold a point, before the bodies of all are known.
 //!
-//! A wall takes long to find, and of hundreds of pots a ray meets a few. So a box is laid round what the clay of a part can reach at most, which follows from its surface and from what its wall is asked to be; the body itself is found when
+//! A wall takes long to find, and of hundreds of pots a ray meets a few, and most stand apart. So a box is laid round what the clay of a part can reach at most, which follows from its surface and from what its wall is asked to be; the body itself is found when
 //! something gets into that box.
 
 use std::sync::{Arc, OnceLock};
@@ -11,6 +11,7 @@ use super::border::Border;
 use super::bounds::Bounds;
 use super::boxes::Boxes;
 use super::space::{Space, tiled};
+use super::tile::Tile;
 use crate::design::{Part, Wall};
 use crate::error::Result;
 use crate::solid::Product;
@@ -20,8 +21,8 @@ use crate::watch;
 /// The most tiles by which a surface is enclosed where its body may not be wanted: a quarter of those that a body has.
 const FEW_TILES: usize = 128;
 
-/// So many times what all of a wall together measures it is taken to reach. No face goes further than once.
-const MARGIN: f64 = 2.0;
+/// So many times what a wall measures it is taken to reach. No face goes further than once.
+const MARGIN: f64 = 1.25;
 
 /// Surfaces beyond this, and those smaller than its inverse, have their bodies found at once, so that what cannot be computed with is refused whatever is asked.
 const LARGE: f64 = 1e50;
@@ -35,9 +36,12 @@ pub(super) struct Sight {
     design: Vec<Part>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Seen {
+    /// Round all that its body can reach.
     bounds: Bounds,
+    /// Round its surface alone.
+    surface: Bounds,
     /// What it is in space, once that was wanted.
     space: OnceLock<Arc<Space>>,
 }
@@ -57,15 +61,9 @@ impl Solution {
             // What stands where it stood has the box that it had.
             if let Some(known) = before.and_then(|before| before.same(index, part)) {
                 self.part(index)?;
-                return Ok(Seen { bounds: known.bounds, space: known.space.clone() });
+                return Ok(known.clone());
             }
-            match self.reach(index)? {
-                Some(bounds) => Ok(Seen { bounds, space: OnceLock::new() }),
-                None => {
-                    let space = self.in_space(index)?;
-                    Ok(Seen { bounds: space.bounds, space: OnceLock::from(space) })
-                }
-            }
+            self.seen(index)
         });
         let parts = seen.collect::<Result<Vec<Seen>>>()?;
         watch::go_on()?;
@@ -75,32 +73,46 @@ impl Solution {
         Ok(sight)
     }
 
-    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: it has no wall, or one whose reach is not known beforehand, as of one with a lining of its own.
-    ///
-    /// In the frame of the pot's own axis the clay is within the box round its surface, widened by all that its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
-    /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
-    /// and goes as far as its angle says.
+    /// The boxes of a part, and its body if that has to be found for them.
     ///
     /// # Errors
-    /// As [`Solution::part`].
-    fn reach(&self, index: usize) -> Result<Option<Bounds>> {
-        let (_, part) = self.existing(index)?;
-        let placed = self.part(index)?;
-        let Some(wall) = part.wall.filter(|wall| wall.lining.is_none()) else { return Ok(None) };
-        if self.has_shell(index, Product::Pot).is_ok_and(|is_shell| is_shell) {
-            return Ok(None);
+    /// As [`Solution::in_space`].
+    fn seen(&self, index: usize) -> Result<Seen> {
+        let (placed, (_, part)) = (self.part(index)?, self.existing(index)?);
+        let Some(wall) = &part.wall else {
+            let space = self.in_space(index)?;
+            return Ok(Seen { bounds: space.bounds, surface: space.bounds, space: OnceLock::from(space) });
+        };
+        let tiles = tiled(&Border::patches(placed), FEW_TILES);
+        let surface = tiles.iter().fold(Bounds::NOTHING, |all, tile| all.with(tile.bounds()));
+        if let Some(bounds) = self.reach(index, wall, &tiles) {
+            return Ok(Seen { bounds, surface, space: OnceLock::new() });
+        }
+        let space = self.in_space(index)?;
+        Ok(Seen { bounds: space.bounds, surface, space: OnceLock::from(space) })
+    }
+
+    /// A box round whatever body a part with a wall comes to, without finding that; `None` where the body has to be found: its reach is not known beforehand, as of one with a lining of its own.
+    ///
+    /// In the frame of the pot's own axis the clay is within the box round its surface, widened by what its wall measures. The other side of the wall is no further from the surface than it is thick; levels are off the lowest or highest point of the foot by the base
+    /// and the height of the ring; what is led to a level stays where it is across the axis; the edge of a drain is half its width from the middle, and that of a ring its width from the foot; all else is straight between two of these. Round a sharp ring, though, the other side is mitred,
+    /// and goes as far as its angle says.
+    fn reach(&self, index: usize, wall: &Wall, tiles: &[Tile]) -> Option<Bounds> {
+        let placed = self.part(index).ok()?;
+        if wall.lining.is_some() || self.has_shell(index, Product::Pot).is_ok_and(|is_shell| is_shell) {
+            return None;
         }
         let is_smooth = Upright::new(placed).is_some_and(|upright| upright.stretches().len() == 1);
-        let bounds = is_smooth.then(|| widened(placed, &wall));
-        Ok(bounds.filter(|bounds| {
+        let bounds = is_smooth.then(|| widened(placed, wall, tiles));
+        bounds.filter(|bounds| {
             let most = bounds.low.abs().max(bounds.high.abs()).max_element();
             most < LARGE && bounds.size() > 1.0 / LARGE
-        }))
+        })
     }
 }
 
-/// The box round a surface, as its axis stands, wider by what its wall measures, and the box along the axes round that.
-fn widened(placed: &Arc<Placed>, wall: &Wall) -> Bounds {
+/// The box round a surface, as its axis stands, wider by what its wall measures along that and across, and the box along the axes round that.
+fn widened(placed: &Placed, wall: &Wall, tiles: &[Tile]) -> Bounds {
     let matrix = placed.matrix();
     // What scales, then turns.
     let turn = DMat3::from_cols(
@@ -108,15 +120,15 @@ fn widened(placed: &Arc<Placed>, wall: &Wall) -> Bounds {
         matrix.y_axis.normalize_or(DVec3::Y),
         matrix.z_axis.normalize_or(DVec3::Z),
     );
-    let tiles = tiled(&Border::patches(placed), FEW_TILES);
     let upright = tiles.iter().fold(Bounds::NOTHING, |all, tile| {
         all.with(Bounds::of(&tile.corners.map(|corner| turn.transpose() * corner)).wider(tile.deviation))
     });
     let [width, height] = wall.foot.unwrap_or([0.0; 2]);
-    let reach = wall.thickness + wall.base + width + height + 0.5 * wall.drain;
-    let upright = upright.wider(MARGIN * reach);
+    let across = wall.thickness + width + 0.5 * wall.drain;
+    let reach = MARGIN * DVec3::new(across, across, wall.thickness + wall.base + height);
+    let (low, high) = (upright.low - reach, upright.high + reach);
     let corner = |i: usize| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { upright.low[axis] } else { upright.high[axis] };
+        let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
         turn * DVec3::new(pick(0), pick(1), pick(2))
     };
     let bounds = Bounds::of(&core::array::from_fn::<DVec3, 8, _>(corner));
@@ -137,7 +149,11 @@ impl Sight {
         met.collect()
     }
 
-    fn space(&self, solution: &Solution, part: usize) -> Result<&Arc<Space>> {
+    /// A part in space.
+    ///
+    /// # Errors
+    /// As [`Solution::in_space`].
+    pub(super) fn space(&self, solution: &Solution, part: usize) -> Result<&Arc<Space>> {
         let seen = &self.parts[part];
         match seen.space.get() {
             Some(space) => Ok(space),
@@ -146,6 +162,31 @@ impl Sight {
                 Ok(seen.space.get_or_init(|| space))
             }
         }
+    }
+
+    /// Every two parts that may come as near to each other as this, the first of them first.
+    pub(super) fn near(&self, slack: f64) -> Vec<[usize; 2]> {
+        let mut pairs = Vec::new();
+        for (part, seen) in self.parts.iter().enumerate() {
+            let near = seen.bounds.wider(slack);
+            let first = pairs.len();
+            self.boxes.each(|bounds| bounds.distance(&near) == 0.0, |other| pairs.push([other, part]));
+            let others = pairs.split_off(first);
+            pairs.extend(others.into_iter().filter(|[other, part]| other < part));
+            pairs[first..].sort_unstable();
+        }
+        pairs
+    }
+
+    /// From corner to corner of the box round all surfaces.
+    pub(super) fn size(&self) -> f64 {
+        let all = self.parts.iter().fold(Bounds::NOTHING, |all, seen| all.with(seen.surface));
+        if self.parts.is_empty() { 1.0 } else { all.size() }
+    }
+
+    /// Whether a part is here just as it is there.
+    pub(super) fn stands(&self, index: usize, part: &Part) -> bool {
+        self.same(index, part).is_some()
     }
 
     /// What is known of a part that is here just as it is there.
@@ -164,14 +205,22 @@ mod tests {
     /// Of every pot of a scene the box that is laid round it beforehand, and how many have one; each holds all of the clay.
     fn held(parts: &str) -> usize {
         let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{parts}] }}"#)).unwrap();
-        let solution = Solution::of(&design);
+        held_of(&Solution::of(&design))
+    }
+
+    fn held_of(solution: &Solution) -> usize {
+        let design = solution.design();
         let reached = (0..design.parts().len()).filter(|index| {
-            let Some(bounds) = solution.reach(*index).unwrap() else { return false };
+            let seen = solution.seen(*index).unwrap();
+            if seen.space.get().is_some() {
+                return false;
+            }
+            let bounds = seen.bounds;
             let space = solution.in_space(*index).unwrap();
-            assert!(space.is_solid, "{parts} is to be made: {:?}", solution.pot(*index, Product::Pot).err());
+            assert!(space.is_solid, "{design:?} is to be made: {:?}", solution.pot(*index, Product::Pot).err());
             for tile in &space.tiles().all {
                 for corner in tile.corners {
-                    assert!(bounds.holds(corner), "{corner} of {parts} is beyond {bounds:?}");
+                    assert!(bounds.holds(corner), "{corner} of {design:?} is beyond {bounds:?}");
                 }
             }
             // It is of use only where it is not much wider than it has to be: askew, a box round a box is up to 1.7 times as large.
@@ -179,6 +228,11 @@ mod tests {
             true
         });
         reached.count()
+    }
+
+    /// Of each part whether its body was found.
+    fn is_made(solution: &Solution) -> Vec<bool> {
+        solution.sight().unwrap().parts.iter().map(|seen| seen.space.get().is_some()).collect()
     }
 
     const CUP: &str = r#""kind": "second-order", "r": [3, 0.1, 3.5, 0.3], "t": [0.4, 0], "n": [1, 5], "height": 4"#;
@@ -207,6 +261,57 @@ mod tests {
         assert_eq!(n_boxes, WALLS.len() * PLACES.len());
     }
 
+    /// Flaring, leaning and wavy pots through three rings, with walls of every form up to a quarter of their radius, small and large, tilted and stretched.
+    #[test]
+    fn clay_of_pots_drawn_at_random_stays_in_its_box_too() {
+        let mut state = 3u64;
+        let mut between = |least: f64, most: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            least + (most - least) * (state >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let (mut n_held, mut n_made) = (0, 0);
+        for round in 0..120 {
+            let size = 10f64.powf(between(-3.0, 3.0));
+            let rings: Vec<String> = (0..3)
+                .map(|i| {
+                    let (r, z) = (between(0.5, 2.5) * size, (f64::from(i) * between(0.2, 2.0)) * size);
+                    let mut wave = |n: u32, most: f64| format!(r#"{{ "n": {n}, "cos": {}, "sin": {} }}"#, between(-most, most) * size, between(-most, most) * size);
+                    let (of_r, of_z) = (wave(2 + round % 4, 0.12), wave(1, 0.1));
+                    format!(r#"{{ "u": {}, "r": {{ "mean": {r}, "waves": [{of_r}] }}, "z": {{ "mean": {z}, "waves": [{of_z}] }} }}"#, f64::from(i) / 2.0)
+                })
+                .collect();
+            let thickness = between(0.02, 0.25) * size;
+            let form = match round % 6 {
+                0 => format!(r#""base": {thickness}"#),
+                1 => format!(r#""base": {}, "side": "outside", "rim": "rounded""#, 2.0 * thickness),
+                2 => r#""base": 0, "rim": "rounded""#.to_owned(),
+                3 => format!(
+                    r#""base": {thickness}, "foot": [{}, {}]"#,
+                    between(0.05, 0.2) * size,
+                    between(0.05, 0.3) * size
+                ),
+                4 => format!(r#""base": {thickness}, "drain": {}"#, between(0.1, 0.3) * size),
+                _ => format!(r#""base": {thickness}, "side": "outside""#),
+            };
+            let [x, y, z] = [between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)];
+            let part = format!(
+                r#"{{ "shape": {{ "kind": "rings", "rings": [{}] }}, "wall": {{ "thickness": {thickness}, {form} }}, "place": {{ "scale": [{}, {}, 1], "axis": [{x}, {y}, {z}], "angle": {}, "shift": [{size}, 0, {}] }} }}"#,
+                rings.join(", "),
+                between(0.7, 1.4),
+                between(0.7, 1.4),
+                between(-3.0, 3.0),
+                between(-9.0, 9.0) * size,
+            );
+            let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{part}] }}"#)).unwrap();
+            let solution = Solution::of(&design);
+            if solution.pot(0, Product::Pot).is_ok() {
+                n_made += 1;
+                n_held += held_of(&solution);
+            }
+        }
+        assert!(n_made > 60 && n_held == n_made, "{n_held} of {n_made}");
+    }
+
     #[test]
     fn what_is_bare_sharp_or_no_pot_has_no_box_beforehand() {
         let sharp = r#""kind": "rings", "rings": [{ "u": 0, "r": { "mean": 2 }, "z": { "mean": 0 } }, { "u": 0.5, "r": { "mean": 3 }, "z": { "mean": 2 }, "sharp": true }, { "u": 1, "r": { "mean": 2 }, "z": { "mean": 4 } }]"#;
@@ -214,6 +319,28 @@ mod tests {
         assert_eq!(held(&format!(r#"{{ "shape": {{ {sharp} }}, {wall} }}"#)), 0);
         assert_eq!(held(&format!(r#"{{ "shape": {{ {CUP} }} }}"#)), 0);
         assert_eq!(held(r#"{ "shape": { "kind": "octant", "exponents": [2, 2, 2] } }"#), 0);
+    }
+
+    #[test]
+    fn walls_of_what_stands_apart_are_not_sought() {
+        let pot = |x: f64, object: u32| {
+            format!(
+                r#"{{ "object": {object}, "shape": {{ {CUP} }}, "wall": {{ {} }}, "place": {{ "shift": [{x}, 0, 0] }} }}"#,
+                WALLS[0]
+            )
+        };
+        let row =
+            |parts: &[String]| Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{}] }}"#, parts.join(", "))).unwrap();
+        let solution = Solution::of(&row(&[pot(-4.0, 0), pot(10.0, 1), pot(16.0, 2), pot(30.0, 3)]));
+        let report = solution.constraints(None).unwrap();
+        let codes: Vec<_> = report.breaches.iter().map(|breach| (breach.code, breach.part, breach.other)).collect();
+        assert_eq!(codes, [("interference", 2, 1)]);
+        assert_eq!(is_made(&solution), [false, true, true, false]);
+        // What is loose is held against the nearest of its object by its body.
+        let solution = Solution::of(&row(&[pot(0.0, 0), pot(30.0, 0)]));
+        let report = solution.constraints(None).unwrap();
+        assert_eq!(report.breaches[0].code, "not-connected");
+        assert!(is_made(&solution).iter().all(|is_made| *is_made));
     }
 
     #[test]
@@ -231,7 +358,7 @@ mod tests {
         };
         let first = Solution::of(&scene(10.0));
         assert!(first.pick(ray).unwrap().is_empty());
-        assert!(made(&first).iter().all(Option::is_none), "{:?}", first.reach(0));
+        assert!(made(&first).iter().all(Option::is_none), "{:?}", first.seen(0));
         let hits = first.pick(along).unwrap();
         assert_eq!(hits.len(), 2, "{hits:?}");
         let once = made(&first);
