@@ -179,7 +179,7 @@ fn place(dice: &mut Dice, unit: f64) -> Value {
     let (up, even) = ([0.0, 0.0, 1.0], [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 1.0]]);
     let axis = [up, one_of(dice, &even), any, any][below(dice, 4)];
     let twelfth = PI * (below(dice, 24) as f64 - 12.0) / 12.0;
-    let (wide, little) = (short(dice, -3.14, 3.14, 5), short(dice, -0.09, 0.09, 5));
+    let (wide, little) = (short(dice, -3.1, 3.1, 5), short(dice, -0.09, 0.09, 5));
     let angle = [0.0, twelfth, wide, wide, little][below(dice, 5)];
     let shift = [(); 3].map(|()| unit * short(dice, -20.0, 20.0, 5));
     json!({ "scale": scale, "axis": axis, "angle": angle, "shift": shift })
