@@ -1,14 +1,7 @@
 /** Handles on a drawing, which are dragged or moved by arrow keys: a knob, a ring round it where it has the focus, and as much room for a finger as its neighbours leave. */
 
 import { css } from "lit";
-
-/** An arrow key as a step to the right and up. */
-const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
+import { ARROWS } from "./arrows";
 
 /** With shift an arrow goes so many steps. */
 const COARSE = 10;

@@ -36,6 +36,15 @@ pub(super) struct Jet {
     pub(super) dv: DVec3,
 }
 
+/// How far a cell goes beyond its corners in a direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Beyond {
+    /// No further than this.
+    pub(super) by: f64,
+    /// Bounds of how it bends in that direction along `u` and along `v`, where they are known.
+    pub(super) bends: Option<[f64; 2]>,
+}
+
 impl Border {
     /// Every patch of a part.
     pub(super) fn patches(placed: &Arc<Placed>) -> Vec<Border> {
@@ -167,7 +176,7 @@ impl Border {
     /// How much further a cell reaches in a direction than its corners at most, but for rounding: of what is level all over not at all, however it is bent within its plane.
     ///
     /// `d . M x = (M^T d) . x` is no more than the square root of 3 times the length of `x` with its axes stretched by the components of `M^T d`.
-    pub(super) fn beyond(&self, cell: Cell, corners: [DVec3; 4], direction: DVec3) -> f64 {
+    pub(super) fn beyond(&self, cell: Cell, corners: [DVec3; 4], direction: DVec3) -> Beyond {
         let (deviation, bends) = match self {
             Border::Patch { placed, patch, .. } => {
                 let stretch = (placed.matrix().transpose() * direction).abs();
@@ -185,7 +194,7 @@ impl Border {
                 (0.125 * (uu + 2.0 * uv + vv), Some([uu, uv, vv]))
             }
         };
-        let Some([uu, uv, vv]) = bends else { return deviation };
+        let Some([uu, uv, vv]) = bends else { return Beyond { by: deviation, bends: None } };
         // What rises or falls all along a parameter reaches furthest on one of both edges across that, which bend along themselves alone.
         let [p, q] = cell.lengths();
         let middle = self.jet(0.5 * (cell.u[0] + cell.u[1]), 0.5 * (cell.v[0] + cell.v[1]));
@@ -197,7 +206,7 @@ impl Border {
             [false, true] => 0.125 * uu,
             [false, false] => deviation,
         };
-        steady.min(deviation)
+        Beyond { by: steady.min(deviation), bends: Some([uu, vv]) }
     }
 
     /// The second differences of a cell, each the largest of those of its lines through corners and middles.

@@ -1,4 +1,4 @@
-//! Planes across the axes of the scene and of both of two parts: whether one leaves room between them, and what goes through all of them.
+//! Planes across the axes of the scene and of both of two parts: whether one leaves room between them, and whether one part stands on the other there.
 //!
 //! What stands over something else is apart from it by such a plane. A gap along all of a rim takes more pairs of tiles than two parts are given; how far both reach towards each other takes few.
 
@@ -16,8 +16,19 @@ const ONE_AXIS: f64 = 1e-9;
 /// What rounding adds at most to how far a part reaches, as a part of the largest coordinate.
 const ROUNDING: f64 = 1e-14;
 
-/// Of the places of a part that go furthest beyond where the other begins so many are asked, and as many of all that do.
+/// Of the places of a part that are as far as it reaches, but for the slack, so many are asked whether they are at the other.
 const ASKED: usize = 8;
+
+/// How one part stands on another, or leans on it.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Resting {
+    /// There is this much room between them at least, more than the slack.
+    Apart { least: f64 },
+    /// They touch there, and neither goes beyond where the other ends.
+    Contact { at: DVec3 },
+    /// That place of one is so deep in the other at least.
+    Deep { at: DVec3, depth: f64 },
+}
 
 impl Space {
     /// How far two parts are apart at least, where a plane across an axis leaves more than the slack between them. `None` also where some other plane does.
@@ -33,32 +44,48 @@ impl Space {
                 return None;
             }
             let enough = 0.25 * (room - slack);
-            let mut most = |space: &Space, axis: DVec3| {
-                space.reach_by_formula(axis).unwrap_or_else(|| space.reach(axis, enough, budget))
-            };
-            let least = -most(self, axis) - most(other, -axis) - rounding;
+            let least = -self.reach(axis, enough, budget).0 - other.reach(-axis, enough, budget).0 - rounding;
             (least > slack).then_some(least)
         })
     }
 
-    /// A place of one of two parts that is deep in the other, and how deep at least: of those that go beyond where the other begins, along the axis along which the parts are nearest to being divided.
-    pub(super) fn pressed(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<(DVec3, f64)> {
+    /// Where two parts come as near as the slack, with a plane across an axis between them that neither passes by more: what stands on something else, or leans on it, along more than pairs of tiles can follow.
+    /// Where one passes the plane by which the other ends, a place of it that is deep in the other.
+    pub(super) fn resting(&self, other: &Space, slack: f64, budget: &mut Budget) -> Option<Resting> {
         if !budget.take(LOOKED) {
             return None;
         }
-        let rooms = self.axes(other).into_iter().map(|axis| (self.room(other, axis), axis));
-        let (_, axis) = rooms.max_by(|(one, _), (another, _)| one.total_cmp(another))?;
-        [(self, other, axis), (other, self, -axis)].into_iter().find_map(|(part, outer, axis)| {
-            let begins = -outer.corners_reach(-axis) + slack;
-            let corners = part.tiles().all.iter().flat_map(|tile| tile.corners);
-            let mut beyond: Vec<(f64, DVec3)> = corners.map(|at| (at.dot(axis) - begins, at)).collect();
-            beyond.retain(|(by, _)| *by > 0.0);
-            beyond.sort_by(|(one, _), (another, _)| another.total_cmp(one));
-            let step = beyond.len().div_ceil(ASKED).max(1);
-            let asked = beyond.iter().take(ASKED).chain(beyond.iter().skip(ASKED).step_by(step));
-            asked.map(|(_, at)| *at).find_map(|at| {
-                let is_asked = budget.take(outer.asked_for());
-                Some((at, outer.depth_beyond(at, slack, budget).filter(|_| is_asked)?))
+        let enough = 0.125 * slack;
+        let rounding = ROUNDING * self.far().max(other.far());
+        self.axes(other).into_iter().find_map(|axis| {
+            // Corners are places of the borders: of most axes they tell that one passes the other.
+            if self.room(other, axis) < rounding - slack {
+                return None;
+            }
+            let [(one, at), (another, place)] = [self.reach(axis, enough, budget), other.reach(-axis, enough, budget)];
+            let least = -one - another - rounding;
+            if least > slack {
+                return Some(Resting::Apart { least });
+            }
+            let furthest = [(self, other, axis, at), (other, self, -axis, place)];
+            if !(-least + 2.0 * rounding <= slack) {
+                return furthest.into_iter().find_map(|(_, outer, _, at)| {
+                    let depth = budget.take(outer.asked_for()).then(|| outer.depth_beyond(at, slack, budget));
+                    Some(Resting::Deep { at, depth: depth.flatten()? })
+                });
+            }
+            furthest.into_iter().find_map(|(part, on, axis, at)| {
+                let level = at.dot(axis) - slack;
+                let corners = part.tiles().all.iter().flat_map(|tile| tile.corners);
+                let beside: Vec<DVec3> = corners.filter(|corner| corner.dot(axis) > level).collect();
+                let step = beside.len().div_ceil(ASKED).max(1);
+                core::iter::once(at).chain(beside.into_iter().step_by(step)).find_map(|at| {
+                    if !budget.take(on.asked_for()) {
+                        return None;
+                    }
+                    let nearest = on.nearest_within(at, slack);
+                    (nearest.distance <= slack).then_some(Resting::Contact { at: 0.5 * at + 0.5 * nearest.position })
+                })
             })
         })
     }

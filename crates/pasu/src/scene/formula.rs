@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::bounds::Bounds;
 use super::space::Space;
+use super::tile::Tile;
 use crate::octant::Supersphere;
 
 /// Coordinates in the frame of an octant are wrong by less than this part of what they are summed of.
@@ -121,6 +122,17 @@ impl Space {
         self.ball(at).is_some_and(|ball| ball.is_missed(distance))
     }
 
+    /// Whether all of a tile of another part is known to be further from an octant than this, by the box round it in the frame of the octant.
+    pub(super) fn is_missed_by_formula(&self, tile: &Tile, distance: f64) -> bool {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for corner in tile.corners {
+            let Some(ball) = self.ball(corner) else { return false };
+            let [least, most] = ball.corners(tile.deviation + distance);
+            (low, high) = (low.min(least), high.max(most));
+        }
+        self.octant().is_some_and(|octant| octant.misses_box(low, high))
+    }
+
     /// Places of the border of an octant, far from each other; none of what is no octant.
     pub(super) fn places_by_formula(&self) -> impl Iterator<Item = DVec3> {
         let places = self.places.get_or_init(|| {
@@ -144,8 +156,8 @@ impl Space {
     }
 
     /// The same; `None` of what is no octant.
-    pub(super) fn reach_by_formula(&self, direction: DVec3) -> Option<f64> {
-        Some(self.furthest(self.octant()?, direction).0)
+    pub(super) fn reach_by_formula(&self, direction: DVec3) -> Option<(f64, DVec3)> {
+        Some(self.furthest(self.octant()?, direction))
     }
 
     /// A place of an octant near to a point.
@@ -185,7 +197,7 @@ impl Space {
                 return false;
             }
             let [one, another] = [self.reach_by_formula(direction), other.reach_by_formula(-direction)];
-            one.zip(another).is_some_and(|(one, another)| one + another <= slack)
+            one.zip(another).is_some_and(|((one, _), (another, _))| one + another <= slack)
         };
         self.across().chain(other.across()).find(|direction| is_between(*direction))?;
         // Where both boxes are, and places of either.

@@ -10,6 +10,8 @@ use glam::DVec3;
 use super::boxes::Within;
 use super::budget::Budget;
 use super::coaxial::{Coaxial, Question};
+use super::divided::Resting;
+use super::missed::Beside;
 use super::open::Open;
 use super::space::Space;
 use super::tile::Tile;
@@ -29,6 +31,9 @@ const MOST_ASKED: usize = 64;
 /// The most places of each of two that are asked where nothing else told.
 const MOST_SCATTERED: u64 = 128;
 
+/// What is small of a part, as a share of its size.
+const SMALL: f64 = 1.0 / 64.0;
+
 /// What such a question counts for at least, in pairs of tiles,
 const ASKED: u64 = 8;
 
@@ -43,9 +48,6 @@ const CONTACT: u64 = 12;
 
 /// The most places that are asked for one outside of the other part.
 const MOST_OUTSIDE: usize = 64;
-
-/// The most boxes and tiles that are looked at for how far a part reaches in one direction.
-const MOST_REACHING: usize = 4000;
 
 /// Directions between the normals of two surfaces that touch, of which one may be that of the plane between them.
 const BETWEEN: u8 = 8;
@@ -181,14 +183,34 @@ impl Space {
         {
             return (Meeting::Apart { least }, false);
         }
+        if known.is_none()
+            && most_pairs == MOST_PAIRS
+            && let Some(resting) = self.resting(other, slack, budget)
+        {
+            let meeting = match resting {
+                Resting::Apart { least } => Meeting::Apart { least },
+                Resting::Contact { at } => Meeting::Contact { at },
+                Resting::Deep { at, depth } => pair.through((at, depth), budget),
+            };
+            return (meeting, false);
+        }
         let mut meeting = pair.borders(known, budget);
         if known.is_none() && !is_touch_enough && matches!(meeting, Meeting::Undecided { .. }) {
             let is_thorough = pair.is_cut && most_pairs == MOST_PAIRS;
-            let pressed = |budget: &mut Budget| is_thorough.then(|| self.pressed(other, slack, budget)).flatten();
-            if let Some(deep) = pair.somewhere(most_pairs, budget).or_else(|| pressed(budget)) {
+            if let Some(deep) = pair.somewhere(most_pairs, budget) {
                 return (pair.through(deep, budget), false);
             }
             if is_thorough {
+                let beside = both
+                    .into_iter()
+                    .find_map(|(of, outer)| outer.octant().and_then(|_| of.beside_octant(outer, slack, budget)));
+                match beside {
+                    Some(Beside::Missed) => meeting = pair.apart(slack, known),
+                    Some(Beside::Deep { at, depth }) => return (pair.through((at, depth), budget), false),
+                    None => {}
+                }
+            }
+            if is_thorough && matches!(meeting, Meeting::Undecided { .. }) {
                 meeting = pair.closely(budget);
             }
         }
@@ -255,53 +277,6 @@ impl Space {
     fn normal_of(&self, tile: &Tile) -> DVec3 {
         let [u, v] = tile.middle();
         self.borders[tile.border].normal(u, v)
-    }
-
-    /// How far the part reaches in a direction at most, to within `enough`.
-    pub(super) fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> f64 {
-        let tiles = self.tiles();
-        let of_tile = |tile: &Tile| tile.corners.map(|at| at.dot(direction)).into_iter().fold(f64::MIN, f64::max);
-        let of_node = |node: u32| {
-            let bounds = tiles.boxes.bounds(node);
-            let farthest = DVec3::select(direction.cmpge(DVec3::ZERO), bounds.high, bounds.low);
-            farthest.dot(direction)
-        };
-        let mut open = BinaryHeap::new();
-        let push = |open: &mut BinaryHeap<Open<Item>>, most: f64, item: Item| {
-            // The furthest first.
-            open.push(Open { least: -most, rank: 0.0, of: item });
-        };
-        if let Some(root) = tiles.boxes.root() {
-            push(&mut open, of_node(root), Item::Node(root));
-        }
-        let mut reached = f64::NEG_INFINITY;
-        for _ in 0..MOST_REACHING {
-            let Some(Open { least, of: item, .. }) = open.pop() else { break };
-            let most = -least;
-            if most <= reached + enough || !budget.take(1) {
-                return most;
-            }
-            let mut look = |tile: Tile| {
-                let corner = of_tile(&tile);
-                reached = reached.max(corner);
-                let beyond =
-                    if tile.deviation > enough { tile.beyond(&self.borders, direction) } else { tile.deviation };
-                push(&mut open, (corner + beyond).min(most), Item::Tile(Box::new(tile)));
-            };
-            match item {
-                Item::Node(node) => match tiles.boxes.within(node) {
-                    Within::Thing(tile) => look(tiles.all[tile]),
-                    Within::Halves(halves) => {
-                        halves.into_iter().for_each(|half| push(&mut open, of_node(half).min(most), Item::Node(half)));
-                    }
-                },
-                Item::Tile(tile) => match tile.halves(&self.borders) {
-                    Some(halves) => halves.into_iter().for_each(look),
-                    None => return most,
-                },
-            }
-        }
-        open.peek().map_or(reached, |open| -open.least)
     }
 }
 
@@ -455,6 +430,11 @@ impl Pair<'_> {
 
     /// A place of one of two tiles that is deep in the other part: those are asked that lie beneath the tangent plane in the middle of the other tile.
     fn asked(&mut self, tiles: &[Tile; 2], budget: &mut Budget) -> Option<(DVec3, f64)> {
+        // Closely, places of small tiles alone: of large ones the tangent plane tells little, and places all over were asked before.
+        let small = SMALL * self.parts[0].size().min(self.parts[1].size());
+        if self.is_closely && tiles.iter().any(|tile| tile.size() > small) {
+            return None;
+        }
         for (part, tile) in tiles.iter().enumerate() {
             let (outer, beyond) = (self.parts[1 - part], &tiles[1 - part]);
             if !outer.is_solid {
@@ -527,10 +507,7 @@ impl Pair<'_> {
                 return None;
             }
             let enough = 0.125 * self.slack;
-            let mut reach = |space: &Space, direction| {
-                space.reach_by_formula(direction).unwrap_or_else(|| space.reach(direction, enough, budget))
-            };
-            let reach = reach(one, direction) + reach(other, -direction);
+            let reach = one.reach(direction, enough, budget).0 + other.reach(-direction, enough, budget).0;
             (reach <= self.slack).then_some(Meeting::Contact { at: self.touch? })
         })
     }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::border::{Border, Jet};
+use super::border::{Beyond, Border, Jet};
 use super::bounds::Bounds;
 use crate::numeric::triangle::Triangle;
 use crate::patch::Cell;
@@ -44,12 +44,14 @@ impl Tile {
         Tile { border, cell, corners, deviation, bends }
     }
 
-    /// How much further it reaches in a direction than its corners at most.
-    pub(super) fn beyond(&self, borders: &[Border], direction: DVec3) -> f64 {
+    /// How much further it reaches in a direction than its corners at most, and whether halves along `u` would less than those along `v`, where one is known to be better.
+    pub(super) fn beyond(&self, borders: &[Border], direction: DVec3) -> (f64, Option<bool>) {
         let size = self.corners.iter().fold(0.0f64, |most, corner| most.max(corner.abs().max_element()));
-        let beyond = borders[self.border].beyond(self.cell, self.corners, direction) + ROUNDING * size;
+        let Beyond { by, bends } = borders[self.border].beyond(self.cell, self.corners, direction);
+        let by = by + ROUNDING * size;
+        let is_along = bends.filter(|[along, round]| along != round).map(|[along, round]| along > round);
         // What is no number is no bound.
-        if beyond < self.deviation { beyond } else { self.deviation }
+        if by < self.deviation { (by, is_along) } else { (self.deviation, is_along) }
     }
 
     pub(super) fn bounds(&self) -> Bounds {
@@ -94,10 +96,15 @@ impl Tile {
 
     /// Its halves; `None` where there is no number between its ends.
     pub(super) fn halves(&self, borders: &[Border]) -> Option<[Tile; 2]> {
+        self.halves_along(borders, None)
+    }
+
+    /// The same, along `u` or along `v` where that is given.
+    pub(super) fn halves_along(&self, borders: &[Border], is_along: Option<bool>) -> Option<[Tile; 2]> {
         let [along, round] = self.lengths();
         let [uu, _, vv] = self.bends;
         let is_bent = 0.125 * uu.max(vv) > BENT * along.max(round);
-        let is_along = if is_bent { uu >= vv } else { along >= round };
+        let is_along = is_along.unwrap_or(if is_bent { uu >= vv } else { along >= round });
         let halves = |[from, to]: [f64; 2]| {
             let middle = 0.5 * from + 0.5 * to;
             (from < middle && middle < to).then_some([[from, middle], [middle, to]])

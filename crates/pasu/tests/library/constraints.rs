@@ -1,5 +1,8 @@
 //! The three constraints of a scene, against formulas and against the least of convex functions.
 
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
 use glam::{DMat3, DQuat, DVec3};
 use pasu::{Breach, Code, Design, Severity, constraints};
 use serde_json::{Value, json};
@@ -399,15 +402,9 @@ fn a_lid_over_a_rim_beside_its_axis_is_told() {
 /// Two pots with thin walls that go far through each other: along all of where their borders cross a place in the clay of both is found by going down to one of them.
 #[test]
 fn pots_that_go_through_each_other_are_told() {
-    let rings = |all: &[[f64; 2]]| {
-        let height = all[all.len() - 1][1];
-        let all: Vec<Value> =
-            all.iter().map(|[r, z]| json!({ "u": z / height, "r": { "mean": r }, "z": { "mean": z } })).collect();
-        json!({ "kind": "rings", "rings": all })
-    };
-    let bowl = json!({ "object": 0, "shape": rings(&[[1.383, 0.0], [2.777, 0.926], [2.753, 1.851], [2.762, 2.777], [2.832, 3.702]]),
+    let bowl = json!({ "object": 0, "shape": through(&[[1.383, 0.0], [2.777, 0.926], [2.753, 1.851], [2.762, 2.777], [2.832, 3.702]]),
         "wall": { "thickness": 0.204, "base": 0.363 } });
-    let vase = json!({ "object": 1, "shape": rings(&[[1.841, 0.0], [2.63, 1.622], [1.454, 3.244], [2.142, 4.866], [2.454, 6.488]]),
+    let vase = json!({ "object": 1, "shape": through(&[[1.841, 0.0], [2.63, 1.622], [1.454, 3.244], [2.142, 4.866], [2.454, 6.488]]),
         "wall": { "thickness": 0.247, "base": 0.384 },
         "place": { "scale": [1.105, 0.744, 0.975], "axis": [1, 0, 0], "angle": std::f64::consts::FRAC_PI_2, "shift": [0.678, -0.036, 2.43] } });
     let found = told(&scene(&[bowl, vase]));
@@ -428,4 +425,88 @@ fn the_nearest_of_others_is_told_by_more_than_boxes() {
         let least = breach.distance.unwrap();
         assert!(least > 0.09 && least <= 0.1 + 1e-9, "{least}");
     }
+}
+
+/// A pot through rings at even heights.
+fn through(rings: &[[f64; 2]]) -> Value {
+    let height = rings[rings.len() - 1][1];
+    let rings: Vec<Value> =
+        rings.iter().map(|[r, z]| json!({ "u": z / height, "r": { "mean": r }, "z": { "mean": z } })).collect();
+    json!({ "kind": "rings", "rings": rings })
+}
+
+/// A lid beside the axis of its jar on a round rim, 1.5 slacks too low by the coordinates of a mesh, and one that is lifted by as much: what stands furthest is asked, not corners of tiles, which lie lower.
+#[test]
+fn a_lid_that_is_hardly_pressed_into_a_round_rim_is_told() {
+    let jar = json!({ "object": 0, "shape": through(&[[2.4809925, 0.0], [2.2183977, 1.2840525], [2.4226644, 2.568105], [1.7769603, 3.8521575], [1.9912971, 5.13621]]),
+        "wall": { "thickness": 0.2487594, "base": 0.461919475, "rim": "rounded" } });
+    let section = |z: f64, r: f64| json!({ "form": "disc", "radius": [r, r], "z": z, "taper": 0, "dz": 0.5 });
+    let shape =
+        json!({ "kind": "blend", "start": section(0.0, 2.5), "end": section(0.5, 2.2), "weights": [1, 0.005, 1] });
+    let found = |lift: f64| {
+        let lid = json!({ "object": 1, "shape": shape, "place": { "shift": [0.0248099250793, 0.0, 5.306586837768554 + lift] } });
+        told(&scene(&[jar.clone(), lid]))
+    };
+    let low = found(0.0);
+    assert_eq!((low.len(), low[0].code), (1, "interference"), "{low:?}");
+    assert!((7.6e-6..1.2e-5).contains(&low[0].distance.unwrap()), "{low:?}");
+    let level = found(1.171e-5);
+    assert_eq!((level.len(), level[0].code), (1, "contact"), "{level:?}");
+    assert_eq!(found(2.4e-5), []);
+}
+
+/// A wall that goes into the tip of an octant, which is bent without bound there: the formula tells what tiles do not.
+#[test]
+fn what_goes_into_the_tip_of_an_octant_is_told() {
+    let tip = octant([1.0, 2.0, 0.583947576], 0, &json!({ "scale": [1.271348, -1.55135, 0.51049775] }));
+    let pot = |aside: f64| {
+        json!({ "object": 1, "shape": through(&[[1.9211943, 0.0], [1.3956528, 2.201451], [1.8479946, 4.402902]]),
+            "wall": { "thickness": 0.35060926, "base": 0.466159375 },
+            "place": { "axis": [-0.6936046770927795, -0.4919125182517952, 0.5262457850683444], "angle": 2.011878,
+                "shift": [0.7394584123299999 + aside, 1.37705680398, -1.26976881779] } })
+    };
+    assert_eq!(codes(&scene(&[tip.clone(), pot(0.0)])), ["interference"]);
+    assert_eq!(codes(&scene(&[tip, pot(3.0)])), [""; 0]);
+}
+
+/// A bent tube, closed at both ends: of `4 m` patches and two.
+fn handle(m: usize, [tall, out, thick]: [f64; 3]) -> Value {
+    let at = |i: usize, j: usize| {
+        let t = PI * (i as f64 / (2 * m) as f64 - 0.5);
+        let away = DVec3::new(t.cos(), 0.0, t.sin());
+        let a = PI * j as f64 / 4.0;
+        (away * DVec3::new(out, 0.0, tall) + thick * (away * a.cos() + DVec3::Y * a.sin())).to_array()
+    };
+    let number = |i: usize, j: usize| 8 * i + j % 8;
+    let round = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+    let side = |i: usize, j: usize| round.map(|(a, b)| number(2 * i + a, 2 * j + b));
+    let ends = [0, 2 * m].map(|i| core::array::from_fn(|j| number(i, j)));
+    let frames = (0..m).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| side(i, j)).chain(ends);
+    // Points in the middle of a side patch belong to no frame.
+    let mut vertices: Vec<[f64; 3]> = Vec::new();
+    let mut known: BTreeMap<usize, usize> = BTreeMap::new();
+    let patches: Vec<Value> = frames
+        .map(|frame: [usize; 8]| {
+            let frame = frame.map(|number| {
+                *known.entry(number).or_insert_with(|| {
+                    vertices.push(at(number / 8, number % 8));
+                    vertices.len() - 1
+                })
+            });
+            json!({ "frame": frame })
+        })
+        .collect();
+    json!({ "kind": "vertex-frame", "vertices": vertices, "patches": patches })
+}
+
+/// The end of a handle that goes through the rim of a thin wall of many waves: places of small tiles beside where they cross are asked.
+#[test]
+fn a_handle_through_a_wavy_rim_is_told() {
+    let bowl = json!({"a": 0.5, "kind": "rings", "rings": [{"r": {"mean": 3.4}, "u": 0, "z": {"mean": 0}}, {"r": {"mean": 4, "waves": [{"cos": 0.072, "n": 1}, {"cos": 0.015, "n": 13}, {"cos": 0.03, "n": 14}, {"cos": 0.015, "n": 15}]}, "u": 0.088, "z": {"mean": 0.7}}, {"r": {"mean": 7.4, "waves": [{"cos": 0.3552, "n": 1}, {"cos": 0.04, "n": 13}, {"cos": 0.08, "n": 14}, {"cos": 0.04, "n": 15}]}, "u": 0.482, "z": {"mean": 3}}, {"r": {"mean": 9.2, "waves": [{"cos": 0.552, "n": 1}, {"cos": 0.05, "n": 13}, {"cos": 0.1, "n": 14}, {"cos": 0.05, "n": 15}]}, "u": 0.786, "z": {"mean": 5.6}}, {"r": {"mean": 10.2, "waves": [{"cos": 0.7344, "n": 1}, {"cos": 0.06, "n": 13}, {"cos": 0.12, "n": 14}, {"cos": 0.06, "n": 15}]}, "u": 1, "z": {"mean": 7.6, "waves": [{"cos": 1.1, "n": 1}, {"cos": 0.25, "n": 2}]}}]});
+    let bowl =
+        json!({ "object": 0, "shape": bowl, "wall": { "thickness": 0.16699072, "base": 0.4236069, "rim": "rounded" } });
+    let handle = json!({ "object": 1, "shape": handle(4, [1.677886, 1.192978, 0.24074472]),
+        "place": { "axis": [0, 0, 1], "angle": 0.762423, "scale": [2.26396637, 2.26396637, 2.26396637], "shift": [6.597468905975314, 6.301070697102394, 4.527932739257812] } });
+    let found = told(&scene(&[bowl, handle]));
+    assert_eq!((found.len(), found[0].code), (1, "interference"), "{found:?}");
 }

@@ -11,6 +11,8 @@ import { Hand } from "../../render/pull/hand";
 import type { See, Spot } from "../../render/pull/reach";
 import type { Stage } from "../../render/stage";
 import { changeSection } from "../../state/blend-actions";
+import { ARROWS } from "../../ui/arrows";
+import { gripStyles } from "../../ui/grip";
 import { base } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
 import { pull } from "../../words/english/pull";
@@ -85,7 +87,7 @@ export class PasuSectionHandles extends DesignerElement {
   private handle(blend: Blend, grip: Grip) {
     return html`<button
       type="button"
-      class=${grip.name}
+      class="grip ${grip.name}"
       data-grip="${grip.end} ${grip.name}"
       aria-roledescription=${pull.handle}
       aria-label=${this.reading(blend, grip)}
@@ -210,6 +212,7 @@ export class PasuSectionHandles extends DesignerElement {
 
   static override readonly styles = [
     base,
+    gripStyles,
     css`
       :host {
         position: absolute;
@@ -237,40 +240,6 @@ export class PasuSectionHandles extends DesignerElement {
         position: absolute;
         inset: 0;
       }
-      button {
-        position: absolute;
-        top: -14px;
-        left: -14px;
-        width: 28px;
-        height: 28px;
-        padding: 0;
-        border: 0;
-        border-radius: 50%;
-        background: none;
-        cursor: grab;
-        touch-action: none;
-        pointer-events: auto;
-      }
-      button::before {
-        content: "";
-        position: absolute;
-        inset: 8px;
-        border: 2.5px solid var(--accent);
-        border-radius: 50%;
-        background: var(--sheet);
-        box-shadow: 0 1px 4px var(--shadow);
-      }
-      @media (pointer: coarse) {
-        button {
-          top: -20px;
-          left: -20px;
-          width: 40px;
-          height: 40px;
-        }
-        button::before {
-          inset: 13px;
-        }
-      }
       .height::before {
         border-radius: 2px;
       }
@@ -281,17 +250,8 @@ export class PasuSectionHandles extends DesignerElement {
       .tangent::before {
         background: var(--accent);
       }
-      button:hover::before {
-        background: var(--accent-wash);
-      }
-      button:active {
+      .grip:active {
         cursor: grabbing;
-      }
-      button:active::before {
-        background: var(--accent);
-      }
-      button:focus-visible {
-        outline-offset: -3px;
       }
     `,
   ];
@@ -307,13 +267,6 @@ function stepOf(blend: Blend, key: (typeof SECTION)[number]["key"]): number {
   const field = SECTION.find((each) => each.key === key);
   return (field?.step ?? 1) * (field?.dimension === "length" ? sizeFactor(blend) : 1);
 }
-
-const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 declare global {
   interface HTMLElementTagNameMap {

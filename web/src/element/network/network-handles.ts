@@ -25,6 +25,7 @@ import { Hand } from "../../render/pull/hand";
 import type { See, Spot } from "../../render/pull/reach";
 import type { Stage } from "../../render/stage";
 import { changeNetwork } from "../../state/network-actions";
+import { ARROWS } from "../../ui/arrows";
 import { base } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
 import { pull } from "../../words/english/pull";
@@ -795,13 +796,6 @@ function nameOf(item: Item): string {
       return `${item.kind} ${item.index}`;
   }
 }
-
-const ARROWS: Readonly<Record<string, readonly [right: number, up: number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 declare global {
   interface HTMLElementTagNameMap {

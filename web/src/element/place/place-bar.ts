@@ -10,6 +10,7 @@ import { setHandling, toggleSnapping } from "../../state/actions";
 import { placeParts, standingOf } from "../../state/place-actions";
 import { HANDLINGS } from "../../state/session";
 import { looseIds } from "../../state/several-actions";
+import { barStyles } from "../../ui/bar";
 import { segmented, segments } from "../../ui/segments";
 import { base, buttons } from "../../ui/styles";
 import { handling as words } from "../../words/english/handling";
@@ -82,29 +83,8 @@ export class PasuPlaceBar extends DesignerElement {
     base,
     buttons,
     segmented,
+    barStyles,
     css`
-      :host {
-        position: absolute;
-        z-index: 3;
-        inset: 12px 12px auto;
-        display: grid;
-        justify-items: center;
-        gap: 6px;
-        pointer-events: none;
-      }
-      .bar {
-        display: flex;
-        align-items: center;
-        justify-content: center;
-        gap: 4px 10px;
-        padding: 4px 8px;
-        border: 1px solid var(--line);
-        border-radius: 13px;
-        background: var(--sheet);
-        box-shadow: 0 3px 14px var(--shadow);
-        font-size: 0.9rem;
-        pointer-events: auto;
-      }
       .steps {
         display: flex;
         align-items: center;

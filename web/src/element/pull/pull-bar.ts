@@ -7,6 +7,7 @@ import { locksOf, withLock } from "../../document/locks";
 import type { Shape } from "../../document/types";
 import { formatNumber } from "../../number";
 import type { PartId } from "../../state/part-ids";
+import { barStyles } from "../../ui/bar";
 import { icon } from "../../ui/icons";
 import "../../ui/menu";
 import { segmented, segments } from "../../ui/segments";
@@ -191,29 +192,10 @@ export class PasuPullBar extends DesignerElement {
     buttons,
     fields,
     segmented,
+    barStyles,
     css`
-      :host {
-        position: absolute;
-        z-index: 3;
-        inset: 12px 12px auto;
-        display: grid;
-        justify-items: center;
-        gap: 6px;
-        pointer-events: none;
-      }
       .bar {
-        display: flex;
         flex-wrap: wrap;
-        align-items: center;
-        justify-content: center;
-        gap: 4px 10px;
-        padding: 4px 8px;
-        border: 1px solid var(--line);
-        border-radius: 13px;
-        background: var(--sheet);
-        box-shadow: 0 3px 14px var(--shadow);
-        font-size: 0.9rem;
-        pointer-events: auto;
       }
       select {
         display: none;

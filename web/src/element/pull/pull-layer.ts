@@ -11,6 +11,7 @@ import { type Direction, reached, type See } from "../../render/pull/reach";
 import type { Stage } from "../../render/stage";
 import { removeRing } from "../../state/ring-actions";
 import { selectParts } from "../../state/seen-actions";
+import { gripStyles } from "../../ui/grip";
 import { base } from "../../ui/styles";
 import { pull as words } from "../../words/english/pull";
 import { spokenLength } from "../../words/quantities";
@@ -149,7 +150,7 @@ export class PasuPull extends DesignerElement {
     const name = this.nameOf(shape, curve);
     return html`<button
       type="button"
-      class=${curve.end ? "ring end" : "ring"}
+      class=${curve.end ? "grip ring end" : "grip ring"}
       data-curve=${curve.index}
       aria-roledescription=${words.handle}
       aria-label=${this.reading(shape, curve, name)}
@@ -443,6 +444,7 @@ export class PasuPull extends DesignerElement {
 
   static override readonly styles = [
     base,
+    gripStyles,
     css`
       .surface {
         position: absolute;
@@ -464,51 +466,8 @@ export class PasuPull extends DesignerElement {
         overflow: hidden;
         pointer-events: none;
       }
-      .ring {
-        position: absolute;
-        top: -14px;
-        left: -14px;
-        width: 28px;
-        height: 28px;
-        padding: 0;
-        border: 0;
-        border-radius: 50%;
-        background: none;
-        cursor: grab;
-        touch-action: none;
-        pointer-events: auto;
-      }
-      .ring::before {
-        content: "";
-        position: absolute;
-        inset: 8px;
-        border: 2.5px solid var(--accent);
-        border-radius: 50%;
-        background: var(--sheet);
-        box-shadow: 0 1px 4px var(--shadow);
-      }
-      @media (pointer: coarse) {
-        .ring {
-          top: -20px;
-          left: -20px;
-          width: 40px;
-          height: 40px;
-        }
-        .ring::before {
-          inset: 13px;
-        }
-      }
       .ring.end::before {
         border-radius: 2px;
-      }
-      .ring:hover::before {
-        background: var(--accent-wash);
-      }
-      .ring:active::before {
-        background: var(--accent);
-      }
-      .ring:focus-visible {
-        outline-offset: -3px;
       }
     `,
   ];

@@ -1,19 +1,13 @@
 /** How keys move a ring. */
 
 import type { Move } from "../../maker/messages";
+import { ARROWS } from "../../ui/arrows";
 
 /** One press moves it by about so many pixels, and with shift by ten times as much. */
 const PIXELS = 3;
 const COARSE = 10;
 /** With alt it goes round the axis, by so many degrees. */
 const TURN = Math.PI / 180;
-
-const ARROWS: Readonly<Record<string, readonly [out: number, up: number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-};
 
 /** What an arrow asks for, where a pixel is so long: steps are round numbers. Null for any other key. */
 export function ringStep(event: Pick<KeyboardEvent, "key" | "shiftKey" | "altKey">, pixel: number): Move | null {

@@ -1,0 +1,76 @@
+//! How far a part reaches in a direction.
+
+use std::collections::BinaryHeap;
+
+use glam::DVec3;
+
+use super::boxes::Within;
+use super::budget::Budget;
+use super::open::Open;
+use super::space::Space;
+use super::tile::Tile;
+
+/// The most boxes and tiles that are looked at for how far a part reaches in one direction.
+const MOST: usize = 4000;
+
+/// What is still to be looked at.
+enum What {
+    Node(u32),
+    /// A tile, and whether it is to be halved along `u` to know more, where that matters.
+    Tile(Box<Tile>, Option<bool>),
+}
+
+impl Space {
+    /// How far the part reaches in a direction at most, to within `enough` unless that takes too long, and the furthest place that was seen.
+    pub(super) fn reach(&self, direction: DVec3, enough: f64, budget: &mut Budget) -> (f64, DVec3) {
+        if let Some(reach) = self.reach_by_formula(direction) {
+            return reach;
+        }
+        let tiles = self.tiles();
+        let of_tile = |tile: &Tile| {
+            let corners = tile.corners.map(|at| (at.dot(direction), at));
+            corners.into_iter().fold(corners[0], |most, corner| if corner.0 > most.0 { corner } else { most })
+        };
+        let of_node = |node: u32| {
+            let bounds = tiles.boxes.bounds(node);
+            let farthest = DVec3::select(direction.cmpge(DVec3::ZERO), bounds.high, bounds.low);
+            farthest.dot(direction)
+        };
+        let mut open = BinaryHeap::new();
+        // The furthest first.
+        let entry = |most: f64, of: What| Open { least: -most, rank: 0.0, of };
+        open.extend(tiles.boxes.root().map(|root| entry(of_node(root), What::Node(root))));
+        let mut reached = (f64::NEG_INFINITY, self.bounds.middle());
+        for _ in 0..MOST {
+            let Some(Open { least, of, .. }) = open.pop() else { break };
+            let most = -least;
+            if most <= reached.0 + enough || !budget.take(1) {
+                return (most, reached.1);
+            }
+            let mut look = |tile: Tile| {
+                let (corner, at) = of_tile(&tile);
+                if corner > reached.0 {
+                    reached = (corner, at);
+                }
+                let (beyond, is_along) = match tile.deviation > enough {
+                    true => tile.beyond(&self.borders, direction),
+                    false => (tile.deviation, None),
+                };
+                open.push(entry((corner + beyond).min(most), What::Tile(Box::new(tile), is_along)));
+            };
+            match of {
+                What::Node(node) => match tiles.boxes.within(node) {
+                    Within::Thing(tile) => look(tiles.all[tile]),
+                    Within::Halves(halves) => {
+                        open.extend(halves.map(|half| entry(of_node(half).min(most), What::Node(half))));
+                    }
+                },
+                What::Tile(tile, is_along) => match tile.halves_along(&self.borders, is_along) {
+                    Some(halves) => halves.into_iter().for_each(look),
+                    None => return (most, reached.1),
+                },
+            }
+        }
+        (open.peek().map_or(reached.0, |open| -open.least), reached.1)
+    }
+}
