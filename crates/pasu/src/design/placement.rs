@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::fields::fields;
-use super::number::{rounded, rounded_in_unit};
+use super::number::{rounded, rounded_in_unit, rounded_to};
 use crate::error::{Code, Error, Result};
 
 fields! {
@@ -55,15 +55,21 @@ impl Placement {
         Some([0, 1, 2].map(|axis| rotation.map(|row| if self.scale[axis] < 0.0 { -row[axis] } else { row[axis] })))
     }
 
-    /// The canonical placement that takes the coordinate axes to these directions, which are at right angles to each other, each made so long. The shift is canonical.
-    pub(super) fn along(directions: [[f64; 3]; 3], lengths: [f64; 3], shift: [f64; 3]) -> Placement {
+    /// The canonical placement that takes the coordinate axes to these directions, which are at right angles to each other, each made so long. The shift is canonical; `digits` are those of the angle that the directions were made of.
+    pub(super) fn along(directions: [[f64; 3]; 3], lengths: [f64; 3], shift: [f64; 3], digits: Digits) -> Placement {
         let [x, y, z] = directions;
         let across = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
         let is_mirrored = (0..3).map(|i| across[i] * y[i]).sum::<f64>() < 0.0;
         let y = if is_mirrored { y.map(|c| 0.0 - c) } else { y };
-        let Turn { axis, angle } = Turn::to([x, y, z]).oriented();
+        let Turn { axis, angle } = Turn::to([x, y, z], digits).oriented();
         let [sx, sy, sz] = lengths.map(rounded);
         Placement { scale: [sx, if is_mirrored { -sy } else { sy }, sz], axis, angle, shift }
+    }
+
+    /// The digits of the angle.
+    pub(super) fn digits(&self) -> Digits {
+        let has = |digits: usize| rounded_to(self.angle, digits) == self.angle;
+        if has(12) && !has(SHORT) { Digits::Twelve } else { Digits::All }
     }
 
     /// The one placement that moves every point as this one does (ASB88; `math.md` section 4).
@@ -92,12 +98,24 @@ impl Placement {
             }
             // From the numbers as they were given, so that no rounding comes on top of another.
             let given = Turn { axis: unit(self.axis).unwrap_or(axis), angle: as_given(self.angle) };
-            turn = given.after_half_turn(about);
+            turn = given.after_half_turn(about, self.digits());
         }
         let Turn { axis, angle } = turn.oriented();
         Ok(Placement { scale, axis, angle, shift: self.shift.map(rounded) })
     }
 }
+
+/// How much of an angle is known.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Digits {
+    /// As much as double precision holds: a number of few digits that somebody wrote, or all of what somebody computed.
+    All,
+    /// It was rounded to twelve digits.
+    Twelve,
+}
+
+/// A number of no more digits than this was hardly rounded to twelve.
+const SHORT: usize = 10;
 
 /// A rotation: unit axis to twelve decimals, angle in [-pi, pi).
 #[derive(Clone, Copy)]
@@ -108,7 +126,7 @@ pub(super) struct Turn {
 
 impl Turn {
     /// The rotation that takes the coordinate axes to these directions: of the four forms that a quaternion has, the one that divides by its largest number.
-    fn to([x, y, z]: [[f64; 3]; 3]) -> Turn {
+    fn to([x, y, z]: [[f64; 3]; 3], digits: Digits) -> Turn {
         let forms = [
             [1.0 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]],
             [y[2] - z[1], 1.0 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]],
@@ -120,13 +138,13 @@ impl Turn {
         let [w, vector @ ..] = forms[largest];
         let angle = 2.0 * libm::atan2(norm(vector), w);
         match normalised(vector) {
-            Some(axis) => Turn { axis, angle: reduced(angle) },
+            Some(axis) => Turn { axis, angle: computed(angle, digits) },
             None => Turn { axis: UPRIGHT, angle: 0.0 },
         }
     }
 
     /// This rotation applied after half a turn about one of the coordinate axes: a product of quaternions.
-    fn after_half_turn(self, about: usize) -> Turn {
+    fn after_half_turn(self, about: usize, digits: Digits) -> Turn {
         // cos(pi/2) as computed is not 0; half a turn must not leave noise in place of zeros.
         let (w, sin) = if self.angle.abs() == PI {
             (0.0, 1.0)
@@ -141,7 +159,7 @@ impl Turn {
         vector[last] = -v[next];
         let angle = 2.0 * libm::atan2(norm(vector), -v[about]);
         match normalised(vector) {
-            Some(axis) => Turn { axis, angle: reduced(angle) },
+            Some(axis) => Turn { axis, angle: computed(angle, digits) },
             None => Turn { axis: UPRIGHT, angle: 0.0 },
         }
     }
@@ -171,7 +189,6 @@ pub(super) struct Exact {
 }
 
 /// What double precision leaves of the angle of a turn that was computed from others.
-#[cfg(feature = "patchwork")]
 const NOISE: f64 = 1e-14;
 
 #[cfg(feature = "patchwork")]
@@ -276,9 +293,14 @@ fn rotation([h, k, l]: [f64; 3], angle: f64) -> [[f64; 3]; 3] {
     ]
 }
 
-/// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn.
+/// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn, and noise is none.
 fn principal(angle: f64) -> f64 {
-    if (-PI..PI).contains(&angle) { below_half_turn(rounded(angle)) } else { reduced(angle) }
+    if (-PI..PI).contains(&angle) { below_half_turn(rounded(heard(angle))) } else { reduced(angle) }
+}
+
+/// An angle that is more than noise.
+fn heard(angle: f64) -> f64 {
+    if angle.abs() > NOISE { angle } else { 0.0 }
 }
 
 /// A computed angle in [-pi, pi) to twelve digits and no more than twelve decimals: whole turns are not whole numbers, and what is left of them is noise.
@@ -288,16 +310,32 @@ fn reduced(angle: f64) -> f64 {
     below_half_turn(if within.abs() < 1.0 { rounded_in_unit(within) } else { rounded(within) })
 }
 
+/// A computed angle in [-pi, pi) as a document would have it that says it at once: to twelve digits, which of a small one are more than twelve decimals, as far as it was computed from numbers that tell these.
+fn computed(angle: f64, digits: Digits) -> f64 {
+    /// An angle below has no twelve digits left in double precision.
+    const LEAST: f64 = 1e-3;
+    let within = libm::atan2(libm::sin(angle), libm::cos(angle));
+    match digits {
+        Digits::All if within.abs() >= LEAST => below_half_turn(rounded(within)),
+        _ => reduced(angle),
+    }
+}
+
 /// Half a turn has one angle.
 fn below_half_turn(angle: f64) -> f64 {
     if angle.abs() >= PI { -PI } else { angle }
 }
 
-/// The angle in [-pi, pi) to all its digits; of one with whole turns in it, which leave noise, to twelve.
+/// The angle in [-pi, pi) to all its digits. Of whole turns alone nothing is left.
 ///
 /// The turns go first: twelve digits of a very large angle are those of many others too, among them some of whole twenty-fourths.
 fn as_given(angle: f64) -> f64 {
-    below_half_turn(even(if (-PI..PI).contains(&angle) { angle } else { reduced(angle) }))
+    let within = match (-PI..PI).contains(&angle) {
+        true => heard(angle),
+        false if reduced(angle) == 0.0 => 0.0,
+        false => libm::atan2(libm::sin(angle), libm::cos(angle)),
+    };
+    below_half_turn(even(within))
 }
 
 /// The angle itself where twelve digits hold it as they hold a whole number of twenty-fourths of a turn: a quarter of a turn that was read from a document is one.

@@ -3,7 +3,7 @@
 //! Of the turns about its own axis that leave it as it is ([`Symmetry`]) canonical form takes the one after which it is turned least: that with the greatest trace of the rotation, and where several are as good the one whose `x` axis has the greatest `x`, then `y`, and so on.
 //! One that is its own mirror image is never mirrored. Scaled otherwise along `x` than along `y` it keeps those motions alone that take axes to axes.
 
-use super::placement::Placement;
+use super::placement::{Digits, Placement};
 use super::symmetry::Symmetry;
 
 /// Numbers that are this near count as equal: far above what twelve digits leave of two descriptions of one solid, and far below what tells two directions from each other.
@@ -26,15 +26,15 @@ impl Symmetry {
     /// The canonical placement among those that make the same solid as the one that was `given`, whose own canonical form is `place`.
     pub(crate) fn standing(&self, given: &Placement, place: Placement) -> Placement {
         let mut found = place;
-        let Some(mut directions) = given.directions() else { return place };
+        let (Some(mut directions), mut digits) = (given.directions(), given.digits()) else { return place };
         for _ in 0..TRIES {
             let best = match self.best(directions, found.scale.map(f64::abs)) {
                 Some(best) if !best.is_still => best,
                 _ => return found,
             };
-            found = Placement::along(best.directions, best.lengths, place.shift);
+            found = Placement::along(best.directions, best.lengths, place.shift, digits);
             let Some(next) = found.directions() else { return found };
-            directions = next;
+            (directions, digits) = (next, Digits::Twelve);
         }
         found
     }

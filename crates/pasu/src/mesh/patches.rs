@@ -30,7 +30,7 @@ impl<'a> PatchGrids<'a> {
     /// Chooses the grids; they are bounded where something was left to choose or `is_bounded`.
     ///
     /// # Errors
-    /// `tolerance-too-fine`, `too-large`.
+    /// `tolerance-too-fine`, `too-large`, `overflow`.
     pub(super) fn choose(placed: &'a Placed, options: &MeshOptions, is_bounded: bool) -> Result<PatchGrids<'a>> {
         placed.solved().drawable(&placed.path("shape"))?;
         let patches = placed.solved().patches();
@@ -50,6 +50,10 @@ impl<'a> PatchGrids<'a> {
         let lines = match (rows, columns) {
             (Some(rows), Some(columns)) => Lines::even_of(&patches, rows, columns),
             (rows, columns) => {
+                if !rounding.is_finite() {
+                    let message = "this part is so large that its size cannot be computed with";
+                    return Err(Error::new(Code::Overflow, placed.own_path(), message));
+                }
                 let tolerance = options.tolerance.unwrap_or(DEFAULT_FINENESS * size + rounding);
                 if !(tolerance > rounding) {
                     return Err(too_fine(format!(

@@ -13,7 +13,7 @@ use super::tile::Tile;
 use crate::watch;
 
 /// The most tiles that one ray is held against in one part. A ray that goes along a border may meet any number of them.
-const MOST: usize = 40_000;
+pub(super) const MOST: usize = 40_000;
 
 /// What is nearer to the ray than this part of the largest number of the scene is on it.
 const ON_RAY: f64 = 4e-15;

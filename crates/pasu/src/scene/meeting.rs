@@ -232,7 +232,7 @@ impl Space {
         if let Some(depth) = self.depth_by_formula(at, slack) {
             return Some(depth);
         }
-        if self.holds(at) != Some(true) {
+        if self.holds_within(at, budget) != Some(true) {
             return None;
         }
         Some(self.away(at, slack, budget)).filter(|depth| *depth > slack)
@@ -268,7 +268,7 @@ impl Space {
         let step = (4 * tiles.len()).div_ceil(MOST_OUTSIDE).max(1);
         corners().step_by(step).find(|corner| {
             budget.take(other.asked_for())
-                && other.holds(*corner) == Some(false)
+                && other.holds_within(*corner, budget) == Some(false)
                 && (other.is_clear_by_formula(*corner, slack) || other.away(*corner, slack, budget) > slack)
         })
     }

@@ -98,8 +98,11 @@ impl Space {
         };
         let (size, most) = (space.bounds.size(), space.bounds.low.abs().max(space.bounds.high.abs()).max_element());
         if !(size > 1.0 / LARGEST && most < LARGEST) {
+            let told = |x: f64| if x.is_finite() { format!("{x:e}") } else { "more than 1.7e308".to_owned() };
             let message = format!(
-                "this part is {size:e} across and {most:e} from the origin at most, which cannot be computed with in space: expected sizes and places between {:e} and {LARGEST:e}",
+                "this part is {} across and {} from the origin at most, which cannot be computed with in space: expected sizes and places between {:e} and {LARGEST:e}",
+                told(size),
+                told(most),
                 1.0 / LARGEST
             );
             let error = Error::new(Code::Overflow, space.placed.own_path(), message);

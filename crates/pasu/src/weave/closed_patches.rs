@@ -106,7 +106,7 @@ fn refuse_open(placed: &Placed) -> Result<()> {
     let (u, v) = [(0.0, 0.5), (1.0, 0.5), (0.5, 0.0), (0.5, 1.0)][side];
     let at = placed.place(&patches[patch].jet(u, v)).position;
     let message = format!(
-        "the side {} of patch {patch} is free, at {}, so that nothing is enclosed: expected patches that close, which are a solid as they are, or a wall",
+        "the side {} of patch {patch} is free, at {}, so that nothing is enclosed: expected patches that close, which are a solid as they are, or a wall and the pot as product",
         SIDES[side],
         place(at)
     );

@@ -200,6 +200,26 @@ fn what_went_on_for_minutes_does_a_bounded_work() {
     }
 }
 
+/// Along what is stretched a thousand million times every ray goes all but along the border: each place that was asked took twelve rays of forty thousand cells, and counted for none of them.
+#[test]
+fn rays_along_a_border_are_paid_for() {
+    let vase = r#"{ "shape": { "kind": "second-order", "r": [3, 0, 2, 0], "height": 5 }, "wall": { "thickness": 0.2, "base": 0.3 }, "object": 1 }"#;
+    let disc =
+        |radius: &str, z: f64| format!(r#"{{ "form": "disc", "radius": {radius}, "z": {z}, "taper": 0.05, "dz": 2 }}"#);
+    let (start, end) = (disc("[1.2, 1.1]", 0.0), disc("[0.7, 1e9]", 3.0));
+    let turned = r#"{ "axis": [-0.05, 0.16, -0.8], "angle": -0.1, "shift": [-3, -3, -2] }"#;
+    let blend = format!(r#"{{ "shape": {{ "kind": "blend", "start": {start}, "end": {end} }}, "place": {turned} }}"#);
+    let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{vase}, {blend}] }}"#)).unwrap();
+    let told = Rc::new(Cell::new(0));
+    let counting = Rc::clone(&told);
+    let progress = move |_| {
+        counting.set(counting.get() + 1);
+        ControlFlow::Continue(())
+    };
+    pasu::watched(progress, || pasu::constraints(&design, None)).unwrap();
+    assert!(told.get() <= MOST_TOLD, "told {} times", told.get());
+}
+
 #[test]
 fn waves_are_drawn_beyond_what_is_measured() {
     let parse = |n: &str| Design::parse(&format!("#1/second-order?n=1,{n}")).unwrap();

@@ -34,6 +34,7 @@ mod placement;
 mod pull;
 mod random_pots;
 mod refusals;
+mod rewritings;
 mod rings;
 mod scenes;
 mod sharp_walls;

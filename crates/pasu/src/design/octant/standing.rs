@@ -22,7 +22,7 @@ impl Octant {
         // From the numbers as they were given, so that no rounding comes on top of another.
         let placed = |order: [usize; 3]| {
             let lengths = order.map(|axis| place.scale[axis].abs());
-            Placement::along(order.map(|axis| directions[axis]), lengths, place.shift)
+            Placement::along(order.map(|axis| directions[axis]), lengths, place.shift, given.digits())
         };
         let is_half_turned = given.scale[0] < 0.0 || given.scale[2] < 0.0;
         let (mut order, mut found) = (ORDERS[0], if is_half_turned { placed(ORDERS[0]) } else { place });
@@ -114,7 +114,7 @@ mod tests {
             }
             // The same edges in another order, as a placement of its own.
             let lengths = order.map(|axis| given.scale[axis].abs());
-            let other = Placement::along(order.map(|axis| directions[axis]), lengths, given.shift);
+            let other = Placement::along(order.map(|axis| directions[axis]), lengths, given.shift, given.digits());
             let (octant, place) = canonical(order.map(|axis| exponents[axis]), other);
             prop_assert_eq!(octant.exponents, once.0.exponents);
             prop_assert_eq!(place.scale, once.1.scale);
