@@ -189,6 +189,7 @@ pub(super) struct Exact {
 }
 
 /// What double precision leaves of the angle of a turn that was computed from others.
+#[cfg(feature = "patchwork")]
 const NOISE: f64 = 1e-14;
 
 #[cfg(feature = "patchwork")]
@@ -293,14 +294,9 @@ fn rotation([h, k, l]: [f64; 3], angle: f64) -> [[f64; 3]; 3] {
     ]
 }
 
-/// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn, and noise is none.
+/// An angle in [-pi, pi) to twelve digits. What rounds to half a turn is half a turn.
 fn principal(angle: f64) -> f64 {
-    if (-PI..PI).contains(&angle) { below_half_turn(rounded(heard(angle))) } else { reduced(angle) }
-}
-
-/// An angle that is more than noise.
-fn heard(angle: f64) -> f64 {
-    if angle.abs() > NOISE { angle } else { 0.0 }
+    if (-PI..PI).contains(&angle) { below_half_turn(rounded(angle)) } else { reduced(angle) }
 }
 
 /// A computed angle in [-pi, pi) to twelve digits and no more than twelve decimals: whole turns are not whole numbers, and what is left of them is noise.
@@ -331,7 +327,7 @@ fn below_half_turn(angle: f64) -> f64 {
 /// The turns go first: twelve digits of a very large angle are those of many others too, among them some of whole twenty-fourths.
 fn as_given(angle: f64) -> f64 {
     let within = match (-PI..PI).contains(&angle) {
-        true => heard(angle),
+        true => angle,
         false if reduced(angle) == 0.0 => 0.0,
         false => libm::atan2(libm::sin(angle), libm::cos(angle)),
     };
