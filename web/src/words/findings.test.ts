@@ -43,7 +43,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "no-foot",
     "no-lining",
   ],
-  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal"],
+  "pinched-surface": ["no-area", "waist", "shrinks", "section", "no-height", "corners", "no-normal", "thin-edge"],
   "crosses-itself": [
     "surface",
     "surface-close",

@@ -57,6 +57,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       section: () => making.pinched.section,
       "no-height": () => making.pinched.noHeight,
       "no-normal": () => making.thickness.noNormal,
+      "thin-edge": () => making.pinched.thinEdge,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);
   },

@@ -9,6 +9,7 @@ mod followed;
 mod fourier;
 mod grid;
 mod grids;
+mod lifted;
 mod normal;
 mod part;
 mod patches;

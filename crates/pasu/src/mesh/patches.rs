@@ -8,9 +8,10 @@ use xxhash_rust::xxh64::Xxh64;
 use super::cleared::cleared;
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::grid::append_patch;
+use super::lifted::lifted;
 use super::normal::cofactors;
 use super::seams::{Seams, along_side};
-use super::sewn::{firsts, sewn};
+use super::sewn::{Sewn, firsts, sewn};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
@@ -287,8 +288,11 @@ pub(crate) struct Welded {
 
 impl Welded {
     fn of(placed: &Placed, lines: &[Lines], bound: f64) -> Welded {
-        let (positions, numbered) = sewn(placed, lines);
-        let mut of_patches = vec![0; lines.len()];
+        Welded::sewn(sewn(placed, lines), lines.len(), bound)
+    }
+
+    fn sewn((positions, numbered): Sewn, n_patches: usize, bound: f64) -> Welded {
+        let mut of_patches = vec![0; n_patches];
         for (_, (patch, _)) in &numbered {
             of_patches[*patch] += 1;
         }
@@ -306,16 +310,27 @@ pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> 
     Ok(Welded::of(placed, &grids.lines, grids.bound.unwrap_or(f64::INFINITY)))
 }
 
-/// The same without lines so near to each other that triangles between them are narrower than single precision tells; `None` where there are no such lines, and where without them it is further from the patches than `most`.
+/// The same without lines so near to each other that triangles between them are narrower than single precision tells, and with the curved side of an octant kept off its flat ones; `None` where nothing of that is in the way, and where without it it is further from the patches than `most`.
 ///
 /// # Errors
 /// As [`welded`].
 pub(crate) fn welded_clear(placed: &Placed, tolerance: Option<f64>, most: f64) -> Result<Option<Welded>> {
     let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
-    let Some((lines, deviation)) = cleared(placed, &grids.lines) else { return Ok(None) };
-    let patches = placed.solved().patches();
     let m = placed.matrix();
     let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);
-    let bound = deviation_of(&patches, &lines, stretch) + deviation;
-    Ok((bound <= most).then(|| Welded::of(placed, &lines, bound)))
+    let patches = placed.solved().patches();
+    let (lines, is_cleared, bound) = match cleared(placed, &grids.lines) {
+        Some((lines, rounding)) => {
+            let bound = deviation_of(&patches, &lines, stretch) + rounding;
+            (lines, true, bound)
+        }
+        None => (grids.lines, false, grids.bound.unwrap_or(f64::INFINITY)),
+    };
+    let mut sewn = sewn(placed, &lines);
+    let lift = lifted(placed, &lines, &mut sewn.0);
+    if !is_cleared && lift == 0.0 {
+        return Ok(None);
+    }
+    let bound = bound + lift;
+    Ok((bound <= most).then(|| Welded::sewn(sewn, lines.len(), bound)))
 }

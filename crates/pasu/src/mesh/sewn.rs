@@ -11,7 +11,10 @@ use crate::solution::Placed;
 pub(super) type InCell = (usize, usize);
 
 /// Places of all lines, and triangles that share their vertices, each with its cell.
-pub(super) fn sewn(placed: &Placed, lines: &[Lines]) -> (Vec<DVec3>, Vec<([u32; 3], InCell)>) {
+pub(super) type Sewn = (Vec<DVec3>, Vec<([u32; 3], InCell)>);
+
+/// The grids as one mesh.
+pub(super) fn sewn(placed: &Placed, lines: &[Lines]) -> Sewn {
     let patches = placed.solved().patches();
     let firsts = firsts(lines);
     let number = Seams { patches: &patches, lines, firsts: &firsts }.numbers();

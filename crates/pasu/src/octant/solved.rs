@@ -93,6 +93,11 @@ impl Supersphere {
         inside::reach(self.exponents, direction)
     }
 
+    /// Whether it thins out towards an edge like a blade, as it does where an exponent is below 1.
+    pub(crate) fn has_blades(&self) -> bool {
+        self.exponents.iter().any(|exponent| *exponent < 1.0)
+    }
+
     /// A place of it that is near to a point.
     pub(crate) fn place_near(&self, at: DVec3) -> DVec3 {
         inside::place_near(self.exponents, at)

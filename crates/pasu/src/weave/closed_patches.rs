@@ -88,6 +88,17 @@ fn faces_of(placed: &Placed, of_patches: &[usize]) -> Vec<WovenFace> {
     faces
 }
 
+/// Whether it is an octant that thins out towards an edge.
+fn has_blades(placed: &Placed) -> bool {
+    #[cfg(feature = "patchwork")]
+    return placed.solved().octant().is_some_and(crate::octant::Supersphere::has_blades);
+    #[cfg(not(feature = "patchwork"))]
+    {
+        let _ = placed;
+        false
+    }
+}
+
 /// Refuses patches that are no boundary of a body.
 fn refuse_open(placed: &Placed) -> Result<()> {
     const SIDES: [&str; 4] = ["u = 0", "u = 1", "v = 0", "v = 1"];
@@ -119,9 +130,21 @@ fn verdict(placed: &Placed, woven: &Woven, scale: f64) -> Result<Topology> {
     let error = |code: Code, what: &str, at: DVec3, message: String| {
         Err(Error::new(code, placed.path("shape"), message).with("what", what).near(at.to_array()))
     };
+    // Of such an octant no more is wrong than that it is a blade.
+    let thin = |at: DVec3| {
+        let message = format!(
+            "this octant thins out near {} to less than numbers of seven digits can hold: expected exponents of at least 1, or an octant that is neither turned nor moved",
+            place(at)
+        );
+        error(Code::PinchedSurface, "thin-edge", at, message)
+    };
+    let is_blade = has_blades(placed);
     let corners = |triangle: &[u32; 3]| triangle.map(|vertex| woven.positions[vertex as usize]);
     if let Some(number) = woven.triangles.iter().position(|triangle| check::is_degenerate(corners(triangle))) {
         let at = woven.middle(number as u32) / scale;
+        if is_blade {
+            return thin(at);
+        }
         let message = format!(
             "the surface shrinks to nothing at {}: expected it to be wider than numbers of seven digits can hold",
             place(at)
@@ -141,9 +164,11 @@ fn verdict(placed: &Placed, woven: &Woven, scale: f64) -> Result<Topology> {
         }
     };
     let (crossings, given_up) = check::crossings_soon(&woven.positions, &woven.triangles, |_| None, 1);
-    match (crossings.first(), given_up) {
-        (Some(pair), _) => {
-            let at = woven.middle(pair[0]) / scale;
+    let crossing = crossings.first().map(|pair| pair[0]);
+    match (crossing, given_up) {
+        (Some(triangle), _) | (None, Some(triangle)) if is_blade => thin(woven.middle(triangle) / scale),
+        (Some(triangle), _) => {
+            let at = woven.middle(triangle) / scale;
             let message = format!("the surface runs through itself near {}: expected one that does not", place(at));
             error(Code::CrossesItself, "surface", at, message)
         }

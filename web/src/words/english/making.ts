@@ -63,6 +63,8 @@ export const making = phrases("making", {
     section: "A section encloses no area. A blend flows between two that do.",
     noHeight: "Both sections lie at the same height, and no tangent rises from it: the solid would be flat.",
     corners: "Two corners of a patch are the same point. A patch needs four.",
+    thinEdge:
+      "This octant thins out to less than the numbers of a file can hold. Exponents of at least 1 make it thicker there; neither turned nor moved it can be written as it is.",
   },
   crosses: {
     surface: "The surface runs through itself.",
