@@ -44,11 +44,12 @@ export const DEFAULTS = {
   rim: "flat",
 } as const;
 
-/** The most of a design: parts, modes of all parts, coefficients of a force, rings between the two ends, characters of a title or name. */
+/** The most of a design: parts, modes of all parts, coefficients of a force, rings between the two ends, patches of a network, characters of a title or name. */
 export const LIMITS = {
   parts: 500,
   modes: 4096,
   force: 512,
   rings: 64,
+  patches: 100000,
   characters: 200,
 } as const;

@@ -3,6 +3,7 @@
 import { labelOf } from "../document/label";
 import type { Network } from "../document/network/network";
 import { type ObjTrouble, readObj, writeObj } from "../document/network/obj";
+import { LIMITS } from "../document/tables.gen";
 import { isolated } from "../language";
 import { formatNumber } from "../number";
 import { networks as words } from "../words/english/networks";
@@ -36,6 +37,8 @@ function objWords(trouble: ObjTrouble): string {
     case "empty":
     case "crowded":
       return told[trouble.code];
+    case "many":
+      return told.many(formatNumber(trouble.faces), formatNumber(LIMITS.patches));
     case "corners":
       return told.corners(formatNumber(trouble.line), trouble.corners);
     case "no-point":

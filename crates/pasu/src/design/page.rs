@@ -4,7 +4,7 @@ use super::blend::{BlendSlider, MOST_TERMS, Method, SECTION_SLIDERS, TERMS, WEIG
 use super::ceramics::{OWN_CLAY, OWN_GLAZE, OWN_OPACITY};
 use super::described::Family;
 use super::fields::{Dimension, Field, Need};
-use super::limits::{CHARACTERS, FORCE, HARMONICS, MODES, PARTS, RINGS};
+use super::limits::{CHARACTERS, FORCE, HARMONICS, MODES, PARTS, PATCHES, RINGS};
 use super::look::{Clay, Glaze};
 use super::number::plain;
 use super::quantity::Size;
@@ -106,11 +106,18 @@ pub fn typescript_of_tables() -> String {
     ];
     let defaults = defaults.map(|(field, name)| (field.to_owned(), quoted(name)));
     constant(&mut text, "What holds where a name is left out.", "DEFAULTS", &record(defaults, 0));
-    let limits = [("parts", PARTS), ("modes", MODES), ("force", FORCE), ("rings", RINGS), ("characters", CHARACTERS)];
+    let limits = [
+        ("parts", PARTS),
+        ("modes", MODES),
+        ("force", FORCE),
+        ("rings", RINGS),
+        ("patches", PATCHES),
+        ("characters", CHARACTERS),
+    ];
     let limits = limits.map(|(name, most)| (name.to_owned(), most.to_string()));
     constant(
         &mut text,
-        "The most of a design: parts, modes of all parts, coefficients of a force, rings between the two ends, characters of a title or name.",
+        "The most of a design: parts, modes of all parts, coefficients of a force, rings between the two ends, patches of a network, characters of a title or name.",
         "LIMITS",
         &record(limits, 0),
     );

@@ -56,6 +56,8 @@ test("files that hold no network say why", () => {
   expect(trouble("v 0 0 1\nv 0 0 x\n")).toEqual({ code: "point", line: 2 });
   expect(trouble("v 0 0\n")).toEqual({ code: "point", line: 1 });
   expect(trouble(`${points}f 1 2 3 4\nf 1 2 6 5\nf 1 2 8 7\n`)).toEqual({ code: "crowded" });
+  const many = "f 1 2 3 4\n".repeat(100_001);
+  expect(trouble(points + many)).toEqual({ code: "many", faces: 100_001 });
   // Lines are counted as an editor counts them.
   expect(trouble(`${points}f 1 2 \\\n 3 4\nf 1 2 3\n`)).toEqual({ code: "corners", line: 11, corners: 3 });
 });

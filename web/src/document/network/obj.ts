@@ -1,11 +1,14 @@
 /** Frame models as OBJ: faces of quads, whose edges get middles, and faces of eight points, which are patches as they are. */
 
+import { LIMITS } from "../tables.gen";
 import type { Triple } from "../types";
 import { compacted, type Frame, faultOf, type Network, type Patch } from "./network";
 
 /** Why a text is no network, and where that can be said in which line, counted from 1. */
 export type ObjTrouble =
   | { readonly code: "empty" | "crowded" }
+  /** So many faces, which are more than a network has patches. */
+  | { readonly code: "many"; readonly faces: number }
   /** A line that has not the three coordinates of a point. */
   | { readonly code: "point"; readonly line: number }
   /** A face of so many corners. */
@@ -63,6 +66,7 @@ export function readObj(text: string): ReadObj {
   }
   const faces = read.map(({ points }) => points);
   if (faces.length === 0) return { trouble: { code: "empty" } };
+  if (faces.length > LIMITS.patches) return { trouble: { code: "many", faces: faces.length } };
   const middles = new Map<string, number>();
   // Middles that faces of eight bring along are those of their edges for quads beside them too.
   for (const face of faces) {

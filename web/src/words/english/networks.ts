@@ -116,6 +116,7 @@ export const networks = phrases("networks", {
     empty: "This file has no faces.",
     crowded: "In this file more than two faces meet along an edge.",
     large: "This file is larger than 32 MiB.",
+    many: (found: string, most: string) => `This file has ${found} faces. A network has ${most} patches at most.`,
     point: (line: string) => `Line ${line} of this file has not the three numbers of a point.`,
     corners: (line: string, corners: number) =>
       `The face in line ${line} of this file has ${plural(corners, { one: "1 corner", other: `${formatNumber(corners)} corners` })}. A network is of faces of four corners, or of eight points.`,
