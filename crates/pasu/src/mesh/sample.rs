@@ -272,11 +272,20 @@ pub(crate) fn places(placed: &Placed, tolerance: Option<f64>) -> Result<(Vec<f64
     let grid = PartGrid::choose(placed, surface, &options, false, Curves::default())?;
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
-        let message = format!("needs {} rows of {} vertices; ask for a coarser tolerance", plain(rows), plain(columns));
-        let error = Error::new(Code::TooLarge, placed.own_path(), message).with("rows", rows);
-        return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
+        return Err(too_many(placed, [rows, columns], "; ask for a coarser tolerance"));
     }
     Ok(grid.places())
+}
+
+/// The refusal of so many rows and columns; where they are beyond counting it is not said how many.
+fn too_many(placed: &Placed, [rows, columns]: [f64; 2], advice: &str) -> Error {
+    if !(rows * columns).is_finite() {
+        let message = "numbers have too few digits for a mesh of this part, which is too large, or too far from the origin for its size: expected it smaller or nearer";
+        return Error::new(Code::TooLarge, placed.own_path(), message).with("greatest", VERTEX_LIMIT);
+    }
+    let message = format!("needs {} rows of {} vertices{advice}", plain(rows), plain(columns));
+    let error = Error::new(Code::TooLarge, placed.own_path(), message).with("rows", rows);
+    error.with("columns", columns).with("greatest", VERTEX_LIMIT)
 }
 
 /// The largest bound of all parts, if every part has one.
@@ -307,13 +316,10 @@ fn chosen<'a, P: AsRef<Placed> + 'a>(
         let [rows, columns] = grid.counts();
         n_vertices += rows * columns;
         if n_vertices > VERTEX_LIMIT as f64 {
-            let message = format!(
-                "needs {} rows of {} vertices, which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns",
-                plain(rows),
-                plain(columns)
+            let advice = format!(
+                ", which takes the mesh beyond {VERTEX_LIMIT} vertices; ask for a coarser tolerance or fewer rows and columns"
             );
-            let error = Error::new(Code::TooLarge, placed.own_path(), message).with("rows", rows);
-            return Err(error.with("columns", columns).with("greatest", VERTEX_LIMIT));
+            return Err(too_many(placed, [rows, columns], &advice));
         }
         grids.push(grid);
     }

@@ -225,7 +225,9 @@ impl<'a> Part<'a> {
 
     fn too_fine(&self, tolerance: f64, grid: &Tessellation) -> Error {
         let (rounding, tolerance_found) = (plain(self.rounding), plain(tolerance));
-        let message = if 2.0 * self.rounding > tolerance {
+        let message = if !self.rounding.is_finite() {
+            format!("no mesh in single precision holds a pot of this size, found {tolerance_found}")
+        } else if 2.0 * self.rounding > tolerance {
             format!(
                 "a mesh in single precision is only good to {rounding} for a pot of this size, found {tolerance_found}"
             )
@@ -237,7 +239,9 @@ impl<'a> Part<'a> {
             )
         };
         let error = Error::new(Code::ToleranceTooFine, "tolerance", message).with("found", tolerance);
-        if 2.0 * self.rounding > tolerance {
+        if !self.rounding.is_finite() {
+            error
+        } else if 2.0 * self.rounding > tolerance {
             error.with("least", self.rounding)
         } else {
             error.with("rows", grid.along + 1.0).with("columns", grid.round + 1.0)

@@ -106,7 +106,8 @@ impl Space {
                 1.0 / LARGEST
             );
             let error = Error::new(Code::Overflow, space.placed.own_path(), message);
-            return Err(error.with("found", size).with("least", 1.0 / LARGEST).with("greatest", LARGEST));
+            let error = error.with("least", 1.0 / LARGEST).with("greatest", LARGEST);
+            return Err(if size.is_finite() { error.with("found", size) } else { error });
         }
         Ok(space)
     }

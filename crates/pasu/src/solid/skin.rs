@@ -141,7 +141,8 @@ impl Skin {
         let rise = (self.mean(1.0) - self.mean(0.0)).length();
         self.size = widths.iter().fold(rise, |size, width| size.max(*width));
         if !(self.size.is_finite() && self.size > f64::MIN_POSITIVE && self.size < f64::MAX.sqrt()) {
-            let message = format!("the surface is {} across, which cannot be computed with", plain(self.size));
+            let across = if self.size.is_finite() { plain(self.size) } else { "more than 1e308".to_owned() };
+            let message = format!("the surface is {across} across, which cannot be computed with");
             return Err(Error::new(Code::Overflow, self.placed().own_path(), message));
         }
         self.poles = [widths[0], widths[ROWS]].map(|width| width <= POLE * self.size);

@@ -250,3 +250,38 @@ fn areas_of_many_petals_are_those_of_a_finer_rule() {
         assert!(found.error < 1e-8 * area, "{link}: {area} {found:?}");
     }
 }
+
+/// A pot with a wall that stands 1e100 away, or is as large: no message has a number that is none.
+#[test]
+fn what_is_too_large_or_too_far_is_refused_without_infinities() {
+    let rings = r#"{ "kind": "rings", "rings": [{ "u": 0, "r": { "mean": 2 }, "z": { "mean": 0 } }, { "u": 1, "r": { "mean": 2.5 }, "z": { "mean": 5 } }] }"#;
+    for exponent in [100, 150, 155, 200, 308] {
+        for place in [
+            format!("\"shift\": [1e{exponent}, 0, 0]"),
+            format!("\"scale\": [1e{exponent}, 1e{exponent}, 1e{exponent}]"),
+        ] {
+            let part = format!(
+                r#"{{ "shape": {rings}, "wall": {{ "thickness": 0.3, "base": 0.3 }}, "place": {{ {place} }} }}"#
+            );
+            let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{part}] }}"#)).unwrap();
+            let solution = pasu::Solution::of(&design);
+            let refusals = [
+                solution.mesh(&MeshOptions::default()).map(drop),
+                solution.solid(&Making::default()).map(drop),
+                solution.sketch(&SketchOptions::default()).map(drop),
+                solution.constraints(None).map(drop),
+            ];
+            let mut told: Vec<String> = refusals
+                .into_iter()
+                .filter_map(|refusal| refusal.err().map(|error| format!("{error} {:?}", error.args())))
+                .collect();
+            if let Ok(report) = solution.check(&Making::default()) {
+                told.push(serde_json::to_string(&report).unwrap());
+            }
+            for text in told {
+                let is_number = !["Infinity", "inf ", "inf)", "NaN"].iter().any(|word| text.contains(word));
+                assert!(is_number, "{place}: {text}");
+            }
+        }
+    }
+}
