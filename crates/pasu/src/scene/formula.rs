@@ -157,7 +157,9 @@ impl Space {
 
     /// The same; `None` of what is no octant.
     pub(super) fn reach_by_formula(&self, direction: DVec3) -> Option<(f64, DVec3)> {
-        Some(self.furthest(self.octant()?, direction))
+        let (most, about) = self.furthest(self.octant()?, direction);
+        // What is furthest of the least convex octant about it need not be a place of one that is hollow.
+        Some((most, self.place_near(about)?))
     }
 
     /// A place of an octant near to a point.

@@ -74,3 +74,24 @@ impl Space {
         (open.peek().map_or(reached.0, |open| -open.least), reached.1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+    use crate::solution::Solution;
+
+    /// What is furthest of the tetrahedron round a hollow octant may be in the middle of an edge of that, far from the octant.
+    #[test]
+    fn the_furthest_place_of_a_hollow_octant_is_one_of_its_own() {
+        let part = r#"{ "shape": { "kind": "octant", "exponents": [0.4, 0.4, 0.4] }, "place": { "scale": [2, 2, 2], "shift": [1, 2, 3] } }"#;
+        let design = Design::parse(&format!(r#"{{ "pasu": 1, "parts": [{part}] }}"#)).unwrap();
+        let space = Solution::of(&design).in_space(0).unwrap();
+        for direction in [DVec3::new(1.0, 1.0, 0.0), DVec3::ONE, DVec3::X, -DVec3::ONE, DVec3::new(1.0, 0.999, 0.2)] {
+            let (most, at) = space.reach(direction.normalize(), 1e-9, &mut Budget::new(1000));
+            // But for rounding, which may put a place of the border outside.
+            assert!(space.nearest(at).distance < 1e-9 || space.holds(at) == Some(true), "{direction} {at}");
+            assert!(at.dot(direction.normalize()) <= most + 1e-12, "{direction} {at} {most}");
+        }
+    }
+}
