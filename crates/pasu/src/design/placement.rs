@@ -125,17 +125,9 @@ pub(super) struct Turn {
 }
 
 impl Turn {
-    /// The rotation that takes the coordinate axes to these directions: of the four forms that a quaternion has, the one that divides by its largest number.
-    fn to([x, y, z]: [[f64; 3]; 3], digits: Digits) -> Turn {
-        let forms = [
-            [1.0 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]],
-            [y[2] - z[1], 1.0 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]],
-            [z[0] - x[2], x[1] + y[0], 1.0 - x[0] + y[1] - z[2], y[2] + z[1]],
-            [x[1] - y[0], z[0] + x[2], y[2] + z[1], 1.0 - x[0] - y[1] + z[2]],
-        ];
-        let largest =
-            (1..4).fold(0, |largest, form| if forms[form][form] > forms[largest][largest] { form } else { largest });
-        let [w, vector @ ..] = forms[largest];
+    /// The rotation that takes the coordinate axes to these directions.
+    fn to(directions: [[f64; 3]; 3], digits: Digits) -> Turn {
+        let [w, vector @ ..] = quaternion(directions);
         let angle = 2.0 * libm::atan2(norm(vector), w);
         match normalised(vector) {
             Some(axis) => Turn { axis, angle: computed(angle, digits) },
@@ -178,6 +170,19 @@ impl Turn {
         // `0.0 - c` and not `-c`: zero stays without a sign.
         Turn { axis: self.axis.map(|c| 0.0 - c), angle }
     }
+}
+
+/// The rotation that takes the coordinate axes to these directions, real part first, of any length: of the four forms that a quaternion has, the one that divides by its largest number.
+pub(super) fn quaternion([x, y, z]: [[f64; 3]; 3]) -> [f64; 4] {
+    let forms = [
+        [1.0 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]],
+        [y[2] - z[1], 1.0 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]],
+        [z[0] - x[2], x[1] + y[0], 1.0 - x[0] + y[1] - z[2], y[2] + z[1]],
+        [x[1] - y[0], z[0] + x[2], y[2] + z[1], 1.0 - x[0] - y[1] + z[2]],
+    ];
+    let largest =
+        (1..4).fold(0, |largest, form| if forms[form][form] > forms[largest][largest] { form } else { largest });
+    forms[largest]
 }
 
 /// A rotation in double precision, as a unit quaternion and as the rows of its matrix.

@@ -3,7 +3,7 @@
 //! Of the turns about its own axis that leave it as it is ([`Symmetry`]) canonical form takes the one after which it is turned least: that with the greatest trace of the rotation, and where several are as good the one whose `x` axis has the greatest `x`, then `y`, and so on.
 //! One that is its own mirror image is never mirrored. Scaled otherwise along `x` than along `y` it keeps those motions alone that take axes to axes.
 
-use super::placement::{Digits, Placement};
+use super::placement::{Digits, Placement, quaternion};
 use super::symmetry::Symmetry;
 
 /// Numbers that are this near count as equal: far above what twelve digits leave of two descriptions of one solid, and far below what tells two directions from each other.
@@ -65,7 +65,9 @@ impl Symmetry {
         // The trace is `more cos + less sin` of the angle of the turn. Upside down it is the same for every turn.
         let (more, less) = (x[0] + sense * y[1], y[0] - sense * x[1]);
         let is_level = libm::hypot(more, less) <= SLACK;
-        let wanted = if is_level { libm::atan2(y[0], x[0]) } else { libm::atan2(less, more) };
+        // By halves of the angles: close to upside down `more` and `less` are all but nothing, and what is left of them is noise.
+        let [real, _, _, up] = quaternion([x, y.map(|c| sense * c), z]);
+        let wanted = if is_level { libm::atan2(y[0], x[0]) } else { -2.0 * sense * libm::atan2(up, real) };
         let angles = match self.fold {
             None => vec![wanted],
             Some(fold) => {
