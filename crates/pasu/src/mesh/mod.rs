@@ -1,5 +1,7 @@
 //! From the closed form to triangles.
 
+#[cfg(feature = "patchwork")]
+mod bladed;
 mod cleared;
 mod contract;
 mod exact;
@@ -9,7 +11,6 @@ mod followed;
 mod fourier;
 mod grid;
 mod grids;
-mod lifted;
 mod normal;
 mod part;
 mod patches;

@@ -5,13 +5,14 @@ use core::fmt::Write;
 use glam::{DMat3, DVec3};
 use xxhash_rust::xxh64::Xxh64;
 
+#[cfg(feature = "patchwork")]
+use super::bladed::{Bladed, bladed};
 use super::cleared::cleared;
 use super::contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 use super::grid::append_patch;
-use super::lifted::lifted;
 use super::normal::cofactors;
 use super::seams::{Seams, along_side};
-use super::sewn::{Sewn, firsts, sewn};
+use super::sewn::{firsts, sewn};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
@@ -288,11 +289,8 @@ pub(crate) struct Welded {
 
 impl Welded {
     fn of(placed: &Placed, lines: &[Lines], bound: f64) -> Welded {
-        Welded::sewn(sewn(placed, lines), lines.len(), bound)
-    }
-
-    fn sewn((positions, numbered): Sewn, n_patches: usize, bound: f64) -> Welded {
-        let mut of_patches = vec![0; n_patches];
+        let (positions, numbered) = sewn(placed, lines);
+        let mut of_patches = vec![0; lines.len()];
         for (_, (patch, _)) in &numbered {
             of_patches[*patch] += 1;
         }
@@ -310,27 +308,20 @@ pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> 
     Ok(Welded::of(placed, &grids.lines, grids.bound.unwrap_or(f64::INFINITY)))
 }
 
-/// The same without lines so near to each other that triangles between them are narrower than single precision tells, and with the curved side of an octant kept off its flat ones; `None` where nothing of that is in the way, and where without it it is further from the patches than `most`.
+/// The same without lines so near to each other that triangles between them are narrower than single precision tells, and of an octant that thins out with what is thinner than that; `None` where nothing of that is in the way, and where without it it is further from the patches than `most`.
 ///
 /// # Errors
 /// As [`welded`].
 pub(crate) fn welded_clear(placed: &Placed, tolerance: Option<f64>, most: f64) -> Result<Option<Welded>> {
     let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
+    #[cfg(feature = "patchwork")]
+    if let Some(Bladed { positions, triangles, bound }) = bladed(placed, &grids.lines) {
+        let of_patches = triangles.iter().map(Vec::len).collect();
+        return Ok((bound <= most).then(|| Welded { positions, triangles: triangles.concat(), of_patches, bound }));
+    }
     let m = placed.matrix();
     let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);
-    let patches = placed.solved().patches();
-    let (lines, is_cleared, bound) = match cleared(placed, &grids.lines) {
-        Some((lines, rounding)) => {
-            let bound = deviation_of(&patches, &lines, stretch) + rounding;
-            (lines, true, bound)
-        }
-        None => (grids.lines, false, grids.bound.unwrap_or(f64::INFINITY)),
-    };
-    let mut sewn = sewn(placed, &lines);
-    let lift = lifted(placed, &lines, &mut sewn.0);
-    if !is_cleared && lift == 0.0 {
-        return Ok(None);
-    }
-    let bound = bound + lift;
-    Ok((bound <= most).then(|| Welded::sewn(sewn, lines.len(), bound)))
+    let Some((lines, rounding)) = cleared(placed, &grids.lines) else { return Ok(None) };
+    let bound = deviation_of(&placed.solved().patches(), &lines, stretch) + rounding;
+    Ok((bound <= most).then(|| Welded::of(placed, &lines, bound)))
 }

@@ -16,7 +16,7 @@ use crate::watch;
 
 /// How many times as finely as asked for a body is meshed, in turn, before it is refused, and whether without lines that lie too near to each other for single precision: of a tube of two patches each may be flat at first, and what such lines
 /// leave may be too coarse at first. Less finely only where no tolerance is asked for.
-const ATTEMPTS: [(f64, bool); 5] = [(1.0, false), (1.0, true), (0.4, true), (3.0, false), (3.0, true)];
+const ATTEMPTS: [(f64, bool); 6] = [(1.0, false), (1.0, true), (0.4, true), (1.5, true), (3.0, false), (3.0, true)];
 
 /// Where no tolerance is asked for, a mesh without lines that are in the way may be off by so many times as much as one with them.
 const LOOSER: f64 = 3.0;

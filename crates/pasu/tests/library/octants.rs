@@ -5,6 +5,7 @@ use pasu::{Code, Design, Format, Making, MeshOptions, Product, Shape, solid};
 use serde_json::{Value, json};
 
 use crate::support::networks::{Dice, measured};
+use crate::support::random::drawn;
 use crate::support::{design, design_of};
 
 fn octant(exponents: [f64; 3]) -> Value {
@@ -303,38 +304,67 @@ fn a_turned_octant_is_made_as_one_along_the_axes_is() {
     }
 }
 
-/// Of one exponent below 1 an octant is a blade along an edge, thinner there than single precision tells. Turned or moved, 11 of these 48 were refused as running through themselves; what is refused still says why.
+/// How far a point is from the border of an octant at least, by its formula alone: a border point is within a cube about it only where one corner of that is in the octant and the opposite one is not, or where it reaches a plane side.
+fn least_distance(exponents: [f64; 3], lengths: DVec3, at: DVec3) -> f64 {
+    let excess = |at: DVec3| (0..3).map(|i| (at[i].max(0.0) / lengths[i]).powf(exponents[i])).sum::<f64>() - 1.0;
+    let is_within = |half: f64| {
+        let (low, high) = (at - half, at + half);
+        at.min_element() >= -half && excess(low) <= 0.0 && (excess(high) >= 0.0 || at.min_element() <= half)
+    };
+    let (mut low, mut high) = (0.0, 10.0 * lengths.max_element());
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if is_within(middle) { high = middle } else { low = middle }
+    }
+    high
+}
+
+/// With an exponent below 1 an octant is a blade along an edge, with two a needle at a tip, thinner there than single precision tells. Turned or moved, most of these were refused.
 #[test]
-fn an_octant_with_a_blade_is_made_where_it_is_turned_or_moved() {
+fn an_octant_with_blades_and_needles_is_made_where_it_is_turned_or_moved() {
     let mut dice = Dice(6);
     let (mut n_made, mut n_thin) = (0, 0);
-    for round in 0..24 {
-        let mut exponents = exponents(&mut dice, 1.0, 5.0);
-        exponents[round % 3] = 0.65 + 0.3 * dice.number();
+    let fixed = [[0.66; 3], [0.8; 3], [0.3, 0.7, 2.0], [0.9; 3], [0.95, 0.5, 0.7]];
+    let drawn: Vec<[f64; 3]> = (0..drawn(6, 60)).map(|_| exponents(&mut dice, 0.3, 3.0)).collect();
+    for (round, exponents) in fixed.into_iter().chain(drawn).enumerate() {
         let [axis, shift] = [1.0, 2.0].map(|size| [(); 3].map(|()| size * dice.number()));
         let angle = if round % 2 == 0 { 3.0 * dice.number() } else { 0.0 };
-        let place = json!({ "axis": axis, "angle": angle, "shift": shift });
+        let scale = if round % 3 == 0 { [1.0, -2.0, 1.5] } else { [1.0; 3] };
+        let place = json!({ "axis": axis, "angle": angle, "shift": shift, "scale": scale });
         let parts = [json!({ "shape": octant(exponents), "place": place })];
         let design = design(&json!({ "pasu": 1, "unit": "mm", "parts": parts }).to_string());
-        for tolerance in [None, Some(0.02)] {
-            match solid(&design, &Making { tolerance, ..Making::default() }) {
-                Ok(meshes) => {
-                    n_made += 1;
-                    let (bound, found, expected) = (meshes[0].bound, enclosed(&meshes[0]), volume(exponents));
-                    assert!(bound <= tolerance.unwrap_or(0.01), "{round} {tolerance:?}: {bound}");
-                    assert!(
-                        (found - expected).abs() <= 6.0 * bound,
-                        "{round} {tolerance:?}: {found} {expected} {bound}"
-                    );
-                }
-                Err(error) => {
+        let part = &design.parts()[0];
+        let Shape::Octant(of) = &part.shape else { unreachable!() };
+        let (lengths, matrix) = (DVec3::from_array(part.place.scale).abs(), part.place.matrix());
+        let columns = [0, 1, 2].map(|axis| DVec3::from_array(matrix.map(|row| row[axis])).normalize());
+        for tolerance in [None, Some(0.02), Some(0.002)] {
+            let mesh = match solid(&design, &Making { tolerance, ..Making::default() }) {
+                Ok(mut meshes) => meshes.remove(0),
+                // What is refused says why, and is rare.
+                Err(error) if round >= fixed.len() => {
+                    assert!(error.args().contains(&("what", "thin-edge".into())), "{round} {tolerance:?} {error}");
                     n_thin += 1;
-                    assert_eq!(error.code(), Code::PinchedSurface, "{round} {error} {exponents:?}");
-                    assert!(error.args().contains(&("what", "thin-edge".into())), "{round} {error}");
+                    continue;
                 }
+                Err(error) => panic!("{round} {tolerance:?} {error} {exponents:?}"),
+            };
+            n_made += 1;
+            let (bound, found) = (mesh.bound, enclosed(&mesh));
+            let expected = volume(exponents) * lengths.element_product();
+            assert!(bound <= tolerance.unwrap_or(0.006), "{round} {tolerance:?}: {bound}");
+            // No octant has a larger area than the box round it.
+            let area = 2.0 * (lengths.x * lengths.y + lengths.y * lengths.z + lengths.z * lengths.x);
+            assert!((found - expected).abs() <= area * bound, "{round} {tolerance:?}: {found} {expected} {bound}");
+            let vertex =
+                |index: u32| DVec3::from_array([0, 1, 2].map(|i| f64::from(mesh.positions[3 * index as usize + i])));
+            for corners in mesh.indices.chunks_exact(3) {
+                let at = corners.iter().map(|index| vertex(*index)).sum::<DVec3>() / 3.0
+                    - DVec3::from_array(part.place.shift);
+                let own = DVec3::from_array(columns.map(|column| column.dot(at)));
+                let least = least_distance(of.exponents, lengths, own);
+                assert!(least <= bound, "{round} {tolerance:?}: {own} is {least} away, {bound}");
             }
         }
     }
-    println!("{n_made} made, {n_thin} too thin");
-    assert!(n_made >= 5 * n_thin, "{n_made} made, {n_thin} too thin");
+    assert!(n_made > 30 * n_thin, "{n_made} made, {n_thin} too thin");
 }
