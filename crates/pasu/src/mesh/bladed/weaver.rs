@@ -1,0 +1,28 @@
+//! The mesh of an octant that thins out, while it is made.
+
+use glam::DVec3;
+
+/// A triangle seen from outside, with the intervals between lines that it is in: the direction, 0 along `u`, and the line before.
+pub(super) struct Triangle {
+    pub(super) corners: [u32; 3],
+    pub(super) patch: usize,
+    pub(super) between: [Option<(usize, usize)>; 2],
+    /// A place on an axis that it has a corner in, with the axis.
+    pub(super) on_axis: Option<(usize, f64)>,
+}
+
+/// An octant as it was before it was turned and moved, scaled to its lengths.
+pub(super) struct Weaver {
+    pub(super) places: Vec<DVec3>,
+    pub(super) triangles: Vec<Triangle>,
+    pub(super) is_lifted: bool,
+    pub(super) least: f64,
+}
+
+impl Weaver {
+    /// One more vertex.
+    pub(super) fn vertex(&mut self, place: DVec3) -> u32 {
+        self.places.push(place);
+        self.places.len() as u32 - 1
+    }
+}
