@@ -150,6 +150,26 @@ test("a surface waits for its companion, and then shows what the document says b
   expect(surface.shown?.solved.facts?.height).toBeCloseTo(22);
 });
 
+test("what waited for its companion is not shown after what came later and did not wait", async () => {
+  await begun();
+  let release = () => {};
+  const companion: Companion = {
+    waits: () => false,
+    join: (_, solving) => new Promise((resolve) => (release = () => void solving.then(resolve))),
+  };
+  surface.accompany(companion);
+  drag(21);
+  await worker.answer();
+  surface.accompany(null);
+  drag(22);
+  await worker.answer();
+  expect(surface.shown?.change).toBe(3);
+  release();
+  await settled();
+  expect(surface.shown?.change).toBe(3);
+  expect(surface.shown?.design).toBe(store.design);
+});
+
 test("who looks at the words hears of nothing else", async () => {
   await begun();
   const heard: string[] = [];

@@ -187,6 +187,11 @@ export class Surface {
     const solving = this.#desk.solve({ design, ids }, { ...this.grid(design), lines, section, settle });
     void (this.#companion?.join(design, solving) ?? solving).then((outcome) => {
       if (outcome.state === "superseded") return;
+      // One that waited for its wall may come after one that did not.
+      if (change < (this.#shown.peek()?.change ?? 0)) {
+        if (outcome.state === "done") this.recycle(outcome.value.parts.map(({ mesh }) => mesh));
+        return;
+      }
       const current = design === this.#store.design;
       if (outcome.state === "done") trace("solved", change, outcome.value.times ?? undefined);
       batch(() => {

@@ -16,6 +16,8 @@ use super::sewn::{firsts, sewn};
 use super::tolerance::DEFAULT_FINENESS;
 use crate::design::plain;
 use crate::error::{Code, Error, Result};
+#[cfg(feature = "patchwork")]
+use crate::octant::Supersphere;
 use crate::patch::{Cell, Lines, Patch, Side, Spread, deviation_of, lines_within};
 use crate::solution::Placed;
 
@@ -315,9 +317,11 @@ pub(crate) fn welded(placed: &Placed, tolerance: Option<f64>) -> Result<Welded> 
 pub(crate) fn welded_clear(placed: &Placed, tolerance: Option<f64>, most: f64) -> Result<Option<Welded>> {
     let grids = PatchGrids::choose(placed, &MeshOptions { tolerance, ..MeshOptions::default() }, true)?;
     #[cfg(feature = "patchwork")]
-    if let Some(Bladed { positions, triangles, bound }) = bladed(placed, &grids.lines) {
-        let of_patches = triangles.iter().map(Vec::len).collect();
-        return Ok((bound <= most).then(|| Welded { positions, triangles: triangles.concat(), of_patches, bound }));
+    if placed.solved().octant().is_some_and(Supersphere::has_blades) {
+        return Ok(bladed(placed, &grids.lines, most).map(|Bladed { positions, triangles, bound }| {
+            let of_patches = triangles.iter().map(Vec::len).collect();
+            Welded { positions, triangles: triangles.concat(), of_patches, bound }
+        }));
     }
     let m = placed.matrix();
     let stretch = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length);

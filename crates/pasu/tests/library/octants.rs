@@ -319,7 +319,7 @@ fn least_distance(exponents: [f64; 3], lengths: DVec3, at: DVec3) -> f64 {
     high
 }
 
-/// With an exponent below 1 an octant is a blade along an edge, with two a needle at a tip, thinner there than single precision tells. Turned or moved, most of these were refused.
+/// With an exponent below 1 an octant is a blade along an edge, with two a needle at a tip, thinner there than single precision tells. Turned or moved, many of these were refused.
 #[test]
 fn an_octant_with_blades_and_needles_is_made_where_it_is_turned_or_moved() {
     let mut dice = Dice(6);

@@ -28,6 +28,9 @@ const HIGH: f64 = 8.0;
 /// No more lines are taken away than this: of those between which triangles are too narrow.
 const MOST: usize = 256;
 
+/// After so many it is looked at whether what is left is near enough, which takes as long as to make it again.
+const LOOKED_AT: usize = 16;
+
 /// Of a mesh of more vertices none is: all of it is made again for each line, and nobody waits for that.
 const MOST_VERTICES: usize = 1 << 16;
 
@@ -45,11 +48,8 @@ pub(super) struct Bladed {
     pub(super) bound: f64,
 }
 
-/// An octant on some of the lines of its curved side, so many that no triangle is too narrow; `None` of what is no octant, of one that is as thin all over, and where lines are in the way that cannot be spared.
-pub(super) fn bladed(placed: &Placed, lines: &[Lines]) -> Option<Bladed> {
-    if !placed.solved().octant()?.has_blades() {
-        return None;
-    }
+/// An octant on some of the lines of its curved side, so many that no triangle is too narrow; `None` of one that is as thin all over, where lines are in the way that cannot be spared, and where without them it is further from the octant than `most`.
+pub(super) fn bladed(placed: &Placed, lines: &[Lines], most: f64) -> Option<Bladed> {
     let mut lines = lines.first()?.clone();
     let unit = rounding(placed);
     let m = placed.matrix();
@@ -62,8 +62,9 @@ pub(super) fn bladed(placed: &Placed, lines: &[Lines]) -> Option<Bladed> {
     let row = |u: &f64| lines.v.iter().map(|v| stretch * curved.position(*u, *v)).collect();
     let mut grid: Vec<Vec<DVec3>> = lines.u.iter().map(row).collect();
     let mut spared: [Vec<f64>; 3] = Default::default();
-    for _ in 0..MOST {
-        if watch::is_stopped() {
+    for round in 1..=MOST {
+        // With fewer lines it is no nearer.
+        if watch::is_stopped() || (round % LOOKED_AT == 0 && deviation(placed, &lines, lengths) > most) {
             return None;
         }
         watch::work(2 * lines.n_vertices() as u64);
@@ -76,7 +77,9 @@ pub(super) fn bladed(placed: &Placed, lines: &[Lines]) -> Option<Bladed> {
         });
         let narrow: Vec<&Triangle> = narrow.collect();
         if narrow.is_empty() {
-            return Some(finished(placed, &lines, lengths, mesh, positions, unit));
+            let bound = bound(deviation(placed, &lines, lengths), &mesh, unit);
+            let triangles = by_patch(mesh.triangles, m.determinant() < 0.0);
+            return (bound <= most).then_some(Bladed { positions, triangles, bound });
         }
         // A place on an axis is of use to one of the two flat sides and may be in the way on the other.
         let of_axes: Vec<(usize, f64)> = narrow.iter().filter_map(|triangle| triangle.on_axis).collect();
@@ -122,23 +125,25 @@ fn in_the_way(lines: &Lines, between: &[Vec<usize>; 2]) -> Option<(usize, usize)
     most.map(|(_, direction, line)| (direction, line))
 }
 
-fn finished(
-    placed: &Placed,
-    lines: &Lines,
-    stretch: [f64; 3],
-    mesh: Weaver,
-    positions: Vec<DVec3>,
-    unit: f64,
-) -> Bladed {
-    let is_turned = placed.matrix().determinant() < 0.0;
-    let mut triangles: [Vec<[u32; 3]>; 4] = Default::default();
-    for Triangle { corners: [a, b, c], patch, .. } in mesh.triangles {
-        triangles[patch].push(if is_turned { [a, c, b] } else { [a, b, c] });
-    }
+/// How far an octant on these lines is from the true one, but for what is done to blades and for rounding.
+fn deviation(placed: &Placed, lines: &Lines, stretch: [f64; 3]) -> f64 {
     let across = |v: &[f64]| Lines { u: vec![0.0, 1.0], v: v.to_vec() };
     let all = [lines.clone(), across(&lines.u), across(&lines.u), across(&lines.v)];
-    let grids = deviation_of(&placed.solved().patches(), &all, stretch);
+    deviation_of(&placed.solved().patches(), &all, stretch)
+}
+
+/// How far a mesh is from the octant at most.
+fn bound(grids: f64, mesh: &Weaver, unit: f64) -> f64 {
     // A place is lifted off three planes at most; what falls on a rod was within twice its thickness of the axis both ways, and what slides within a blade stays in that; half a thickness is left to what is so near to its neighbour. Together that is less than six.
     let lift = if mesh.is_lifted { 6.0 * THICK * unit } else { 0.0 };
-    Bladed { positions, triangles, bound: grids + lift + 2.0 * unit }
+    grids + lift + 2.0 * unit
+}
+
+/// The triangles of each patch, where the octant may be mirrored.
+fn by_patch(all: Vec<Triangle>, is_mirrored: bool) -> [Vec<[u32; 3]>; 4] {
+    let mut triangles: [Vec<[u32; 3]>; 4] = Default::default();
+    for Triangle { corners: [a, b, c], patch, .. } in all {
+        triangles[patch].push(if is_mirrored { [a, c, b] } else { [a, b, c] });
+    }
+    triangles
 }

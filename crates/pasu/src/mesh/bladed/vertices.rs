@@ -29,15 +29,15 @@ impl Weaver {
             let round = [(n - i).max(m - j), (n - i).max(j)];
             cores = [0, 1].map(|k| cores[k].min(round[k]));
         }
+        let is_inner = |i: usize, j: usize| 0 < i && i < n && 0 < j && j < m;
         let spot = |i: usize, j: usize| {
             let [x, y, z] = thin(at[i][j]);
-            let is_inner = 0 < i && i < n && 0 < j && j < m;
             let plane = if i == n { 2 } else { usize::from(j == m) };
             match (i, j) {
                 (0, _) => Spot::Own(0, 0),
                 (i, j) if i == n && (j == 0 || j == m) => Spot::Own(i, j),
-                _ if !is_inner && x && y && z => Spot::Core(1 + plane),
-                _ if !is_inner => Spot::Own(i, j),
+                _ if !is_inner(i, j) && x && y && z => Spot::Core(1 + plane),
+                _ if !is_inner(i, j) => Spot::Own(i, j),
                 _ => match [x, y, z] {
                     [true, true, true] => Spot::Core(0),
                     [true, true, false] => Spot::Rod(2, i),
@@ -69,12 +69,13 @@ impl Weaver {
                 self.is_lifted |= place != *own;
                 let spot = spot(i, j);
                 // Round a needle at the first tip the places of a row are closer and closer.
-                let is_own = spot == Spot::Own(i, j) && 0 < i && i < n && 0 < j && j < m;
+                let is_own = spot == Spot::Own(i, j) && is_inner(i, j);
                 let is_near = |last: DVec3| {
                     let step = last.distance(place);
-                    // Within a blade it is of no matter where its places are.
+                    // Within a blade it is of no matter where its places are: all that is round it is as thin.
                     let is_in_blade = |axis: usize| {
-                        [at[i - 1][j], at[i][j - 1], *own, at[i + 1][j]].iter().all(|at| at[axis] < 2.0 * least)
+                        let round = at[i - 1..=i + 1].iter().flat_map(|row| &row[j - 1..=j + 1]);
+                        round.into_iter().all(|at| thin(*at)[axis])
                     };
                     let gap = || own.distance(at[i - 1][j]).min(own.distance(at[i + 1][j]));
                     step < 0.5 * least || ((0..3).any(is_in_blade) && step < 0.125 * gap())
