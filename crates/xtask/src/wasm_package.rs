@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
@@ -69,10 +70,17 @@ pub(crate) fn build(workspace: &Workspace, care: Care) -> Result<()> {
     let package = workspace.package();
     fs::create_dir_all(&package)?;
 
-    // One after the other in the same folder, where all that they share is compiled once.
-    let drawing = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Drawing)?;
-    let whole = compile(workspace, "pasu-wasm", care, Lanes::Simd, Content::Whole)?;
-    let scalar = compile(workspace, "pasu-wasm", care, Lanes::Scalar, Content::Whole)?;
+    let module = |lanes, content| compile(workspace, "pasu-wasm", care, lanes, content);
+    // What is optimised as a whole keeps one processor busy: the module without SIMD, which has a folder of its own in any case, is compiled beside the
+    // others. These come one after the other in the same folder, where all that they share is compiled once.
+    let (simd, scalar) = thread::scope(|scope| {
+        let scalar = scope.spawn(|| module(Lanes::Scalar, Content::Whole));
+        let simd = module(Lanes::Simd, Content::Drawing)
+            .and_then(|drawing| Ok((drawing, module(Lanes::Simd, Content::Whole)?)));
+        (simd, scalar.join())
+    });
+    let (drawing, whole) = simd?;
+    let scalar = scalar.unwrap_or_else(|panic| std::panic::resume_unwind(panic))?;
 
     step(workspace, "module for drawing", care, &[&drawing], &["pasu_drawing_bg.wasm", "drawing_bindings.js"], || {
         let bound = bind(workspace, &drawing, "pasu_drawing", care, "bindgen-drawing")?;

@@ -325,7 +325,9 @@ fn an_octant_with_blades_and_needles_is_made_where_it_is_turned_or_moved() {
     let mut dice = Dice(6);
     let (mut n_made, mut n_thin) = (0, 0);
     let fixed = [[0.66; 3], [0.8; 3], [0.3, 0.7, 2.0], [0.9; 3], [0.95, 0.5, 0.7]];
-    let drawn: Vec<[f64; 3]> = (0..drawn(6, 60)).map(|_| exponents(&mut dice, 0.3, 3.0)).collect();
+    let drawn: Vec<[f64; 3]> = (0..drawn(6, 60))
+        .map(|round| if round % 2 == 0 { exponents(&mut dice, 0.3, 3.0) } else { exponents(&mut dice, 0.05, 50.0) })
+        .collect();
     for (round, exponents) in fixed.into_iter().chain(drawn).enumerate() {
         let [axis, shift] = [1.0, 2.0].map(|size| [(); 3].map(|()| size * dice.number()));
         let angle = if round % 2 == 0 { 3.0 * dice.number() } else { 0.0 };
@@ -366,5 +368,5 @@ fn an_octant_with_blades_and_needles_is_made_where_it_is_turned_or_moved() {
             }
         }
     }
-    assert!(n_made > 30 * n_thin, "{n_made} made, {n_thin} too thin");
+    assert!(n_made > 20 * n_thin, "{n_made} made, {n_thin} too thin");
 }

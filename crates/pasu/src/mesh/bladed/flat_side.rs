@@ -4,12 +4,11 @@ use glam::DVec2;
 
 use super::weaver::{Triangle, Weaver};
 
-/// A vertex of an edge, its place along the axis of the tip to which the edge goes and along that of the other, and the line that it is on.
+/// A vertex of an edge, and its place along the axis of the tip to which the edge goes and along that of the other.
 #[derive(Clone, Copy)]
 pub(super) struct OnEdge {
     pub(super) vertex: u32,
     pub(super) at: DVec2,
-    pub(super) line: usize,
 }
 
 /// A vertex of an axis.
@@ -35,38 +34,26 @@ pub(super) fn strips(chain: &[OnEdge]) -> [usize; 2] {
 pub(super) struct FlatSide<'a> {
     pub(super) weaver: &'a mut Weaver,
     pub(super) patch: usize,
-    pub(super) direction: usize,
     pub(super) is_inward: bool,
 }
 
 impl FlatSide<'_> {
-    pub(super) fn add(&mut self, [a, b, c]: [u32; 3], line: Option<usize>) {
+    pub(super) fn add(&mut self, [a, b, c]: [u32; 3]) {
         let corners = if self.is_inward { [a, c, b] } else { [a, b, c] };
-        let between = [line.map(|line| (self.direction, line)), None];
-        self.weaver.triangles.push(Triangle { corners, patch: self.patch, between, on_axis: None });
+        self.weaver.triangles.push(Triangle { corners, patch: self.patch });
     }
 
     /// Between the places of an axis, from the origin on, and those of an edge that goes down to its tip. An edge is seen from all places of the axis that are no further out than it is.
-    pub(super) fn strip(&mut self, number: usize, axis: &[OnAxis], edge: &[OnEdge]) {
+    pub(super) fn strip(&mut self, axis: &[OnAxis], edge: &[OnEdge]) {
         let (mut a, mut e) = (0, 0);
         let tip = edge.len() - 1;
         loop {
             let next = axis.get(a + 1).filter(|next| e + 1 == tip || next.at <= edge[e].at.x);
             if let Some(next) = next {
-                self.add([axis[a].vertex, next.vertex, edge[e].vertex], None);
-                if let Some(triangle) = self.weaver.triangles.last_mut() {
-                    triangle.on_axis = Some((number, next.at));
-                }
+                self.add([axis[a].vertex, next.vertex, edge[e].vertex]);
                 a += 1;
             } else if e < tip {
-                self.add(
-                    [axis[a].vertex, edge[e + 1].vertex, edge[e].vertex],
-                    Some(edge[e].line.min(edge[e + 1].line)),
-                );
-                // The last one is along the axis.
-                if let (Some(triangle), true) = (self.weaver.triangles.last_mut(), e + 1 == tip && a > 0) {
-                    triangle.on_axis = Some((number, axis[a].at));
-                }
+                self.add([axis[a].vertex, edge[e + 1].vertex, edge[e].vertex]);
                 e += 1;
             } else {
                 return;

@@ -7,7 +7,7 @@ use super::weaver::{Triangle, Weaver};
 
 impl Weaver {
     /// The mesh on a grid of the curved side; `None` of one of less than three rows or columns.
-    pub(super) fn woven(grid: &[Vec<DVec3>], spared: &[Vec<f64>; 3], stretch: DVec3, least: f64) -> Option<Weaver> {
+    pub(super) fn woven(grid: &[Vec<DVec3>], stretch: DVec3, least: f64) -> Option<Weaver> {
         let (n, m) = (grid.len() - 1, grid.first()?.len() - 1);
         if n < 2 || m < 2 {
             return None;
@@ -17,19 +17,19 @@ impl Weaver {
         weaver.curved(&vertices, n, m);
         // From the tip of the second axis to that of the first: the edge, and whether a triangle that goes round from the first axis to the second is seen from inside.
         let edges = [
-            (1, [1, 2], true, (0..=n).map(|i| (i, 0, i)).collect::<Vec<_>>()),
-            (2, [0, 2], false, (0..=n).map(|i| (i, m, i)).collect()),
-            (3, [0, 1], true, (0..=m).map(|j| (n, j, j)).collect()),
+            (1, [1, 2], true, (0..=n).map(|i| (i, 0)).collect::<Vec<_>>()),
+            (2, [0, 2], false, (0..=n).map(|i| (i, m)).collect()),
+            (3, [0, 1], true, (0..=m).map(|j| (n, j)).collect()),
         ];
         let chains: Vec<Vec<OnEdge>> = edges
             .iter()
             .map(|(_, [to, from], _, all)| {
                 let mut chain: Vec<OnEdge> = Vec::new();
-                for (i, j, line) in all {
+                for (i, j) in all {
                     let vertex = vertices[*i][*j];
                     let place = weaver.places[vertex as usize];
                     if chain.last().is_none_or(|last| last.vertex != vertex) {
-                        chain.push(OnEdge { vertex, at: DVec2::new(place[*to], place[*from]), line: *line });
+                        chain.push(OnEdge { vertex, at: DVec2::new(place[*to], place[*from]) });
                     }
                 }
                 chain
@@ -52,7 +52,7 @@ impl Weaver {
             }
             places.sort_by(f64::total_cmp);
             let mut kept: Vec<OnAxis> = vec![OnAxis { vertex: origin, at: 0.0 }];
-            for at in places.into_iter().filter(|at| !spared[axis].contains(at)) {
+            for at in places {
                 if at - kept[kept.len() - 1].at >= least && stretch[axis] - at >= least {
                     let mut place = DVec3::ZERO;
                     place[axis] = at;
@@ -62,13 +62,12 @@ impl Weaver {
             kept
         });
         for ((patch, [to, from], is_inward, _), chain) in edges.iter().zip(&chains) {
-            let direction = usize::from(*patch == 3);
             let last = chain.len() - 1;
             let [before, after] = strips(chain).map(|k| k.clamp(1, last - 1));
-            let mut flat = FlatSide { weaver: &mut weaver, patch: *patch, direction, is_inward: *is_inward };
-            flat.strip(*to, &axes[*to], &chain[after..]);
+            let mut flat = FlatSide { weaver: &mut weaver, patch: *patch, is_inward: *is_inward };
+            flat.strip(&axes[*to], &chain[after..]);
             for k in before..after {
-                flat.add([origin, chain[k + 1].vertex, chain[k].vertex], Some(chain[k].line.min(chain[k + 1].line)));
+                flat.add([origin, chain[k + 1].vertex, chain[k].vertex]);
             }
             flat.is_inward = !is_inward;
             let backwards: Vec<OnEdge> = chain[..=before]
@@ -76,7 +75,7 @@ impl Weaver {
                 .rev()
                 .map(|own| OnEdge { at: DVec2::new(own.at.y, own.at.x), ..*own })
                 .collect();
-            flat.strip(*from, &axes[*from], &backwards);
+            flat.strip(&axes[*from], &backwards);
         }
         Some(weaver)
     }
@@ -88,14 +87,7 @@ impl Weaver {
                 // The diagonals at all four corners of the grid run through these.
                 let is_turned = (i + 1 == n && j == 0) || (i == 0 && j + 1 == m);
                 let both = if is_turned { [[a, d, b], [b, d, c]] } else { [[a, c, b], [a, d, c]] };
-                for corners in both {
-                    self.triangles.push(Triangle {
-                        corners,
-                        patch: 0,
-                        between: [Some((0, i)), Some((1, j))],
-                        on_axis: None,
-                    });
-                }
+                self.triangles.extend(both.map(|corners| Triangle { corners, patch: 0 }));
             }
         }
         self.triangles.retain(|Triangle { corners: [a, b, c], .. }| a != b && b != c && c != a);

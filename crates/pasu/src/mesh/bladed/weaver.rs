@@ -2,13 +2,11 @@
 
 use glam::DVec3;
 
-/// A triangle seen from outside, with the intervals between lines that it is in: the direction, 0 along `u`, and the line before.
+/// A triangle seen from outside, and the patch that it is of.
+#[derive(Clone, Copy)]
 pub(super) struct Triangle {
     pub(super) corners: [u32; 3],
     pub(super) patch: usize,
-    pub(super) between: [Option<(usize, usize)>; 2],
-    /// A place on an axis that it has a corner in, with the axis.
-    pub(super) on_axis: Option<(usize, f64)>,
 }
 
 /// An octant as it was before it was turned and moved, scaled to its lengths.
