@@ -8,6 +8,7 @@
 //!
 //! The flat sides need no places within: each is a fan of triangles from the origin, and where it is a needle a strip along its axis.
 
+mod apart;
 mod flat_side;
 mod narrow;
 mod octant;

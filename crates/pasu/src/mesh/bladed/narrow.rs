@@ -4,8 +4,9 @@
 
 use std::collections::VecDeque;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
+use super::apart::apart;
 use super::weaver::{Triangle, Weaver};
 use crate::mesh::cleared::height;
 use crate::watch;
@@ -137,7 +138,8 @@ impl Net<'_> {
 
     /// The flip after which what is narrow is less so.
     fn wider(&self, number: usize) -> Option<Outcome> {
-        let wider = self.flips(number).filter(|step| step.lowest > WIDER * self.lowest(&step.gone));
+        let is_wider = |step: &Outcome| step.length <= self.reach && step.lowest > WIDER * self.lowest(&step.gone);
+        let wider = self.flips(number).filter(is_wider);
         wider.max_by(|one, other| one.lowest.total_cmp(&other.lowest))
     }
 
@@ -306,54 +308,4 @@ impl Net<'_> {
         let of_curved = |of: &usize| self.triangles[*of].patch == 0;
         n_zero == 2 && self.round[vertex as usize].iter().any(of_curved)
     }
-}
-
-/// How far two ways of dividing one region into triangles, round `own` and round `goal`, are from each other at most: over a plane the distance is greatest where an edge of one meets one of the other, and at the vertex that goes. `None` where they are not both over
-/// one plane.
-fn apart(own: DVec3, goal: DVec3, old: &[[DVec3; 3]], new: &[[DVec3; 3]], least: f64, is_within: bool) -> Option<f64> {
-    let normal = old.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a)).sum::<DVec3>().try_normalize()?;
-    let one = normal.any_orthonormal_vector();
-    let other = normal.cross(one);
-    let project = |at: DVec3| DVec2::new(at.dot(one), at.dot(other));
-    let area = |[a, b, c]: [DVec3; 3]| (project(b) - project(a)).perp_dot(project(c) - project(a));
-    let mut spare = 0.0;
-    for triangle in old.iter().chain(new) {
-        let [a, b, c] = *triangle;
-        if !(area(*triangle) > 0.0) {
-            let height = height(a, b, c);
-            if !(height < least) {
-                return None;
-            }
-            spare = height.max(spare);
-        }
-    }
-    let mut most = 0.0f64;
-    if is_within {
-        let at = project(own);
-        let over = new.iter().filter_map(|triangle| {
-            let [a, b, c] = *triangle;
-            let whole = area(*triangle);
-            let weight = |a: DVec3, b: DVec3| (project(a) - at).perp_dot(project(b) - at) / whole;
-            let weights = [weight(b, c), weight(c, a), weight(a, b)];
-            let is_in = whole > 0.0 && weights.iter().all(|weight| *weight >= -1e-9);
-            is_in.then(|| (a * weights[0] + b * weights[1] + c * weights[2] - own).dot(normal).abs())
-        });
-        most = over.min_by(f64::total_cmp)?;
-    }
-    let spokes = |all: &[[DVec3; 3]], hub: DVec3| -> Vec<DVec3> {
-        all.iter().flatten().copied().filter(|at| *at != hub).collect()
-    };
-    for from in spokes(old, own) {
-        for to in spokes(new, goal) {
-            let (along, across) = (project(from) - project(own), project(to) - project(goal));
-            let whole = along.perp_dot(across);
-            let between = project(goal) - project(own);
-            let [s, t] = [between.perp_dot(across) / whole, between.perp_dot(along) / whole];
-            if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
-                let gap = own + (from - own) * s - goal - (to - goal) * t;
-                most = most.max(gap.dot(normal).abs());
-            }
-        }
-    }
-    Some(most + spare)
 }
