@@ -334,6 +334,7 @@ async function whole(bench, pasu, design, side, rounds) {
           }, times),
         litters: true,
       },
+      { run: (times) => repeat(() => [into.positions, into.normals].map(filledAnew), times), litters: true },
     ],
     rounds,
   );
@@ -348,6 +349,7 @@ async function whole(bench, pasu, design, side, rounds) {
       { name: "mesh(), all arrays read", samples: samples[2], against: name },
       { name: "mesh() into the arrays of the last", samples: samples[3], against: name },
       { name: "the same, then copied into new arrays", samples: samples[4], against: name },
+      { name: "new arrays of that size, filled", samples: samples[5], against: name },
     ],
   };
 }
@@ -355,6 +357,11 @@ async function whole(bench, pasu, design, side, rounds) {
 /** What depends on the grid alone is copied when it is read. */
 function readAll({ uvs, indices, groups }) {
   return uvs.length + indices.length + groups.length;
+}
+
+/** A new array of the same size, all of it written: what no way into new arrays can take less than. */
+function filledAnew({ length }) {
+  return new Float32Array(length).fill(1);
 }
 
 function repeat(run, times) {

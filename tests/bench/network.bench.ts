@@ -24,7 +24,7 @@ interface Timed {
   pasuTrace(moment: string, change: number, times?: { begun: number; done: number }): void;
 }
 
-test("network", { timeout: 600_000 }, async () => {
+test("network", async () => {
   const site = await serve(undefined, 0, () => ISOLATED);
   const browser = await launch();
   try {

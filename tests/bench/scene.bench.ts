@@ -36,7 +36,7 @@ function table() {
   return { pasu: 1, title: "Table", parts };
 }
 
-test("scene", { timeout: 600_000 }, async () => {
+test("scene", async () => {
   const site = await serve(undefined, 0, () => ISOLATED);
   const browser = await launch();
   try {
