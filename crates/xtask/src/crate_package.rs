@@ -16,9 +16,9 @@ pub(crate) fn check(report: &mut Report, workspace: &Workspace) {
     report.tests("tests of the crate", cargo_count, || {
         let mut tests = Command::new(cargo());
         tests.args(["test", "--all-features", "--no-fail-fast"]).current_dir(folder(workspace));
-        // What it was compiled for stays for the next time. Optimised as in the workspace, of which nothing is known there.
-        tests.env("CARGO_TARGET_DIR", workspace.target().join("package-tests"));
-        tests.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2").env("CARGO_PROFILE_DEV_DEBUG", "line-tables-only");
+        // Optimised as in the workspace, of which nothing is known there, and beside what was compiled for that: the packages that both stand on are the same.
+        tests.arg("--config").arg(workspace.root().join("Cargo.toml"));
+        tests.env("CARGO_TARGET_DIR", workspace.target());
         Ok(tests)
     });
     report.check("interface since the last tag", || interface(workspace));
