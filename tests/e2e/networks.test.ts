@@ -584,6 +584,23 @@ test("a network is saved as OBJ and opened again", async () => {
   }
 });
 
+test("a network that was saved as OBJ and is dropped is opened as one, and not as a scan alone", async () => {
+  const { pot, plain } = await opened();
+  const { bytes } = await pot.download("Save as OBJ");
+  await pot.openLink("#1/second-order");
+  const vase = await pot.fingerprintOtherThan(plain);
+  const offer = pot.button("Open them as patches");
+  await pot.dropFile("triangles.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+  await pot.page.locator("pasu-scan .trouble").waitFor();
+  expect(await offer.count()).toBe(0);
+  // Into the dialog that is open.
+  await pot.dropFile("saved.obj", bytes);
+  await offer.click();
+  await pot.fingerprintOtherThan(vase);
+  await pot.shows(plain);
+  expect(await pot.page.locator("pasu-scan").count()).toBe(0);
+});
+
 test("points are picked in a box, keep to a grid and to their mirror image, and are turned and scaled", async () => {
   const { pot, plain } = await opened();
   const { page } = pot;

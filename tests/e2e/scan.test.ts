@@ -176,7 +176,7 @@ test("a scan that is dropped on the stage, or opened, is read at once; what is a
   const pot = await here.enter({ link: LINK });
   const before = await pot.fingerprint();
   await pot.dropFile("pot.ply", ply(triangles()));
-  await pot.page.getByText("“pot.ply” holds triangles and no design. It is read as a scan.").waitFor();
+  await pot.page.getByText("“pot.ply” holds no design. It is read as a scan.").waitFor();
   await found(pot);
   await pot.shows(before);
   expect(await pot.page.locator(".banners [role=alert]").count()).toBe(0);

@@ -17,18 +17,26 @@ const MOST = 32 * 1024 * 1024;
 export async function openObj(designer: Designer): Promise<boolean> {
   const file = await pickFile(".obj,model/obj");
   if (!file) return false;
-  if (file.size > MOST) {
-    designer.notices.say(words.objTrouble.large);
+  const read = await readNetwork(file);
+  if (typeof read === "string") {
+    designer.notices.say(read);
     return false;
   }
-  const read = readObj(await file.text());
-  if ("trouble" in read) {
-    designer.notices.say(objWords(read.trouble));
-    return false;
-  }
-  const title = labelOf(file.name.replace(/\.obj$/i, ""));
-  designer.opening.open({ pasu: 1, ...(title !== "" && { title }), parts: [{ shape: read.network }] });
+  openNetwork(designer, file, read);
   return true;
+}
+
+/** The network that the faces of a file are; what is wrong with it, in words, where they are none. */
+export async function readNetwork(file: File): Promise<Network | string> {
+  if (file.size > MOST) return words.objTrouble.large;
+  const read = readObj(await file.text());
+  return "trouble" in read ? objWords(read.trouble) : read.network;
+}
+
+/** Opens a network that was read of a file, as a design of its own. */
+export function openNetwork(designer: Designer, file: File, network: Network): void {
+  const title = labelOf(file.name.replace(/\.obj$/i, ""));
+  designer.opening.open({ pasu: 1, ...(title !== "" && { title }), parts: [{ shape: network }] });
 }
 
 function objWords(trouble: ObjTrouble): string {

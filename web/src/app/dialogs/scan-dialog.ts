@@ -3,6 +3,7 @@
 import { css, html, nothing, type PropertyValues } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
+import type { Network } from "../../document/network/network";
 import { scanKind } from "../../document/scanned/file-kind";
 import { upright } from "../../document/scanned/upright";
 import type { Levels, Unit } from "../../document/types";
@@ -20,6 +21,7 @@ import { spokenLength } from "../../words/quantities";
 import { drawnPot } from "../../work/drawn";
 import { pickFile } from "../../work/files";
 import { followedByHand } from "../../work/freeing";
+import { openNetwork, readNetwork } from "../../work/network-files";
 import { scaled, scannedOf } from "../../work/scanned";
 import type { Outcome } from "../../worker/port";
 import { FileDrop } from "../file-drop";
@@ -51,6 +53,8 @@ export class PasuScan extends DesignerElement {
   @state() private height = 0;
   @state() private typed: number | null = null;
   @state() private levels: Levels | null = null;
+  /** What the faces of the file are besides, if they are patches. */
+  @state() private network: { readonly file: File; readonly network: Network } | null = null;
   private readonly rings = new Seeking<ScannedShape>(this, PAUSE_MS);
   private triangles: Float32Array | null = null;
   /** How high the scan was taken to be when it was opened. */
@@ -89,6 +93,12 @@ export class PasuScan extends DesignerElement {
       <button class="button outlined" type="button" ?disabled=${this.busy} @click=${this.pick}>${icon("open")}<span>${words.file}</span></button>
       ${this.file ? html`<p class="hint">${words.undesigned(page.quoted(isolated(this.file.name)))}</p>` : nothing}
       ${this.trouble === "" ? nothing : html`<p class="trouble" role="alert">${this.trouble}</p>`}
+      ${
+        this.network
+          ? html`<p class="hint">${words.patches}</p>
+              <p class="patches"><button class="button outlined" type="button" @click=${this.usePatches}>${words.usePatches}</button></p>`
+          : nothing
+      }
       ${
         this.triangles
           ? html`<label class="up">
@@ -186,7 +196,9 @@ export class PasuScan extends DesignerElement {
     this.trouble = "";
     this.levels = null;
     this.triangles = null;
+    this.network = null;
     this.rings.forget();
+    if (scanKind(file.name) === "obj") await this.lookForPatches(file);
     const triangles = await trianglesOf(file).catch(() => null);
     if (this.reading !== file) return;
     this.busy = false;
@@ -201,6 +213,18 @@ export class PasuScan extends DesignerElement {
       if (this.reading === file && !this.levels) await this.read(second);
     }
   }
+
+  /** A network that was saved as OBJ is no scan, and quads may be either. */
+  private async lookForPatches(file: File): Promise<void> {
+    const network = await readNetwork(file).catch(() => null);
+    if (this.reading === file && network !== null && typeof network !== "string") this.network = { file, network };
+  }
+
+  private readonly usePatches = (): void => {
+    if (!this.network) return;
+    openNetwork(this.designer, this.network.file, this.network.network);
+    this.close();
+  };
 
   private readonly turn = (event: Event): void => {
     void this.read((event.target as HTMLSelectElement).value as Up);
@@ -254,6 +278,10 @@ export class PasuScan extends DesignerElement {
     fields,
     told,
     css`
+      .patches {
+        padding-top: 8px;
+      }
+
       .up {
         display: grid;
         gap: 4px;

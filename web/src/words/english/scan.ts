@@ -7,7 +7,9 @@ export const scan = phrases("scan", {
   lead: "A scan of a pot that stands upright, as an STL, OBJ or PLY file. Its outside becomes rings with waves; nothing of it leaves this page.",
   file: "Choose a scan…",
   /** A file that was opened, and is no design. */
-  undesigned: (name: string) => `${name} holds triangles and no design. It is read as a scan.`,
+  undesigned: (name: string) => `${name} holds no design. It is read as a scan.`,
+  patches: "Its faces have four corners or eight points: they can be the patches of a network as well.",
+  usePatches: "Open them as patches",
   picture: "The outside of the scan from the side, and the rings",
   pictureOff: "The scan from the side, coloured by how far it is from the rings, and the rings",
   turn: "Turn it",
