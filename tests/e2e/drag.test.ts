@@ -9,7 +9,7 @@ import { ring, spotOf, takeUp } from "../support/pulling.ts";
 import { sheet } from "../support/sheet.ts";
 import { difference, stagePicture } from "../support/sight.ts";
 import { stay } from "../support/stay.ts";
-import { COARSE, QUICK, SHARP } from "../support/visit.ts";
+import { COARSE, QUICK, SHARP, type Visit } from "../support/visit.ts";
 
 // Frames are counted in a browser as people have it.
 const here = stay({ frugal: false }, COARSE);
@@ -19,6 +19,16 @@ const VASE = "#1/second-order";
 function percentile(values: readonly number[], share: number): number {
   const sorted = [...values].sort((a, b) => a - b);
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? Number.NaN;
+}
+
+/** How far the picture was behind the hand since the last time this was asked: the frames of the middle movement, and the most older pictures of the stage. */
+async function lagging(pot: Visit, annotate: (message: string) => Promise<unknown>) {
+  const moved = await movements(pot);
+  const behind = moved.map((each) => each.behind);
+  const older = Math.max(...moved.map((each) => each.older));
+  await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; at most ${older} older`);
+  expect(behind.length).toBeGreaterThan(5);
+  return { median: percentile(behind, 0.5), older };
 }
 
 test("on a machine six times slower the pot stays within two frames of the pointer, on a grid that suits it", async ({
@@ -78,12 +88,9 @@ test("a pot that is pulled keeps up with the hand", async ({ annotate }) => {
     for (let step = 1; step <= 40; step += 1) await mouse.move(from.x + 6 + step, from.y);
     await mouse.up();
     before = await pot.fingerprintOtherThan(before);
-    const moved = await movements(pot);
-    const behind = moved.map((each) => each.behind);
-    older = Math.max(older, ...moved.map((each) => each.older));
-    await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; at most ${older} older`);
-    expect(behind.length).toBeGreaterThan(5);
-    best = Math.min(best, percentile(behind, 0.5));
+    const seen = await lagging(pot, annotate);
+    older = Math.max(older, seen.older);
+    best = Math.min(best, seen.median);
   }
   // A movement goes to the pulling worker and what it answers to the solving one. Each has at most one under way when
   // it arrives and takes the latest next, so that the stage draws at most two older changes for either.
@@ -115,12 +122,9 @@ test("of two thousand patches a point stays within two frames of the pointer, on
     for (let step = 1; step <= 30; step += 1) await mouse.move(x, y - step);
     await mouse.up();
     await pot.fingerprintOtherThan(atRest);
-    const moved = await movements(pot);
-    const behind = moved.map((each) => each.behind);
-    older = Math.max(older, ...moved.map((each) => each.older));
-    await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; at most ${older} older`);
-    expect(behind.length).toBeGreaterThan(5);
-    best.push(percentile(behind, 0.5));
+    const seen = await lagging(pot, annotate);
+    older = Math.max(older, seen.older);
+    best.push(seen.median);
     await pot.undo();
     await pot.shows(atRest);
   }
@@ -157,12 +161,9 @@ test("of two hundred parts one is moved within two frames of the pointer, on a m
     for (let step = 1; step <= 30; step += 1) await mouse.move(from.x + 5 + step, from.y + step);
     await mouse.up();
     before = await pot.fingerprintOtherThan(before);
-    const moved = await movements(pot);
-    const behind = moved.map((each) => each.behind);
-    older = Math.max(older, ...moved.map((each) => each.older));
-    await annotate(`${behind.length} changes, frames behind: ${behind.join(" ")}; at most ${older} older`);
-    expect(behind.length).toBeGreaterThan(5);
-    best.push(percentile(behind, 0.5));
+    const seen = await lagging(pot, annotate);
+    older = Math.max(older, seen.older);
+    best.push(seen.median);
   }
   await slowDown(pot, 1);
   expect(older).toBeLessThanOrEqual(2);
