@@ -277,14 +277,54 @@ test("where parts stand is told beside their shape and what is made of them, and
   expect(await arrange(pot).getByRole("button", { name: "Make the ring" }).isVisible()).toBe(true);
 });
 
-test("how many triangles are told of glued parts is told as of before they are joined", async () => {
+test("how many triangles are told of glued parts is told as they are joined", async () => {
   const pot = await scene({ pasu: 1, parts: [block("Red", [0, 0, 0]), block("Blue", [1, 1, 1])] } as typeof SCENE);
   await pot.command("Export");
   const dialog = pot.page.locator("pasu-export");
-  await dialog.getByText("Triangles", { exact: true }).waitFor();
+  const triangles = async () => {
+    await dialog.getByText("The mesh is closed").waitFor();
+    return Number(
+      (await dialog.locator("dt", { hasText: "Triangles" }).locator("+ dd").innerText()).replace(/\D/g, ""),
+    );
+  };
+  const apart = await triangles();
   await dialog.getByLabel("Join glued parts into one solid").check();
-  await dialog.getByText("Triangles before they are joined", { exact: true }).waitFor();
+  await expect.poll(triangles).not.toBe(apart);
+  const together = await triangles();
+  expect(together).toBeGreaterThan(apart / 4);
   expect(await findings(pot)).toEqual([]);
+});
+
+test("of parts that cannot be joined the check says so, and no file is offered until they are left apart", async () => {
+  const shape = {
+    kind: "second-order",
+    r: [3.562917, 0.1948358, 1.772095, 0.1755448],
+    t: [0, 0],
+    n: [1, 2],
+    height: 5.562917,
+  };
+  const wall = { thickness: 0.2, base: 0.2 };
+  const place = { angle: 0.000010023435, shift: [-3.7563e-7, 0.000010023435, 0.0000068604] };
+  const cups = {
+    pasu: 1,
+    parts: [
+      { name: "Cup", shape, wall },
+      { shape, wall, place },
+    ],
+  };
+  const pot = await scene(cups);
+  await pot.command("Export");
+  const dialog = pot.page.locator("pasu-export");
+  await dialog.getByLabel("Tolerance").fill("0.5");
+  const save = dialog.getByRole("button", { name: /^Save/ });
+  await expect.poll(() => save.isEnabled()).toBe(true);
+  const join = dialog.getByLabel("Join glued parts into one solid");
+  await join.check();
+  await dialog.getByText(/cannot be joined with .?Cup.? into one solid/).waitFor();
+  await dialog.getByText("Not as it is", { exact: true }).waitFor();
+  expect(await save.isEnabled()).toBe(false);
+  await join.uncheck();
+  await expect.poll(() => save.isEnabled()).toBe(true);
 });
 
 test("one part alone is put on the table by no mirror", async () => {

@@ -236,6 +236,8 @@ export interface Report {
   readonly findings: readonly Finding[];
   /** One entry per part that could be meshed. */
   readonly meshes: readonly MeshReport[];
+  /** One entry per object whose parts were to be joined and could be. */
+  readonly unions: readonly UnionReport[];
 }
 
 /** One thing that a check found. */
@@ -290,6 +292,20 @@ export interface MeshReport {
   readonly thinned: number;
   /** The thinnest the wall is, in model units; null for a solid. */
   readonly thinnest: number | null;
+}
+
+/** What the checks counted on the one solid that the parts of an object are, where they were to be [joined. */
+export interface UnionReport {
+  /** The parts that it is of, in the order in which a file has them. */
+  readonly parts: readonly number[];
+  /** Number of vertices. */
+  readonly vertices: number;
+  /** Number of triangles. In a file with colours, a part whose glaze ends at a line has a few more. */
+  readonly triangles: number;
+  /** How many bodies it is: more than 1 where parts do not touch. */
+  readonly bodies: number;
+  /** Number of handles of all its bodies. */
+  readonly genus: number;
 }
 
 /** A design whose part was pulled. */

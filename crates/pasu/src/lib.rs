@@ -46,6 +46,8 @@ mod fit;
 mod frame;
 #[cfg(feature = "patchwork")]
 mod interior;
+#[cfg(feature = "patchwork")]
+mod join;
 mod make;
 mod measure;
 mod mesh;
@@ -95,7 +97,7 @@ pub use fit::{Apart, FittedLevels, Levels, Profile, Ringed, Scan, Scanned, fit, 
 pub use glam;
 #[cfg(feature = "patchwork")]
 pub use interior::{CellShape, Cells, CellsOptions, cells, inside, inside_values};
-pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, check, solid};
+pub use make::{Craft, Finding, Making, MeshReport, Remedy, Report, Scale, Severity, Size, UnionReport, check, solid};
 pub use measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Loads,
     Located, Map, MeasureOptions, Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Water,

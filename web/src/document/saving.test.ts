@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { type Choices, choicesOf, hasGlued, makingOf, scaleOf, toleranceIn } from "./saving";
-import type { Design, Making, Measures, Part } from "./types";
+import { type Choices, choicesOf, hasGlued, makingOf, scaleOf, toleranceIn, trianglesOf } from "./saving";
+import type { Design, Making, Measures, Part, Report } from "./types";
 
 const MEASURES = {
   height: { value: 10, error: 0 },
@@ -96,4 +96,12 @@ test("only what is glued to something can be joined", () => {
   // A surface without a wall is no part of a pot.
   expect(hasGlued(of({ shape: vase, wall }, { shape: vase }), "pot")).toBe(false);
   expect(hasGlued(of({ shape: vase, wall }, { shape: vase }), "solid")).toBe(true);
+});
+
+test("a file has the triangles of each solid and of each part that is none of one", () => {
+  const meshes = [10, 20, 40].map((triangles, part) => ({ part, triangles }) as Report["meshes"][number]);
+  const union = (parts: number[], triangles: number) => ({ parts, triangles }) as unknown as Report["unions"][number];
+  expect(trianglesOf({ meshes, unions: [] })).toBe(70);
+  expect(trianglesOf({ meshes, unions: [union([2, 0], 45)] })).toBe(65);
+  expect(trianglesOf({ meshes, unions: [union([0, 2, 1], 50)] })).toBe(50);
 });

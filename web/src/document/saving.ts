@@ -2,7 +2,7 @@
 
 import { formatNumber, parseNumber } from "../number";
 import { UNITS as MILLIMETRES } from "./tables.gen";
-import type { Design, Format, Making, Measures, Product, Unit } from "./types";
+import type { Design, Format, Making, Measures, Product, Report, Unit } from "./types";
 import { millilitres } from "./volume";
 
 export interface FileFormat {
@@ -85,6 +85,13 @@ export function hasGlued({ parts }: Design, product: Product): boolean {
   const made = parts.filter(({ wall, shape }) => !isPot || wall !== undefined || CLOSED.has(shape.kind));
   const objects = made.map(({ object = 0 }) => object);
   return new Set(objects).size < objects.length;
+}
+
+/** How many triangles a file has: those of parts that are joined as they are then. */
+export function trianglesOf({ meshes, unions }: Pick<Report, "meshes" | "unions">): number {
+  const joined = new Set(unions.flatMap(({ parts }) => parts));
+  const apart = meshes.filter(({ part }) => !joined.has(part));
+  return [...apart, ...unions].reduce((sum, { triangles }) => sum + triangles, 0);
 }
 
 /** Kinds that may be a solid without a wall. */

@@ -89,6 +89,7 @@ const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [
   ["ceiling", { what: "underside", heightMm: 12 }],
   ...["touches", "within", "round"].map((what) => ["overlap", { what, other: 0 }] as const),
   ["few-terms", { found: 4, least: 10, waves: 5, distance: 3.2 }],
+  ["crosses-itself", { what: "not-joined", other: 0 }],
   ["same-place", { what: "same-body", other: 0 }],
   ["tolerance-too-fine", { what: "unkept", bound: 0.02, asked: 0.01 }],
 ];

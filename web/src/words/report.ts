@@ -120,6 +120,7 @@ const OWN: Readonly<Record<string, (finding: Finding, unit: Unit, measures: Meas
     if (!height) return null;
     return width ? said.ceiling(width, height) : said.underside(height);
   },
+  "crosses-itself": together,
   overlap: together,
   "same-place": together,
   "tolerance-too-fine": (finding, unit) => {

@@ -71,6 +71,15 @@ pub(super) fn coated(mesh: &SolidMesh, look: Look) -> Coated<'_> {
     coated
 }
 
+/// The same with no triangle divided.
+pub(super) fn coated_whole(mesh: &SolidMesh, look: Look) -> Coated<'_> {
+    let mut whole = uncoated(mesh);
+    if look.inside.is_some() || look.line > 0.0 {
+        whole.coats = coats(&whole, line_of(&whole, look.line), look.line >= 1.0);
+    }
+    whole
+}
+
 /// At which height the glaze ends, in millimetres; none where it goes down to the foot.
 fn line_of(body: &Coated, share: f64) -> Option<f32> {
     let outer = body.faces.iter().filter(|(kind, ..)| *kind == FaceKind::Outer);

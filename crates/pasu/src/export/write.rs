@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::coats::{Coated, coated, uncoated};
+use super::coats::{Coated, coated, coated_whole, uncoated};
 use super::contents::{Body, Notes};
 #[cfg(feature = "patchwork")]
 use super::joined::joined;
@@ -107,7 +107,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| coated_body(design, &notes.title, &made.mesh, format)).collect();
-    let bodies = if making.union { joined_bodies(design, &made, bodies)? } else { bodies };
+    let bodies = if making.union { joined_bodies(design, &notes.title, &made, bodies)? } else { bodies };
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -219,14 +219,23 @@ fn refuse_union(format: Format) -> Result<()> {
 
 /// The bodies of a file with those of one object as one.
 #[cfg(feature = "patchwork")]
-fn joined_bodies<'a>(design: &Design, made: &[Finished], bodies: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+fn joined_bodies<'a>(
+    design: &Design,
+    title: &str,
+    made: &'a [Finished],
+    bodies: Vec<Body<'a>>,
+) -> Result<Vec<Body<'a>>> {
     let objects: Vec<u32> = made.iter().map(|made| design.parts()[made.mesh.part].object).collect();
-    joined(bodies, &objects)
+    let whole = |index: usize| {
+        let mesh = &made[index].mesh;
+        covered(design, title, mesh.part, coated_whole(mesh, design.parts()[mesh.part].look))
+    };
+    joined(bodies, &objects, whole)
 }
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined_bodies<'a>(_: &Design, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+fn joined_bodies<'a>(_: &Design, _: &str, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
     let message = "what joins parts is left out of this build: it takes the feature patchwork";
     Err(Error::new(Code::UnsupportedShape, "union", message).with("what", "left-out"))
 }

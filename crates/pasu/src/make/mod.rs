@@ -1,9 +1,12 @@
 //! Closed meshes that pass every check, or the reason why there is none.
 
+mod called;
 mod craft;
 mod fitted;
 #[cfg(feature = "patchwork")]
 mod folded;
+#[cfg(feature = "patchwork")]
+mod joined;
 mod made;
 mod makeable;
 mod making;
@@ -18,7 +21,7 @@ pub use made::solid;
 pub(crate) use made::{Finished, make};
 pub use making::{Making, Scale, Size};
 pub use remedy::Remedy;
-pub use report::{Finding, MeshReport, Report, Severity};
+pub use report::{Finding, MeshReport, Report, Severity, UnionReport};
 pub(crate) use sketch::{Sketched, sketched};
 pub use verdict::check;
 pub(crate) use verdict::verdict;

@@ -84,6 +84,20 @@ answers! {
         /// The thinnest the wall is, in model units; `None` for a solid.
         pub thinnest: Option<f64>,
     }
+
+    /// What the checks counted on the one solid that the parts of an object are, where they were to be [joined](crate::Making::union).
+    pub struct UnionReport as "UnionReport" {
+        /// The parts that it is of, in the order in which a file has them.
+        pub parts: Vec<usize>,
+        /// Number of vertices.
+        pub vertices: usize,
+        /// Number of triangles. In a file with colours, a part whose glaze ends at a line has a few more.
+        pub triangles: usize,
+        /// How many bodies it is: more than 1 where parts do not touch.
+        pub bodies: usize,
+        /// Number of handles of all its bodies.
+        pub genus: usize,
+    }
 }
 
 /// The verdict on a design: can it be made, and what was found.
@@ -96,6 +110,8 @@ pub struct Report {
     pub findings: Vec<Finding>,
     /// One entry per part that could be meshed.
     pub meshes: Vec<MeshReport>,
+    /// One entry per object whose parts were to be joined and could be.
+    pub unions: Vec<UnionReport>,
 }
 
 impl Report {
@@ -115,7 +131,7 @@ impl Report {
         self.findings.iter().all(|finding| finding.severity != Severity::Error)
     }
 
-    /// The number of triangles of all parts.
+    /// The number of triangles of all parts, each for itself.
     ///
     /// ```
     /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -148,7 +164,7 @@ impl Report {
         self.meshes.iter().map(|mesh| mesh.vertices).sum()
     }
 
-    /// `{ ok, product, triangles, vertices, findings, meshes }`, on one line. What there is not is null.
+    /// `{ ok, product, triangles, vertices, findings, meshes, unions }`, on one line. What there is not is null.
     ///
     /// ```
     /// // A cylinder of radius 3 and height 4, with a wall of 0.5 and a base of 1.
@@ -168,13 +184,14 @@ impl Report {
 /// As [`Report::to_json`].
 impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut report = serializer.serialize_struct("Report", 6)?;
+        let mut report = serializer.serialize_struct("Report", 7)?;
         report.serialize_field("ok", &self.is_ok())?;
         report.serialize_field("product", &self.product)?;
         report.serialize_field("triangles", &self.triangles())?;
         report.serialize_field("vertices", &self.vertices())?;
         report.serialize_field("findings", &self.findings)?;
         report.serialize_field("meshes", &self.meshes)?;
+        report.serialize_field("unions", &self.unions)?;
         report.end()
     }
 }
@@ -197,6 +214,11 @@ impl Answer for Report {
             field("vertices", &["The number of vertices of all parts."], usize::type_name()),
             field("findings", &["What was found, errors first."], Vec::<Finding>::type_name()),
             field("meshes", &["One entry per part that could be meshed."], Vec::<MeshReport>::type_name()),
+            field(
+                "unions",
+                &["One entry per object whose parts were to be joined and could be."],
+                Vec::<UnionReport>::type_name(),
+            ),
         ];
         declare(text, "Report", &["The verdict on a design: can it be made, and what was found."], &fields);
     }

@@ -1,12 +1,17 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
+use super::called::called;
 use super::fitted;
 #[cfg(feature = "patchwork")]
 use super::folded;
+#[cfg(feature = "patchwork")]
+use super::joined::unions as joined;
 use super::made::{Finished, make};
 use super::makeable;
 use super::making::Making;
 use super::remedy::remedy;
+#[cfg(not(feature = "patchwork"))]
+use super::report::UnionReport;
 use super::report::{Finding, MeshReport, Report, Severity};
 use super::together;
 use crate::design::Design;
@@ -16,7 +21,7 @@ use crate::solution::Solution;
 use crate::watch;
 use crate::weave::SolidMesh;
 
-/// Makes every part as [`solid`](crate::solid()) does and says what was found: why a part cannot be made and what would help, or what differs from what was asked for, such as a ring that was fitted. A part without a wall is left out of the pots with a warning, where another part has one.
+/// Makes every part as [`solid`](crate::solid()) does, and with [`Making::union`] of those of each object one solid as [`write()`](crate::write()) does, and says what was found: why a part cannot be made and what would help, or what differs from what was asked for, such as a ring that was fitted. A part without a wall is left out of the pots with a warning, where another part has one.
 ///
 /// # Errors
 /// `out-of-range` for a size, shrinkage or tolerance outside its range, and what scaling to a size refuses. What is wrong with a part is a finding, not an error.
@@ -47,6 +52,7 @@ impl Solution {
         let mut refused = Vec::new();
         let mut made = Vec::new();
         let mut n_remedies = 0;
+        let making_share = if making.union { MAKING_APART } else { MAKING };
         for part in 0..self.n_parts() {
             watch::go_on()?;
             if !wanted.contains(&part) {
@@ -54,7 +60,7 @@ impl Solution {
                 continue;
             }
             let one = || make(self, part, making, scale);
-            match watch::between(0.0, MAKING, || watch::share(part, self.n_parts(), one)) {
+            match watch::between(0.0, making_share, || watch::share(part, self.n_parts(), one)) {
                 Ok(one) => {
                     if one.pot.is_none() {
                         #[cfg(feature = "patchwork")]
@@ -71,8 +77,27 @@ impl Solution {
                 }
             }
         }
-        Ok(verdict(self.design(), making, scale, refused, &made))
+        let mut unions = Vec::new();
+        if making.union {
+            let (joined, not) = watch::between(MAKING_APART, MAKING, || joined(self.design(), &made, &refused));
+            watch::go_on()?;
+            unions = joined;
+            refused.extend(not);
+        }
+        Ok(Report { unions, ..verdict(self.design(), making, scale, refused, &made) })
     }
+}
+
+/// What joins bodies is left out of this build.
+#[cfg(not(feature = "patchwork"))]
+fn joined(_: &Design, _: &[Finished], _: &[Finding]) -> (Vec<UnionReport>, Vec<Finding>) {
+    let message = "what joins parts is left out of this build: it takes the feature patchwork".to_owned();
+    let (code, path, args) =
+        (Code::UnsupportedShape.as_str(), Some("union".to_owned()), Args::from([("what", "left-out".into())]));
+    (
+        Vec::new(),
+        vec![Finding { code, severity: Severity::Error, part: 0, path, message, args, at: None, remedy: None }],
+    )
 }
 
 /// A part without a wall beside others that are pots.
@@ -85,6 +110,8 @@ fn left_out(part: usize) -> Finding {
 
 /// The share of the time that making takes, as against looking at what was made.
 const MAKING: f64 = 0.9;
+/// The share of making alone, where what was made is joined.
+const MAKING_APART: f64 = 0.5;
 
 /// For how many parts that are refused a remedy is sought: each takes as long as making the part a few times.
 const REMEDIES: usize = 3;
@@ -105,10 +132,7 @@ pub(crate) fn verdict(
         findings.extend(makeable::findings(one, making.craft, millimetres));
     }
     let meshes: Vec<&SolidMesh> = made.iter().map(|made| &made.mesh).collect();
-    let name = |part: usize| {
-        let name = design.parts().get(part).and_then(|part| part.name.as_deref());
-        name.map_or_else(|| format!("part {}", part + 1), |name| format!("{name:?}"))
-    };
+    let name = |part: usize| called(design, part);
     let object = |part: usize| design.parts().get(part).map(|part| part.object);
     // What becomes one solid is not in its own way.
     let is_joined = |finding: &Finding| {
@@ -118,7 +142,7 @@ pub(crate) fn verdict(
     };
     findings.extend(together::findings(&meshes, name, millimetres).into_iter().filter(|finding| !is_joined(finding)));
     findings.sort_by_key(|finding| finding.severity);
-    Report { product: making.product, findings, meshes: made.iter().map(counted).collect() }
+    Report { product: making.product, findings, meshes: made.iter().map(counted).collect(), unions: Vec::new() }
 }
 
 fn counted(Finished { mesh, pot, topology, .. }: &Finished) -> MeshReport {

@@ -6,7 +6,7 @@ use super::difference::{Counterpart, Difference};
 use super::hit::Hit;
 use crate::answer::Answer;
 use crate::fit::{Apart, Ringed, Scanned};
-use crate::make::{Finding, MeshReport, Remedy, Report};
+use crate::make::{Finding, MeshReport, Remedy, Report, UnionReport};
 use crate::measure::{
     Body, Capacity, Cause, Centre, ClayMeasures, Curvature, CurvatureRange, Fill, Footprint, LeastThickness, Located,
     Measures, Overhang, PartMeasures, Quantity, Spill, ThicknessRange, Tipping, Width,
@@ -45,6 +45,7 @@ pub fn typescript_of_answers() -> String {
         Finding::declare,
         Remedy::declare,
         MeshReport::declare,
+        UnionReport::declare,
         Pulled::declare,
         Ringed::declare,
         Scanned::declare,

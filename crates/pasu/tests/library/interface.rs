@@ -19,7 +19,7 @@ fn every_type_goes_from_thread_to_thread() {
     Apart Arg Axis Blend BloorWilson Body BoundaryValue Breach Capacity Cause CellShape Cells CellsFormat CellsOptions Centre Clay ClayMeasures Code Colour Component Connectivity Constraints Content Continuity Conversion Counterpart Craft Curvature CurvatureRange Datum Derivatives Design
     Difference Drawn DrawnFace End Equation Error FaceJet FaceKind Falloff Fill Finding FittedLevels Footprint Force Form Format FourthOrder FramePatch FrameRule Free Glaze Hand Handle HandleId Handles Harmonic Hit Hoop Inside InsideMap Joint Joints Leaf LeastThickness Levels Lining Located Look Loss Making Map
         MeasureOptions Measures Mesh MeshOptions MeshReport Method MixedOrder Mode ModeSolution Motion Node Octant Order Overhang Part PartMeasures Piece Placement Pot Product Profile Provenance Pulled Quantity Ray Remedy Report
-    Restraint RimForm Ring Ringed Rings Sampler Scale Scan Scanned SecondOrder Section Series Severity Shape Side Size Sketch SketchOptions Slopes SolidMesh Solution Span Spill Step Surface SurfaceJet ThicknessRange Tipping Tree Unit
+    Restraint RimForm Ring Ringed Rings Sampler Scale Scan Scanned SecondOrder Section Series Severity Shape Side Size Sketch SketchOptions Slopes SolidMesh Solution Span Spill Step Surface SurfaceJet ThicknessRange Tipping Tree UnionReport Unit
     Unsolvable VaseOrder VertexFrame Wall Water WaterSurface Wave Width
     ));
     fn is_shared<T: Send + Sync>() {}

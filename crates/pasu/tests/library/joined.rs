@@ -2,11 +2,13 @@
 
 use std::collections::HashMap;
 
-use pasu::{Code, Design, Format, Making, Product, provenance, write};
+use pasu::{Arg, Code, Design, Error, Format, Making, Product, Severity, check, provenance, write};
 use serde_json::{Value, json};
 
 use crate::scenes::{below, part, scene};
 use crate::support::networks::Dice;
+
+const ROUNDS: usize = 24;
 
 fn making() -> Making {
     Making { product: Product::Solid, tolerance: Some(0.02), union: true, ..Making::default() }
@@ -51,6 +53,27 @@ fn solid_of(bytes: &[u8]) -> (f64, usize) {
     (six / 6.0, (0..root.len()).filter(|at| root[*at] == *at).count())
 }
 
+/// What is said of parts that were to be one solid is what becomes of their file.
+fn assert_told(design: &Design, making: &Making, file: &Result<Vec<u8>, Error>) {
+    let report = check(design, making).unwrap();
+    let errors: Vec<_> = report.findings.iter().filter(|found| found.severity == Severity::Error).collect();
+    match file {
+        Ok(file) => {
+            let [union] = &report.unions[..] else { panic!("{report:?}") };
+            assert!(report.is_ok(), "{errors:?}");
+            assert_eq!((file.len() - 84) / 50, union.triangles);
+            assert_eq!((solid_of(file).1, report.meshes.len()), (union.bodies, union.parts.len()));
+        }
+        Err(error) => {
+            let [found] = errors[..] else { panic!("{error}: {errors:?}") };
+            assert_eq!((found.part, found.args.get("other")), (1, Some(&Arg::Number(0.0))));
+            assert_eq!((found.code, found.path.as_deref()), (error.code().as_str(), Some(error.path())));
+            assert_eq!(found.args.get("what"), error.arg("what"));
+            assert!(report.unions.is_empty() && !report.is_ok());
+        }
+    }
+}
+
 /// Between two equal rectangles: a box.
 fn cuboid([rx, ry, h]: [f64; 3], shift: [f64; 3], object: usize) -> Value {
     let section = |z: f64| json!({ "form": "rectangle", "radius": [rx, ry], "z": z, "taper": 0, "dz": h });
@@ -79,7 +102,9 @@ fn the_volume_is_that_of_inclusion_and_exclusion() {
         let volume = |[x, y, z]: [f64; 3]| 4.0 * x * y * z;
         let expected = volume(sizes[0]) + volume(sizes[1]) - common;
         let design = scene(&[cuboid(sizes[0], [0.0; 3], 0), cuboid(sizes[1], shift, 0)]);
-        match write(&design, Format::Stl, &making()) {
+        let file = write(&design, Format::Stl, &making());
+        assert_told(&design, &making(), &file);
+        match file {
             Ok(file) => {
                 let (found, n_bodies) = solid_of(&file);
                 assert_eq!(n_bodies, 1, "{sizes:?} {shift:?}");
@@ -179,7 +204,9 @@ fn random_pairs_are_one_closed_solid_or_refused() {
                 six.sum::<f64>() / 6.0
             })
             .collect();
-        match write(&design, Format::Stl, &making) {
+        let file = write(&design, Format::Stl, &making);
+        assert_told(&design, &making, &file);
+        match file {
             Ok(file) => {
                 let (found, _) = solid_of(&file);
                 let (most, all) = (volumes[0].max(volumes[1]), volumes[0] + volumes[1]);
@@ -193,4 +220,108 @@ fn random_pairs_are_one_closed_solid_or_refused() {
         }
     }
     assert!(n_joined >= 12 && n_refused <= 1, "{n_joined} joined, {n_refused} refused");
+}
+
+#[test]
+fn parts_that_are_called_good_are_written_in_every_format_with_their_glaze_lines() {
+    let mut dice = Dice(73);
+    let (mut n_written, mut n_refused) = (0, 0);
+    for _ in 0..ROUNDS {
+        let [x, y, z] = [(); 3].map(|()| 1.5 * dice.number());
+        let line = 0.05 + 0.9 * (0.5 + 0.5 * dice.number());
+        let again = below(&mut dice, 2) == 0;
+        let whither = below(&mut dice, 3);
+        let mut pot = |thickness: f64| {
+            let [a, b, c, d] = [(); 4].map(|()| dice.number());
+            json!({ "shape": { "kind": "second-order", "r": [3.0 + a, 0.2 * b, 2.5 + c, 0.2 * d], "t": [0, 0], "n": [1, 2], "height": 5.0 + a },
+                "wall": { "thickness": thickness, "base": 0.2 } })
+        };
+        let jar = pot(0.2);
+        let mut other = if again { jar.clone() } else { pot(0.25) };
+        // Anywhere, on a grid, or all but in the same place.
+        let shift = match whither {
+            0 => [x, y, z],
+            1 => [(10.0 * x).round() / 10.0, 0.0, z.round()],
+            _ => [1e-5 * x, 1e-5 * y, 1e-5 * z],
+        };
+        other["place"] = json!({ "shift": shift, "axis": [0, 0, 1], "angle": shift[1] });
+        let jar = with(jar, "look", json!({ "glaze": "cobalt", "line": line, "inside": "celadon" }));
+        let other = with(other, "look", json!({ "glaze": "celadon", "line": line }));
+        let design = scene(&[jar, other]);
+        let making = Making { product: Product::Pot, tolerance: Some(0.05), ..making() };
+        let report = check(&design, &making).unwrap();
+        for format in [Format::Stl, Format::Obj] {
+            let file = write(&design, format, &making);
+            assert_eq!(report.is_ok(), file.is_ok(), "{format:?} {:?} {}", report.findings, design.to_json());
+            *(if file.is_ok() { &mut n_written } else { &mut n_refused }) += 1;
+        }
+    }
+    assert!(n_written >= 16, "{n_written} written, {n_refused} refused");
+}
+
+fn with(mut part: Value, name: &str, value: Value) -> Value {
+    part[name] = value;
+    part
+}
+
+/// Two pots less than a micrometre apart: with the triangles that their glaze lines divide there is no union that a file can hold, with whole ones there is.
+#[test]
+fn where_no_union_of_divided_triangles_can_be_written_that_of_whole_ones_is() {
+    let pot = json!({ "shape": { "kind": "second-order", "r": [3.039328, -0.1976088, 2.294736, 0.015149], "t": [0, 0], "n": [1, 2], "height": 5.039328 },
+        "wall": { "thickness": 0.2, "base": 0.2 } });
+    let place = json!({ "angle": -0.000011296245, "shift": [-0.000014283525, -0.000011296245, 0.00001159284] });
+    let look = |glaze: &str| json!({ "glaze": glaze, "line": 0.6222245 });
+    let design = scene(&[
+        with(with(pot.clone(), "look", look("cobalt")), "place", json!({})),
+        with(with(pot, "look", look("celadon")), "place", place),
+    ]);
+    let making = Making { product: Product::Pot, tolerance: Some(0.05), ..making() };
+    let report = check(&design, &making).unwrap();
+    assert!(report.is_ok() && report.unions.len() == 1, "{report:?}");
+    for format in [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::ObjZip, Format::Ply] {
+        let file = write(&design, format, &making);
+        assert!(file.is_ok(), "{format:?} {:?}", file.err());
+    }
+    let text = String::from_utf8_lossy(&write(&design, Format::Obj, &making).unwrap()).into_owned();
+    assert!(
+        ["usemtl cobalt_on", "usemtl celadon_on", "usemtl stoneware"].iter().all(|look| text.contains(look)),
+        "{:?}",
+        text.lines().filter(|line| line.starts_with("usemtl")).collect::<Vec<_>>()
+    );
+}
+
+/// A pot, a knob on it, and a second pot that is a tenth of a micrometre from the first: the knob can be joined with either.
+#[test]
+fn of_several_parts_the_two_that_cannot_be_joined_are_told() {
+    let pot = json!({ "shape": { "kind": "second-order", "r": [3.562917, 0.1948358, 1.772095, 0.1755448], "t": [0, 0], "n": [1, 2], "height": 5.562917 },
+        "wall": { "thickness": 0.2, "base": 0.2 } });
+    let place = json!({ "angle": 0.000010023435, "shift": [-3.7563e-7, 0.000010023435, 0.0000068604] });
+    let knob = json!({ "shape": { "kind": "octant", "exponents": [3, 3, 3] }, "place": { "shift": [2.8, 0, -0.5] } });
+    let other = with(pot.clone(), "place", place);
+    let making = Making { product: Product::Pot, tolerance: Some(0.05), ..making() };
+    for (parts, part, first) in [
+        (vec![pot.clone(), knob.clone(), other.clone()], 2, 0.0),
+        (vec![knob, pot.clone(), other], 2, 1.0),
+        (vec![pot], 0, 0.0),
+    ] {
+        let parts: Vec<Value> = parts
+            .into_iter()
+            .enumerate()
+            .map(|(index, part)| with(part, "name", json!(["one", "two", "three"][index])))
+            .collect();
+        let (design, n_parts) = (scene(&parts), parts.len());
+        let report = check(&design, &making).unwrap();
+        let found = report.findings.iter().find(|found| found.severity == Severity::Error);
+        let Some(found) = found else {
+            assert!(n_parts == 1 && report.unions.is_empty(), "{report:?}");
+            continue;
+        };
+        assert_eq!(
+            (found.code, found.part, found.args.get("other")),
+            ("crosses-itself", part, Some(&Arg::Number(first)))
+        );
+        assert!(found.message.contains("\"three\""), "{}", found.message);
+        let error = write(&design, Format::Stl, &making).unwrap_err();
+        assert_eq!((error.code(), error.arg("what")), (Code::CrossesItself, found.args.get("what")));
+    }
 }

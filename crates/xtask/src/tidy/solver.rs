@@ -30,6 +30,7 @@ const SOLVER: House = House {
         "face",
         "solid",
         "check",
+        "join",
         "weave",
         "measure",
         "make",

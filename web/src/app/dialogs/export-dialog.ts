@@ -14,6 +14,7 @@ import {
   type SizeKind,
   scaleOf,
   toleranceIn,
+  trianglesOf,
 } from "../../document/saving";
 import type { Format, Making, Measures, Product, Refusal, Report } from "../../document/types";
 import { millilitres } from "../../document/volume";
@@ -257,7 +258,7 @@ export class PasuExport extends DesignerElement {
     const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
     const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
     return html`
-      <div><dt>${making.union ? words.trianglesApart : words.triangles}</dt><dd>${grouped(report.triangles)}</dd></div>
+      <div><dt>${words.triangles}</dt><dd>${grouped(trianglesOf(report))}</dd></div>
       <div><dt>${words.within}</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
     `;
   }
@@ -294,8 +295,11 @@ export class PasuExport extends DesignerElement {
     const { report, measures } = this;
     if (!report || !measures || !making || !this.isSceneKnown) return nothing;
     const count = this.found(report, making, measures).filter(({ severity }) => severity === "warning").length;
-    if (count === 0) return nothing;
-    return html`<div class="brief" aria-hidden="true">${sentences([{ severity: "warning", text: words.warnings(count) }])}</div>`;
+    if (report.ok && count === 0) return nothing;
+    const brief: Sentence = report.ok
+      ? { severity: "warning", text: words.warnings(count) }
+      : { severity: "error", text: words.unmakeable };
+    return html`<div class="brief" aria-hidden="true">${sentences([brief])}</div>`;
   }
 
   private choose(change: Partial<Choices>, exported: { readonly format?: Format } = {}): void {

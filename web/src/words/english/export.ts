@@ -68,8 +68,9 @@ export const exporting = phrases("exporting", {
   fired: "Once fired",
   appliedTo: "Applied",
   triangles: "Triangles",
-  trianglesApart: "Triangles before they are joined",
   within: "True to within",
   moreOf: (count: number) => `And ${count} more of the kind.`,
+  /** Beside the button that saves, which is then out of use. */
+  unmakeable: "Not as it is",
   warnings: (count: number) => plural(count, { one: `${count} warning`, other: `${count} warnings` }),
 });

@@ -64,6 +64,8 @@ export const report = phrases("report", {
     touches: (other: string) => `It touches or runs through ${other}.`,
     within: (other: string) => `It lies within the clay of ${other}.`,
     round: (other: string) => `It has clay round all of ${other}.`,
+    "not-joined": (other: string) =>
+      `It cannot be joined with ${other} into one solid: their surfaces meet too closely to be told apart. Move one of them a little, or leave them apart.`,
   },
   unkept: (bound: string, asked: string) =>
     `The triangles come within ${bound} of the wall, not within ${asked} as asked for: its other side bends too sharply for that.`,
