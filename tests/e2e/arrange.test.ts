@@ -296,23 +296,11 @@ test("how many triangles are told of glued parts is told as they are joined", as
 });
 
 test("of parts that cannot be joined the check says so, and no file is offered until they are left apart", async () => {
-  const shape = {
-    kind: "second-order",
-    r: [3.562917, 0.1948358, 1.772095, 0.1755448],
-    t: [0, 0],
-    n: [1, 2],
-    height: 5.562917,
-  };
-  const wall = { thickness: 0.2, base: 0.2 };
-  const place = { angle: 0.000010023435, shift: [-3.7563e-7, 0.000010023435, 0.0000068604] };
-  const cups = {
+  const corner = (name: string, scale: readonly number[]) => ({ ...block(name, [0, 0, 0]), place: { scale } });
+  const pot = await scene({
     pasu: 1,
-    parts: [
-      { name: "Cup", shape, wall },
-      { shape, wall, place },
-    ],
-  };
-  const pot = await scene(cups);
+    parts: [corner("Cup", [2, 2, 2]), corner("Saucer", [-2, -2, 2])],
+  } as object as typeof SCENE);
   await pot.command("Export");
   const dialog = pot.page.locator("pasu-export");
   await dialog.getByLabel("Tolerance").fill("0.5");

@@ -54,6 +54,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "edge",
     "region",
     "not-joined",
+    "pinched-joint",
     "touching",
   ],
   "no-room": [
@@ -89,7 +90,7 @@ const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [
   ["ceiling", { what: "underside", heightMm: 12 }],
   ...["touches", "within", "round"].map((what) => ["overlap", { what, other: 0 }] as const),
   ["few-terms", { found: 4, least: 10, waves: 5, distance: 3.2 }],
-  ["crosses-itself", { what: "not-joined", other: 0 }],
+  ...["not-joined", "pinched-joint"].map((what) => ["crosses-itself", { what, other: 0 }] as const),
   ["same-place", { what: "same-body", other: 0 }],
   ["tolerance-too-fine", { what: "unkept", bound: 0.02, asked: 0.01 }],
 ];

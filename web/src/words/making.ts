@@ -72,6 +72,7 @@ const STATEMENTS: Readonly<Record<string, Statement>> = {
       edge: () => making.crosses.edge,
       region: () => making.crosses.region,
       "not-joined": () => making.crosses.notJoined,
+      "pinched-joint": () => making.crosses.pinchedJoint,
       touching: () => making.thickness.touching,
     };
     return steppedOver(refusal, unit, said[textOf(refusal, "what") ?? ""]?.() ?? null);

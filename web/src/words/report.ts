@@ -81,7 +81,9 @@ export function checked(report: Report, measures: Measures | null, outline: Outl
     .filter(({ code }) => !MEASURED.includes(code))
     .map((finding) => {
       const { severity, part } = finding;
-      const of = (text: string) => named(measures, part, text);
+      // What is said of all parts of an object is not said of one.
+      const isOfAll = finding.path === "union" && finding.args.other === undefined;
+      const of = (text: string) => (isOfAll ? text : named(measures, part, text));
       const thinned = thinnedWords(finding, report, outline, unit);
       if (thinned) return { severity, text: of(thinned.text), brief: of(thinned.brief) };
       return { severity, text: of(fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)) };

@@ -107,3 +107,47 @@ fn name(bodies: &[Body]) -> String {
         false => format!("{} and {} more", names[0], names.len() - 1),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A tetrahedron of the first, the second and the third axis.
+    fn tetrahedron(origin: [f32; 3], axes: [f32; 3]) -> Body<'static> {
+        let at = |axis: usize| {
+            let mut at = origin;
+            at[axis] += axes[axis];
+            at
+        };
+        let is_turned = axes.iter().product::<f32>() < 0.0;
+        let indices = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        Body {
+            name: "one".to_owned(),
+            look: Look::default(),
+            positions: Cow::Owned([origin, at(0), at(1), at(2)].concat()),
+            indices: Cow::Owned(indices.map(|[a, b, c]| if is_turned { [a, c, b] } else { [a, b, c] }).concat()),
+            faces: vec![(FaceKind::Outer, 0, 12)],
+            coats: Vec::new(),
+            plain: Vec::new(),
+        }
+    }
+
+    /// Across from each other at an edge: no solid. Of the other two one reaches into the other.
+    #[test]
+    fn whole_bodies_are_joined_where_divided_ones_cannot_be() {
+        let across = || tetrahedron([0.0; 3], [-4.0, -4.0, 4.0]);
+        let bodies = || vec![tetrahedron([0.0; 3], [4.0, 4.0, 4.0]), across()];
+        let same = |index: usize| bodies().remove(index);
+        let error = joined(bodies(), &[7, 7], same).map(|bodies| bodies.len()).unwrap_err();
+        assert_eq!(error.arg("what"), Some(&"pinched-joint".into()));
+        assert_eq!(joined(bodies(), &[7, 8], same).map(|bodies| bodies.len()).ok(), Some(2));
+        let whole = |index: usize| if index == 0 { tetrahedron([-1.0; 3], [6.0, 6.0, 6.0]) } else { across() };
+        let found = joined(bodies(), &[7, 7], |index| {
+            let mut body = whole(index);
+            // Divided or not is told by the triangles.
+            body.indices.to_mut().rotate_left(3);
+            body
+        });
+        assert_eq!(found.map(|bodies| (bodies.len(), bodies[0].name.clone())).ok(), Some((1, "one + one".to_owned())));
+    }
+}

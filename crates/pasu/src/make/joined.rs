@@ -1,7 +1,5 @@
 //! Whether the parts of each object can be one solid, tried on the triangles that were made of them.
 
-use glam::DVec3;
-
 use super::called::called;
 use super::made::Finished;
 use super::report::{Finding, Severity, UnionReport};
@@ -59,40 +57,22 @@ fn one(design: &Design, group: &[&Finished]) -> Result<UnionReport, Box<Finding>
             bodies: union.topology.n_components,
             genus: union.topology.genus(),
         }),
-        Err(error) => Err(Box::new(refused(group, &bodies, error))),
+        Err(error) => Err(Box::new(refused(group, &error))),
     }
 }
 
-/// Of so many pairs it is asked at most whether it is they that cannot be joined.
-const MOST_PAIRS: usize = 24;
-
-/// What is told of parts that cannot be joined: of the first two that cannot alone either, if there are such.
-fn refused(group: &[&Finished], bodies: &[&Labelled], error: Error) -> Finding {
-    let boxes: Vec<[DVec3; 2]> = bodies.iter().map(|body| bounds(body.positions)).collect();
-    let meet = |[i, j]: &[usize; 2]| {
-        let ([low, high], [other_low, other_high]) = (boxes[*i], boxes[*j]);
-        low.cmple(other_high).all() && other_low.cmple(high).all()
-    };
-    let pairs = (0..bodies.len()).flat_map(|j| (0..j).map(move |i| [i, j])).filter(meet).take(MOST_PAIRS);
-    // Two that are all there are have been asked.
-    let mut pairs = pairs.filter(|_| bodies.len() > 2);
-    let alone = pairs.find_map(|pair| union(&pair.map(|index| bodies[index])).err().map(|error| (pair, error)));
-    let (told, error) = match alone {
-        Some((pair, error)) => (Some(pair), error),
-        None => ((bodies.len() == 2).then_some([0, 1]), error),
-    };
+/// What is told of parts that cannot be joined; of two it is the later one that cannot be joined with the other.
+fn refused(group: &[&Finished], error: &Error) -> Finding {
+    let mut parts: Vec<usize> = group.iter().map(|one| one.mesh.part).collect();
+    parts.sort_unstable();
     let (code, path, mut args) = error.cause();
-    let parts = told.map(|pair| pair.map(|index| group[index].mesh.part));
-    if let Some(parts) = parts {
-        args.insert("other", parts[0].min(parts[1]).into());
-    }
-    let part =
-        parts.map_or_else(|| group.iter().map(|one| one.mesh.part).min().unwrap_or(0), |[one, other]| one.max(other));
+    let part = match parts[..] {
+        [one, other] => {
+            args.insert("other", one.into());
+            other
+        }
+        _ => parts[0],
+    };
     let (severity, message, at) = (Severity::Error, error.message().to_owned(), error.place());
     Finding { code, severity, part, path, message, args, at, remedy: None }
-}
-
-fn bounds(positions: &[f32]) -> [DVec3; 2] {
-    let points = positions.as_chunks::<3>().0.iter().map(|point| DVec3::from_array(point.map(f64::from)));
-    points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
 }

@@ -53,6 +53,17 @@ fn solid_of(bytes: &[u8]) -> (f64, usize) {
     (six / 6.0, (0..root.len()).filter(|at| root[*at] == *at).count())
 }
 
+/// The volume of triangles as [`solid_of`] has it, of bodies that may have corners in common.
+fn volume_of(bytes: &[u8]) -> f64 {
+    let n = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
+    let number = |at: usize| f64::from(f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap())) / 10.0;
+    let six = (0..n).map(|triangle| {
+        let [a, b, c] = [0, 1, 2].map(|k| [0, 1, 2].map(|axis| number(84 + 50 * triangle + 12 + 12 * k + 4 * axis)));
+        a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    });
+    six.sum::<f64>() / 6.0
+}
+
 /// What is said of parts that were to be one solid is what becomes of their file.
 fn assert_told(design: &Design, making: &Making, file: &Result<Vec<u8>, Error>) {
     let report = check(design, making).unwrap();
@@ -116,7 +127,7 @@ fn the_volume_is_that_of_inclusion_and_exclusion() {
             }
         }
     }
-    assert!(n_refused <= 2, "{n_refused} of 40 refused");
+    assert!(n_refused == 0, "{n_refused} of 40 refused");
 }
 
 #[test]
@@ -219,7 +230,7 @@ fn random_pairs_are_one_closed_solid_or_refused() {
             }
         }
     }
-    assert!(n_joined >= 12 && n_refused <= 1, "{n_joined} joined, {n_refused} refused");
+    assert!(n_joined >= 12 && n_refused == 0, "{n_joined} joined, {n_refused} refused");
 }
 
 #[test]
@@ -264,64 +275,71 @@ fn with(mut part: Value, name: &str, value: Value) -> Value {
     part
 }
 
-/// Two pots less than a micrometre apart: with the triangles that their glaze lines divide there is no union that a file can hold, with whole ones there is.
-#[test]
-fn where_no_union_of_divided_triangles_can_be_written_that_of_whole_ones_is() {
-    let pot = json!({ "shape": { "kind": "second-order", "r": [3.039328, -0.1976088, 2.294736, 0.015149], "t": [0, 0], "n": [1, 2], "height": 5.039328 },
-        "wall": { "thickness": 0.2, "base": 0.2 } });
-    let place = json!({ "angle": -0.000011296245, "shift": [-0.000014283525, -0.000011296245, 0.00001159284] });
-    let look = |glaze: &str| json!({ "glaze": glaze, "line": 0.6222245 });
-    let design = scene(&[
-        with(with(pot.clone(), "look", look("cobalt")), "place", json!({})),
-        with(with(pot, "look", look("celadon")), "place", place),
-    ]);
-    let making = Making { product: Product::Pot, tolerance: Some(0.05), ..making() };
-    let report = check(&design, &making).unwrap();
-    assert!(report.is_ok() && report.unions.len() == 1, "{report:?}");
-    for format in [Format::Stl, Format::ThreeMf, Format::Glb, Format::Obj, Format::ObjZip, Format::Ply] {
-        let file = write(&design, format, &making);
-        assert!(file.is_ok(), "{format:?} {:?}", file.err());
-    }
-    let text = String::from_utf8_lossy(&write(&design, Format::Obj, &making).unwrap()).into_owned();
-    assert!(
-        ["usemtl cobalt_on", "usemtl celadon_on", "usemtl stoneware"].iter().all(|look| text.contains(look)),
-        "{:?}",
-        text.lines().filter(|line| line.starts_with("usemtl")).collect::<Vec<_>>()
-    );
+/// The eight octants of a body that is its own mirror image.
+fn superellipsoid(exponents: [f64; 3], scale: [f64; 3]) -> Vec<Value> {
+    let octant = |corner: usize| {
+        let scale: Vec<f64> =
+            (0..3).map(|axis| if corner >> axis & 1 == 0 { scale[axis] } else { -scale[axis] }).collect();
+        json!({ "shape": { "kind": "octant", "exponents": exponents }, "place": { "scale": scale } })
+    };
+    (0..8).map(octant).collect()
 }
 
-/// A pot, a knob on it, and a second pot that is a tenth of a micrometre from the first: the knob can be joined with either.
+/// Octants that lie across from each other touch along an edge alone: joined in the order in which they stand they had that edge twice for good. The cushion and the star of the gallery are among these.
 #[test]
-fn of_several_parts_the_two_that_cannot_be_joined_are_told() {
-    let pot = json!({ "shape": { "kind": "second-order", "r": [3.562917, 0.1948358, 1.772095, 0.1755448], "t": [0, 0], "n": [1, 2], "height": 5.562917 },
-        "wall": { "thickness": 0.2, "base": 0.2 } });
-    let place = json!({ "angle": 0.000010023435, "shift": [-3.7563e-7, 0.000010023435, 0.0000068604] });
-    let knob = json!({ "shape": { "kind": "octant", "exponents": [3, 3, 3] }, "place": { "shift": [2.8, 0, -0.5] } });
-    let other = with(pot.clone(), "place", place);
-    let making = Making { product: Product::Pot, tolerance: Some(0.05), ..making() };
-    for (parts, part, first) in [
-        (vec![pot.clone(), knob.clone(), other.clone()], 2, 0.0),
-        (vec![knob, pot.clone(), other], 2, 1.0),
-        (vec![pot], 0, 0.0),
-    ] {
-        let parts: Vec<Value> = parts
-            .into_iter()
-            .enumerate()
-            .map(|(index, part)| with(part, "name", json!(["one", "two", "three"][index])))
-            .collect();
-        let (design, n_parts) = (scene(&parts), parts.len());
+fn the_octants_of_a_superellipsoid_are_one_solid() {
+    let mut dice = Dice(74);
+    let mut number = |low: f64, high: f64| {
+        let x: f64 = dice.number();
+        (100.0 * low * (high / low).powf(0.5 + 0.5 * x)).round() / 100.0
+    };
+    let mut bodies: Vec<([f64; 3], [f64; 3], f64)> =
+        vec![([4.0, 4.0, 2.0], [8.0, 8.0, 3.0], 0.02), ([13.13, 2.37, 1.11], [0.81, 1.76, 1.22], 0.002)];
+    while bodies.len() < 14 {
+        bodies.push(([(); 3].map(|()| number(0.5, 20.0)), [(); 3].map(|()| number(0.5, 3.0)), number(0.005, 0.05)));
+    }
+    let mut n_refused = 0;
+    for (exponents, scale, tolerance) in bodies {
+        let design = scene(&superellipsoid(exponents, scale));
+        let making = Making { tolerance: Some(tolerance), ..making() };
+        let file = write(&design, Format::Stl, &making);
         let report = check(&design, &making).unwrap();
-        let found = report.findings.iter().find(|found| found.severity == Severity::Error);
-        let Some(found) = found else {
-            assert!(n_parts == 1 && report.unions.is_empty(), "{report:?}");
+        assert_eq!(report.is_ok(), file.is_ok(), "{:?}", report.findings);
+        let Ok(file) = file else {
+            n_refused += 1;
             continue;
         };
-        assert_eq!(
-            (found.code, found.part, found.args.get("other")),
-            ("crosses-itself", part, Some(&Arg::Number(first)))
-        );
-        assert!(found.message.contains("\"three\""), "{}", found.message);
-        let error = write(&design, Format::Stl, &making).unwrap_err();
-        assert_eq!((error.code(), error.arg("what")), (Code::CrossesItself, found.args.get("what")));
+        let [union] = &report.unions[..] else { panic!("{report:?}") };
+        assert_eq!((union.bodies, union.genus, (file.len() - 84) / 50), (1, 0, union.triangles));
+        let (volume, n_bodies) = solid_of(&file);
+        let apart = write(&design, Format::Stl, &Making { union: false, ..making }).unwrap();
+        let expected = volume_of(&apart);
+        assert_eq!(n_bodies, 1);
+        assert!((volume - expected).abs() < 1e-5 * expected, "{volume} {expected}: {exponents:?} {scale:?}");
+    }
+    assert!(n_refused <= 1, "{n_refused} refused");
+}
+
+/// A tip as thin as a blade, of eight: where the octants meet there they differ in the seventh digit.
+#[test]
+fn of_several_parts_that_cannot_be_joined_all_are_told() {
+    let design = scene(&superellipsoid([17.41, 0.5, 2.81], [0.67, 2.86, 1.56]));
+    let making = Making { tolerance: Some(0.03), ..making() };
+    let report = check(&design, &making).unwrap();
+    let errors: Vec<_> = report.findings.iter().filter(|found| found.severity == Severity::Error).collect();
+    let [found] = errors[..] else { panic!("{errors:?}") };
+    assert_eq!((found.code, found.part, found.args.get("other")), ("crosses-itself", 0, None));
+    let error = write(&design, Format::Stl, &making).unwrap_err();
+    assert_eq!((error.arg("what"), found.args.get("what")), (Some(&"not-joined".into()), error.arg("what")));
+}
+
+#[test]
+fn octants_that_touch_along_an_edge_alone_are_told_so() {
+    let all = superellipsoid([4.0, 4.0, 2.0], [2.0, 2.0, 1.0]);
+    for (one, other) in [(0, 3), (0, 7)] {
+        let design = scene(&[all[one].clone(), all[other].clone()]);
+        let file = write(&design, Format::Stl, &making());
+        assert_told(&design, &making(), &file);
+        assert_eq!(file.unwrap_err().arg("what"), Some(&"pinched-joint".into()));
     }
 }

@@ -77,6 +77,8 @@ export const making = phrases("making", {
     region: "What is sculpted goes round a corner at which not four patches meet, so that it cannot lie flat there.",
     notJoined:
       "These parts cannot be joined into one solid: their surfaces meet too closely to be told apart. Parts that run into each other clearly can be.",
+    pinchedJoint:
+      "These parts cannot be joined into one solid: where they touch along an edge or at a point alone it would be pinched. Let them meet in a face or run into each other, or leave them apart.",
     /** The sentence, and how fine triangles may be that do not show it. */
     steppedOver: (sentence: string, bound: string) => `${sentence} Triangles within ${bound} step over it.`,
   },

@@ -66,6 +66,8 @@ export const report = phrases("report", {
     round: (other: string) => `It has clay round all of ${other}.`,
     "not-joined": (other: string) =>
       `It cannot be joined with ${other} into one solid: their surfaces meet too closely to be told apart. Move one of them a little, or leave them apart.`,
+    "pinched-joint": (other: string) =>
+      `It cannot be joined with ${other} into one solid: where they touch along an edge or at a point alone it would be pinched. Let them meet in a face or run into each other, or leave them apart.`,
   },
   unkept: (bound: string, asked: string) =>
     `The triangles come within ${bound} of the wall, not within ${asked} as asked for: its other side bends too sharply for that.`,

@@ -1,11 +1,12 @@
-//! Closed triangles of several bodies as those of one: their union.
+//! The union of several bodies, as a file has it.
 //!
 //! The union is that of the crate `boolmesh`, after E. Lalish's *Manifold*: decided by topology and not by coordinates, so that what comes of closed bodies is closed. Whether it is still so once its coordinates are rounded to those of a file is checked here, as of every body that is written.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use boolmesh::prelude::Manifold;
 
-use boolmesh::prelude::{Manifold, OpType, compute_boolean};
-
+use super::cluster::united;
+use super::labelled::Labelled;
+use super::narrow::without_narrow;
 use crate::check::{self, Topology};
 use crate::error::{Code, Error, Result};
 use crate::watch;
@@ -21,17 +22,6 @@ const SLACK: f64 = 1e-5;
 
 /// Of so many bodies that cannot be joined the names are told.
 const MOST_NAMES: usize = 3;
-
-/// One of the bodies that are joined: closed triangles in the numbers of a file, each with a number of whoever asks.
-pub(crate) struct Labelled<'a> {
-    pub(crate) name: &'a str,
-    /// `x, y, z` per vertex, one vertex per point.
-    pub(crate) positions: &'a [f32],
-    /// Three vertex numbers per triangle, counter-clockwise from outside.
-    pub(crate) indices: &'a [u32],
-    /// One number per triangle, which goes along with all that is left of it.
-    pub(crate) labels: Vec<u32>,
-}
 
 /// What several bodies are together, having passed the checks of a file.
 pub(crate) struct Union {
@@ -55,80 +45,75 @@ pub(crate) fn union(bodies: &[&Labelled]) -> Result<Union> {
         let error = Error::new(Code::TooLarge, "tolerance", message).with("greatest", MOST_TRIANGLES);
         return Err(error.with("found", n_triangles));
     }
+    let mut is_pinched = false;
     for (index, near) in NEAR.into_iter().enumerate() {
         watch::go_on()?;
-        let soon = watch::share(index, NEAR.len(), || united(bodies, near))?;
-        if let Some(union) = soon.and_then(|union| sound(&union, bodies)) {
-            return Ok(union);
+        let found = watch::share(index, NEAR.len(), || united(bodies, near))?;
+        if let Some((solid, n_double)) = found {
+            if let Some(union) = sound(&solid, bodies) {
+                return Ok(union);
+            }
+            // Of more bodies nobody knows which of them that is.
+            is_pinched |= bodies.len() == 2 && index == 0 && n_double > 0;
         }
     }
     let names: Vec<&str> = bodies.iter().map(|body| body.name).take(MOST_NAMES).collect();
-    let message = format!(
-        "these parts cannot be joined into one solid, because numbers of seven digits do not tell their surfaces apart where they meet: {}; expected parts that run into each other, or to be written as they are",
-        names.join(", ")
-    );
-    Err(Error::new(Code::CrossesItself, "union", message).with("what", "not-joined"))
-}
-
-/// The union of all in turn; `None` where there is none.
-fn united(bodies: &[&Labelled], near: f64) -> Result<Option<Manifold>> {
-    let mut union: Option<Manifold> = None;
-    for (index, body) in bodies.iter().enumerate() {
-        watch::go_on()?;
-        let next = || {
-            let mut solid = manifold(body)?;
-            solid.eps = solid.eps.max(near * solid.bb.scale());
-            match union.take() {
-                None => Some(solid),
-                Some(others) => compute_boolean(&others, &solid, OpType::Add).ok(),
-            }
-        };
-        // Whatever that crate meets that it did not expect is one body fewer that can be joined, and no mistake of whoever asked.
-        let found = watch::share(index, bodies.len(), || catch_unwind(AssertUnwindSafe(next)));
-        match found {
-            Ok(Some(solid)) => union = Some(solid),
-            _ => return Ok(None),
-        }
+    let names = names.join(", ");
+    let refused = |message: String| Error::new(Code::CrossesItself, "union", message);
+    if is_pinched {
+        let message = format!(
+            "these parts cannot be joined into one solid, which would be pinched where they touch along an edge or at a point alone: {names}; expected parts that meet in a face or run into each other, or to be written as they are"
+        );
+        return Err(refused(message).with("what", "pinched-joint"));
     }
-    Ok(union)
+    let message = format!(
+        "these parts cannot be joined into one solid, because numbers of seven digits do not tell their surfaces apart where they meet: {names}; expected parts that run into each other, or to be written as they are"
+    );
+    Err(refused(message).with("what", "not-joined"))
 }
 
-fn manifold(body: &Labelled) -> Option<Manifold> {
-    let positions: Vec<f64> = body.positions.iter().map(|x| f64::from(*x)).collect();
-    let indices: Vec<usize> = body.indices.iter().map(|vertex| *vertex as usize).collect();
-    let labels: Vec<f64> = body.labels.iter().flat_map(|label| [f64::from(*label); 3]).collect();
-    Manifold::new_with_values(&positions, &indices, &labels).ok()
-}
-
-/// What is written of a union, if it passes what every body has to.
+/// What is written of a union, if it passes what every body has to as it is, or without triangles that are too narrow.
 fn sound(union: &Manifold, bodies: &[&Labelled]) -> Option<Union> {
     let most = bodies.iter().flat_map(|body| &body.labels).copied().max()?;
-    let corner = |half: usize| union.hs.get(half).map(|half| half.tail);
-    let mut whole: Vec<(u32, [usize; 3])> = Vec::with_capacity(union.hs.len() / 3);
+    let corner = |half: usize| union.hs.get(half).map(|half| half.tail as u32);
+    let (mut triangles, mut labels) = (Vec::new(), Vec::new());
     for triangle in 0..union.hs.len() / 3 {
-        let [a, b, c] = [0, 1, 2].map(|k| corner(3 * triangle + k).filter(|vertex| *vertex < union.ps.len()));
+        let [a, b, c] =
+            [0, 1, 2].map(|k| corner(3 * triangle + k).filter(|vertex| (*vertex as usize) < union.ps.len()));
         let label = union.vals.get(3 * triangle).map(|label| libm::round(*label))?;
         if !(0.0..=f64::from(most)).contains(&label) {
             return None;
         }
-        whole.push((label as u32, [a?, b?, c?]));
+        triangles.push([a?, b?, c?]);
+        labels.push(label as u32);
     }
-    whole.sort_by_key(|(label, _)| *label);
-    let mut number = vec![u32::MAX; union.ps.len()];
-    let mut points: Vec<[f32; 3]> = Vec::with_capacity(union.ps.len());
-    let mut triangles: Vec<[u32; 3]> = Vec::with_capacity(whole.len());
-    for (_, triangle) in &whole {
-        triangles.push(triangle.map(|vertex| {
-            if number[vertex] == u32::MAX {
-                number[vertex] = points.len() as u32;
-                points.push(union.ps[vertex].to_array().map(|x| x as f32));
+    let points: Vec<[f32; 3]> = union.ps.iter().map(|point| point.to_array().map(|x| x as f32)).collect();
+    written(&points, &triangles, &labels, bodies).or_else(|| {
+        let (triangles, labels) = without_narrow(&points, &triangles, &labels)?;
+        written(&points, &triangles, &labels, bodies)
+    })
+}
+
+/// Triangles in the order of their labels, and points in the order in which they come then, if they pass.
+fn written(points: &[[f32; 3]], triangles: &[[u32; 3]], labels: &[u32], bodies: &[&Labelled]) -> Option<Union> {
+    let mut order: Vec<usize> = (0..triangles.len()).collect();
+    order.sort_by_key(|number| labels[*number]);
+    let mut number = vec![u32::MAX; points.len()];
+    let (mut kept, mut renumbered): (Vec<[f32; 3]>, Vec<[u32; 3]>) = (Vec::new(), Vec::with_capacity(triangles.len()));
+    for triangle in &order {
+        renumbered.push(triangles[*triangle].map(|vertex| {
+            let number = &mut number[vertex as usize];
+            if *number == u32::MAX {
+                *number = kept.len() as u32;
+                kept.push(points[vertex as usize]);
             }
-            number[vertex]
+            *number
         }));
     }
-    let topology = passes(&points, &triangles)?;
-    let labels = whole.into_iter().map(|(label, _)| label).collect();
-    is_volume_of(&points, &triangles, bodies).then_some(Union { points, triangles, labels, topology })
+    let topology = passes(&kept, &renumbered)?;
+    let labels = order.into_iter().map(|triangle| labels[triangle]).collect();
+    let is_sound = is_volume_of(&kept, &renumbered, bodies);
+    is_sound.then_some(Union { points: kept, triangles: renumbered, labels, topology })
 }
 
 /// Closed, without triangles that cross or have no area, on the very numbers of the file.

@@ -1,0 +1,10 @@
+//! Closed triangles of several bodies as those of one: their union.
+
+mod boxes;
+mod cluster;
+mod labelled;
+mod narrow;
+mod union;
+
+pub(crate) use labelled::Labelled;
+pub(crate) use union::{Union, union};
