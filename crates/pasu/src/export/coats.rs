@@ -64,20 +64,41 @@ pub(super) fn coated(mesh: &SolidMesh, look: Look) -> Coated<'_> {
     if look.inside.is_none() && look.line == 0.0 {
         return whole;
     }
-    let line = line_of(&whole, look.line);
-    let divided = line.filter(|_| look.line < 1.0).and_then(|line| divided(&whole, line));
+    let covering = Covering::of(mesh, look);
+    let divided = covering.line.filter(|_| look.line < 1.0).and_then(|line| divided(&whole, line));
     let mut coated = divided.unwrap_or(whole);
-    coated.coats = coats(&coated, line, look.line >= 1.0);
+    coated.coats = coats(&coated, &covering);
     coated
 }
 
-/// The same with no triangle divided.
-pub(super) fn coated_whole(mesh: &SolidMesh, look: Look) -> Coated<'_> {
-    let mut whole = uncoated(mesh);
-    if look.inside.is_some() || look.line > 0.0 {
-        whole.coats = coats(&whole, line_of(&whole, look.line), look.line >= 1.0);
+/// What covers triangles of a body that are not divided, each being what its middle is.
+#[derive(Default)]
+pub(super) struct Covering {
+    line: Option<f32>,
+    is_bare: bool,
+    /// Whether not all is as the outside is.
+    is_varied: bool,
+}
+
+impl Covering {
+    /// That of a mesh which looks so.
+    pub(super) fn of(mesh: &SolidMesh, look: Look) -> Covering {
+        let is_varied = look.inside.is_some() || look.line > 0.0;
+        Covering { line: line_of(&uncoated(mesh), look.line), is_bare: look.line >= 1.0, is_varied }
     }
-    whole
+
+    /// What covers a triangle of a face whose corners are at these heights.
+    pub(super) fn at(&self, kind: FaceKind, heights: [f32; 3]) -> Coat {
+        let below = || {
+            let sum: f64 = heights.into_iter().map(f64::from).sum();
+            self.line.is_some_and(|line| sum < 3.0 * f64::from(line))
+        };
+        match coat_of(kind, self.line.is_some(), self.is_bare) {
+            _ if !self.is_varied => Coat::Outside,
+            Coat::Outside if below() => Coat::Bare,
+            coat => coat,
+        }
+    }
 }
 
 /// At which height the glaze ends, in millimetres; none where it goes down to the foot.
@@ -90,19 +111,13 @@ fn line_of(body: &Coated, share: f64) -> Option<f32> {
     (share > 0.0 && low < high).then_some((low + share * (high - low)) as f32)
 }
 
-fn coats(body: &Coated, line: Option<f32>, is_bare: bool) -> Vec<Coat> {
+fn coats(body: &Coated, covering: &Covering) -> Vec<Coat> {
+    let height = |vertex: u32| body.positions[3 * vertex as usize + 2];
     let mut coats = Vec::with_capacity(body.indices.len() / 3);
     for &(kind, first, count) in &body.faces {
-        for corners in body.indices[first..first + count].chunks_exact(3) {
+        for corners in body.indices[first..first + count].as_chunks::<3>().0 {
             watch::work(5);
-            let below = || {
-                let height = |vertex: &u32| f64::from(body.positions[3 * *vertex as usize + 2]);
-                line.is_some_and(|line| corners.iter().map(height).sum::<f64>() < 3.0 * f64::from(line))
-            };
-            coats.push(match coat_of(kind, line.is_some(), is_bare) {
-                Coat::Outside if below() => Coat::Bare,
-                coat => coat,
-            });
+            coats.push(covering.at(kind, corners.map(height)));
         }
     }
     coats

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::coats::Covering;
 use super::contents::Body;
 use crate::design::Look;
 use crate::error::Result;
@@ -12,15 +13,15 @@ use crate::watch;
 /// The longest name that is put together of those of all parts.
 const LONGEST: usize = 120;
 
-/// The bodies with those of one object joined into one, in the order of the first of each; `objects` has the object of each body, and `whole` each body as the checks have joined it: with no triangle divided along a glaze line.
-/// That one is joined where the other cannot be.
+/// The bodies with those of one object joined into one, in the order of the first of each; `objects` has the object of each body. `whole` has each body with no triangle divided along a glaze line, and what covers it:
+/// the very triangles that the checks have joined, which are taken where the others cannot be joined.
 ///
 /// # Errors
 /// `crosses-itself` where no union passes the checks of a file, `too-large`.
 pub(super) fn joined<'a>(
     bodies: Vec<Body<'a>>,
     objects: &[u32],
-    whole: impl Fn(usize) -> Body<'a>,
+    whole: impl Fn(usize) -> (Body<'a>, Covering),
 ) -> Result<Vec<Body<'a>>> {
     let mut groups: Vec<(u32, Vec<(usize, Body<'a>)>)> = Vec::new();
     for (index, (body, object)) in bodies.into_iter().zip(objects).enumerate() {
@@ -33,14 +34,16 @@ pub(super) fn joined<'a>(
     let one = |(index, (_, group)): (usize, (u32, Vec<(usize, Body<'a>)>))| {
         watch::share(index, n_groups, || {
             let (indices, mut bodies): (Vec<usize>, Vec<Body<'a>>) = group.into_iter().unzip();
-            match bodies.len() {
-                1 => Ok(bodies.remove(0)),
-                _ => one_of(&bodies).or_else(|error| {
-                    let wholes: Vec<Body<'a>> = indices.into_iter().map(&whole).collect();
-                    let is_divided = bodies.iter().zip(&wholes).any(|(one, whole)| one.indices != whole.indices);
-                    if is_divided { one_of(&wholes) } else { Err(error) }
-                }),
+            if bodies.len() == 1 {
+                return Ok(bodies.remove(0));
             }
+            one_of(&bodies, |_, origin| origin.look).or_else(|error| {
+                if bodies.iter().all(|body| body.coats.is_empty()) {
+                    return Err(error);
+                }
+                let (wholes, coverings): (Vec<Body>, Vec<Covering>) = indices.into_iter().map(&whole).unzip();
+                one_of(&wholes, |heights, origin| coverings[origin.body].at(origin.kind, heights).of(origin.look))
+            })
         })
     };
     groups.into_iter().enumerate().map(one).collect()
@@ -54,7 +57,8 @@ struct Origin {
     look: Look,
 }
 
-fn one_of(bodies: &[Body]) -> Result<Body<'static>> {
+/// The union of bodies; `look` says how a triangle looks whose corners are at these heights.
+fn one_of(bodies: &[Body], look: impl Fn([f32; 3], &Origin) -> Look) -> Result<Body<'static>> {
     let mut origins: Vec<Origin> = Vec::new();
     let labelled: Vec<Labelled> =
         bodies.iter().enumerate().map(|(index, body)| labelled(index, body, &mut origins)).collect();
@@ -68,6 +72,10 @@ fn one_of(bodies: &[Body]) -> Result<Body<'static>> {
         }
         last = Some(*label);
     }
+    let look = |(corners, label): (&[u32; 3], &u32)| {
+        look(corners.map(|vertex| points[vertex as usize][2]), &origins[*label as usize])
+    };
+    let plain = triangles.iter().zip(&labels).map(look).collect();
     Ok(Body {
         name: name(bodies),
         look: bodies[0].look,
@@ -75,7 +83,7 @@ fn one_of(bodies: &[Body]) -> Result<Body<'static>> {
         indices: Cow::Owned(triangles.concat()),
         faces,
         coats: Vec::new(),
-        plain: labels.iter().map(|label| origins[*label as usize].look).collect(),
+        plain,
     })
 }
 
@@ -110,6 +118,7 @@ fn name(bodies: &[Body]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::coats::Coat;
     use super::*;
 
     /// A tetrahedron of the first, the second and the third axis.
@@ -136,18 +145,20 @@ mod tests {
     #[test]
     fn whole_bodies_are_joined_where_divided_ones_cannot_be() {
         let across = || tetrahedron([0.0; 3], [-4.0, -4.0, 4.0]);
-        let bodies = || vec![tetrahedron([0.0; 3], [4.0, 4.0, 4.0]), across()];
-        let same = |index: usize| bodies().remove(index);
-        let error = joined(bodies(), &[7, 7], same).map(|bodies| bodies.len()).unwrap_err();
-        assert_eq!(error.arg("what"), Some(&"pinched-joint".into()));
-        assert_eq!(joined(bodies(), &[7, 8], same).map(|bodies| bodies.len()).ok(), Some(2));
-        let whole = |index: usize| if index == 0 { tetrahedron([-1.0; 3], [6.0, 6.0, 6.0]) } else { across() };
-        let found = joined(bodies(), &[7, 7], |index| {
-            let mut body = whole(index);
-            // Divided or not is told by the triangles.
-            body.indices.to_mut().rotate_left(3);
-            body
-        });
-        assert_eq!(found.map(|bodies| (bodies.len(), bodies[0].name.clone())).ok(), Some((1, "one + one".to_owned())));
+        let bodies = |coats: &[Coat]| {
+            [tetrahedron([0.0; 3], [4.0; 3]), across()]
+                .map(|body| Body { coats: coats.to_vec(), ..body })
+                .into_iter()
+                .collect::<Vec<_>>()
+        };
+        let whole =
+            |index: usize| (if index == 0 { tetrahedron([-1.0; 3], [6.0; 3]) } else { across() }, Covering::default());
+        let found = |coats: &[Coat], objects: [u32; 2]| {
+            joined(bodies(coats), &objects, whole)
+                .map(|bodies| bodies.into_iter().map(|body| body.name).collect::<Vec<_>>())
+        };
+        assert_eq!(found(&[], [7, 7]).unwrap_err().arg("what"), Some(&"pinched-joint".into()));
+        assert_eq!(found(&[], [7, 8]).unwrap(), ["one", "one"]);
+        assert_eq!(found(&[Coat::Outside; 4], [7, 7]).unwrap(), ["one + one"]);
     }
 }

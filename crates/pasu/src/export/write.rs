@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::coats::{Coated, coated, coated_whole, uncoated};
+use super::coats::{Coated, Covering, coated, uncoated};
 use super::contents::{Body, Notes};
 #[cfg(feature = "patchwork")]
 use super::joined::joined;
@@ -228,7 +228,7 @@ fn joined_bodies<'a>(
     let objects: Vec<u32> = made.iter().map(|made| design.parts()[made.mesh.part].object).collect();
     let whole = |index: usize| {
         let mesh = &made[index].mesh;
-        covered(design, title, mesh.part, coated_whole(mesh, design.parts()[mesh.part].look))
+        (body(design, title, mesh), Covering::of(mesh, design.parts()[mesh.part].look))
     };
     joined(bodies, &objects, whole)
 }

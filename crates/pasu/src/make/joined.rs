@@ -5,6 +5,7 @@ use super::made::Finished;
 use super::report::{Finding, Severity, UnionReport};
 use crate::design::Design;
 use crate::error::Error;
+use crate::face::FaceKind;
 use crate::join::{Labelled, union};
 use crate::watch;
 
@@ -37,17 +38,23 @@ pub(super) fn unions(design: &Design, made: &[Finished], refused: &[Finding]) ->
 
 fn one(design: &Design, group: &[&Finished]) -> Result<UnionReport, Box<Finding>> {
     let names: Vec<String> = group.iter().map(|one| called(design, one.mesh.part)).collect();
-    let bodies: Vec<Labelled> = group
-        .iter()
-        .zip(&names)
-        .enumerate()
-        .map(|(index, (one, name))| Labelled {
-            name,
-            positions: &one.mesh.positions,
-            indices: &one.mesh.indices,
-            labels: vec![index as u32; one.mesh.n_triangles()],
-        })
-        .collect();
+    // The labels that a file without colours has.
+    let mut n_faces = 0;
+    let labels = |one: &Finished| -> Vec<u32> {
+        let face = |(_, _, count): &(FaceKind, u32, u32)| {
+            n_faces += 1;
+            vec![n_faces - 1; *count as usize / 3]
+        };
+        one.mesh.faces.iter().flat_map(face).collect()
+    };
+    let labels: Vec<Vec<u32>> = group.iter().copied().map(labels).collect();
+    let bodies = group.iter().zip(&names).zip(labels).map(|((one, name), labels)| Labelled {
+        name,
+        positions: &one.mesh.positions,
+        indices: &one.mesh.indices,
+        labels,
+    });
+    let bodies: Vec<Labelled> = bodies.collect();
     let bodies: Vec<&Labelled> = bodies.iter().collect();
     match union(&bodies) {
         Ok(union) => Ok(UnionReport {
