@@ -309,7 +309,7 @@ test("of parts that cannot be joined the check says so, and no file is offered u
   const join = dialog.getByLabel("Join glued parts into one solid");
   await join.check();
   await dialog.getByText(/cannot be joined with .?Cup.? into one solid/).waitFor();
-  await dialog.getByText("Not as it is", { exact: true }).waitFor();
+  await dialog.locator(".brief", { hasText: "Not as it is" }).waitFor();
   expect(await save.isEnabled()).toBe(false);
   await join.uncheck();
   await expect.poll(() => save.isEnabled()).toBe(true);
