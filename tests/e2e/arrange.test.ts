@@ -297,10 +297,8 @@ test("how many triangles are told of glued parts is told as they are joined", as
 
 test("of parts that cannot be joined the check says so, and no file is offered until they are left apart", async () => {
   const corner = (name: string, scale: readonly number[]) => ({ ...block(name, [0, 0, 0]), place: { scale } });
-  const pot = await scene({
-    pasu: 1,
-    parts: [corner("Cup", [2, 2, 2]), corner("Saucer", [-2, -2, 2])],
-  } as object as typeof SCENE);
+  const across = { pasu: 1, parts: [corner("Cup", [2, 2, 2]), corner("Saucer", [-2, -2, 2])] };
+  const pot = await scene(across);
   await pot.command("Export");
   const dialog = pot.page.locator("pasu-export");
   await dialog.getByLabel("Tolerance").fill("0.5");

@@ -109,6 +109,9 @@ fn smallest(
             vain.insert(pair);
         }
     }
+    if watch::is_stopped() {
+        return None;
+    }
     doubled.or_else(|| {
         let pairs = (0..clusters.len()).flat_map(|one| (one + 1..clusters.len()).map(move |other| (one, other)));
         let (one, other) = pairs

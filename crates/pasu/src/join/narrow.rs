@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use glam::DVec3;
 
+use crate::mesh::height;
 use crate::watch;
 
 /// What is lower than this share of the largest coordinate is narrow: eight steps of single precision.
@@ -14,6 +15,9 @@ const LEAST: f64 = 8.0 * f32::EPSILON as f64;
 
 /// No edge is collapsed that is longer than so many times the least height.
 const REACH: f64 = 8.0;
+
+/// Nor does the surface go further than so many times that height anywhere, all steps together.
+const MOST_DRIFT: f64 = 16.0;
 
 /// Of more triangles round a vertex each step would take as long.
 const MOST_ROUND: usize = 512;
@@ -32,6 +36,8 @@ struct Net<'a> {
     triangles: Vec<[u32; 3]>,
     labels: Vec<u32>,
     is_gone: Vec<bool>,
+    /// How far the points of each triangle have been moved at most.
+    drift: Vec<f64>,
     /// The triangles round each vertex.
     round: Vec<Vec<u32>>,
     least: f64,
@@ -41,8 +47,9 @@ struct Net<'a> {
 struct Step {
     gone: Vec<u32>,
     made: Vec<([u32; 3], u32)>,
-    /// How far it moves a point of the surface at most, about.
+    /// How far it moves a point of the surface at most, and how far those of its triangles have been moved then.
     length: f64,
+    drift: f64,
     n_narrow: usize,
 }
 
@@ -53,8 +60,9 @@ pub(super) fn without_narrow(
     labels: &[u32],
 ) -> Option<(Vec<[u32; 3]>, Vec<u32>)> {
     let most = points.iter().flatten().fold(0.0f64, |most, x| most.max(f64::from(x.abs())));
-    let (triangles, labels, is_gone) = (triangles.to_vec(), labels.to_vec(), vec![false; triangles.len()]);
-    let mut net = Net { points, triangles, labels, is_gone, round: Vec::new(), least: LEAST * most };
+    let (is_gone, drift) = (vec![false; triangles.len()], vec![0.0; triangles.len()]);
+    let (triangles, labels) = (triangles.to_vec(), labels.to_vec());
+    let mut net = Net { points, triangles, labels, is_gone, drift, round: Vec::new(), least: LEAST * most };
     let mut waiting: VecDeque<u32> = (0..net.triangles.len() as u32).filter(|of| net.is_narrow(*of)).collect();
     if waiting.is_empty() {
         return None;
@@ -101,14 +109,9 @@ impl Net<'_> {
         (b - a).cross(c - a)
     }
 
-    fn height(&self, corners: [u32; 3]) -> f64 {
-        let [a, b, c] = corners.map(|vertex| self.place(vertex));
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        if longest > 0.0 { (b - a).cross(c - a).length() / longest } else { 0.0 }
-    }
-
     fn is_low(&self, corners: [u32; 3]) -> bool {
-        !(self.height(corners) >= self.least)
+        let [a, b, c] = corners.map(|vertex| self.place(vertex));
+        !(height(a, b, c) >= self.least)
     }
 
     fn is_narrow(&self, number: u32) -> bool {
@@ -148,24 +151,24 @@ impl Net<'_> {
         let corners = self.triangles[other as usize];
         let d = corners.into_iter().find(|vertex| *vertex != a && *vertex != b)?;
         let label = self.labels[number as usize];
-        if label != self.labels[other as usize] || self.neighbours(c).binary_search(&d).is_ok() {
-            return None;
-        }
         let angle = |at: u32| {
             let [one, other] = [a, b].map(|end| self.place(end) - self.place(at));
             libm::atan2(one.cross(other).length(), one.dot(other))
         };
-        if angle(c) + angle(d) <= PI + FLAT {
+        let is_same_face = label == self.labels[other as usize];
+        if !is_same_face || angle(c) + angle(d) <= PI + FLAT || self.neighbours(c).binary_search(&d).is_ok() {
             return None;
         }
         let normal = (self.normal([a, b, c]) + self.normal(corners)).try_normalize()?;
         let height = |vertex: u32| (self.place(vertex) - self.place(a)).dot(normal).abs();
+        let highest = [b, c, d].map(height).into_iter().fold(0.0, f64::max);
         let halves = [[a, d, c], [d, b, c]];
         let is_turned = |half: &[u32; 3]| !(self.normal(*half).dot(normal) > 0.0);
-        if [b, c, d].into_iter().any(|vertex| height(vertex) > self.least) || halves.iter().any(is_turned) {
+        if highest > self.least || halves.iter().any(is_turned) {
             return None;
         }
-        Some(self.step(vec![number, other], halves.map(|half| (half, label)).into(), 0.0))
+        // Both ways of dividing the four lie within that height on either side of the plane.
+        self.step(vec![number, other], halves.map(|half| (half, label)).into(), 2.0 * highest)
     }
 
     /// The other triangle of an edge.
@@ -210,7 +213,7 @@ impl Net<'_> {
                 made.push((moved, self.labels[*of as usize]));
             }
         }
-        Some(self.step(gone.clone(), made, length))
+        self.step(gone.clone(), made, length)
     }
 
     fn flipped(&self, number: u32, [a, b, c]: [u32; 3]) -> Option<Step> {
@@ -231,15 +234,17 @@ impl Net<'_> {
             return None;
         }
         let label = self.labels[other as usize];
-        Some(self.step(vec![number, other], halves.map(|half| (half, label)).into(), length))
+        self.step(vec![number, other], halves.map(|half| (half, label)).into(), length)
     }
 
-    fn step(&self, gone: Vec<u32>, made: Vec<([u32; 3], u32)>, length: f64) -> Step {
+    /// `None` where the surface would go too far from where it was at first.
+    fn step(&self, gone: Vec<u32>, made: Vec<([u32; 3], u32)>, length: f64) -> Option<Step> {
         let n_narrow = made.iter().filter(|(corners, _)| self.is_low(*corners)).count();
-        Step { gone, made, length, n_narrow }
+        let drift = gone.iter().map(|of| self.drift[*of as usize]).fold(0.0, f64::max) + length;
+        (drift <= MOST_DRIFT * self.least).then_some(Step { gone, made, length, drift, n_narrow })
     }
 
-    fn take(&mut self, Step { gone, made, .. }: Step) {
+    fn take(&mut self, Step { gone, made, drift, .. }: Step) {
         for number in gone {
             self.is_gone[number as usize] = true;
             for corner in self.triangles[number as usize] {
@@ -252,6 +257,54 @@ impl Net<'_> {
             self.triangles.push(corners);
             self.labels.push(label);
             self.is_gone.push(false);
+            self.drift.push(drift);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check;
+
+    /// A flat lid over a base point, closed: a hub, and a rim across from it that is as straight as a file can hold.
+    fn fan(n: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+        let rim = (0..=n)
+            .map(|k| [1.0 + k as f32 / n as f32, if k == 0 { 0.0 } else { 1e-7 * (k * k) as f32 / n as f32 }, 1.0]);
+        let points: Vec<[f32; 3]> =
+            [[0.0, 0.0, 1.0], [1.5, 0.5, 0.0], [1.5, 4.0, 1.0]].into_iter().chain(rim).collect();
+        let mut triangles = vec![];
+        for k in 3..3 + n {
+            triangles.push([0, k, k + 1]);
+            triangles.push([1, k + 1, k]);
+        }
+        let last = 3 + n;
+        triangles.extend([[0, last, 2], [1, 2, last], [1, 3, 0], [1, 0, 2]]);
+        (points, triangles)
+    }
+
+    fn volume(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> f64 {
+        let at = |vertex: u32| DVec3::from_array(points[vertex as usize].map(f64::from));
+        triangles.iter().map(|t| at(t[0]).dot(at(t[1]).cross(at(t[2])))).sum::<f64>() / 6.0
+    }
+
+    #[test]
+    fn a_flat_fan_is_divided_so_that_nothing_of_it_is_narrow() {
+        for n in [2, 7, 40] {
+            let (points, triangles) = fan(n);
+            assert!(check::closed(&triangles, points.len()).is_ok());
+            let labels = vec![0; triangles.len()];
+            let (found, kept) = without_narrow(&points, &triangles, &labels).unwrap();
+            assert_eq!(found.len(), kept.len());
+            assert!(check::closed(&found, points.len()).is_ok(), "{n}");
+            assert_eq!(without_narrow(&points, &found, &kept).map(|_| ()), None, "{n}: {found:?}");
+            assert!((volume(&points, &found) - volume(&points, &triangles)).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn what_has_nothing_narrow_stays() {
+        let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(without_narrow(&points, &[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]], &[0; 4]), None);
     }
 }

@@ -86,7 +86,7 @@ pub(super) fn cleared(placed: &Placed, lines: &[Lines]) -> Option<(Vec<Lines>, f
 }
 
 /// The least height of a triangle.
-pub(super) fn height(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+pub(crate) fn height(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
     (b - a).cross(c - a).length() / libm::sqrt(longest)
 }

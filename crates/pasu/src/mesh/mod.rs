@@ -21,6 +21,8 @@ mod seams;
 mod sewn;
 mod tolerance;
 
+#[cfg(feature = "patchwork")]
+pub(crate) use cleared::height;
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 pub(crate) use grids::Places;
 pub(crate) use patches::{Welded, welded, welded_clear};
