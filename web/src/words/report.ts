@@ -127,7 +127,8 @@ const OWN: Readonly<Record<string, (finding: Finding, unit: Unit, measures: Meas
   "same-place": together,
   "tolerance-too-fine": (finding, unit) => {
     const [bound, asked] = ["bound", "asked"].map((name) => lengthOf(finding, name, unit));
-    return bound && asked ? said.unkept(bound, asked) : null;
+    const say = finding.args.what === "joined-wider" ? said.joinedWider : said.unkept;
+    return bound && asked ? say(bound, asked) : null;
   },
 };
 

@@ -32,6 +32,10 @@ impl Bounded {
         let [a, b, c] = corners.map(Vec3A::from_array);
         Bounded { number, group, low: a.min(b).min(c), high: a.max(b).max(c) }
     }
+
+    pub(super) fn touches(&self, other: &Bounded) -> bool {
+        touch((self.low, self.high), (other.low, other.high))
+    }
 }
 
 /// Boxes round boxes, halved across the longest side until there are few in one. A node is followed by all that is in it.
@@ -170,7 +174,14 @@ impl Boxes {
 
     /// How many triangles there are that are not of its group and whose boxes touch that of this one, itself among them if it is of none.
     pub(super) fn n_beside(&self, one: &Bounded) -> usize {
-        let (mut index, mut n_seen, mut n_found) = (0, 0, 0);
+        let mut n_found = 0;
+        self.each_beside(one, |_| n_found += 1);
+        n_found
+    }
+
+    /// Calls with the number of each of these.
+    pub(super) fn each_beside(&self, one: &Bounded, mut visit: impl FnMut(u32)) {
+        let (mut index, mut n_seen) = (0, 0);
         while let Some(node) = self.nodes.get(index) {
             n_seen += 1;
             let is_apart = one.group.is_some() && one.group == node.group;
@@ -180,11 +191,10 @@ impl Boxes {
             }
             let within = node.triangles().unwrap_or_default();
             let touches = |other: &&Bounded| touch((other.low, other.high), (one.low, one.high));
-            n_found += self.triangles[within].iter().filter(touches).count();
+            self.triangles[within].iter().filter(touches).for_each(|other| visit(other.number));
             index += 1;
         }
         watch::work(n_seen);
-        n_found
     }
 }
 

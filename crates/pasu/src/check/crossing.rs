@@ -46,6 +46,37 @@ pub(crate) fn crossings_soon(
     search(positions, triangles, group, Limits { most, enough, most_pairs })
 }
 
+/// A triangle that is held against others.
+pub(crate) struct Against<'a> {
+    positions: &'a [Point],
+    triangle: [u32; 3],
+    at: [Point; 3],
+    plane: Plane,
+    bounded: Bounded,
+}
+
+impl<'a> Against<'a> {
+    pub(crate) fn of(positions: &'a [Point], triangle: [u32; 3]) -> Self {
+        let at = triangle.map(|vertex| positions[vertex as usize]);
+        Against { positions, triangle, at, plane: Plane::of(&at), bounded: Bounded::of(0, None, at) }
+    }
+
+    /// Whether another has more in common with it than vertices and edges that they share.
+    pub(crate) fn crosses(&self, other: [u32; 3]) -> bool {
+        let at = other.map(|vertex| self.positions[vertex as usize]);
+        if !Bounded::of(1, None, at).touches(&self.bounded) {
+            return false;
+        }
+        let face = Face { at: self.at, plane: &self.plane };
+        // Most lie on one side.
+        let [a, b, c] = at.map(|corner| face.volume(corner));
+        if a > 0.0 && b > 0.0 && c > 0.0 || a < 0.0 && b < 0.0 && c < 0.0 {
+            return false;
+        }
+        cross(&self.triangle, &other, &face, &Face { at, plane: &Plane::of(&at) })
+    }
+}
+
 /// How many crossings are told, with how many found the search ends, and how many pairs are looked at.
 struct Limits {
     most: usize,

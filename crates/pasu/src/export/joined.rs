@@ -13,7 +13,7 @@ use crate::watch;
 /// The longest name that is put together of those of all parts.
 const LONGEST: usize = 120;
 
-/// The bodies with those of one object joined into one, in the order of the first of each; `objects` has the object of each body. `whole` has each body with no triangle divided along a glaze line, and what covers it:
+/// The bodies with those of one object joined into one, in the order of the first of each; `objects` has the object of each body, `tolerance` what their triangles keep, in millimetres. `whole` has each body with no triangle divided along a glaze line, and what covers it:
 /// the very triangles that the checks have joined, which are taken where the others cannot be joined.
 ///
 /// # Errors
@@ -21,6 +21,7 @@ const LONGEST: usize = 120;
 pub(super) fn joined<'a>(
     bodies: Vec<Body<'a>>,
     objects: &[u32],
+    tolerance: Option<f64>,
     whole: impl Fn(usize) -> (Body<'a>, Covering),
 ) -> Result<Vec<Body<'a>>> {
     let mut groups: Vec<(u32, Vec<(usize, Body<'a>)>)> = Vec::new();
@@ -37,12 +38,14 @@ pub(super) fn joined<'a>(
             if bodies.len() == 1 {
                 return Ok(bodies.remove(0));
             }
-            one_of(&bodies, |_, origin| origin.look).or_else(|error| {
+            one_of(&bodies, tolerance, |_, origin| origin.look).or_else(|error| {
                 if bodies.iter().all(|body| body.coats.is_empty()) {
                     return Err(error);
                 }
                 let (wholes, coverings): (Vec<Body>, Vec<Covering>) = indices.into_iter().map(&whole).unzip();
-                one_of(&wholes, |heights, origin| coverings[origin.body].at(origin.kind, heights).of(origin.look))
+                one_of(&wholes, tolerance, |heights, origin| {
+                    coverings[origin.body].at(origin.kind, heights).of(origin.look)
+                })
             })
         })
     };
@@ -58,11 +61,11 @@ struct Origin {
 }
 
 /// The union of bodies; `look` says how a triangle looks whose corners are at these heights.
-fn one_of(bodies: &[Body], look: impl Fn([f32; 3], &Origin) -> Look) -> Result<Body<'static>> {
+fn one_of(bodies: &[Body], tolerance: Option<f64>, look: impl Fn([f32; 3], &Origin) -> Look) -> Result<Body<'static>> {
     let mut origins: Vec<Origin> = Vec::new();
     let labelled: Vec<Labelled> =
         bodies.iter().enumerate().map(|(index, body)| labelled(index, body, &mut origins)).collect();
-    let Union { points, triangles, labels, .. } = union(&labelled.iter().collect::<Vec<_>>())?;
+    let Union { points, triangles, labels, .. } = union(&labelled.iter().collect::<Vec<_>>(), tolerance)?;
     let mut faces: Vec<(FaceKind, usize, usize)> = Vec::new();
     let mut last = None;
     for (place, label) in labels.iter().enumerate() {
@@ -154,7 +157,7 @@ mod tests {
         let whole =
             |index: usize| (if index == 0 { tetrahedron([-1.0; 3], [6.0; 3]) } else { across() }, Covering::default());
         let found = |coats: &[Coat], objects: [u32; 2]| {
-            joined(bodies(coats), &objects, whole)
+            joined(bodies(coats), &objects, None, whole)
                 .map(|bodies| bodies.into_iter().map(|body| body.name).collect::<Vec<_>>())
         };
         assert_eq!(found(&[], [7, 7]).unwrap_err().arg("what"), Some(&"pinched-joint".into()));

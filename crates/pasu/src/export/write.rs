@@ -107,7 +107,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| coated_body(design, &notes.title, &made.mesh, format)).collect();
-    let bodies = if making.union { joined_bodies(design, &notes.title, &made, bodies)? } else { bodies };
+    let bodies = if making.union { joined_bodies(design, &notes, &made, bodies)? } else { bodies };
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -221,7 +221,7 @@ fn refuse_union(format: Format) -> Result<()> {
 #[cfg(feature = "patchwork")]
 fn joined_bodies<'a>(
     design: &Design,
-    title: &str,
+    Notes { title, making, millimetres, .. }: &Notes,
     made: &'a [Finished],
     bodies: Vec<Body<'a>>,
 ) -> Result<Vec<Body<'a>>> {
@@ -230,12 +230,12 @@ fn joined_bodies<'a>(
         let mesh = &made[index].mesh;
         (body(design, title, mesh), Covering::of(mesh, design.parts()[mesh.part].look))
     };
-    joined(bodies, &objects, whole)
+    joined(bodies, &objects, making.tolerance.map(|tolerance| tolerance * millimetres), whole)
 }
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined_bodies<'a>(_: &Design, _: &str, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+fn joined_bodies<'a>(_: &Design, _: &Notes, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
     let message = "what joins parts is left out of this build: it takes the feature patchwork";
     Err(Error::new(Code::UnsupportedShape, "union", message).with("what", "left-out"))
 }

@@ -8,6 +8,11 @@ pub(super) fn bounds(positions: &[f32]) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
 }
 
+/// Whether boxes have a point in common.
+pub(super) fn touch([low, high]: [DVec3; 2], [other_low, other_high]: [DVec3; 2]) -> bool {
+    (high.min(other_high) - low.max(other_low)).min_element() >= 0.0
+}
+
 /// Whether boxes have a face or a volume in common, and not an edge or a point alone.
 pub(super) fn meet([low, high]: [DVec3; 2], [other_low, other_high]: [DVec3; 2]) -> bool {
     let common = high.min(other_high) - low.max(other_low);

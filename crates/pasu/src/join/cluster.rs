@@ -26,11 +26,10 @@ struct Cluster {
 }
 
 impl Cluster {
-    fn of(number: usize, body: &Labelled, near: f64) -> Option<Cluster> {
-        let positions: Vec<f64> = body.positions.iter().map(|x| f64::from(*x)).collect();
+    fn of(number: usize, body: &Labelled, positions: &[f64], near: f64) -> Option<Cluster> {
         let indices: Vec<usize> = body.indices.iter().map(|vertex| *vertex as usize).collect();
         let labels: Vec<f64> = body.labels.iter().flat_map(|label| [f64::from(*label); 3]).collect();
-        let mut solid = Manifold::new_with_values(&positions, &indices, &labels).ok()?;
+        let mut solid = Manifold::new_with_values(positions, &indices, &labels).ok()?;
         solid.eps = solid.eps.max(near * solid.bb.scale());
         let whole = bounds(body.positions);
         Some(Cluster { number, solid, boxes: vec![whole], whole, n_double: 0 })
@@ -65,11 +64,12 @@ fn n_double(solid: &Manifold) -> usize {
     corners.array_windows().filter(|[one, next]| one == next).count()
 }
 
-/// The union of all, and how many corners of it are where another one is; `None` where there is none.
+/// The union of all with their corners at these positions, and how many corners of it are where another one is; `None` where there is none.
 ///
 /// Bodies that touch along an edge alone have no union that is like a surface there: it has that edge twice, also when a third body fills the gap. So it goes from two that meet in more than that to two, the smallest first, and what has such an edge is made of others as long as there are any.
-pub(super) fn united(bodies: &[&Labelled], near: f64) -> Result<Option<(Manifold, usize)>> {
-    let all = bodies.iter().enumerate().map(|(number, body)| Cluster::of(number, body, near));
+pub(super) fn united(bodies: &[&Labelled], positions: &[Vec<f64>], near: f64) -> Result<Option<(Manifold, usize)>> {
+    let all = bodies.iter().zip(positions).enumerate();
+    let all = all.map(|(number, (body, positions))| Cluster::of(number, body, positions, near));
     let Some(mut clusters) = all.collect::<Option<Vec<_>>>() else { return Ok(None) };
     let mut vain: BTreeSet<[usize; 2]> = BTreeSet::new();
     for step in 1..bodies.len() {

@@ -4,6 +4,9 @@ mod boxes;
 mod cluster;
 mod labelled;
 mod narrow;
+mod net;
+mod swollen;
+mod uncrossed;
 mod union;
 
 pub(crate) use labelled::Labelled;

@@ -4,21 +4,31 @@
 
 use boolmesh::prelude::Manifold;
 
+use super::boxes::bounds;
 use super::cluster::united;
 use super::labelled::Labelled;
-use super::narrow::without_narrow;
+use super::net::Net;
+use super::swollen::{Swollen, swollen};
 use crate::check::{self, Topology};
 use crate::error::{Code, Error, Result};
+use crate::mesh::DEFAULT_FINENESS;
 use crate::watch;
 
 /// The most triangles of all bodies that are joined.
 const MOST_TRIANGLES: usize = 2_000_000;
 
-/// Corners nearer to each other than this share of the size are drawn together, in turn, until what is left survives rounding to seven digits.
-const NEAR: [f64; 3] = [1e-12, 2e-7, 2e-6];
+/// How a union is tried, in turn, until what is left survives rounding to seven digits: corners nearer to each other than the first share of the size are drawn together, and bodies are wider than they are by multiples of the second share of their largest coordinate.
+const ATTEMPTS: [[f64; 2]; 7] =
+    [[1e-12, 0.0], [2e-7, 0.0], [1e-12, 4e-6], [2e-7, 2e-6], [2e-7, 8e-6], [1e-12, 1.6e-5], [2e-6, 0.0]];
 
 /// How far the volume of a union may lie outside what those of its bodies allow, as a share of these.
 const SLACK: f64 = 1e-5;
+
+/// No point is moved by more than this share of the tolerance.
+const MOST_MOVED: f64 = 0.5;
+
+/// How far the volume of a union of bodies that are wider may lie from that of these as they are, as a share of it.
+const MOST_WIDER: f64 = 1e-4;
 
 /// Of so many bodies that cannot be joined the names are told.
 const MOST_NAMES: usize = 3;
@@ -30,13 +40,41 @@ pub(crate) struct Union {
     /// What each triangle was labelled, in rising order.
     pub(crate) labels: Vec<u32>,
     pub(crate) topology: Topology,
+    /// No point is further from the surfaces of the bodies.
+    pub(crate) moved: f64,
 }
 
-/// The union of bodies.
+/// What a union has to be like.
+#[derive(Clone, Copy)]
+struct Kind {
+    topology: Topology,
+    volume: f64,
+}
+
+impl Kind {
+    /// What triangles are like that close, whether they cross or not.
+    fn of(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> Option<Kind> {
+        let topology = check::closed(triangles, points.len()).ok()?;
+        Some(Kind { topology, volume: volume_within(points, triangles) })
+    }
+
+    fn is_about_as_large_as(&self, other: &Kind) -> bool {
+        (self.volume - other.volume).abs() <= MOST_WIDER * other.volume
+    }
+}
+
+/// Triangles of a union in the numbers of a file, before anything is known of them.
+struct Soup {
+    points: Vec<[f32; 3]>,
+    triangles: Vec<[u32; 3]>,
+    labels: Vec<u32>,
+}
+
+/// The union of bodies whose triangles keep a tolerance, in their own unit; a share of the largest body when left out. Where their surfaces cannot be told apart as they are, bodies are joined that are wider by half of that at most, if this gives as many solids with as many handles.
 ///
 /// # Errors
 /// `crosses-itself` at `union` where none passes the checks of a file, `too-large`.
-pub(crate) fn union(bodies: &[&Labelled]) -> Result<Union> {
+pub(crate) fn union(bodies: &[&Labelled], tolerance: Option<f64>) -> Result<Union> {
     let n_triangles = bodies.iter().map(|body| body.indices.len() / 3).sum::<usize>();
     if n_triangles > MOST_TRIANGLES {
         let message = format!(
@@ -45,22 +83,45 @@ pub(crate) fn union(bodies: &[&Labelled]) -> Result<Union> {
         let error = Error::new(Code::TooLarge, "tolerance", message).with("greatest", MOST_TRIANGLES);
         return Err(error.with("found", n_triangles));
     }
-    let mut is_pinched = false;
-    for (index, near) in NEAR.into_iter().enumerate() {
+    let largest = bodies.iter().flat_map(|body| body.positions).fold(0.0f32, |most, x| most.max(x.abs()));
+    let usual = || DEFAULT_FINENESS * bodies.iter().map(|body| size(body.positions)).fold(0.0, f64::max);
+    let most_moved = MOST_MOVED * tolerance.unwrap_or_else(usual);
+    // Of bodies as they are, whether their triangles cross or not.
+    let mut kinds: Vec<Kind> = Vec::new();
+    // Corners or edges that are there twice may be where bodies touch in no more than that. What hangs together only when it is wider does.
+    let mut is_double = false;
+    let mut is_pinched = None;
+    for (index, [near, step]) in ATTEMPTS.into_iter().enumerate() {
         watch::go_on()?;
-        let found = watch::share(index, NEAR.len(), || united(bodies, near))?;
-        if let Some((solid, n_double)) = found {
-            if let Some(union) = sound(&solid, bodies) {
-                return Ok(union);
-            }
-            // Of more bodies nobody knows which of them that is.
-            is_pinched |= bodies.len() == 2 && index == 0 && n_double > 0;
+        let is_wider = step > 0.0;
+        let Swollen { positions, moved } = swollen(bodies, step * f64::from(largest));
+        if is_wider && (moved > most_moved || kinds.is_empty() || is_pinched == Some(true)) {
+            continue;
+        }
+        let found = watch::share(index, ATTEMPTS.len(), || united(bodies, &positions, near))?;
+        let Some((solid, n_double)) = found else { continue };
+        let Some(soup) = Soup::of(&solid, bodies) else { continue };
+        if !is_wider {
+            let kind = Kind::of(&soup.points, &soup.triangles);
+            is_double |= kind.is_none() || bodies.len() == 2 && index == 0 && n_double > 0;
+            kinds.extend(kind);
+        }
+        let is_right = |union: &Union| is_wider || is_volume_of(&union.points, &union.triangles, bodies);
+        let Some(union) = sound(&soup, is_right) else { continue };
+        if !is_wider {
+            return Ok(Union { moved, ..union });
+        }
+        let alike: Vec<&Kind> = kinds.iter().filter(|kind| kind.topology == union.topology).collect();
+        is_pinched = Some(alike.is_empty());
+        let own = Kind::of(&union.points, &union.triangles);
+        if own.is_some_and(|own| alike.iter().any(|kind| own.is_about_as_large_as(kind))) {
+            return Ok(Union { moved, ..union });
         }
     }
     let names: Vec<&str> = bodies.iter().map(|body| body.name).take(MOST_NAMES).collect();
     let names = names.join(", ");
     let refused = |message: String| Error::new(Code::CrossesItself, "union", message);
-    if is_pinched {
+    if is_pinched.unwrap_or(is_double) {
         let message = format!(
             "these parts cannot be joined into one solid, which would be pinched where they touch along an edge or at a point alone: {names}; expected parts that meet in a face or run into each other, or to be written as they are"
         );
@@ -72,30 +133,41 @@ pub(crate) fn union(bodies: &[&Labelled]) -> Result<Union> {
     Err(refused(message).with("what", "not-joined"))
 }
 
-/// What is written of a union, if it passes what every body has to as it is, or without triangles that are too narrow.
-fn sound(union: &Manifold, bodies: &[&Labelled]) -> Option<Union> {
-    let most = bodies.iter().flat_map(|body| &body.labels).copied().max()?;
-    let corner = |half: usize| union.hs.get(half).map(|half| half.tail as u32);
-    let (mut triangles, mut labels) = (Vec::new(), Vec::new());
-    for triangle in 0..union.hs.len() / 3 {
-        let [a, b, c] =
-            [0, 1, 2].map(|k| corner(3 * triangle + k).filter(|vertex| (*vertex as usize) < union.ps.len()));
-        let label = union.vals.get(3 * triangle).map(|label| libm::round(*label))?;
-        if !(0.0..=f64::from(most)).contains(&label) {
-            return None;
+impl Soup {
+    fn of(union: &Manifold, bodies: &[&Labelled]) -> Option<Soup> {
+        let most = bodies.iter().flat_map(|body| &body.labels).copied().max()?;
+        let corner = |half: usize| union.hs.get(half).map(|half| half.tail as u32);
+        let (mut triangles, mut labels) = (Vec::new(), Vec::new());
+        for triangle in 0..union.hs.len() / 3 {
+            let [a, b, c] =
+                [0, 1, 2].map(|k| corner(3 * triangle + k).filter(|vertex| (*vertex as usize) < union.ps.len()));
+            let label = union.vals.get(3 * triangle).map(|label| libm::round(*label))?;
+            if !(0.0..=f64::from(most)).contains(&label) {
+                return None;
+            }
+            triangles.push([a?, b?, c?]);
+            labels.push(label as u32);
         }
-        triangles.push([a?, b?, c?]);
-        labels.push(label as u32);
+        let points = union.ps.iter().map(|point| point.to_array().map(|x| x as f32)).collect();
+        Some(Soup { points, triangles, labels })
     }
-    let points: Vec<[f32; 3]> = union.ps.iter().map(|point| point.to_array().map(|x| x as f32)).collect();
-    written(&points, &triangles, &labels, bodies).or_else(|| {
-        let (triangles, labels) = without_narrow(&points, &triangles, &labels)?;
-        written(&points, &triangles, &labels, bodies)
+}
+
+/// What is written of a union, if it passes what every body has to as it is, or without triangles that are too narrow, or mended where it crosses itself.
+fn sound(Soup { points, triangles, labels }: &Soup, is_right: impl Fn(&Union) -> bool) -> Option<Union> {
+    written(points, triangles, labels).filter(&is_right).or_else(|| {
+        let mut net = Net::of(points, triangles, labels);
+        let mended = |net: &Net| {
+            let (triangles, labels) = net.kept().into_iter().map(|of| net.labelled(of)).unzip::<_, _, Vec<_>, Vec<_>>();
+            written(points, &triangles, &labels).filter(&is_right)
+        };
+        let widened = net.widen().then(|| mended(&net)).flatten();
+        widened.or_else(|| net.uncross().then(|| mended(&net)).flatten())
     })
 }
 
 /// Triangles in the order of their labels, and points in the order in which they come then, if they pass.
-fn written(points: &[[f32; 3]], triangles: &[[u32; 3]], labels: &[u32], bodies: &[&Labelled]) -> Option<Union> {
+fn written(points: &[[f32; 3]], triangles: &[[u32; 3]], labels: &[u32]) -> Option<Union> {
     let mut order: Vec<usize> = (0..triangles.len()).collect();
     order.sort_by_key(|number| labels[*number]);
     let mut number = vec![u32::MAX; points.len()];
@@ -112,8 +184,7 @@ fn written(points: &[[f32; 3]], triangles: &[[u32; 3]], labels: &[u32], bodies: 
     }
     let topology = passes(&kept, &renumbered)?;
     let labels = order.into_iter().map(|triangle| labels[triangle]).collect();
-    let is_sound = is_volume_of(&kept, &renumbered, bodies);
-    is_sound.then_some(Union { points: kept, triangles: renumbered, labels, topology })
+    Some(Union { points: kept, triangles: renumbered, labels, topology, moved: 0.0 })
 }
 
 /// Closed, without triangles that cross or have no area, on the very numbers of the file.
@@ -128,14 +199,29 @@ fn passes(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> Option<Topology> {
 
 /// Whether a union is no less than the largest of its bodies, and no more than all of them.
 fn is_volume_of(points: &[[f32; 3]], triangles: &[[u32; 3]], bodies: &[&Labelled]) -> bool {
-    let origin = points.first().map_or([0.0; 3], |point| point.map(f64::from));
-    let own = volume(triangles.iter().map(|t| t.map(|vertex| points[vertex as usize].map(f64::from))), origin);
+    let (origin, own) = (origin(points), volume_within(points, triangles));
     let volumes = bodies.iter().map(|body| {
         let point = |vertex: u32| [0, 1, 2].map(|axis| f64::from(body.positions[3 * vertex as usize + axis]));
         volume(body.indices.chunks_exact(3).map(|t| [point(t[0]), point(t[1]), point(t[2])]), origin)
     });
     let (most, all) = volumes.fold((0.0f64, 0.0), |(most, all), volume| (most.max(volume), all + volume));
     (most - SLACK * all..=all + SLACK * all).contains(&own)
+}
+
+/// The longest side of the box round points.
+fn size(positions: &[f32]) -> f64 {
+    let [low, high] = bounds(positions);
+    (high - low).max_element()
+}
+
+/// Volumes are summed up from there.
+fn origin(points: &[[f32; 3]]) -> [f64; 3] {
+    points.first().map_or([0.0; 3], |point| point.map(f64::from))
+}
+
+/// Six times the volume within triangles of these points.
+fn volume_within(points: &[[f32; 3]], triangles: &[[u32; 3]]) -> f64 {
+    volume(triangles.iter().map(|t| t.map(|vertex| points[vertex as usize].map(f64::from))), origin(points))
 }
 
 /// Six times the volume within triangles.

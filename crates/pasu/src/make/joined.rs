@@ -2,15 +2,25 @@
 
 use super::called::called;
 use super::made::Finished;
+use super::making::Making;
 use super::report::{Finding, Severity, UnionReport};
 use crate::design::Design;
-use crate::error::Error;
+use crate::error::{Args, Code, Error};
 use crate::face::FaceKind;
 use crate::join::{Labelled, union};
+use crate::solid::short;
 use crate::watch;
 
 /// What comes of the parts of every object of which several were made, in the order in which a file has them; nothing of one of which a part is refused.
-pub(super) fn unions(design: &Design, made: &[Finished], refused: &[Finding]) -> (Vec<UnionReport>, Vec<Finding>) {
+///
+/// `scale` is from model units to millimetres.
+pub(super) fn unions(
+    design: &Design,
+    made: &[Finished],
+    refused: &[Finding],
+    making: &Making,
+    scale: f64,
+) -> (Vec<UnionReport>, Vec<Finding>) {
     let object_of = |part: usize| design.parts().get(part).map(|part| part.object);
     let is_refused = |object: u32| {
         refused.iter().any(|found| found.severity == Severity::Error && object_of(found.part) == Some(object))
@@ -28,15 +38,23 @@ pub(super) fn unions(design: &Design, made: &[Finished], refused: &[Finding]) ->
     let (mut reports, mut findings) = (Vec::new(), Vec::new());
     let n_groups = groups.len();
     for (index, (_, group)) in groups.into_iter().enumerate() {
-        match watch::share(index, n_groups, || one(design, &group)) {
-            Ok(report) => reports.push(report),
+        match watch::share(index, n_groups, || one(design, &group, making, scale)) {
+            Ok((report, unkept)) => {
+                reports.push(report);
+                findings.extend(unkept);
+            }
             Err(finding) => findings.push(*finding),
         }
     }
     (reports, findings)
 }
 
-fn one(design: &Design, group: &[&Finished]) -> Result<UnionReport, Box<Finding>> {
+fn one(
+    design: &Design,
+    group: &[&Finished],
+    making: &Making,
+    scale: f64,
+) -> Result<(UnionReport, Option<Finding>), Box<Finding>> {
     let names: Vec<String> = group.iter().map(|one| called(design, one.mesh.part)).collect();
     // The labels that a file without colours has.
     let mut n_faces = 0;
@@ -56,16 +74,35 @@ fn one(design: &Design, group: &[&Finished]) -> Result<UnionReport, Box<Finding>
     });
     let bodies: Vec<Labelled> = bodies.collect();
     let bodies: Vec<&Labelled> = bodies.iter().collect();
-    match union(&bodies) {
-        Ok(union) => Ok(UnionReport {
-            parts: group.iter().map(|one| one.mesh.part).collect(),
-            vertices: union.points.len(),
-            triangles: union.triangles.len(),
-            bodies: union.topology.n_components,
-            genus: union.topology.genus(),
-        }),
+    match union(&bodies, making.tolerance.map(|tolerance| tolerance * scale)) {
+        Ok(union) => {
+            let report = UnionReport {
+                parts: group.iter().map(|one| one.mesh.part).collect(),
+                vertices: union.points.len(),
+                triangles: union.triangles.len(),
+                bodies: union.topology.n_components,
+                genus: union.topology.genus(),
+                bound: group.iter().map(|one| one.mesh.bound).fold(0.0, f64::max) + union.moved / scale,
+            };
+            let asked = making.tolerance.filter(|asked| union.moved > 0.0 && report.bound > *asked);
+            let unkept = asked.map(|asked| wider(&report, asked));
+            Ok((report, unkept))
+        }
         Err(error) => Err(Box::new(refused(group, &error))),
     }
+}
+
+/// A tolerance that only parts apart keep is told.
+fn wider(union: &UnionReport, asked: f64) -> Finding {
+    let message = format!(
+        "joined, the triangles come within {} of these parts, not within {} as asked for: where their surfaces all but coincide they are joined a little wider than they are",
+        short(union.bound),
+        short(asked)
+    );
+    let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
+    let args = Args::from([("what", "joined-wider".into()), ("bound", union.bound.into()), ("asked", asked.into())]);
+    let part = union.parts.iter().copied().min().unwrap_or(0);
+    Finding { code, severity, part, path, message, args, at: None, remedy: None }
 }
 
 /// What is told of parts that cannot be joined; of two it is the later one that cannot be joined with the other.

@@ -21,10 +21,11 @@ mod seams;
 mod sewn;
 mod tolerance;
 
-#[cfg(feature = "patchwork")]
 pub(crate) use cleared::height;
 pub use contract::{Mesh, MeshOptions, VERTEX_LIMIT};
 pub(crate) use grids::Places;
 pub(crate) use patches::{Welded, welded, welded_clear};
 pub use sample::{Sampler, bound, mesh};
 pub(crate) use sample::{exact_mesh, grid_places, places};
+#[cfg(feature = "patchwork")]
+pub(crate) use tolerance::DEFAULT_FINENESS;

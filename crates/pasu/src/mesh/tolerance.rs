@@ -10,7 +10,7 @@ use crate::error::{Code, Error, Result};
 use crate::numeric::bisection;
 
 /// Without rows, columns or tolerance a part is sampled to this fraction of its size.
-pub(super) const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
+pub(crate) const DEFAULT_FINENESS: f64 = 1.0 / 2000.0;
 
 /// The fewest cells along the profile.
 const LEAST_ALONG: f64 = 1.0;

@@ -293,9 +293,13 @@ fn the_octants_of_a_superellipsoid_are_one_solid() {
         let x: f64 = dice.number();
         (100.0 * low * (high / low).powf(0.5 + 0.5 * x)).round() / 100.0
     };
-    let mut bodies: Vec<([f64; 3], [f64; 3], f64)> =
-        vec![([4.0, 4.0, 2.0], [8.0, 8.0, 3.0], 0.02), ([13.13, 2.37, 1.11], [0.81, 1.76, 1.22], 0.002)];
-    while bodies.len() < 14 {
+    let mut bodies: Vec<([f64; 3], [f64; 3], f64)> = vec![
+        ([4.0, 4.0, 2.0], [8.0, 8.0, 3.0], 0.02),
+        ([13.13, 2.37, 1.11], [0.81, 1.76, 1.22], 0.002),
+        // A tip as thin as a blade, where octants differ in the seventh digit.
+        ([17.41, 0.5, 2.81], [0.67, 2.86, 1.56], 0.03),
+    ];
+    while bodies.len() < 15 {
         bodies.push(([(); 3].map(|()| number(0.5, 20.0)), [(); 3].map(|()| number(0.5, 3.0)), number(0.005, 0.05)));
     }
     let mut n_refused = 0;
@@ -315,22 +319,127 @@ fn the_octants_of_a_superellipsoid_are_one_solid() {
         let apart = write(&design, Format::Stl, &Making { union: false, ..making }).unwrap();
         let expected = volume_of(&apart);
         assert_eq!(n_bodies, 1);
-        assert!((volume - expected).abs() < 1e-5 * expected, "{volume} {expected}: {exponents:?} {scale:?}");
+        // Of octants that had to be a little wider it is as near as of any.
+        let most = if union.bound > report.meshes[0].bound { 1e-4 } else { 1e-5 };
+        assert!((volume - expected).abs() < most * expected, "{volume} {expected}: {exponents:?} {scale:?}");
     }
     assert!(n_refused <= 1, "{n_refused} refused");
 }
 
-/// A tip as thin as a blade, of eight: where the octants meet there they differ in the seventh digit.
+/// The widget of the gallery, after ASB88: of each of its octants the exponents, the axis of its turn, the angle, the scale and the shift.
+const WIDGET: &str = "[
+    [[0.5645, 0.5645, 50], [1, 0, 0], 1.5707963267948966, [1.6, 1.6, 2], [-1.6, 1, 6.6]],
+    [[0.5645, 0.5645, 50], [-0.57735026919, 0.57735026919, -0.57735026919], -2.0943951023931953, [1.6, 1.6, 2], [1.6, 1, 6.6]],
+    [[0.5645, 0.5645, 50], [0, 0.707106781187, -0.707106781187], -3.141592653589793, [1.6, 1.6, 2], [1.6, 1, 9.8]],
+    [[0.5645, 0.5645, 50], [0.57735026919, 0.57735026919, -0.57735026919], 2.0943951023931957, [1.6, 1.6, 2], [-1.6, 1, 9.8]],
+    [[2, 1, 50], [1, 0, 0], 1.5707963267948966, [1.6, 0.662741699797, 2], [0, 1, 9.8]],
+    [[2, 1, 50], [0, 0.707106781187, -0.707106781187], -3.141592653589793, [1.6, -0.662741699797, 2], [0, 1, 9.8]],
+    [[2, 1, 50], [-0.57735026919, 0.57735026919, -0.57735026919], -2.0943951023931953, [1.6, 0.662741699797, 2], [-1.6, 1, 8.2]],
+    [[2, 1, 50], [0.57735026919, 0.57735026919, -0.57735026919], 2.0943951023931957, [1.6, -0.662741699797, 2], [-1.6, 1, 8.2]],
+    [[2, 1, 50], [0, 0.707106781187, -0.707106781187], -3.141592653589793, [1.6, 0.662741699797, 2], [0, 1, 6.6]],
+    [[2, 1, 50], [1, 0, 0], 1.5707963267948966, [1.6, -0.662741699797, 2], [0, 1, 6.6]],
+    [[2, 1, 50], [0.57735026919, 0.57735026919, -0.57735026919], 2.0943951023931957, [1.6, 0.662741699797, 2], [1.6, 1, 8.2]],
+    [[2, 1, 50], [-0.57735026919, 0.57735026919, -0.57735026919], -2.0943951023931953, [1.6, -0.662741699797, 2], [1.6, 1, 8.2]],
+    [[50, 50, 50], [0, 0, 1], 0, [7.2, 6.4, 1.4], [-3.2, -3.2, 0]],
+    [[50, 50, 50], [0, 0, 1], 0, [1.6, 6.4, 1.4], [7.2, -3.2, 0]],
+    [[50, 50, 50], [0, 0, 1], 0, [3.2, 1.6, 1.4], [4.0, -3.2, 0]],
+    [[50, 50, 50], [0, 0, 1], 0, [3.2, 1.6, 1.4], [4.0, 1.6, 0]],
+    [[0.5645, 0.5645, 50], [0, 0, 1], 0, [1.6, 1.6, 1.4], [4, -1.6, 0]],
+    [[0.5645, 0.5645, 50], [0, 0, 1], 1.5707963267948966, [1.6, 1.6, 1.4], [7.2, -1.6, 0]],
+    [[0.5645, 0.5645, 50], [0, 0, 1], -3.141592653589793, [1.6, 1.6, 1.4], [7.2, 1.6, 0]],
+    [[0.5645, 0.5645, 50], [0, 0, 1], -1.5707963267948968, [1.6, 1.6, 1.4], [4, 1.6, 0]],
+    [[50, 50, 50], [0, 0, 1], 0, [2.4, 1.4, 5.2], [-1.2, -0.7, 1.4]],
+    [[1, 50, 1], [0, 0, 1], 0, [1.7, 1.4, 3], [1.2, -0.7, 1.4]],
+    [[1, 50, 1], [0, 0, 1], -3.141592653589793, [1.7, 1.4, 3], [-1.2, 0.7, 1.4]]
+]";
+
+fn widget() -> Design {
+    let octant = |[exponents, axis, angle, scale, shift]: &[Value; 5]| {
+        json!({ "shape": { "kind": "octant", "exponents": exponents },
+            "place": { "axis": axis, "angle": angle, "scale": scale, "shift": shift } })
+    };
+    let octants: Vec<[Value; 5]> = serde_json::from_str(WIDGET).unwrap();
+    scene(&octants.iter().map(octant).collect::<Vec<Value>>())
+}
+
+/// Faces of octants of exponent 50 lie within millionths of a millimetre of those of others: joined as they are, what is left of them crosses in the numbers of a file.
+#[test]
+fn octants_whose_faces_all_but_coincide_are_joined_a_little_wider() {
+    let design = widget();
+    for tolerance in [0.5, 0.2] {
+        let making = Making { tolerance: Some(tolerance), ..making() };
+        let report = check(&design, &making).unwrap();
+        let [union] = &report.unions[..] else { panic!("{report:?}") };
+        let file = write(&design, Format::Stl, &making).unwrap();
+        let (volume, n_bodies) = solid_of(&file);
+        assert_eq!((n_bodies, union.bodies, (file.len() - 84) / 50), (1, 1, union.triangles));
+        // Two bores, and the window under the arm.
+        assert_eq!(union.genus, 3);
+        // The block runs into the two halves of the cap below the eye, from x = -1.2 to 1.2 and over 1.4 of the y between.
+        let common = 2.0 * 0.662_741_699_8 * ((1.2 - 1.2f64.powi(3) / (3.0 * 1.6 * 1.6)) * 1.4 - 1.18e-5);
+        let apart = volume_of(&write(&design, Format::Stl, &Making { union: false, ..making }).unwrap());
+        let most = 1e-4 * apart + 0.2 * tolerance;
+        assert!((apart - common - volume).abs() < most, "{volume} {apart} {common}");
+        let of_parts = report.meshes.iter().map(|mesh| mesh.bound).fold(0.0, f64::max);
+        assert!(union.bound >= of_parts && union.bound <= of_parts + 0.5 * tolerance, "{} {of_parts}", union.bound);
+        // What is asked for is kept, or it is told that it is not.
+        let wider: Vec<_> = report.findings.iter().filter(|found| found.args.contains_key("bound")).collect();
+        assert_eq!(wider.len(), usize::from(union.bound > tolerance));
+        assert!(wider.iter().all(|found| found.args.get("what") == Some(&"joined-wider".into())));
+    }
+}
+
+/// Octants with corners on a grid: faces in one plane, edges in faces, corners in corners.
+#[test]
+fn octants_on_a_grid_are_joined_unless_they_touch_along_an_edge_or_at_a_point_alone() {
+    let mut dice = Dice(6);
+    let (mut n_joined, mut n_pinched) = (0, 0);
+    for round in 0..24 {
+        let exponents = [0.5, 1.0, 2.0, 5.0, 20.0, 50.0];
+        let octant = |dice: &mut Dice| {
+            let exponents = [(); 3].map(|()| exponents[below(dice, exponents.len())]);
+            let scale = [(); 3].map(|()| (1 + below(dice, 3)) as f64 * if below(dice, 2) == 0 { 1.0 } else { -1.0 });
+            let shift = [(); 3].map(|()| below(dice, 4) as f64 - 1.0);
+            json!({ "shape": { "kind": "octant", "exponents": exponents }, "place": { "scale": scale, "shift": shift } })
+        };
+        let parts: Vec<Value> = (0..3 + round % 3).map(|_| octant(&mut dice)).collect();
+        let design = scene(&parts);
+        let making = Making { tolerance: Some(0.1), ..making() };
+        let apart = write(&design, Format::Stl, &Making { union: false, ..making }).unwrap();
+        let report = check(&design, &making).unwrap();
+        match write(&design, Format::Stl, &making) {
+            Ok(file) => {
+                let [union] = &report.unions[..] else { panic!("{report:?}") };
+                assert!(report.is_ok());
+                assert_eq!((solid_of(&file).1, (file.len() - 84) / 50), (union.bodies, union.triangles));
+                assert!(solid_of(&file).0 < volume_of(&apart) * (1.0 + 1e-4));
+                n_joined += 1;
+            }
+            Err(error) => {
+                assert!(!report.is_ok() && report.unions.is_empty());
+                assert_eq!(error.arg("what"), Some(&"pinched-joint".into()), "{error} {}", design.to_json());
+                n_pinched += 1;
+            }
+        }
+    }
+    assert!(n_joined >= 8 && n_pinched >= 4, "{n_joined} joined, {n_pinched} pinched");
+}
+
+/// Of three blocks two touch along an edge alone, and the third one of them in a face.
 #[test]
 fn of_several_parts_that_cannot_be_joined_all_are_told() {
-    let design = scene(&superellipsoid([17.41, 0.5, 2.81], [0.67, 2.86, 1.56]));
-    let making = Making { tolerance: Some(0.03), ..making() };
-    let report = check(&design, &making).unwrap();
+    let [one, across, on_top] = [[0.0; 3], [2.0, 2.0, 0.0], [0.0, 0.0, 1.0]].map(|at| cuboid([1.0, 1.0, 1.0], at, 0));
+    let design = scene(&[one.clone(), across.clone(), on_top.clone()]);
+    let report = check(&design, &making()).unwrap();
     let errors: Vec<_> = report.findings.iter().filter(|found| found.severity == Severity::Error).collect();
     let [found] = errors[..] else { panic!("{errors:?}") };
     assert_eq!((found.code, found.part, found.args.get("other")), ("crosses-itself", 0, None));
-    let error = write(&design, Format::Stl, &making).unwrap_err();
-    assert_eq!((error.arg("what"), found.args.get("what")), (Some(&"not-joined".into()), error.arg("what")));
+    let error = write(&design, Format::Stl, &making()).unwrap_err();
+    assert_eq!((error.arg("what"), found.args.get("what")), (Some(&"pinched-joint".into()), error.arg("what")));
+    // A fourth fills the gap.
+    let beside = cuboid([1.0, 1.0, 1.0], [2.0, 0.0, 0.0], 0);
+    let report = check(&scene(&[one, across, on_top, beside]), &making()).unwrap();
+    assert!(report.is_ok() && report.unions[0].bodies == 1, "{report:?}");
 }
 
 #[test]
