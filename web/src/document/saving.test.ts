@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { type Choices, choicesOf, hasGlued, makingOf, scaleOf, toleranceIn, trianglesOf } from "./saving";
+import { boundOf, type Choices, choicesOf, hasGlued, makingOf, scaleOf, toleranceIn, trianglesOf } from "./saving";
 import type { Design, Making, Measures, Part, Report } from "./types";
 
 const MEASURES = {
@@ -104,4 +104,17 @@ test("a file has the triangles of each solid and of each part that is none of on
   expect(trianglesOf({ meshes, unions: [] })).toBe(70);
   expect(trianglesOf({ meshes, unions: [union([2, 0], 45)] })).toBe(65);
   expect(trianglesOf({ meshes, unions: [union([0, 2, 1], 50)] })).toBe(50);
+});
+
+test("triangles are never said to be nearer to the true faces than they are", () => {
+  const report = (meshes: number[], unions: number[]) => {
+    const [apart, joined] = [meshes, unions].map((bounds) => bounds.map((bound) => ({ bound })));
+    return { meshes: apart, unions: joined } as unknown as Report;
+  };
+  expect(boundOf(report([0.04993, 0.02], []), 10)).toBeCloseTo(0.5, 12);
+  expect(boundOf(report([0.04993], [0.0503]), 10)).toBeCloseTo(0.51, 12);
+  expect(boundOf(report([0.02 * (1 + Number.EPSILON)], []), 1)).toBeCloseTo(0.02, 12);
+  expect(boundOf(report([0.00123], []), 25.4)).toBeCloseTo(0.032, 12);
+  expect(boundOf(report([0], [0]), 10)).toBe(0);
+  expect(boundOf(report([], []), 10)).toBe(0);
 });

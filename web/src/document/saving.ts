@@ -94,6 +94,18 @@ export function trianglesOf({ meshes, unions }: Pick<Report, "meshes" | "unions"
   return [...apart, ...unions].reduce((sum, { triangles }) => sum + triangles, 0);
 }
 
+/** Digits of a bound, and what rounding adds to one that has so many: a tolerance that is kept to the bit. */
+const BOUND_DIGITS = 2;
+const SLACK = 1e-9;
+
+/** How far the triangles of a file are from the true faces at most, in millimetres: rounded up, so that it is no less than that. */
+export function boundOf({ meshes, unions }: Pick<Report, "meshes" | "unions">, millimetres: number): number {
+  const bound = millimetres * Math.max(0, ...[...meshes, ...unions].map((each) => each.bound));
+  if (bound === 0) return 0;
+  const step = 10 ** (Math.floor(Math.log10(bound)) + 1 - BOUND_DIGITS);
+  return Math.ceil((bound / step) * (1 - SLACK)) * step;
+}
+
 /** Kinds that may be a solid without a wall. */
 const CLOSED: ReadonlySet<string> = new Set(["vertex-frame", "blend", "octant"]);
 

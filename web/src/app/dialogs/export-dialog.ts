@@ -4,6 +4,7 @@ import { html, nothing } from "lit";
 import { customElement, state } from "lit/decorators.js";
 import { unitOf } from "../../document/look";
 import {
+  boundOf,
   type Choices,
   choicesOf,
   FORMATS,
@@ -256,10 +257,9 @@ export class PasuExport extends DesignerElement {
   private fineness(report: Report, making: Making, measures: Measures) {
     if (!fileFormat(this.format).triangles) return nothing;
     const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
-    const bound = Math.max(0, ...report.meshes.map((mesh) => mesh.bound));
     return html`
       <div><dt>${words.triangles}</dt><dd>${grouped(trianglesOf(report))}</dd></div>
-      <div><dt>${words.within}</dt><dd>${lengthWords(bound * millimetres, "mm", 2)}</dd></div>
+      <div><dt>${words.within}</dt><dd>${lengthWords(boundOf(report, millimetres), "mm", 2)}</dd></div>
     `;
   }
 
