@@ -306,7 +306,7 @@ export interface UnionReport {
   readonly bodies: number;
   /** Number of handles of all its bodies. */
   readonly genus: number;
-  /** The largest distance between its triangles and the true faces of its parts, in model units: the largest `bound` of these, and how much wider they are where their surfaces could not be told apart otherwise. */
+  /** The largest distance between its triangles and the true faces of its parts, in model units: the largest `bound` of these, and how far they are moved where their surfaces cannot be told apart otherwise. */
   readonly bound: number;
 }
 

@@ -92,7 +92,7 @@ const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [
   ["few-terms", { found: 4, least: 10, waves: 5, distance: 3.2 }],
   ...["not-joined", "pinched-joint"].map((what) => ["crosses-itself", { what, other: 0 }] as const),
   ["same-place", { what: "same-body", other: 0 }],
-  ...["unkept", "joined-wider"].map((what) => ["tolerance-too-fine", { what, bound: 0.02, asked: 0.01 }] as const),
+  ...["unkept", "joined"].map((what) => ["tolerance-too-fine", { what, bound: 0.02, asked: 0.01 }] as const),
 ];
 
 const finding = (code: string, args: Finding["args"], severity: Finding["severity"] = "error"): Finding => ({

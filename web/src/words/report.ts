@@ -127,7 +127,7 @@ const OWN: Readonly<Record<string, (finding: Finding, unit: Unit, measures: Meas
   "same-place": together,
   "tolerance-too-fine": (finding, unit) => {
     const [bound, asked] = ["bound", "asked"].map((name) => lengthOf(finding, name, unit));
-    const say = finding.args.what === "joined-wider" ? said.joinedWider : said.unkept;
+    const say = finding.args.what === "joined" ? said.joined : said.unkept;
     return bound && asked ? say(bound, asked) : null;
   },
 };

@@ -71,6 +71,11 @@ impl<'a> Net<'a> {
         (0..self.triangles.len() as u32).filter(|number| !self.is_gone[*number as usize]).collect()
     }
 
+    /// How far any step has moved the surface at most, all together.
+    pub(super) fn moved(&self) -> f64 {
+        self.kept().into_iter().map(|number| self.drift[number as usize]).fold(0.0, f64::max)
+    }
+
     pub(super) fn place(&self, vertex: u32) -> DVec3 {
         DVec3::from_array(self.points[vertex as usize].map(f64::from))
     }

@@ -76,16 +76,17 @@ fn one(
     let bodies: Vec<&Labelled> = bodies.iter().collect();
     match union(&bodies, making.tolerance.map(|tolerance| tolerance * scale)) {
         Ok(union) => {
+            let of_parts = group.iter().map(|one| one.mesh.bound).fold(0.0, f64::max);
             let report = UnionReport {
                 parts: group.iter().map(|one| one.mesh.part).collect(),
                 vertices: union.points.len(),
                 triangles: union.triangles.len(),
                 bodies: union.topology.n_components,
                 genus: union.topology.genus(),
-                bound: group.iter().map(|one| one.mesh.bound).fold(0.0, f64::max) + union.moved / scale,
+                bound: of_parts + union.moved / scale,
             };
-            let asked = making.tolerance.filter(|asked| union.moved > 0.0 && report.bound > *asked);
-            let unkept = asked.map(|asked| wider(&report, asked));
+            let asked = making.tolerance.filter(|asked| of_parts <= *asked && report.bound > *asked);
+            let unkept = asked.map(|asked| moved(&report, asked));
             Ok((report, unkept))
         }
         Err(error) => Err(Box::new(refused(group, &error))),
@@ -93,14 +94,14 @@ fn one(
 }
 
 /// A tolerance that only parts apart keep is told.
-fn wider(union: &UnionReport, asked: f64) -> Finding {
+fn moved(union: &UnionReport, asked: f64) -> Finding {
     let message = format!(
-        "joined, the triangles come within {} of these parts, not within {} as asked for: where their surfaces all but coincide they are joined a little wider than they are",
+        "joined, the triangles come within {} of these parts, not within {} as asked for: where their surfaces all but coincide, joining moves them a little",
         short(union.bound),
         short(asked)
     );
     let (code, severity, path) = (Code::ToleranceTooFine.as_str(), Severity::Warning, Some("tolerance".to_owned()));
-    let args = Args::from([("what", "joined-wider".into()), ("bound", union.bound.into()), ("asked", asked.into())]);
+    let args = Args::from([("what", "joined".into()), ("bound", union.bound.into()), ("asked", asked.into())]);
     let part = union.parts.iter().copied().min().unwrap_or(0);
     Finding { code, severity, part, path, message, args, at: None, remedy: None }
 }

@@ -97,7 +97,7 @@ answers! {
         pub bodies: usize,
         /// Number of handles of all its bodies.
         pub genus: usize,
-        /// The largest distance between its triangles and the true faces of its parts, in model units: the largest `bound` of these, and how much wider they are where their surfaces could not be told apart otherwise.
+        /// The largest distance between its triangles and the true faces of its parts, in model units: the largest `bound` of these, and how far they are moved where their surfaces cannot be told apart otherwise.
         pub bound: f64,
     }
 }

@@ -385,7 +385,7 @@ fn octants_whose_faces_all_but_coincide_are_joined_a_little_wider() {
         // What is asked for is kept, or it is told that it is not.
         let wider: Vec<_> = report.findings.iter().filter(|found| found.args.contains_key("bound")).collect();
         assert_eq!(wider.len(), usize::from(union.bound > tolerance));
-        assert!(wider.iter().all(|found| found.args.get("what") == Some(&"joined-wider".into())));
+        assert!(wider.iter().all(|found| found.args.get("what") == Some(&"joined".into())));
     }
 }
 

@@ -71,8 +71,8 @@ export const report = phrases("report", {
   },
   unkept: (bound: string, asked: string) =>
     `The triangles come within ${bound} of the wall, not within ${asked} as asked for: its other side bends too sharply for that.`,
-  joinedWider: (bound: string, asked: string) =>
-    `Joined with others, the triangles come within ${bound} of this part, not within ${asked} as asked for: where surfaces all but coincide, parts are joined a little wider than they are.`,
+  joined: (bound: string, asked: string) =>
+    `Joined with others, the triangles come within ${bound} of this part, not within ${asked} as asked for: where surfaces all but coincide, joining moves them a little.`,
   leftOut: "This part has no wall and is left out of the pots: with thickness and base it is one.",
   remedies: {
     outwards: "the clay laid outwards",
