@@ -14,7 +14,7 @@ pub(super) struct Swollen {
     pub(super) moved: f64,
 }
 
-/// Each body with a box that is wider on every side by `step` or a multiple of it, no two alike that touch; the largest stays as it is.
+/// Each body with a box that is wider on every side by `step` or a multiple of it, no two alike that touch: the largest stays as it is.
 pub(super) fn swollen(bodies: &[&Labelled], step: f64) -> Swollen {
     let boxes: Vec<[DVec3; 2]> = bodies.iter().map(|body| bounds(body.positions)).collect();
     let widths = widths(&boxes).into_iter().map(|width| step * f64::from(width));
@@ -56,7 +56,7 @@ mod tests {
         let cube = |x: f64, side: f64| [DVec3::new(x, 0.0, 0.0), DVec3::new(x + side, side, side)];
         assert_eq!(
             widths(&[cube(0.0, 1.0), cube(1.0, 2.0), cube(3.0, 1.0), cube(3.5, 1.0), cube(9.0, 1.0)]),
-            [1, 0, 1, 2, 0]
+            [1, 0, 1, 0, 0]
         );
         assert_eq!(widths(&[cube(0.0, 1.0); 4]), [0, 1, 2, 3]);
         assert!(widths(&[]).is_empty());
