@@ -24,7 +24,7 @@ const ATTEMPTS: [[f64; 2]; 7] =
 /// How far the volume of a union may lie outside what those of its bodies allow, as a share of these.
 const SLACK: f64 = 1e-5;
 
-/// No point is moved by more than this share of the tolerance.
+/// No point of a union of bodies that are wider is moved by more than this share of the tolerance, all together.
 const MOST_MOVED: f64 = 0.5;
 
 /// How far the volume of a union of bodies that are wider may lie from that of these as they are, as a share of it.
@@ -117,7 +117,7 @@ pub(crate) fn union(bodies: &[&Labelled], tolerance: Option<f64>) -> Result<Unio
         let alike: Vec<&Kind> = kinds.iter().filter(|kind| kind.topology == union.topology).collect();
         is_pinched = Some(alike.is_empty());
         let own = Kind::of(&union.points, &union.triangles);
-        if own.is_some_and(|own| alike.iter().any(|kind| own.is_about_as_large_as(kind))) {
+        if moved <= most_moved && own.is_some_and(|own| alike.iter().any(|kind| own.is_about_as_large_as(kind))) {
             return Ok(Union { moved, ..union });
         }
     }
