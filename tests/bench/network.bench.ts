@@ -13,8 +13,8 @@ import { QUICK, record } from "./rows.ts";
 /** Patches one way and the other: 2,000. */
 const [ROWS, COLUMNS] = [40, 50];
 const SLOWER = 6;
-const DRAGS = QUICK ? 2 : 5;
-const STEPS = QUICK ? 10 : 40;
+const DRAGS = QUICK ? 2 : 3;
+const STEPS = QUICK ? 10 : 20;
 const STEP = 1;
 
 /** When each movement was told, when the frame with it was done, and what the worker took. */

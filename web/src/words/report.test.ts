@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Outline } from "../document/places";
-import type { Measures, PartMeasures, Report, Triple } from "../document/types";
+import type { Finding, Measures, PartMeasures, Report, Triple } from "../document/types";
 import { findingWords, madeOf, verdict } from "./report";
 
 const OUTLINE: Outline = [
@@ -144,6 +144,18 @@ test("before saving, a wall is too thin or not by the size of the file", () => {
     "warning: The wall is only 0.35 mm thick at the rim: too thin for most clay and most printers at this size.",
     closed.join(": "),
   ]);
+});
+
+test("a tolerance is told in the millimetres of the file", () => {
+  const at = (args: Finding["args"], millimetres: number) => {
+    const finding = { code: "tolerance-too-fine", severity: "warning", part: 0, path: "tolerance", message: "", args };
+    const report = { product: "pot", findings: [finding], meshes: [], unions: [], ok: false } as unknown as Report;
+    const [sentence] = madeOf(report, measures({}, {}), OUTLINE, "cm", millimetres);
+    return sentence?.text.replaceAll("\u00a0", " ");
+  };
+  expect(at({ what: "joined", bound: 0.0503, asked: 0.05 }, 20)).toMatch(/within 1.006 mm.* not within 1 mm/);
+  expect(at({ what: "unkept", bound: 0.02, asked: 0 }, 10)).toMatch(/0.2 mm.* 0 mm/);
+  expect(at({ found: 1e-7 }, 10)).toMatch(/^Triangles as fine as 0.000001 mm /);
 });
 
 test("how it stands, empty and full", () => {

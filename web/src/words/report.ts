@@ -5,6 +5,7 @@ import { UNITS as MILLIMETRES } from "../document/tables.gen";
 import type { Finding, Measures, PartMeasures, Report, Triple, Unit } from "../document/types";
 import { isolated } from "../language";
 import { formatNumber } from "../number";
+import { making } from "./english/making";
 import { quantities } from "./english/quantities";
 import { report as said } from "./english/report";
 import { lengthOf } from "./making";
@@ -37,6 +38,7 @@ const STEADY_DEGREES = 10;
 const THINNED = "thinned";
 const CEILING = "ceiling";
 const LEFT_OUT = "no-wall";
+const TOLERANCE = "tolerance-too-fine";
 
 /** Codes of findings that the page says by itself, from the measures and in the unit of the design. */
 const MEASURED: readonly string[] = ["too-thin", "overhang"];
@@ -66,9 +68,20 @@ export function madeOf(
   millimetres: number,
 ): readonly Sentence[] {
   return [
-    ...checked(report, measures, outline, unit),
+    ...checked(inFile(report, millimetres), measures, outline, unit),
     ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
   ].sort(worstFirst);
+}
+
+/** What is said of a tolerance in the millimetres of the file, as the field has it. */
+function inFile(report: Report, millimetres: number): Report {
+  const findings = report.findings.map((finding) => {
+    if (finding.code !== TOLERANCE) return finding;
+    const lengths = Object.entries(finding.args).filter(([, value]) => typeof value === "number");
+    const inMillimetres = lengths.map(([name, length]) => [`${name}Mm`, millimetres * Number(length)]);
+    return { ...finding, args: { ...finding.args, ...Object.fromEntries(inMillimetres) } };
+  });
+  return { ...report, findings };
 }
 
 function worstFirst(a: Sentence, b: Sentence): number {
@@ -125,8 +138,11 @@ const OWN: Readonly<Record<string, (finding: Finding, unit: Unit, measures: Meas
   "crosses-itself": together,
   overlap: together,
   "same-place": together,
-  "tolerance-too-fine": (finding, unit) => {
-    const [bound, asked] = ["bound", "asked"].map((name) => lengthOf(finding, name, unit));
+  [TOLERANCE]: (finding, unit) => {
+    const [bound, asked, found] = ["bound", "asked", "found"].map(
+      (name) => lengthOf(finding, `${name}Mm`, "mm") ?? lengthOf(finding, name, unit),
+    );
+    if (found) return making.tooFine(found);
     const say = finding.args.what === "joined" ? said.joined : said.unkept;
     return bound && asked ? say(bound, asked) : null;
   },

@@ -7,7 +7,7 @@ use super::contents::Body;
 use crate::design::Look;
 use crate::error::Result;
 use crate::face::FaceKind;
-use crate::join::{Labelled, Union, union};
+use crate::join::{Labelled, Union, Unions};
 use crate::watch;
 
 /// The longest name that is put together of those of all parts.
@@ -19,6 +19,7 @@ const LONGEST: usize = 120;
 /// # Errors
 /// `crosses-itself` where no union passes the checks of a file, `too-large`.
 pub(super) fn joined<'a>(
+    unions: &Unions,
     bodies: Vec<Body<'a>>,
     objects: &[u32],
     tolerance: Option<f64>,
@@ -38,12 +39,12 @@ pub(super) fn joined<'a>(
             if bodies.len() == 1 {
                 return Ok(bodies.remove(0));
             }
-            one_of(&bodies, tolerance, |_, origin| origin.look).or_else(|error| {
+            one_of(unions, &bodies, tolerance, |_, origin| origin.look).or_else(|error| {
                 if bodies.iter().all(|body| body.coats.is_empty()) {
                     return Err(error);
                 }
                 let (wholes, coverings): (Vec<Body>, Vec<Covering>) = indices.into_iter().map(&whole).unzip();
-                one_of(&wholes, tolerance, |heights, origin| {
+                one_of(unions, &wholes, tolerance, |heights, origin| {
                     coverings[origin.body].at(origin.kind, heights).of(origin.look)
                 })
             })
@@ -60,12 +61,18 @@ struct Origin {
     look: Look,
 }
 
-/// The union of bodies; `look` says how a triangle looks whose corners are at these heights.
-fn one_of(bodies: &[Body], tolerance: Option<f64>, look: impl Fn([f32; 3], &Origin) -> Look) -> Result<Body<'static>> {
+/// The union of bodies, made anew where it is not among those that are known; `look` says how a triangle looks whose corners are at these heights.
+fn one_of(
+    unions: &Unions,
+    bodies: &[Body],
+    tolerance: Option<f64>,
+    look: impl Fn([f32; 3], &Origin) -> Look,
+) -> Result<Body<'static>> {
     let mut origins: Vec<Origin> = Vec::new();
     let labelled: Vec<Labelled> =
         bodies.iter().enumerate().map(|(index, body)| labelled(index, body, &mut origins)).collect();
-    let Union { points, triangles, labels, .. } = union(&labelled.iter().collect::<Vec<_>>(), tolerance)?;
+    let union = unions.union(&labelled.iter().collect::<Vec<_>>(), tolerance)?;
+    let Union { points, triangles, labels, .. } = &*union;
     let mut faces: Vec<(FaceKind, usize, usize)> = Vec::new();
     let mut last = None;
     for (place, label) in labels.iter().enumerate() {
@@ -78,7 +85,7 @@ fn one_of(bodies: &[Body], tolerance: Option<f64>, look: impl Fn([f32; 3], &Orig
     let look = |(corners, label): (&[u32; 3], &u32)| {
         look(corners.map(|vertex| points[vertex as usize][2]), &origins[*label as usize])
     };
-    let plain = triangles.iter().zip(&labels).map(look).collect();
+    let plain = triangles.iter().zip(labels).map(look).collect();
     Ok(Body {
         name: name(bodies),
         look: bodies[0].look,
@@ -121,8 +128,13 @@ fn name(bodies: &[Body]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Format;
     use super::super::coats::Coat;
     use super::*;
+    use crate::design::Design;
+    use crate::make::Making;
+    use crate::solid::Product;
+    use crate::solution::Solution;
 
     /// A tetrahedron of the first, the second and the third axis.
     fn tetrahedron(origin: [f32; 3], axes: [f32; 3]) -> Body<'static> {
@@ -157,11 +169,32 @@ mod tests {
         let whole =
             |index: usize| (if index == 0 { tetrahedron([-1.0; 3], [6.0; 3]) } else { across() }, Covering::default());
         let found = |coats: &[Coat], objects: [u32; 2]| {
-            joined(bodies(coats), &objects, None, whole)
+            joined(&Unions::default(), bodies(coats), &objects, None, whole)
                 .map(|bodies| bodies.into_iter().map(|body| body.name).collect::<Vec<_>>())
         };
         assert_eq!(found(&[], [7, 7]).unwrap_err().arg("what"), Some(&"pinched-joint".into()));
         assert_eq!(found(&[], [7, 8]).unwrap(), ["one", "one"]);
         assert_eq!(found(&[Coat::Outside; 4], [7, 7]).unwrap(), ["one + one"]);
+    }
+
+    /// As a dialog asks: the check, files in one format after another, the check again.
+    #[test]
+    fn a_file_takes_the_union_of_its_check() {
+        let octant = |shift: &str| {
+            format!(r#"{{ "shape": {{ "kind": "octant", "exponents": [2, 2, 2] }}, "place": {{ "shift": {shift} }} }}"#)
+        };
+        let text = format!(r#"{{ "pasu": 1, "parts": [{}, {}] }}"#, octant("[0, 0, 0]"), octant("[0.3, 0.2, 0.1]"));
+        let design = Design::parse(&text).unwrap();
+        let solution = Solution::of(&design);
+        let making = Making { product: Product::Solid, tolerance: Some(0.02), union: true, ..Making::default() };
+        let finer = Making { tolerance: Some(0.01), ..making };
+        for (making, n_kept) in [(making, 1), (making, 1), (finer, 2)] {
+            let report = solution.check(&making).unwrap();
+            assert!(report.is_ok() && report.unions.len() == 1, "{report:?}");
+            for format in [Format::Stl, Format::Glb, Format::Ply] {
+                assert!(solution.write(format, &making).unwrap() == crate::write(&design, format, &making).unwrap());
+            }
+            assert_eq!(Unions::of(&solution).n_kept(), n_kept);
+        }
     }
 }

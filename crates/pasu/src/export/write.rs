@@ -13,6 +13,8 @@ use super::{Format, glb, obj, ply, step, stl, template, three_mf};
 use crate::design::{Design, plain};
 use crate::error::{Code, Error, Result};
 use crate::face::Face;
+#[cfg(feature = "patchwork")]
+use crate::join::Unions;
 use crate::make::{Finished, Making, Report, Severity, Size, make, verdict};
 use crate::solid::Pot;
 use crate::solution::{Placed, Solution};
@@ -107,7 +109,7 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
         unit: design.unit(),
     };
     let bodies: Vec<Body> = made.iter().map(|made| coated_body(design, &notes.title, &made.mesh, format)).collect();
-    let bodies = if making.union { joined_bodies(design, &notes, &made, bodies)? } else { bodies };
+    let bodies = if making.union { joined_bodies(solution, &notes, &made, bodies)? } else { bodies };
     match format {
         Format::Stl => Ok(stl::write(&notes, &bodies)),
         Format::ThreeMf => Ok(three_mf::write(&notes, &bodies)),
@@ -220,22 +222,23 @@ fn refuse_union(format: Format) -> Result<()> {
 /// The bodies of a file with those of one object as one.
 #[cfg(feature = "patchwork")]
 fn joined_bodies<'a>(
-    design: &Design,
+    solution: &Solution,
     Notes { title, making, millimetres, .. }: &Notes,
     made: &'a [Finished],
     bodies: Vec<Body<'a>>,
 ) -> Result<Vec<Body<'a>>> {
+    let design = solution.design();
     let objects: Vec<u32> = made.iter().map(|made| design.parts()[made.mesh.part].object).collect();
     let whole = |index: usize| {
         let mesh = &made[index].mesh;
         (body(design, title, mesh), Covering::of(mesh, design.parts()[mesh.part].look))
     };
-    joined(bodies, &objects, making.tolerance.map(|tolerance| tolerance * millimetres), whole)
+    joined(&Unions::of(solution), bodies, &objects, making.tolerance.map(|tolerance| tolerance * millimetres), whole)
 }
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined_bodies<'a>(_: &Design, _: &Notes, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+fn joined_bodies<'a>(_: &Solution, _: &Notes, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
     let message = "what joins parts is left out of this build: it takes the feature patchwork";
     Err(Error::new(Code::UnsupportedShape, "union", message).with("what", "left-out"))
 }

@@ -8,6 +8,8 @@ mod net;
 mod swollen;
 mod uncrossed;
 mod union;
+mod unions;
 
 pub(crate) use labelled::Labelled;
-pub(crate) use union::{Union, union};
+pub(crate) use union::Union;
+pub(crate) use unions::Unions;

@@ -4,23 +4,24 @@ use super::called::called;
 use super::made::Finished;
 use super::making::Making;
 use super::report::{Finding, Severity, UnionReport};
-use crate::design::Design;
 use crate::error::{Args, Code, Error};
 use crate::face::FaceKind;
-use crate::join::{Labelled, union};
+use crate::join::{Labelled, Unions};
 use crate::solid::short;
+use crate::solution::Solution;
 use crate::watch;
 
 /// What comes of the parts of every object of which several were made, in the order in which a file has them; nothing of one of which a part is refused.
 ///
 /// `scale` is from model units to millimetres.
 pub(super) fn unions(
-    design: &Design,
+    solution: &Solution,
     made: &[Finished],
     refused: &[Finding],
     making: &Making,
     scale: f64,
 ) -> (Vec<UnionReport>, Vec<Finding>) {
+    let design = solution.design();
     let object_of = |part: usize| design.parts().get(part).map(|part| part.object);
     let is_refused = |object: u32| {
         refused.iter().any(|found| found.severity == Severity::Error && object_of(found.part) == Some(object))
@@ -38,7 +39,7 @@ pub(super) fn unions(
     let (mut reports, mut findings) = (Vec::new(), Vec::new());
     let n_groups = groups.len();
     for (index, (_, group)) in groups.into_iter().enumerate() {
-        match watch::share(index, n_groups, || one(design, &group, making, scale)) {
+        match watch::share(index, n_groups, || one(solution, &group, making, scale)) {
             Ok((report, unkept)) => {
                 reports.push(report);
                 findings.extend(unkept);
@@ -50,11 +51,12 @@ pub(super) fn unions(
 }
 
 fn one(
-    design: &Design,
+    solution: &Solution,
     group: &[&Finished],
     making: &Making,
     scale: f64,
 ) -> Result<(UnionReport, Option<Finding>), Box<Finding>> {
+    let design = solution.design();
     let names: Vec<String> = group.iter().map(|one| called(design, one.mesh.part)).collect();
     // The labels that a file without colours has.
     let mut n_faces = 0;
@@ -74,7 +76,7 @@ fn one(
     });
     let bodies: Vec<Labelled> = bodies.collect();
     let bodies: Vec<&Labelled> = bodies.iter().collect();
-    match union(&bodies, making.tolerance.map(|tolerance| tolerance * scale)) {
+    match Unions::of(solution).union(&bodies, making.tolerance.map(|tolerance| tolerance * scale)) {
         Ok(union) => {
             let of_parts = group.iter().map(|one| one.mesh.bound).fold(0.0, f64::max);
             let report = UnionReport {

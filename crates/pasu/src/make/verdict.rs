@@ -79,8 +79,7 @@ impl Solution {
         }
         let mut unions = Vec::new();
         if making.union {
-            let (joined, not) =
-                watch::between(MAKING_APART, MAKING, || joined(self.design(), &made, &refused, making, scale));
+            let (joined, not) = watch::between(MAKING_APART, MAKING, || joined(self, &made, &refused, making, scale));
             watch::go_on()?;
             unions = joined;
             refused.extend(not);
@@ -91,7 +90,7 @@ impl Solution {
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined(_: &Design, _: &[Finished], _: &[Finding], _: &Making, _: f64) -> (Vec<UnionReport>, Vec<Finding>) {
+fn joined(_: &Solution, _: &[Finished], _: &[Finding], _: &Making, _: f64) -> (Vec<UnionReport>, Vec<Finding>) {
     let message = "what joins parts is left out of this build: it takes the feature patchwork".to_owned();
     let (code, path, args) =
         (Code::UnsupportedShape.as_str(), Some("union".to_owned()), Args::from([("what", "left-out".into())]));

@@ -37,6 +37,8 @@ pub struct Solution {
     /// The same of a design before.
     scene_before: Kept,
     scene_seen_before: Kept,
+    /// What its parts were joined to, which those who join them know.
+    joined: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -56,6 +58,7 @@ impl Solution {
             scene_seen: Kept::default(),
             scene_before: Kept::default(),
             scene_seen_before: Kept::default(),
+            joined: Kept::default(),
         }
     }
 
@@ -162,6 +165,12 @@ impl Solution {
     /// Where what the parts of a design before were together was kept, if anything was.
     pub(crate) fn scene_before(&self) -> &Kept {
         &self.scene_before
+    }
+
+    /// Where what the parts were joined to is kept.
+    #[cfg(feature = "patchwork")]
+    pub(crate) fn joined(&self) -> &Kept {
+        &self.joined
     }
 
     fn no_such_part(&self, index: usize) -> Error {
