@@ -14,7 +14,7 @@ import { QUICK, record } from "./rows.ts";
 const [ROWS, COLUMNS] = [40, 50];
 const SLOWER = 6;
 const DRAGS = QUICK ? 2 : 3;
-const STEPS = QUICK ? 10 : 20;
+const STEPS = QUICK ? 10 : 16;
 const STEP = 1;
 
 /** When each movement was told, when the frame with it was done, and what the worker took. */

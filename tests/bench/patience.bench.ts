@@ -8,7 +8,7 @@ import { surprise } from "../../web/src/document/surprise.ts";
 import type { Design } from "../../web/src/document/types.ts";
 import { QUICK, record } from "./rows.ts";
 
-const SEEDS = QUICK ? 10 : 300;
+const SEEDS = QUICK ? 10 : 150;
 
 /** What is asked of a design, by how a person calls it. */
 const CALLS: readonly (readonly [string, (design: string) => unknown])[] = [

@@ -13,8 +13,8 @@ import { QUICK, record } from "./rows.ts";
 /** Pots one way and the other: 200. */
 const [ROWS, COLUMNS] = [10, 20];
 const SLOWER = 6;
-const DRAGS = QUICK ? 2 : 3;
-const STEPS = QUICK ? 10 : 20;
+const DRAGS = 2;
+const STEPS = QUICK ? 10 : 12;
 const STEP = 1;
 
 /** Its wall goes along with a part that is moved; that of one that is tilted or scaled is made anew. */

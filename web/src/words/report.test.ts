@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Outline } from "../document/places";
 import type { Finding, Measures, PartMeasures, Report, Triple } from "../document/types";
-import { findingWords, madeOf, verdict } from "./report";
+import { checked, findingWords, inFile, madeOf, verdict } from "./report";
 
 const OUTLINE: Outline = [
   [0, 2],
@@ -150,7 +150,7 @@ test("a tolerance is told in the millimetres of the file", () => {
   const at = (args: Finding["args"], millimetres: number) => {
     const finding = { code: "tolerance-too-fine", severity: "warning", part: 0, path: "tolerance", message: "", args };
     const report = { product: "pot", findings: [finding], meshes: [], unions: [], ok: false } as unknown as Report;
-    const [sentence] = madeOf(report, measures({}, {}), OUTLINE, "cm", millimetres);
+    const [sentence] = checked(inFile(report, millimetres), null, OUTLINE, "cm");
     return sentence?.text.replaceAll("\u00a0", " ");
   };
   expect(at({ what: "joined", bound: 0.0503, asked: 0.05 }, 20)).toMatch(/within 1.006 mm.* not within 1 mm/);

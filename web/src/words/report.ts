@@ -68,13 +68,13 @@ export function madeOf(
   millimetres: number,
 ): readonly Sentence[] {
   return [
-    ...checked(inFile(report, millimetres), measures, outline, unit),
+    ...checked(report, measures, outline, unit),
     ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
   ].sort(worstFirst);
 }
 
-/** What is said of a tolerance in the millimetres of the file, as the field has it. */
-function inFile(report: Report, millimetres: number): Report {
+/** The report in which a tolerance is told in the millimetres of the file, as the field has it; `millimetres` is how many a model unit has in it. */
+export function inFile(report: Report, millimetres: number): Report {
   const findings = report.findings.map((finding) => {
     if (finding.code !== TOLERANCE) return finding;
     const lengths = Object.entries(finding.args).filter(([, value]) => typeof value === "number");

@@ -33,7 +33,7 @@ import { page } from "../../words/english/page";
 import { quantities } from "../../words/english/quantities";
 import { lengthWords } from "../../words/quantities";
 import { refusalWords } from "../../words/refusals";
-import { checked, madeOf, type Sentence } from "../../words/report";
+import { checked, inFile, madeOf, type Sentence } from "../../words/report";
 import { opensAgain, problemWords, sizesOf } from "../../words/saving";
 import { fileName, saveBlob } from "../../work/files";
 import { hiddenNote } from "../hidden-note";
@@ -269,10 +269,11 @@ export class PasuExport extends DesignerElement {
     const [outline, unit] = [surface.shown?.solved.facts?.outline ?? [], unitOf(now.design)];
     // A closed solid has no wall: how thick it is printed is the slicer's.
     const scene = now.design.parts.length > 1 ? this.designer.made?.constraints.value : null;
-    const found = scene ? withoutPairs(report, scene, now.design) : report;
+    const { millimetres } = scaleOf(making, measures, unit);
+    const found = inFile(scene ? withoutPairs(report, scene, now.design) : report, millimetres);
     const own =
       this.chosen.product === "pot"
-        ? madeOf(found, measures, outline, unit, scaleOf(making, measures, unit).millimetres)
+        ? madeOf(found, measures, outline, unit, millimetres)
         : checked(found, measures, outline, unit);
     return scene ? withScene(own, scene, now.design, report) : own;
   }
