@@ -123,13 +123,14 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
             let bodied: Vec<Arc<Placed>> =
                 wanted.iter().map(|part| solution.patched(*part, making.product)).collect::<Result<_>>()?;
             for (&part, placed) in wanted.iter().zip(&bodied) {
-                let (boundary, size) = match made.iter().zip(&bodies).find(|(made, _)| made.mesh.part == part) {
-                    Some((Finished { pot: Some(pot), .. }, body)) => {
-                        let faces = pot.faces().iter().map(|face| face as &dyn Face);
-                        (step::Boundary::Faces(faces.collect()), size(body))
-                    }
-                    _ => (step::Boundary::Patches(placed), millimetres * extent(placed)),
-                };
+                let (boundary, size) =
+                    match made.iter().map(Arc::as_ref).zip(&bodies).find(|(made, _)| made.mesh.part == part) {
+                        Some((Finished { pot: Some(pot), .. }, body)) => {
+                            let faces = pot.faces().iter().map(|face| face as &dyn Face);
+                            (step::Boundary::Faces(faces.collect()), size(body))
+                        }
+                        _ => (step::Boundary::Patches(placed), millimetres * extent(placed)),
+                    };
                 parts.push(step::Part {
                     name: named(design, &notes.title, part),
                     look: design.parts()[part].look,
@@ -147,8 +148,8 @@ fn written(solution: &Solution, format: Format, making: &Making) -> Result<Vec<u
 }
 
 /// A template of what was made.
-fn drawing(notes: &Notes, bodies: &[Body], made: &[Finished], paper: Option<Paper>) -> Result<Vec<u8>> {
-    let standing = |made: &Finished| match &made.pot {
+fn drawing(notes: &Notes, bodies: &[Body], made: &[Arc<Finished>], paper: Option<Paper>) -> Result<Vec<u8>> {
+    let standing = |made: &Arc<Finished>| match &made.pot {
         Some(pot) => Ok(stand(pot, notes.millimetres)),
         None => {
             let message =
@@ -224,7 +225,7 @@ fn refuse_union(format: Format) -> Result<()> {
 fn joined_bodies<'a>(
     solution: &Solution,
     Notes { title, making, millimetres, .. }: &Notes,
-    made: &'a [Finished],
+    made: &'a [Arc<Finished>],
     bodies: Vec<Body<'a>>,
 ) -> Result<Vec<Body<'a>>> {
     let design = solution.design();
@@ -238,7 +239,7 @@ fn joined_bodies<'a>(
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined_bodies<'a>(_: &Solution, _: &Notes, _: &[Finished], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
+fn joined_bodies<'a>(_: &Solution, _: &Notes, _: &[Arc<Finished>], _: Vec<Body<'a>>) -> Result<Vec<Body<'a>>> {
     let message = "what joins parts is left out of this build: it takes the feature patchwork";
     Err(Error::new(Code::UnsupportedShape, "union", message).with("what", "left-out"))
 }

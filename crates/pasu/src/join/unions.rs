@@ -1,34 +1,31 @@
 //! The unions that were made last, for whoever makes the same again.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
 use xxhash_rust::xxh64::Xxh64;
 
 use super::labelled::Labelled;
 use super::union::{Union, union};
-use crate::error::{Code, Result};
-use crate::solution::Solution;
-use crate::watch;
+use crate::error::Result;
+use crate::solution::{Newest, Solution};
 
 /// The most triangles that are kept, some 40 bytes each; the newest union whatever it has.
 const MOST_TRIANGLES: usize = 500_000;
-/// The most unions, made or refused.
-const MOST_UNIONS: usize = 500;
+/// What a union or a refusal counts for besides its triangles.
+const EACH: usize = 1_000;
 
-/// Two sums of all that a union depends on, of which one alone would have a pair with the same one among some billions.
-type Key = [u64; 2];
+/// What a union depends on: two sums of it, of which one alone would have a pair with the same one among some billions; and the names of the bodies, which a refusal tells.
+#[derive(Clone)]
+struct Key([u64; 2], Vec<String>);
 
-/// What came of some bodies.
-struct Made {
-    key: Key,
-    /// A refusal names them: it is given again to whoever calls them the same.
-    names: Vec<String>,
-    union: Result<Arc<Union>>,
+/// The unions of one design, which a check makes and the file after it once more.
+pub(crate) struct Unions(Newest<Key, Result<Arc<Union>>>);
+
+impl Default for Unions {
+    fn default() -> Unions {
+        Unions(Newest::new(MOST_TRIANGLES))
+    }
 }
-
-/// The unions of one design, which a check makes and the file after it once more, in the order in which they were made.
-#[derive(Default)]
-pub(crate) struct Unions(Mutex<Vec<Made>>);
 
 impl Unions {
     /// Those that are kept beside a solution.
@@ -43,40 +40,26 @@ impl Unions {
     /// # Errors
     /// As [`union()`].
     pub(crate) fn union(&self, bodies: &[&Labelled], tolerance: Option<f64>) -> Result<Arc<Union>> {
-        let key = key(bodies, tolerance);
-        let names = || bodies.iter().map(|body| body.name);
-        let is_known = |made: &&Made| made.key == key && (made.union.is_ok() || names().eq(&made.names));
-        if let Some(known) = self.kept().iter().find(is_known) {
-            return known.union.clone();
+        let sums = sums(bodies, tolerance);
+        let names: Vec<String> = bodies.iter().map(|body| body.name.to_owned()).collect();
+        let is_it = |Key(of, called): &Key, union: &Result<_>| *of == sums && (union.is_ok() || *called == names);
+        if let Some(known) = self.0.find(is_it) {
+            return known;
         }
         let union = union(bodies, tolerance).map(Arc::new);
-        // What was ended early may be anything.
-        if !watch::is_stopped() && union.as_ref().err().is_none_or(|error| error.code() == Code::CrossesItself) {
-            let mut kept = self.kept();
-            kept.push(Made { key, names: names().map(str::to_owned).collect(), union: union.clone() });
-            while kept.len() > 1 && (kept.len() > MOST_UNIONS || n_triangles(&kept) > MOST_TRIANGLES) {
-                kept.remove(0);
-            }
-        }
+        let n_triangles = union.as_ref().map_or(0, |union| union.triangles.len());
+        self.0.keep(Key(sums, names), &union, EACH + n_triangles);
         union
-    }
-
-    fn kept(&self) -> MutexGuard<'_, Vec<Made>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// How many are kept.
     #[cfg(test)]
     pub(crate) fn n_kept(&self) -> usize {
-        self.kept().len()
+        self.0.n_kept()
     }
 }
 
-fn n_triangles(kept: &[Made]) -> usize {
-    kept.iter().filter_map(|made| made.union.as_ref().ok()).map(|union| union.triangles.len()).sum()
-}
-
-fn key(bodies: &[&Labelled], tolerance: Option<f64>) -> Key {
+fn sums(bodies: &[&Labelled], tolerance: Option<f64>) -> [u64; 2] {
     [0, 1].map(|seed| {
         let mut sum = Xxh64::new(seed);
         sum.update(&tolerance.map_or([0xff; 8], f64::to_le_bytes));
@@ -143,29 +126,5 @@ mod tests {
         assert!(first.contains("lid, one") && refused("lid") == first);
         assert_eq!(unions.n_kept(), 1);
         assert!(refused("knob").contains("knob, one"));
-    }
-
-    /// What is ended has seen next to nothing of what it joins.
-    #[test]
-    fn what_was_ended_is_not_kept() {
-        let unions = Arc::new(Unions::default());
-        let (one, other) = (tetrahedron([0.0; 3], 4.0), tetrahedron([0.5; 3], 4.0));
-        let asked = || unions.union(&[&body(&one, 0), &body(&other, 1)], None);
-        let ended = watch::watched(|_| core::ops::ControlFlow::Break(()), || asked().map(drop));
-        assert!(ended.is_err() && unions.n_kept() == 0);
-        let counted = watch::within(0, asked);
-        assert!(counted.is_none_or(|answer| answer.is_ok()));
-        assert!(asked().is_ok());
-    }
-
-    #[test]
-    fn no_more_is_kept_than_there_is_room_for() {
-        let unions = Unions::default();
-        let other = tetrahedron([0.5; 3], 4.0);
-        for number in 0..=MOST_UNIONS {
-            let one = tetrahedron([0.0; 3], 4.0);
-            unions.union(&[&body(&one, number as u32), &body(&other, 1)], None).unwrap();
-        }
-        assert_eq!(unions.n_kept(), MOST_UNIONS);
     }
 }

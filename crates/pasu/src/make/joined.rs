@@ -1,5 +1,7 @@
 //! Whether the parts of each object can be one solid, tried on the triangles that were made of them.
 
+use std::sync::Arc;
+
 use super::called::called;
 use super::made::Finished;
 use super::making::Making;
@@ -16,7 +18,7 @@ use crate::watch;
 /// `scale` is from model units to millimetres.
 pub(super) fn unions(
     solution: &Solution,
-    made: &[Finished],
+    made: &[Arc<Finished>],
     refused: &[Finding],
     making: &Making,
     scale: f64,

@@ -1,5 +1,7 @@
 //! The verdict on a design: made part by part, with whatever there is to say.
 
+use std::sync::Arc;
+
 use super::called::called;
 use super::fitted;
 #[cfg(feature = "patchwork")]
@@ -90,7 +92,7 @@ impl Solution {
 
 /// What joins bodies is left out of this build.
 #[cfg(not(feature = "patchwork"))]
-fn joined(_: &Solution, _: &[Finished], _: &[Finding], _: &Making, _: f64) -> (Vec<UnionReport>, Vec<Finding>) {
+fn joined(_: &Solution, _: &[Arc<Finished>], _: &[Finding], _: &Making, _: f64) -> (Vec<UnionReport>, Vec<Finding>) {
     let message = "what joins parts is left out of this build: it takes the feature patchwork".to_owned();
     let (code, path, args) =
         (Code::UnsupportedShape.as_str(), Some("union".to_owned()), Args::from([("what", "left-out".into())]));
@@ -122,7 +124,7 @@ pub(crate) fn verdict(
     making: &Making,
     millimetres: f64,
     refused: Vec<Finding>,
-    made: &[Finished],
+    made: &[Arc<Finished>],
 ) -> Report {
     let mut findings = refused;
     for one in made {
@@ -142,7 +144,12 @@ pub(crate) fn verdict(
     };
     findings.extend(together::findings(&meshes, name, millimetres).into_iter().filter(|finding| !is_joined(finding)));
     findings.sort_by_key(|finding| finding.severity);
-    Report { product: making.product, findings, meshes: made.iter().map(counted).collect(), unions: Vec::new() }
+    Report {
+        product: making.product,
+        findings,
+        meshes: made.iter().map(|made| counted(made)).collect(),
+        unions: Vec::new(),
+    }
 }
 
 fn counted(Finished { mesh, pot, topology, .. }: &Finished) -> MeshReport {

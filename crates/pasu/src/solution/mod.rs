@@ -2,6 +2,7 @@
 
 mod columns;
 mod kept;
+mod newest;
 mod placed;
 mod solved;
 mod upright;
@@ -10,6 +11,7 @@ mod workable;
 
 pub(crate) use columns::Columns;
 pub(crate) use kept::Kept;
+pub(crate) use newest::Newest;
 pub(crate) use placed::Placed;
 pub(crate) use solved::Solved;
 pub(crate) use upright::{Stretch, Upright, Walk};

@@ -39,6 +39,9 @@ pub struct Solution {
     scene_seen_before: Kept,
     /// What its parts were joined to, which those who join them know.
     joined: Kept,
+    /// What its parts were made as, which those who make them know, and those of a design before.
+    made: Kept,
+    made_before: Kept,
 }
 
 /// What a part has become, once something was asked of it.
@@ -59,6 +62,8 @@ impl Solution {
             scene_before: Kept::default(),
             scene_seen_before: Kept::default(),
             joined: Kept::default(),
+            made: Kept::default(),
+            made_before: Kept::default(),
         }
     }
 
@@ -79,6 +84,7 @@ impl Solution {
         solution.scene_before = if self.scene.is_empty() { &self.scene_before } else { &self.scene }.clone();
         solution.scene_seen_before =
             if self.scene_seen.is_empty() { &self.scene_seen_before } else { &self.scene_seen }.clone();
+        solution.made_before = if self.made.is_empty() { &self.made_before } else { &self.made }.clone();
         for (index, part) in design.parts().iter().enumerate() {
             let stands = |own: &&Part| own.place == part.place && own.wall == part.wall && own.shape == part.shape;
             if let Some(space) = self.design.parts().get(index).filter(stands).and_then(|_| self.spaces.get(index)) {
@@ -171,6 +177,11 @@ impl Solution {
     #[cfg(feature = "patchwork")]
     pub(crate) fn joined(&self) -> &Kept {
         &self.joined
+    }
+
+    /// Where what the parts were made as is kept, and where that of the parts of a design before was, if it was.
+    pub(crate) fn made_parts(&self) -> [&Kept; 2] {
+        [&self.made, &self.made_before]
     }
 
     fn no_such_part(&self, index: usize) -> Error {
