@@ -132,7 +132,7 @@ fn who_listens_may_ask_something_else() {
     let other = Design::parse("#1/bloor-wilson?n1=5").expect("a link");
     let expected = pasu::measure(&other, &MeasureOptions::default());
     let pot = Solution::of(&pots(1));
-    let alone = pot.check(&coarse());
+    let alone = pasu::check(pot.design(), &coarse());
     let answers = Rc::new(RefCell::new(Vec::new()));
     let heard = Rc::clone(&answers);
     let answer = watched(
@@ -166,7 +166,7 @@ fn a_watched_call_within_another_is_told_by_itself() {
 #[test]
 fn a_listener_that_panics_is_heard_no_more() {
     let pot = Solution::of(&pots(1));
-    let expected = pot.check(&coarse());
+    let expected = pasu::check(pot.design(), &coarse());
     let mut n = 0;
     let listener = move |_| {
         n += 1;
