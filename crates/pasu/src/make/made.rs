@@ -149,6 +149,7 @@ pub(crate) fn make(solution: &Solution, number: usize, making: &Making, scale: f
     Ok(made)
 }
 
+/// As [`make`], whatever was made before.
 fn made_anew(solution: &Solution, part: usize, making: &Making, scale: f64) -> Result<Finished> {
     if solution.has_shell(part, making.product)? {
         let shell = solution.patched(part, making.product)?;
