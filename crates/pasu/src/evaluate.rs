@@ -1,6 +1,6 @@
 //! Points of a design in double precision.
 
-use crate::design::{Address, Design, plain};
+use crate::design::{Address, Design, numbers_of, plain};
 use crate::error::{Code, Error, Result};
 use crate::patch::SurfaceJet;
 use crate::solution::{Placed, Solution};
@@ -124,7 +124,11 @@ impl Solution {
                 (Address::Patches(n_patches), [patch, u, v]) => {
                     let last = n_patches - 1;
                     if !(0.0..=last as f64).contains(patch) || *patch != libm::trunc(*patch) {
-                        let message = format!("expected a patch from 0 to {last}, found {}", plain(*patch));
+                        let message = format!(
+                            "expected the number of a patch, {}, found {}",
+                            numbers_of(n_patches),
+                            plain(*patch)
+                        );
                         let error = Error::new(Code::NoSuchPoint, format!("at[{}]", n * i), message);
                         return Err(error.with("least", 0.0).with("greatest", last).with("found", *patch));
                     }

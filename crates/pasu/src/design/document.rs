@@ -6,9 +6,9 @@ use serde::de::{Deserialize, Deserializer, Error as _, Unexpected};
 use serde::ser::{Serialize, Serializer};
 
 use super::limits::{BYTES, LINK_BYTES, MODES, PARTS, VERSION};
-use super::number::plain;
 #[cfg(feature = "patchwork")]
 use super::number::rounded;
+use super::number::{numbers_of, plain};
 use super::part::Part;
 use super::placement::Placement;
 use super::quantity::{is_default, or_default, whole};
@@ -137,7 +137,7 @@ impl Design {
         let mut document = self.0.clone();
         let n = document.parts.len();
         let Some(Part { shape, .. }) = document.parts.get_mut(part) else {
-            let message = format!("expected a part from 0 to {}, found {part}", n - 1);
+            let message = format!("expected the number of a part, {}, found {part}", numbers_of(n));
             let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
             return Err(error.with("greatest", n - 1).with("found", part));
         };
@@ -335,7 +335,8 @@ fn canonical(given: Vec<Part>) -> Result<Vec<Part>> {
         if let Some(name) = &part.name
             && let Some(earlier) = names.insert(name.clone(), index)
         {
-            let message = format!("expected a name of its own, found {name:?}, the name of parts[{earlier}]");
+            let message =
+                format!("expected a name that no other part has, found {name:?}, which is that of parts[{earlier}]");
             return Err(refused(Error::new(Code::Duplicate, "name", message)));
         }
         parts.push(part.canonical().map_err(refused)?);

@@ -69,7 +69,7 @@ pub(crate) use limits::{RATE, RINGS, SWING, WAVES};
 pub use look::{Choice, Clay, Colour, Glaze, Look, Named};
 #[cfg(feature = "patchwork")]
 pub use motion::Motion;
-pub(crate) use number::{plain, rounded};
+pub(crate) use number::{numbers_of, plain, rounded};
 #[cfg(feature = "patchwork")]
 pub use octant::Octant;
 #[cfg(feature = "patchwork")]

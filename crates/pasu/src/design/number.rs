@@ -120,6 +120,15 @@ impl Written {
     }
 }
 
+/// The numbers that so many things have, in words.
+pub(crate) fn numbers_of(n: usize) -> String {
+    match n {
+        0 => "of which there is none".into(),
+        1 => "only 0".into(),
+        _ => format!("0 to {}", n - 1),
+    }
+}
+
 /// As JavaScript writes it: `100000`, `0.000001`, `1e-7`, `1e+21`, `NaN`, `-Infinity`.
 ///
 /// The same text as `JSON.stringify` gives, so that a document saved by a page and one written by this crate are equal.

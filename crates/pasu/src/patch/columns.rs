@@ -9,27 +9,33 @@ pub(crate) enum Spread<'a> {
     At(&'a [f64]),
 }
 
+impl Spread<'_> {
+    /// All of them.
+    pub(crate) fn places(self) -> Vec<f64> {
+        match self {
+            Spread::Even(n) => (0..n).map(|j| j as f64 / n as f64).collect(),
+            Spread::At(places) => places.to_vec(),
+        }
+    }
+}
+
 /// Values of `v` in [0, 1], with what a patch made of them beforehand.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Columns {
     places: Vec<f64>,
-    /// Column by column as many pairs as the patch has harmonics; none of a patch without.
-    circles: Vec<(f64, f64)>,
+    /// Column by column as many pairs as the patch makes of one; none of a patch that makes nothing.
+    pairs: Vec<(f64, f64)>,
 }
 
 impl Columns {
     /// Nothing but the places.
     pub(super) fn plain(spread: Spread) -> Columns {
-        Columns::with_circles(spread, Vec::new())
+        Columns::with_pairs(spread, Vec::new())
     }
 
-    /// With the cosine and sine of each harmonic at each column.
-    pub(crate) fn with_circles(spread: Spread, circles: Vec<(f64, f64)>) -> Columns {
-        let places = match spread {
-            Spread::Even(n) => (0..n).map(|j| j as f64 / n as f64).collect(),
-            Spread::At(places) => places.to_vec(),
-        };
-        Columns { places, circles }
+    /// With as many pairs at each column: cosine and sine of each harmonic, or value and derivatives of two functions.
+    pub(crate) fn with_pairs(spread: Spread, pairs: Vec<(f64, f64)>) -> Columns {
+        Columns { places: spread.places(), pairs }
     }
 
     /// `v` of a column.
@@ -38,7 +44,7 @@ impl Columns {
     }
 
     /// The pairs of one column, of which there are `n`.
-    pub(crate) fn circles(&self, column: usize, n: usize) -> &[(f64, f64)] {
-        self.circles.get(column * n..(column + 1) * n).unwrap_or_default()
+    pub(crate) fn pairs(&self, column: usize, n: usize) -> &[(f64, f64)] {
+        self.pairs.get(column * n..(column + 1) * n).unwrap_or_default()
     }
 }

@@ -1,7 +1,7 @@
 //! Where the grid lines of patches are.
 
 use super::breaks::Breaks;
-use super::cell::{Cell, Suprema};
+use super::cell::Cell;
 use super::contract::Patch;
 use super::side::Side;
 use super::strips::{SAME_LINE, Strips};
@@ -78,12 +78,13 @@ impl Lines {
         self.u.len() * self.v.len()
     }
 
-    /// Every cell with the numbers of its lines.
-    fn cells(&self) -> impl Iterator<Item = (usize, usize, Cell)> {
-        let rows = self.u.windows(2).enumerate();
-        rows.flat_map(move |(i, u)| {
-            self.v.windows(2).enumerate().map(move |(j, v)| (i, j, Cell { u: [u[0], u[1]], v: [v[0], v[1]] }))
-        })
+    /// The cell in this row and column.
+    fn cell(&self, [i, j]: [usize; 2]) -> Cell {
+        Cell { u: [self.u[i], self.u[i + 1]], v: [self.v[j], self.v[j + 1]] }
+    }
+
+    fn both(&self) -> [&[f64]; 2] {
+        [&self.u, &self.v]
     }
 
     /// Halves the intervals of these numbers, in one pass: there may be millions.
@@ -159,10 +160,12 @@ pub(crate) fn lines_within(
         for ((patch, lines), (is_new, largest)) in each.filter(|(_, (is_new, _))| **is_new) {
             *largest = 0.0;
             let (mut rows, mut columns) = (Vec::new(), Vec::new());
-            visit(*patch, lines, stretch, |i, j, cell, deviation, of_row| {
+            patch.visit(lines.both(), stretch, &mut |place, deviation, suprema| {
                 *largest = largest.max(deviation);
                 if !(deviation <= distance) {
-                    let ([p, q], suprema) = (cell.lengths(), of_row.unwrap_or_else(|| patch.suprema(cell, stretch)));
+                    let cell = lines.cell(place);
+                    let ([p, q], suprema) = (cell.lengths(), suprema.unwrap_or_else(|| patch.suprema(cell, stretch)));
+                    let [i, j] = place;
                     if p * p * suprema.uu >= q * q * suprema.vv { rows.push(i) } else { columns.push(j) }
                 }
             });
@@ -189,31 +192,9 @@ fn directions(lines: &mut [Lines]) -> Vec<&mut Vec<f64>> {
 pub(crate) fn deviation_of(patches: &[&dyn Patch], lines: &[Lines], stretch: [f64; 3]) -> f64 {
     let mut most = 0.0f64;
     for (patch, lines) in patches.iter().zip(lines) {
-        visit(*patch, lines, stretch, |_, _, _, deviation, _| most = most.max(deviation));
+        patch.visit(lines.both(), stretch, &mut |_, deviation, _| most = most.max(deviation));
     }
     most
-}
-
-/// Shows every cell with the numbers of its lines, how far its triangles are off at most, and the suprema that all of its row have in common, where a patch says so.
-fn visit(
-    patch: &dyn Patch,
-    lines: &Lines,
-    stretch: [f64; 3],
-    mut show: impl FnMut(usize, usize, Cell, f64, Option<Suprema>),
-) {
-    let is_alike = patch.is_alike_round();
-    let mut known: Option<(usize, Suprema)> = None;
-    for (i, j, cell) in lines.cells() {
-        if !is_alike {
-            show(i, j, cell, patch.deviation(cell, stretch), None);
-            continue;
-        }
-        let suprema = match known {
-            Some((row, suprema)) if row == i => suprema,
-            _ => known.insert((i, patch.suprema(cell, stretch))).1,
-        };
-        show(i, j, cell, patch.deviation_by(cell, &suprema), Some(suprema));
-    }
 }
 
 #[cfg(test)]

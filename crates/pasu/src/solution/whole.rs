@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use super::kept::Kept;
 use super::placed::Placed;
 use super::solved::Solved;
-use crate::design::{Design, Part};
+use crate::design::{Design, Part, numbers_of};
 use crate::error::{Code, Error, Result};
 
 /// A design with the closed form of its parts. Each part is solved when something is first asked of it, and never again, however much is asked; so is the body that is made of it settled once.
@@ -185,7 +185,7 @@ impl Solution {
     }
 
     fn no_such_part(&self, index: usize) -> Error {
-        let message = format!("expected a part from 0 to {}, found {index}", self.parts.len() - 1);
+        let message = format!("expected the number of a part, {}, found {index}", numbers_of(self.parts.len()));
         let error = Error::new(Code::NoSuchPoint, "part", message).with("least", 0.0);
         error.with("greatest", self.parts.len() - 1).with("found", index)
     }

@@ -30,7 +30,7 @@ impl Row for SurfaceRow<'_> {
     }
 
     fn jet_at(&self, columns: &Columns, column: usize) -> SurfaceJet {
-        let circles = columns.circles(column, self.surface.distinct().len());
+        let circles = columns.pairs(column, self.surface.distinct().len());
         self.table.jet(|n| circles.get(n).copied().unwrap_or((1.0, 0.0)))
     }
 }
@@ -56,7 +56,7 @@ impl Patch for Surface {
             }
             Spread::At(places) => places.iter().flat_map(|turns| self.circles(*turns)).collect(),
         };
-        Columns::with_circles(spread, circles)
+        Columns::with_pairs(spread, circles)
     }
 
     /// Amplitudes of all modes added up, whatever `v`: a bound that decays with the modes from the boundary that they come from. Where there are no rings it is tightened by Taylor's formula about the middle of the cell, because

@@ -149,8 +149,8 @@ fn points_are_told_by_patch_u_and_v() {
         assert_eq!(error(at), (Code::NoSuchPoint, path.to_owned(), message.to_owned()));
     };
     refused(&[0.0, 0.5], "at", "expected triples (patch, u, v), found 2 numbers");
-    refused(&[6.0, 0.5, 0.5], "at[0]", "expected a patch from 0 to 5, found 6");
-    refused(&[0.5, 0.5, 0.5], "at[0]", "expected a patch from 0 to 5, found 0.5");
+    refused(&[6.0, 0.5, 0.5], "at[0]", "expected the number of a patch, 0 to 5, found 6");
+    refused(&[0.5, 0.5, 0.5], "at[0]", "expected the number of a patch, 0 to 5, found 0.5");
     refused(&[0.0, 0.5, 0.5, 5.0, 0.5, 1.5], "at[5]", "expected v from 0 to 1, found 1.5");
     refused(&[0.0, f64::NAN, 0.5], "at[1]", "expected u from 0 to 1, found NaN");
     let (at, h) = ([3.0, 0.3, 0.8], 1e-6);

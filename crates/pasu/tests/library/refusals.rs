@@ -168,7 +168,7 @@ fn documents() {
             ),
             "duplicate",
             "parts[2].name",
-            "expected a name of its own, found \"a\", the name of parts[0]".into(),
+            "expected a name that no other part has, found \"a\", which is that of parts[0]".into(),
         ),
         (
             with_part(r#""object": 0.5"#),

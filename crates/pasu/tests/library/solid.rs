@@ -507,7 +507,10 @@ fn what_cannot_be_a_pot_says_why_and_where() {
 #[test]
 fn a_part_that_is_not_there_is_refused() {
     let error = Pot::new(&cylinder(r#"{ "thickness": 0.2, "base": 0.3 }"#), 1, Product::Pot).unwrap_err();
-    assert_eq!((error.code().as_str(), error.message()), ("no-such-point", "expected a part from 0 to 0, found 1"));
+    assert_eq!(
+        (error.code().as_str(), error.message()),
+        ("no-such-point", "expected the number of a part, only 0, found 1")
+    );
 }
 
 /// A wall thicker than the tube is wide is thinned, never folded; the report says by how much.

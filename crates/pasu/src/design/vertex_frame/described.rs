@@ -4,7 +4,7 @@ use super::network::{FrameRule, VertexFrame};
 #[cfg(feature = "typescript")]
 use crate::design::declarations::{interface, union};
 use crate::design::described::{Address, Described};
-use crate::design::number::{plain, rounded};
+use crate::design::number::{numbers_of, plain, rounded};
 #[cfg(feature = "typescript")]
 use crate::design::tables::{FORCE, FRAME_PATCH, VERTEX_FRAME};
 #[cfg(feature = "typescript")]
@@ -72,10 +72,7 @@ const NARROWEST: f64 = 1e-3;
 
 /// A number of something of which there are only so many.
 fn beyond(what: &str, found: u32, n: usize) -> Error {
-    let message = match n.checked_sub(1) {
-        Some(last) => format!("expected the number of a {what}, 0 to {last}, found {found}"),
-        None => format!("expected the number of a {what}, and there is none, found {found}"),
-    };
+    let message = format!("expected the number of a {what}, {}, found {found}", numbers_of(n));
     let error = Error::new(Code::OutOfRange, "", message).with("least", 0.0);
     error.with("greatest", n as f64 - 1.0).with("found", f64::from(found))
 }
