@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::climb::{Climb, Share, power};
-use crate::patch::{Breaks, Cell, Columns, Patch, Row, Side, Spread, Suprema, SurfaceJet};
+use crate::patch::{Breaks, Cell, Columns, Patch, Row, ShowCell, Side, Spread, Suprema, SurfaceJet};
 
 /// `X(u, v)` on `x^a + y^b + z^c = 1`: `u` from the tip `z = 1` to the plane `z = 0`, `v` from the plane `x = 0` to the plane `y = 0`.
 ///
@@ -176,7 +176,7 @@ impl Patch for Curved {
         enclosed(&self.strip(cell.u), &self.sector(cell.v), cell.lengths(), stretch)
     }
 
-    fn visit(&self, [u, v]: [&[f64]; 2], stretch: [f64; 3], show: &mut dyn FnMut([usize; 2], f64, Option<Suprema>)) {
+    fn shows_cells(&self, [u, v]: [&[f64]; 2], stretch: [f64; 3], show: &mut ShowCell) -> bool {
         let between = |places: &[f64]| places.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>();
         let length = |[from, to]: [f64; 2]| to - from;
         let sectors: Vec<_> = between(v).into_iter().map(|v| (length(v), self.sector(v))).collect();
@@ -187,6 +187,7 @@ impl Patch for Curved {
                 show([i, j], deviation, Some(suprema));
             }
         }
+        true
     }
 
     fn breaks(&self) -> [Breaks; 2] {
@@ -227,12 +228,12 @@ mod tests {
         for exponents in SOME {
             let patch = Curved::new(exponents);
             let mut n_cells = 0;
-            patch.visit([&u, &v], stretch, &mut |[i, j], deviation, suprema| {
+            let is_told = patch.shows_cells([&u, &v], stretch, &mut |[i, j], deviation, suprema| {
                 let cell = Cell { u: [u[i], u[i + 1]], v: [v[j], v[j + 1]] };
                 assert_eq!((suprema, deviation), (Some(patch.suprema(cell, stretch)), patch.deviation(cell, stretch)));
                 n_cells += 1;
             });
-            assert_eq!(n_cells, 12);
+            assert_eq!((is_told, n_cells), (true, 12));
         }
     }
 

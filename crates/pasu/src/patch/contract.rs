@@ -9,6 +9,10 @@ use super::jet::SurfaceJet;
 use super::row::Row;
 use super::side::Side;
 
+/// What is shown of a cell: the numbers of its row and column, its deviation and, where they are known by then, its suprema.
+#[cfg(feature = "patchwork")]
+pub(crate) type ShowCell<'a> = dyn FnMut([usize; 2], f64, Option<Suprema>) + 'a;
+
 /// One piece `X(u, v)` over the unit square, before placement: smooth inside but for the knots that it names, creases on its sides.
 ///
 /// Whatever is a patch can be meshed within a tolerance, measured and written as STEP: nothing above this room knows what a patch is made of.
@@ -64,21 +68,10 @@ pub(crate) trait Patch: core::fmt::Debug + Send + Sync {
         (self.suprema(cell, stretch), self.deviation(cell, stretch))
     }
 
-    /// Shows every cell between lines of constant `u` and of constant `v` by the numbers of its row and column: how far its triangles are off at most, and its suprema where these are known by then. What cells of one row or column have in common may be computed once.
-    fn visit(&self, [u, v]: [&[f64]; 2], stretch: [f64; 3], show: &mut dyn FnMut([usize; 2], f64, Option<Suprema>)) {
-        let is_alike = self.is_alike_round();
-        for (i, u) in u.windows(2).enumerate() {
-            let mut of_row = None;
-            for (j, v) in v.windows(2).enumerate() {
-                let cell = Cell { u: [u[0], u[1]], v: [v[0], v[1]] };
-                if is_alike {
-                    let suprema = *of_row.get_or_insert_with(|| self.suprema(cell, stretch));
-                    show([i, j], self.deviation_by(cell, &suprema), Some(suprema));
-                } else {
-                    show([i, j], self.deviation(cell, stretch), None);
-                }
-            }
-        }
+    /// Shows every cell between lines of constant `u` and of constant `v` by the numbers of its row and column, how far its triangles are off at most, and its suprema, and tells whether it did: a patch does not of which the cells of a row or column have nothing in common that takes long.
+    #[cfg(feature = "patchwork")]
+    fn shows_cells(&self, _lines: [&[f64]; 2], _stretch: [f64; 3], _show: &mut ShowCell) -> bool {
+        false
     }
 
     /// What resolves it along `u` and along `v`.

@@ -1,7 +1,7 @@
 //! Where the grid lines of patches are.
 
 use super::breaks::Breaks;
-use super::cell::Cell;
+use super::cell::{Cell, Suprema};
 use super::contract::Patch;
 use super::side::Side;
 use super::strips::{SAME_LINE, Strips};
@@ -83,10 +83,6 @@ impl Lines {
         Cell { u: [self.u[i], self.u[i + 1]], v: [self.v[j], self.v[j + 1]] }
     }
 
-    fn both(&self) -> [&[f64]; 2] {
-        [&self.u, &self.v]
-    }
-
     /// Halves the intervals of these numbers, in one pass: there may be millions.
     pub(crate) fn halve(lines: &mut Vec<f64>, mut intervals: Vec<usize>) {
         intervals.sort_unstable();
@@ -160,7 +156,7 @@ pub(crate) fn lines_within(
         for ((patch, lines), (is_new, largest)) in each.filter(|(_, (is_new, _))| **is_new) {
             *largest = 0.0;
             let (mut rows, mut columns) = (Vec::new(), Vec::new());
-            patch.visit(lines.both(), stretch, &mut |place, deviation, suprema| {
+            visit(*patch, lines, stretch, |place, deviation, suprema| {
                 *largest = largest.max(deviation);
                 if !(deviation <= distance) {
                     let cell = lines.cell(place);
@@ -192,9 +188,31 @@ fn directions(lines: &mut [Lines]) -> Vec<&mut Vec<f64>> {
 pub(crate) fn deviation_of(patches: &[&dyn Patch], lines: &[Lines], stretch: [f64; 3]) -> f64 {
     let mut most = 0.0f64;
     for (patch, lines) in patches.iter().zip(lines) {
-        patch.visit(lines.both(), stretch, &mut |_, deviation, _| most = most.max(deviation));
+        visit(*patch, lines, stretch, |_, deviation, _| most = most.max(deviation));
     }
     most
+}
+
+/// Shows every cell with the numbers of its row and column, and what is known of it.
+fn visit(patch: &dyn Patch, lines: &Lines, stretch: [f64; 3], mut show: impl FnMut([usize; 2], f64, Option<Suprema>)) {
+    #[cfg(feature = "patchwork")]
+    if patch.shows_cells([&lines.u, &lines.v], stretch, &mut show) {
+        return;
+    }
+    let is_alike = patch.is_alike_round();
+    for i in 1..lines.u.len() {
+        let mut of_row = None;
+        for j in 1..lines.v.len() {
+            let place = [i - 1, j - 1];
+            let cell = lines.cell(place);
+            if is_alike {
+                let suprema = *of_row.get_or_insert_with(|| patch.suprema(cell, stretch));
+                show(place, patch.deviation_by(cell, &suprema), Some(suprema));
+            } else {
+                show(place, patch.deviation(cell, stretch), None);
+            }
+        }
+    }
 }
 
 #[cfg(test)]

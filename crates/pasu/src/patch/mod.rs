@@ -18,6 +18,8 @@ pub(crate) use breaks::Breaks;
 pub(crate) use cell::{Cell, Suprema};
 pub(crate) use columns::{Columns, Spread};
 pub(crate) use contract::Patch;
+#[cfg(feature = "patchwork")]
+pub(crate) use contract::ShowCell;
 pub(crate) use corners::{ENDS, first_corners};
 pub(crate) use jet::AxisJet;
 pub use jet::SurfaceJet;

@@ -4,7 +4,7 @@
 //! out; `sharp` the numbers of the rings with a corner, 0 the foot; `foot` and `rim` the slopes of radius and height there.
 
 use super::pot::{Hoop, Rings, Series, Slopes};
-use crate::design::number::{numbers_of, parse, rounded, shortest};
+use crate::design::number::{parse, plain, rounded, shortest};
 use crate::design::refusal::{refused, shortened};
 use crate::design::value::Value;
 use crate::error::{Code, Error, Result};
@@ -106,7 +106,7 @@ pub(super) fn read(given: &[(&str, &str)]) -> Result<Vec<(String, Value)>> {
     for item in items("sharp").into_iter().flatten() {
         let index = parse(item).filter(|x| *x == x.trunc() && *x >= 0.0 && *x < n as f64);
         let Some(index) = index else {
-            let expected = format!("the number of a ring, {}", numbers_of(n));
+            let expected = format!("the number of a ring, 0 to {}", plain(n as f64 - 1.0));
             return Err(refused(Code::OutOfRange, &expected, &format!("{:?}", shortened(item))).at("rings"));
         };
         rings[index as usize].push(("sharp".to_owned(), Value::Bool(true)));
