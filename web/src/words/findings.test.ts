@@ -79,7 +79,7 @@ const REASONS: Readonly<Record<string, readonly string[]>> = {
     "uneven",
   ],
   "out-of-range": ["few-terms", "lining-outside"],
-  "too-large": ["triangles", "weights"],
+  "too-large": ["tolerance", "triangles", "weights"],
 };
 
 const FINDINGS: readonly (readonly [string, Finding["args"]])[] = [

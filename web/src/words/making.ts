@@ -28,6 +28,7 @@ function fewTerms(refusal: Refusal): string | null {
 const STATEMENTS: Readonly<Record<string, Statement>> = {
   "too-large": (refusal) => {
     const [found, greatest] = [numberOf(refusal, "found"), numberOf(refusal, "greatest")];
+    if (textOf(refusal, "what") === "tolerance") return making.tooManyPoints;
     if (greatest === null || refusal.args?.rows !== undefined) return null;
     if (textOf(refusal, "what") === "triangles") return making.tooManyTriangles(greatest);
     if (textOf(refusal, "what") === "weights") return making.tooSteep;

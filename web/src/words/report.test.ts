@@ -158,6 +158,24 @@ test("a tolerance is told in the millimetres of the file", () => {
   expect(at({ found: 1e-7 }, 10)).toMatch(/^Triangles as fine as 0.000001 mm /);
 });
 
+test("how thin a wall is made is told in the millimetres of the file", () => {
+  const finding = { code: "thinned", severity: "warning", part: 0, path: null, message: "", args: {}, at: RIM };
+  const meshes = [{ part: 0, thinnest: 0.0532, thinned: 0.43 }];
+  const report = { product: "pot", findings: [finding], meshes, unions: [], ok: false } as unknown as Report;
+  const said = (millimetres?: number) => checked(report, null, OUTLINE, "cm", millimetres)[0]?.text;
+  expect(said()?.replaceAll("\u00a0", " ")).toMatch(/^The wall is thinned to 0.0532 cm at the rim/);
+  expect(said(20)?.replaceAll("\u00a0", " ")).toMatch(/^The wall is thinned to 1.1 mm at the rim/);
+  const thin = { least: { value: 0.0532, at: RIM }, thinned: { value: 0.43 } } as never;
+  const [first] = madeOf(
+    report,
+    measures({ parts: [{ part: 0, name: null, thickness: thin }] as never }),
+    OUTLINE,
+    "cm",
+    10,
+  );
+  expect(first?.text.replaceAll("\u00a0", " ")).toMatch(/^The wall is thinned to 0.53 mm at the rim/);
+});
+
 test("how it stands, empty and full", () => {
   const tip = (empty: number, full: number | null) =>
     texts(

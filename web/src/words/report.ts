@@ -68,7 +68,7 @@ export function madeOf(
   millimetres: number,
 ): readonly Sentence[] {
   return [
-    ...checked(report, measures, outline, unit),
+    ...checked(report, measures, outline, unit, millimetres),
     ...inParts(measures, (part) => thinWords(part, outline, millimetres)),
   ].sort(worstFirst);
 }
@@ -88,8 +88,16 @@ function worstFirst(a: Sentence, b: Sentence): number {
   return ORDER.indexOf(a.severity) - ORDER.indexOf(b.severity);
 }
 
-/** What the checks say of the very triangles that a file holds, with the names of the parts that `measures` has, where there are several. */
-export function checked(report: Report, measures: Measures | null, outline: Outline, unit: Unit): readonly Sentence[] {
+/** What the checks say of the very triangles that a file holds, with the names of the parts that `measures` has, where there are several. How thin a wall is made is told in `unit`, or in the millimetres of the file where it is given how many a model unit has in it. */
+export function checked(
+  report: Report,
+  measures: Measures | null,
+  outline: Outline,
+  unit: Unit,
+  millimetres?: number,
+): readonly Sentence[] {
+  const length = (value: number) =>
+    millimetres === undefined ? lengthWords(value, unit, 3) : lengthWords(millimetres * value, "mm", 2);
   const sentences = report.findings
     .filter(({ code }) => !MEASURED.includes(code))
     .map((finding) => {
@@ -97,7 +105,7 @@ export function checked(report: Report, measures: Measures | null, outline: Outl
       // What is said of all parts of an object is not said of one.
       const isOfAll = finding.path === "union" && finding.args.other === undefined;
       const of = (text: string) => (isOfAll ? text : named(measures, part, text));
-      const thinned = thinnedWords(finding, report, outline, unit);
+      const thinned = thinnedWords(finding, report, outline, length);
       if (thinned) return { severity, text: of(thinned.text), brief: of(thinned.brief) };
       return { severity, text: of(fittedWords(finding, unit) ?? findingWords(finding, outline, unit, measures)) };
     });
@@ -161,12 +169,12 @@ function thinnedWords(
   { code, part, at }: Finding,
   { meshes }: Report,
   outline: Outline,
-  unit: Unit,
+  length: (value: number) => string,
 ): { readonly text: string; readonly brief: string } | null {
   const mesh = meshes.find((each) => each.part === part);
   if (code !== THINNED || !mesh?.thinnest || !at) return null;
   const share = quantities.percent(formatNumber(Math.max(0.1, 100 * mesh.thinned), 2));
-  const [thin, where] = [lengthWords(mesh.thinnest, unit, 3), whereWords(at, outline)];
+  const [thin, where] = [length(mesh.thinnest), whereWords(at, outline)];
   return { text: said.thinnedTo(thin, where, share), brief: said.thinnedBrief(thin, where) };
 }
 

@@ -272,7 +272,9 @@ pub(crate) fn places(placed: &Placed, tolerance: Option<f64>) -> Result<(Vec<f64
     let grid = PartGrid::choose(placed, surface, &options, false, Curves::default())?;
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
-        return Err(too_many(placed, [rows, columns], "; ask for a coarser tolerance"));
+        let error = too_many(placed, [rows, columns], "; ask for a coarser tolerance");
+        // What was asked for and what is usual have different remedies.
+        return Err(if tolerance.is_some() { error.with("what", "tolerance") } else { error });
     }
     Ok(grid.places())
 }

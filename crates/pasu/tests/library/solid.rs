@@ -583,3 +583,13 @@ fn a_crescent_has_level_faces_that_are_seen_from_nowhere() {
         "is outside of it, so no drain can be there",
     );
 }
+
+#[test]
+fn a_tolerance_that_takes_too_many_points_says_that_it_is_the_tolerance() {
+    let making = Making { product: Product::Solid, tolerance: Some(1e-6), ..Making::default() };
+    let report = check(&Design::parse("#1/bloor-wilson?n1=5").unwrap(), &making).unwrap();
+    let [finding] = &report.findings[..] else { panic!("{report:?}") };
+    assert_eq!((finding.code, finding.path.as_deref()), ("too-large", Some("parts[0]")), "{finding:?}");
+    assert_eq!(finding.args.get("what"), Some(&"tolerance".into()));
+    assert!(!report.ok && finding.args.contains_key("rows"));
+}

@@ -255,7 +255,7 @@ export class PasuExport extends DesignerElement {
   }
 
   private fineness(report: Report, making: Making, measures: Measures) {
-    if (!fileFormat(this.format).triangles) return nothing;
+    if (!fileFormat(this.format).triangles || report.meshes.length === 0) return nothing;
     const { millimetres } = scaleOf(making, measures, unitOf(this.designer.store.design));
     return html`
       <div><dt>${words.triangles}</dt><dd>${grouped(trianglesOf(report))}</dd></div>
@@ -274,7 +274,7 @@ export class PasuExport extends DesignerElement {
     const own =
       this.chosen.product === "pot"
         ? madeOf(found, measures, outline, unit, millimetres)
-        : checked(found, measures, outline, unit);
+        : checked(found, measures, outline, unit, millimetres);
     return scene ? withScene(own, scene, now.design, report) : own;
   }
 

@@ -23,13 +23,16 @@ export const exportStyles = css`
   .row {
     display: grid;
     grid-template-columns: repeat(auto-fit, minmax(min(8.125rem, 100%), 1fr));
-    gap: 10px 12px;
+    gap: 4px 12px;
     padding-top: 14px;
   }
+  /* Fields side by side stand on one line, where the name of one takes two. */
   .row label {
     display: grid;
+    grid-row: span 3;
+    grid-template-rows: subgrid;
     align-content: start;
-    gap: 4px;
+    padding-bottom: 2px;
     font-size: 0.92rem;
   }
   .row .field {

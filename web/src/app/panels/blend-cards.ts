@@ -27,6 +27,7 @@ import { toggleExplain } from "../../state/actions";
 import { changeBlend, changeSection } from "../../state/blend-actions";
 import { cells } from "../../ui/cells";
 import "../../ui/number-field";
+import { intro } from "../../ui/intro";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, fields, pointed } from "../../ui/styles";
 import { blends as words } from "../../words/english/blends";
@@ -306,6 +307,7 @@ export class PasuBlendCards extends DesignerElement {
 
   static override readonly styles = [
     base,
+    intro,
     buttons,
     fields,
     pointed,
@@ -314,17 +316,6 @@ export class PasuBlendCards extends DesignerElement {
     css`
       :host {
         display: block;
-      }
-      .intro {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        gap: 10px;
-        padding-bottom: 10px;
-        color: var(--soft);
-      }
-      .intro .button {
-        flex: none;
       }
       .clash {
         display: flex;
@@ -342,9 +333,6 @@ export class PasuBlendCards extends DesignerElement {
         flex: 1 0 100%;
         font-size: 0.92rem;
         text-wrap: pretty;
-      }
-      .intro strong {
-        color: var(--ink);
       }
       ol {
         display: grid;

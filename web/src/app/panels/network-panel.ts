@@ -23,6 +23,7 @@ import { cells } from "../../ui/cells";
 import { choiceStyles, choices } from "../../ui/choices";
 import "../../ui/number-field";
 import { formatNumber } from "../../number";
+import { intro } from "../../ui/intro";
 import type { NumberChangeEvent } from "../../ui/number-field";
 import { base, buttons, disclosure, fields } from "../../ui/styles";
 import { networks as words } from "../../words/english/networks";
@@ -269,6 +270,7 @@ export class PasuNetworkPanel extends DesignerElement {
 
   static override readonly styles = [
     base,
+    intro,
     buttons,
     fields,
     cells,
@@ -277,20 +279,6 @@ export class PasuNetworkPanel extends DesignerElement {
     css`
       :host {
         display: block;
-      }
-      .intro {
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        gap: 10px;
-        padding-bottom: 10px;
-        color: var(--soft);
-      }
-      .intro .button {
-        flex: none;
-      }
-      .intro strong {
-        color: var(--ink);
       }
       .choices div {
         grid-template-columns: repeat(auto-fit, minmax(3.6rem, 1fr));

@@ -9,6 +9,7 @@ import { DesignerElement } from "../../element/designer-element";
 import { toggleExplain } from "../../state/actions";
 import { changeOctant } from "../../state/octant-actions";
 import "../../ui/number-field";
+import { intro } from "../../ui/intro";
 import type { NumberChangeEvent, NumberResetEvent } from "../../ui/number-field";
 import { base, buttons, pointed } from "../../ui/styles";
 import { octants as words } from "../../words/english/octants";
@@ -101,28 +102,12 @@ export class PasuOctant extends DesignerElement {
 
   static override readonly styles = [
     base,
+    intro,
     buttons,
     pointed,
     css`
       :host {
         display: block;
-      }
-      .intro {
-        display: flex;
-        align-items: flex-start;
-        justify-content: space-between;
-        gap: 10px;
-        padding-bottom: 10px;
-      }
-      .intro p {
-        color: var(--soft);
-        text-wrap: pretty;
-      }
-      .intro strong {
-        color: var(--ink);
-      }
-      .intro .button {
-        flex: none;
       }
       .presets {
         display: flex;

@@ -9,6 +9,7 @@ export const making = phrases("making", {
     `The equation of ${axis} changes too fast along the profile to be measured or made: it can only be drawn.`,
   tooSteep: "With these weights the solid leaves its sections too fast to be measured or made: it can only be drawn.",
   tooManyTriangles: (greatest: string) => `It takes more than ${greatest} triangles. A coarser tolerance takes fewer.`,
+  tooManyPoints: "So fine a tolerance takes more points than a file can have. A coarser one takes fewer.",
   tooFine: (found: string) => `Triangles as fine as ${found} are more than can be made, or finer than their numbers.`,
   /** Sides and ends of a pot, inside a sentence. */
   faces: {
