@@ -10,7 +10,9 @@ import json
 import sys
 import traceback
 from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 
@@ -105,8 +107,10 @@ def main(program: str, judge: Judge, damages: dict[Damage, str], wanted: Callabl
     scratch = folder / "damaged" / program.replace(" ", "-")
     scratch.mkdir(parents=True, exist_ok=True)
     passed = failed = 0
-    for specimen in specimens:
-        found = faults(judge, specimen)
+    # One process for each processor: what is judged takes one, and none knows of another.
+    with ProcessPoolExecutor() as pool:
+        all_found = list(pool.map(partial(faults, judge), specimens))
+    for specimen, found in zip(specimens, all_found, strict=True):
         for fault in found:
             print(f"not ok: {specimen.name}: {program}: {fault}", flush=True)
         failed += bool(found)
