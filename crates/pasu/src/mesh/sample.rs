@@ -273,8 +273,9 @@ pub(crate) fn places(placed: &Placed, tolerance: Option<f64>) -> Result<(Vec<f64
     let (rows, columns) = (grid.tessellation.along + 1.0, grid.tessellation.round + 1.0);
     if rows * columns > VERTEX_LIMIT as f64 {
         let error = too_many(placed, [rows, columns], "; ask for a coarser tolerance");
-        // What was asked for and what is usual have different remedies.
-        return Err(if tolerance.is_some() { error.with("what", "tolerance") } else { error });
+        // What was asked for and what is usual have different remedies; where points are beyond counting it is the size.
+        let is_asked = tolerance.is_some() && (rows * columns).is_finite();
+        return Err(if is_asked { error.with("what", "tolerance") } else { error });
     }
     Ok(grid.places())
 }
